@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace kfast {
+
+/// Everything the device side can refuse. Each function lists which of these it returns.
+enum class Error : std::uint8_t {
+    truncated,           ///< the bytes end before the scene does
+    bad_magic,           ///< not a compiled scene
+    unsupported_version, ///< compiled for another version of the format
+    bad_checksum,        ///< the bytes were damaged on the way
+    bad_scene,           ///< a value in the scene is out of its range, or refers to nothing
+    block_too_small,     ///< the caller lent less memory than the scene needs
+};
+
+/// A value or the reason why there is none; the part of std::expected (C++23) that KFAST needs.
+template <class T>
+class [[nodiscard]] Result {
+public:
+    constexpr Result(T value) : value_{std::move(value)} {}
+    constexpr Result(Error error) : error_{error} {}
+
+    constexpr explicit operator bool() const { return value_.has_value(); }
+
+    /// Only when the result holds a value.
+    constexpr T& operator*() { return *value_; }
+    constexpr const T& operator*() const { return *value_; }
+    constexpr T* operator->() { return &*value_; }
+    constexpr const T* operator->() const { return &*value_; }
+
+    /// Only when the result holds no value.
+    constexpr Error error() const { return error_; }
+
+private:
+    std::optional<T> value_;
+    Error error_{};
+};
+
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "host/text/source.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+enum class Severity { warning, error };
+
+/// One thing that is wrong with a text: where, what, and what would be right.
+struct Diagnostic {
+    Severity severity = Severity::error;
+    Place place;
+    std::string message; ///< what is wrong: "unknown colour \"blu\""
+    std::string remedy;  ///< what would be right: "did you mean \"blue\"?"; may be empty
+};
+
+/// Collects what is wrong, so that one run reports all of it.
+class Diagnostics {
+public:
+    void error(Place place, std::string message, std::string remedy = {});
+    void warning(Place place, std::string message, std::string remedy = {});
+
+    bool has_errors() const;
+    /// In the order of their places.
+    std::vector<Diagnostic> sorted() const;
+
+private:
+    std::vector<Diagnostic> entries_;
+};
+
+/// One diagnostic for a terminal: `name:line:column: error: message`, the line itself, a caret under the
+/// place, and the remedy. Long lines are cut around the place; control characters are made visible.
+std::string format(const Diagnostic& diagnostic, const SourceText& source);
+
+}

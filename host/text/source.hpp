@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+
+/// A stretch of bytes in a source text.
+struct Place {
+    std::size_t offset = 0;
+    std::size_t length = 0;
+};
+
+/// A text and the name it goes by in messages (usually its file name).
+struct SourceText {
+    std::string name;
+    std::string text;
+};
+
+/// Where a byte stands for a reader. Both count from 1; a column is a Unicode code point.
+struct LineColumn {
+    std::size_t line = 1;
+    std::size_t column = 1;
+};
+
+LineColumn line_column(std::string_view text, std::size_t offset);
+
+/// The whole line that holds `offset`, without its end.
+std::string_view line_at(std::string_view text, std::size_t offset);
+
+}
