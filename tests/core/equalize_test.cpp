@@ -108,12 +108,13 @@ void draw(CoveragePicture& picture)
     picture.draw();
 }
 
-void check_same(const CoveragePicture& one, const CoveragePicture& other)
+/// Where curves are involved both pictures are approximations, each within half a level of the curve.
+void check_same(const CoveragePicture& one, const CoveragePicture& other, Curves curves)
 {
     int worst = 0;
     for (std::size_t i = 0; i < one.levels().size(); ++i)
         worst = std::max(worst, std::abs(one.levels()[i] - other.levels()[i]));
-    CHECK(worst <= 1);
+    CHECK(worst <= (curves == Curves::none ? 1 : 2));
 }
 
 void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
@@ -137,7 +138,7 @@ void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
             parts.end(stroke.hub.a);
         }
         draw(matched);
-        check_same(original, matched);
+        check_same(original, matched, curves);
     }
 }
 
@@ -147,7 +148,7 @@ void check_stroked_alike(std::uint32_t seed, int rounds, Curves curves)
     for (int round = 0; round < rounds; ++round) {
         const ArrayDrawing a = random_drawing(random, curves);
         const Pen pen{.half_width = Fixed::from_raw(static_cast<std::int32_t>(16384 + random() % 250000)),
-                      .arc_pieces = 256,
+                      .arc_pieces = 64,
                       .cap = Cap::round,
                       .join = Join::round};
         CoveragePicture original = new_picture();
@@ -167,7 +168,7 @@ void check_stroked_alike(std::uint32_t seed, int rounds, Curves curves)
             parts.end(stroke.is_whole && stroke.a.front().from == stroke.a.back().to);
         }
         draw(matched);
-        check_same(original, matched);
+        check_same(original, matched, curves);
     }
 }
 
