@@ -44,7 +44,8 @@ struct Node {
     std::string name;
     Place name_place;
     std::vector<Value> arguments;
-    std::vector<Property> properties; ///< in source order; a name that is given again replaces the earlier one
+    std::vector<Property>
+        properties; ///< in source order; a name that is given again replaces the earlier one
     std::vector<Node> children;
 };
 

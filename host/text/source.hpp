@@ -24,9 +24,10 @@ struct LineColumn {
     std::size_t column = 1;
 };
 
+/// Lines end with LF, CR LF or a lone CR, as editors count them. An offset beyond the end means the end.
 LineColumn line_column(std::string_view text, std::size_t offset);
 
-/// The whole line that holds `offset`, without its end.
+/// The whole line that holds `offset`, without its end. An offset beyond the end means the end.
 std::string_view line_at(std::string_view text, std::size_t offset);
 
 }

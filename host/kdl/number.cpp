@@ -1,0 +1,153 @@
+#include "host/kdl/number.hpp"
+
+#include "host/kdl/radix.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace kfast::kdl {
+
+namespace {
+
+/// The parts of a decimal number, their digits as canonical form writes them; the last two may be absent.
+struct Decimal {
+    bool is_negative = false;
+    std::string integer = {};
+    std::string fraction = {};
+    bool is_exponent_negative = false;
+    std::string exponent = {};
+};
+
+std::string without_leading_zeros(std::string digits)
+{
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    return digits;
+}
+
+/// Takes a digit and the digits and underscores after it; empty if there is no digit.
+std::string take_digits(std::string_view& rest, const Radix& radix)
+{
+    if (rest.empty() || !radix.has_digit(rest.front()))
+        return {};
+    std::string digits;
+    while (!rest.empty() && (rest.front() == '_' || radix.has_digit(rest.front()))) {
+        if (rest.front() != '_')
+            digits += rest.front();
+        rest.remove_prefix(1);
+    }
+    return digits;
+}
+
+bool take(std::string_view& rest, std::string_view expected)
+{
+    if (!rest.starts_with(expected))
+        return false;
+    rest.remove_prefix(expected.size());
+    return true;
+}
+
+/// Takes a sign, if there is one. Whether it was a minus.
+bool take_sign(std::string_view& rest)
+{
+    const bool is_negative = take(rest, "-");
+    if (!is_negative)
+        take(rest, "+");
+    return is_negative;
+}
+
+/// Where the first significant digit stands, as a power of ten; it decides only whether a number that is out
+/// of the range of double is too great or too small.
+double magnitude(const Decimal& decimal)
+{
+    const std::string digits = decimal.integer + decimal.fraction;
+    const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
+    double exponent = 0; // digits beyond 18 leave no doubt either
+    for (const char digit : std::string_view{decimal.exponent}.substr(0, 18))
+        exponent = exponent * 10 + (digit - '0');
+    return static_cast<double>(decimal.integer.size()) - static_cast<double>(zeros) +
+           (decimal.is_exponent_negative ? -exponent : exponent);
+}
+
+double nearest_double(const std::string& canonical, const Decimal& decimal)
+{
+    double value = 0;
+    const auto [end, fault] = std::from_chars(canonical.data(), canonical.data() + canonical.size(), value);
+    if (fault == std::errc::result_out_of_range) {
+        value = magnitude(decimal) > 0 ? std::numeric_limits<double>::infinity() : 0;
+        return decimal.is_negative ? -value : value;
+    }
+    return value;
+}
+
+Number number_of(const Decimal& decimal)
+{
+    std::string canonical = (decimal.is_negative ? "-" : "") + decimal.integer;
+    if (!decimal.fraction.empty())
+        canonical.append(".").append(decimal.fraction);
+    if (!decimal.exponent.empty())
+        canonical.append(decimal.is_exponent_negative ? "E-" : "E+").append(decimal.exponent);
+    const double value = nearest_double(canonical, decimal);
+    return {.canonical = std::move(canonical), .value = value};
+}
+
+NumberFault not_a_number(std::string_view word)
+{
+    return {.message = quoted(word) + " begins like a number but is none",
+            .remedy = word.ends_with(',') ? "separate values by spaces alone, without commas"
+                                          : "put a text that begins with a digit in quotes"};
+}
+
+std::variant<Number, NumberFault> integer_of(const Radix& radix, std::string_view word, std::string_view rest)
+{
+    constexpr std::size_t most_digits = 1000;
+    const std::string digits = take_digits(rest, radix);
+    if (digits.empty() || !rest.empty())
+        return NumberFault{.message = quoted(word) + " is not " + std::string(radix.name()),
+                           .remedy = std::string(radix.rule()) + "; a _ may stand after a digit"};
+    const std::string significant = without_leading_zeros(digits);
+    if (significant.size() > most_digits)
+        return NumberFault{.message = "this number has more than 1000 digits",
+                           .remedy = "write it in decimal"};
+    return number_of({.is_negative = word.front() == '-', .integer = radix.in_decimal(significant)});
+}
+
+std::variant<Number, NumberFault> decimal_of(std::string_view word, std::string_view rest)
+{
+    Decimal decimal{.is_negative = word.front() == '-'};
+    if (rest.starts_with('.'))
+        return NumberFault{.message = "a number cannot begin with its point",
+                           .remedy = "write a 0 before the point"};
+    decimal.integer = without_leading_zeros(take_digits(rest, Radix::decimal()));
+    if (take(rest, ".") && (decimal.fraction = take_digits(rest, Radix::decimal())).empty())
+        return NumberFault{.message = "no digit follows the point of this number",
+                           .remedy = "write a 0 after the point or leave the point out"};
+    if (take(rest, "e") || take(rest, "E")) {
+        decimal.is_exponent_negative = take_sign(rest);
+        decimal.exponent = take_digits(rest, Radix::decimal());
+        if (decimal.exponent.empty())
+            return NumberFault{.message = "no digit follows the e of this number",
+                               .remedy = "write a whole exponent, as in 1e3 or 1e-3"};
+        decimal.exponent = without_leading_zeros(decimal.exponent);
+    }
+    if (!rest.empty())
+        return not_a_number(word);
+    return number_of(decimal);
+}
+
+}
+
+std::variant<Number, NumberFault> number_from(std::string_view word)
+{
+    std::string_view rest = word;
+    take_sign(rest);
+    for (const Radix& radix : Radix::prefixed())
+        if (take(rest, radix.prefix()))
+            return integer_of(radix, word, rest);
+    return decimal_of(word, rest);
+}
+
+}

@@ -1,0 +1,284 @@
+#include "host/kdl/parser.hpp"
+
+#include "host/kdl/encoding.hpp"
+#include "host/kdl/scalar.hpp"
+#include "host/kdl/scanner.hpp"
+#include "host/kdl/white_space.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <ranges>
+#include <set>
+#include <utility>
+
+namespace kfast::kdl {
+
+namespace {
+
+constexpr int deepest_node = 256;
+
+void drop_replaced(std::vector<Property>& properties)
+{
+    if (properties.size() < 2)
+        return;
+    std::set<std::string> seen;
+    std::vector<Property> kept;
+    for (Property& property : properties | std::views::reverse)
+        if (seen.insert(property.name).second)
+            kept.push_back(std::move(property));
+    std::ranges::reverse(kept);
+    properties = std::move(kept);
+}
+
+/// The grammar of nodes, by recursive descent. Each read_ function goes over what it names, or over as much
+/// of it as makes sense, after it has reported an error.
+class Parser {
+public:
+    Parser(std::string_view text, Diagnostics& diagnostics) : scanner_(text, diagnostics) {}
+
+    Document read_document();
+
+private:
+    /// What of a node has been read so far, for what may follow depends on it.
+    struct Progress {
+        bool has_block = false;
+        bool has_any_block = false; ///< even one behind /-
+        std::size_t token_end = 0;  ///< of the last name, entry or block
+    };
+
+    void warn_of_other_version();
+    void read_nodes(std::vector<Node>& nodes, int depth);
+    Node read_node(int depth);
+    void read_name(Node& node);
+    void read_body(Node& node, int depth);
+    bool at_node_end();
+    void read_block(Node& node, Progress& progress, bool is_dropped, int depth);
+    void read_entry(Node& node, Progress& progress, bool is_dropped);
+    void read_property(Node& node, Progress& progress, bool is_dropped, const Value& name);
+    std::optional<Value> read_value(Progress& progress);
+    std::optional<std::string> read_type();
+    bool accept_slashdash();
+    void report_missing(const std::string& what, const std::string& remedy);
+
+    Scanner scanner_;
+};
+
+Document Parser::read_document()
+{
+    Document document;
+    if (!check_encoding(scanner_))
+        return document;
+    warn_of_other_version();
+    read_nodes(document.nodes, 1);
+    while (scanner_.at("}")) {
+        scanner_.error({.offset = scanner_.offset(), .length = 1}, "this } closes nothing",
+                       "remove it, or add the { that it belongs to");
+        scanner_.accept("}");
+        read_nodes(document.nodes, 1);
+    }
+    return document;
+}
+
+void Parser::warn_of_other_version()
+{
+    Scanner ahead = scanner_;
+    const std::size_t begin = ahead.offset();
+    if (!ahead.accept("/-"))
+        return;
+    skip_spaces(ahead);
+    if (!ahead.accept("kdl-version") || !ahead.at_space())
+        return;
+    skip_spaces(ahead);
+    if (!ahead.at("2"))
+        scanner_.warning(ahead.place_since(begin),
+                         "this text says that it is not KDL 2, but is read as KDL 2.0",
+                         "check it and write /- kdl-version 2");
+}
+
+void Parser::read_nodes(std::vector<Node>& nodes, int depth)
+{
+    for (;;) {
+        scanner_.silence(false);
+        skip_line_space(scanner_);
+        if (scanner_.at_end() || scanner_.at("}"))
+            return;
+        const bool is_dropped = accept_slashdash();
+        Node node = read_node(depth);
+        if (!is_dropped && node.name_place.length > 0)
+            nodes.push_back(std::move(node));
+    }
+}
+
+Node Parser::read_node(int depth)
+{
+    Node node;
+    if (depth > deepest_node) {
+        scanner_.error({.offset = scanner_.offset(), .length = 1}, "nodes are nested deeper than 256", {});
+        scanner_.stop();
+    }
+    node.type = read_type();
+    read_name(node);
+    read_body(node, depth);
+    drop_replaced(node.properties);
+    return node;
+}
+
+void Parser::read_name(Node& node)
+{
+    const std::size_t begin = scanner_.offset();
+    if (!at_scalar(scanner_))
+        return report_missing("a node name", scanner_.at(";") ? "remove this ;" : "write a name here");
+    Value name;
+    if (!read_scalar(scanner_, name))
+        return;
+    if (!name.string())
+        return scanner_.error(scanner_.place_since(begin), "a node begins with its name, not with a value",
+                              "put a name before it, or in quotes");
+    node.name = *name.string();
+    node.name_place = scanner_.place_since(begin);
+}
+
+void Parser::read_body(Node& node, int depth)
+{
+    Progress progress{.token_end = scanner_.offset()};
+    while (!at_node_end()) {
+        const std::size_t begin = scanner_.offset();
+        const bool is_dropped = accept_slashdash();
+        if (scanner_.at("{")) {
+            read_block(node, progress, is_dropped, depth);
+            continue;
+        }
+        if (progress.has_any_block)
+            scanner_.error({.offset = begin, .length = 1}, "more follows on the line after a children block",
+                           "begin the next node on a new line or after a ;");
+        else if (begin == progress.token_end && !is_dropped)
+            scanner_.error({.offset = begin, .length = 1}, "a space is missing here",
+                           "put a space between values, or quotes around a text with special characters");
+        read_entry(node, progress, is_dropped);
+    }
+    scanner_.accept(";");
+}
+
+bool Parser::at_node_end()
+{
+    skip_node_space(scanner_);
+    return scanner_.at_end() || scanner_.at_newline() || scanner_.at(";") || scanner_.at("}") ||
+           scanner_.at("//");
+}
+
+void Parser::read_block(Node& node, Progress& progress, bool is_dropped, int depth)
+{
+    const Place opening{.offset = scanner_.offset(), .length = 1};
+    if (progress.has_block && !is_dropped)
+        scanner_.error(opening, "this node has a children block already", "put all children in one block");
+    progress.has_block |= !is_dropped;
+    progress.has_any_block = true;
+
+    scanner_.accept("{");
+    const bool was_silent = scanner_.silence(false);
+    std::vector<Node> dropped;
+    read_nodes(is_dropped ? dropped : node.children, depth + 1);
+    if (!scanner_.accept("}")) {
+        scanner_.error(opening, "this { is not closed", "add a closing }");
+        scanner_.stop();
+    }
+    scanner_.silence(was_silent);
+    progress.token_end = scanner_.offset();
+}
+
+void Parser::read_entry(Node& node, Progress& progress, bool is_dropped)
+{
+    std::optional<Value> value = read_value(progress);
+    if (!value)
+        return;
+    skip_node_space(scanner_);
+    if (scanner_.at("="))
+        read_property(node, progress, is_dropped, *value);
+    else if (!is_dropped)
+        node.arguments.push_back(std::move(*value));
+}
+
+void Parser::read_property(Node& node, Progress& progress, bool is_dropped, const Value& name)
+{
+    if (!name.string())
+        scanner_.error(name.place, "the name of a property must be a text", "put it in quotes");
+    if (name.type)
+        scanner_.error(name.place, "the name of a property takes no type", "write it as in name=(type)value");
+    scanner_.accept("=");
+    skip_node_space(scanner_);
+    std::optional<Value> value = read_value(progress);
+    if (value && name.string() && !is_dropped)
+        node.properties.push_back(
+            {.name = *name.string(), .name_place = name.place, .value = std::move(*value)});
+}
+
+std::optional<Value> Parser::read_value(Progress& progress)
+{
+    const std::size_t begin = scanner_.offset();
+    Value value;
+    value.type = read_type();
+    const bool has_scalar = at_scalar(scanner_);
+    if (!has_scalar)
+        report_missing("a value", "write a value here");
+    const bool is_sound = has_scalar && read_scalar(scanner_, value);
+    value.place = scanner_.place_since(begin);
+    progress.token_end = scanner_.offset();
+    return is_sound ? std::optional{std::move(value)} : std::nullopt;
+}
+
+std::optional<std::string> Parser::read_type()
+{
+    const std::size_t begin = scanner_.offset();
+    if (!scanner_.accept("("))
+        return {};
+    skip_node_space(scanner_);
+    Value type;
+    if (scanner_.at(")"))
+        scanner_.error(scanner_.place_since(begin), "this ( ) holds no type", "name one, as in (ms)500");
+    else if (!at_scalar(scanner_))
+        report_missing("the name of a type", "write a name, as in (ms)500");
+    else if (read_scalar(scanner_, type) && !type.string())
+        scanner_.error(scanner_.place_since(begin), "the name of a type must be a text", "put it in quotes");
+    skip_node_space(scanner_);
+    if (!scanner_.accept(")"))
+        scanner_.error({.offset = begin, .length = 1}, "this ( is not closed",
+                       "add a ) after the name of the type");
+    skip_node_space(scanner_);
+    return type.string() ? std::optional{*type.string()} : std::nullopt;
+}
+
+bool Parser::accept_slashdash()
+{
+    const std::size_t begin = scanner_.offset();
+    if (!scanner_.accept("/-"))
+        return false;
+    const Place place = scanner_.place_since(begin);
+    skip_line_space(scanner_);
+    if (scanner_.at("/-"))
+        scanner_.error(place, "two /- follow each other", "one /- per thing that is left out is enough");
+    else if (scanner_.at_end() || scanner_.at("}") || scanner_.at(";"))
+        scanner_.error(place, "nothing follows this /-", "remove it");
+    return true;
+}
+
+/// Goes over a character that can begin nothing, so that reading gets ahead.
+void Parser::report_missing(const std::string& what, const std::string& remedy)
+{
+    const std::size_t begin = scanner_.offset();
+    if (scanner_.at("{") || scanner_.at("/-") || at_node_end())
+        return scanner_.error({.offset = begin, .length = 1}, what + " is missing here", remedy);
+    const bool is_equals = scanner_.at("=");
+    scanner_.advance();
+    scanner_.error(scanner_.place_since(begin), quoted(scanner_.since(begin)) + " cannot stand here",
+                   is_equals ? "a value is written as name=value or alone"
+                             : "put a text with such characters in quotes");
+}
+
+}
+
+Document parse(std::string_view text, Diagnostics& diagnostics)
+{
+    return Parser{text, diagnostics}.read_document();
+}
+
+}

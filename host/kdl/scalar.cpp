@@ -1,0 +1,114 @@
+#include "host/kdl/scalar.hpp"
+
+#include "host/kdl/code_point_class.hpp"
+#include "host/kdl/identifier.hpp"
+#include "host/kdl/number.hpp"
+#include "host/kdl/string_literal.hpp"
+#include "host/text/glyph.hpp"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace kfast::kdl {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool at_word(const Scanner& scanner) { return is_identifier_character(scanner.peek()); }
+
+std::string_view read_word(Scanner& scanner)
+{
+    const std::size_t begin = scanner.offset();
+    while (at_word(scanner))
+        scanner.advance();
+    return scanner.since(begin);
+}
+
+bool read_string(Scanner& scanner, Value& value)
+{
+    std::optional<StringLiteral> literal = read_string_literal(scanner);
+    if (!literal)
+        return false;
+    value.data = std::move(literal->text);
+    value.text_offset = literal->text_offset;
+    return true;
+}
+
+struct Keyword {
+    std::string_view word;
+    decltype(Value::data) data;
+};
+
+bool read_keyword(Scanner& scanner, Value& value)
+{
+    const std::array keywords{
+        Keyword{"#true", true},
+        Keyword{"#false", false},
+        Keyword{"#null", Null{}},
+        Keyword{"#inf", Number{.canonical = "#inf", .value = infinity}},
+        Keyword{"#-inf", Number{.canonical = "#-inf", .value = -infinity}},
+        Keyword{"#nan", Number{.canonical = "#nan", .value = std::numeric_limits<double>::quiet_NaN()}},
+    };
+    const std::size_t begin = scanner.offset();
+    while (scanner.accept("#")) {
+    }
+    read_word(scanner);
+    for (const auto& [word, data] : keywords)
+        if (word == scanner.since(begin)) {
+            value.data = data;
+            return true;
+        }
+    scanner.error(
+        scanner.place_since(begin), quoted(scanner.since(begin)) + " is not a keyword",
+        "the keywords are #true, #false, #null, #inf, #-inf and #nan; a text with a # needs quotes");
+    return false;
+}
+
+bool read_number(Scanner& scanner, std::size_t begin, Value& value)
+{
+    std::variant<Number, NumberFault> number = number_from(scanner.since(begin));
+    if (auto* fault = std::get_if<NumberFault>(&number)) {
+        scanner.error(scanner.place_since(begin), std::move(fault->message), std::move(fault->remedy));
+        return false;
+    }
+    value.data = std::get<Number>(std::move(number));
+    return true;
+}
+
+bool read_bare_word(Scanner& scanner, Value& value)
+{
+    const std::size_t begin = scanner.offset();
+    const std::string word{read_word(scanner)};
+    if (begins_like_number(word))
+        return read_number(scanner, begin, value);
+    if (is_reserved(word)) {
+        scanner.error(scanner.place_since(begin), '"' + word + "\" is not a value",
+                      "write #" + word + ", or \"" + word + "\" for a text");
+        return false;
+    }
+    if (word == "r" && at_string_literal(scanner)) {
+        scanner.error(scanner.place_since(begin), "a raw string does not begin with r",
+                      "write #\"...\"#, as KDL 2.0 does");
+        return false;
+    }
+    value.data = word;
+    value.text_offset = begin;
+    return true;
+}
+
+}
+
+bool at_scalar(const Scanner& scanner) { return scanner.at("\"") || scanner.at("#") || at_word(scanner); }
+
+bool read_scalar(Scanner& scanner, Value& value)
+{
+    if (at_string_literal(scanner))
+        return read_string(scanner, value);
+    if (scanner.at("#"))
+        return read_keyword(scanner, value);
+    return read_bare_word(scanner, value);
+}
+
+}

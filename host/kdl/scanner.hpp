@@ -1,0 +1,60 @@
+#pragma once
+
+#include "host/text/diagnostic.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kfast::kdl {
+
+/// Walks through a text of valid UTF-8 and reports what is wrong with it.
+///
+/// After an error the rest of the node follows from guesses. The scanner therefore falls silent with each
+/// error until silence(false) says that firm ground is reached.
+class Scanner {
+public:
+    /// What peek() answers at the end; no code point has this value.
+    static constexpr char32_t end_of_text = 0xFFFF'FFFF;
+
+    /// Both must outlive the scanner.
+    Scanner(std::string_view text, Diagnostics& diagnostics) : text_(text), diagnostics_(diagnostics) {}
+
+    std::string_view text() const { return text_; }
+    std::size_t offset() const { return offset_; }
+    bool at_end() const { return offset_ == text_.size(); }
+    bool at(std::string_view expected) const { return text_.substr(offset_).starts_with(expected); }
+    bool at_newline() const;
+    bool at_space() const;
+    char32_t peek() const;
+
+    std::string_view since(std::size_t begin) const { return text_.substr(begin, offset_ - begin); }
+    Place place_since(std::size_t begin) const { return {.offset = begin, .length = offset_ - begin}; }
+
+    /// Goes over one code point. Not at the end.
+    void advance();
+    /// Goes over `expected` if that comes next.
+    bool accept(std::string_view expected);
+    /// Goes over one new line, which may be CR LF, if that comes next.
+    bool accept_newline();
+
+    void error(Place place, std::string message, std::string remedy = {});
+    void warning(Place place, std::string message, std::string remedy = {});
+    /// Returns whether it was silent.
+    bool silence(bool silent);
+    /// Nothing after this is read or reported.
+    void stop();
+
+private:
+    void report(Place place, std::string message, std::string remedy);
+
+    std::string_view text_;
+    Diagnostics& diagnostics_;
+    std::size_t offset_ = 0;
+    std::size_t last_error_ = 0;
+    int errors_ = 0;
+    bool silent_ = false;
+    bool stopped_ = false;
+};
+
+}

@@ -1,0 +1,65 @@
+#include "host/text/diagnostic.hpp"
+
+#include "host/text/excerpt.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast {
+
+namespace {
+
+constexpr std::size_t gutter_digits = 4;
+
+std::string headline(const Diagnostic& diagnostic, const SourceText& source)
+{
+    const LineColumn at = line_column(source.text, diagnostic.place.offset);
+    return visible(source.name) + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
+           (diagnostic.severity == Severity::error ? ": error: " : ": warning: ") +
+           visible(diagnostic.message) + '\n';
+}
+
+std::string right_aligned(std::string text, std::size_t width)
+{
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+}
+
+void Diagnostics::error(Place place, std::string message, std::string remedy)
+{
+    entries_.push_back({Severity::error, place, std::move(message), std::move(remedy)});
+}
+
+void Diagnostics::warning(Place place, std::string message, std::string remedy)
+{
+    entries_.push_back({Severity::warning, place, std::move(message), std::move(remedy)});
+}
+
+bool Diagnostics::has_errors() const
+{
+    return std::ranges::any_of(entries_, [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const
+{
+    std::vector<Diagnostic> all = entries_;
+    std::ranges::stable_sort(all, {}, [](const Diagnostic& d) { return d.place.offset; });
+    return all;
+}
+
+std::string format(const Diagnostic& diagnostic, const SourceText& source)
+{
+    const auto [line, marks] = excerpt(source.text, diagnostic.place);
+    const std::string number = std::to_string(line_column(source.text, diagnostic.place.offset).line);
+    const std::string gutter(std::max(gutter_digits, number.size()) + 1, ' ');
+    std::string text = headline(diagnostic, source);
+    text += right_aligned(number, gutter_digits) + " | " + line + '\n';
+    text += gutter + "| " + marks + '\n';
+    if (!diagnostic.remedy.empty())
+        text += gutter + "= help: " + visible(diagnostic.remedy) + '\n';
+    return text;
+}
+
+}
