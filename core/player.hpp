@@ -1,9 +1,14 @@
 #pragma once
 
+#include "core/canvas_map.hpp"
+#include "core/coverage_row.hpp"
+#include "core/edge_list.hpp"
+#include "core/fill_outline.hpp"
 #include "core/pixel_format.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
+#include "core/stroke_outline.hpp"
 #include "core/time.hpp"
 
 #include <cstddef>
@@ -11,29 +16,55 @@
 
 namespace kfast {
 
-/// How the canvas is laid on a panel of another size; always centred.
-enum class Fit : std::uint8_t {
-    contain, ///< as large as fits whole, background around it
-    cover,   ///< as small as fills the panel, the rest is cut off
-    none,    ///< one canvas pixel is one panel pixel
-};
-
 /// Draws any moment of a scene, rows from the top down, in memory that the caller lends.
+///
+/// The picture depends on scene, time, fit and panel size alone: not on earlier pictures, nor on how its rows
+/// are divided into bands.
 class Player {
 public:
-    /// Bytes that create() must be lent, for every time of the scene.
+    /// The sides of a panel are 1 … max_panel pixels long.
+    static constexpr int max_panel = 4096;
+
+    /// Bytes that create() must be lent: enough for every time of the scene.
     static std::size_t block_bytes(const SceneView& scene, Size panel);
 
-    /// `scene`'s bytes and `block` (aligned to 4) must outlive the player. Fails with block_too_small.
+    /// `scene`'s bytes and `block` (aligned to 4 bytes) must outlive the player. Fails with block_too_small.
     static Result<Player> create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
-    /// Computes the picture at `time` (wrapped by the scene's loop mode; any value is allowed).
+    /// Computes the outlines of the picture at `time`. Any time is allowed: the scene's loop mode decides
+    /// what it stands for.
     void show(Time time);
 
-    /// Draws the next `rows` rows of the picture into `pixels` (rows x row_bytes(format, panel width) bytes).
-    /// The first call after show() starts at row 0.
+    /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
+    /// The first call after show() begins at row 0. No more rows than the panel has.
     template <PixelFormat format>
     void draw_rows(int rows, std::span<std::byte> pixels);
+
+    const SceneView& scene() const { return scene_; }
+    Size panel() const { return panel_; }
+    /// Edges of the picture that is shown; at most the scene's max_edges().
+    std::size_t edge_count() const { return edges_.count(); }
+
+private:
+    Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
+
+    void trace(const ObjectView& object, Time time, std::size_t& layer);
+    Layer& begin_layer(std::size_t index, std::uint8_t colour);
+    Pen pen_for(const ObjectStyle& style) const;
+    template <class Row>
+    void draw_row(Row row);
+
+    SceneView scene_;
+    Size panel_;
+    CanvasMap map_;
+    std::span<Layer> layers_;
+    EdgeList edges_;
+    CoverageRow coverage_;
+    int next_row_ = 0;
 };
+
+extern template void Player::draw_rows<PixelFormat::rgb565>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::grey4>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::mono1>(int rows, std::span<std::byte> pixels);
 
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/fixed.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// A direction in 1/65536 turn, clockwise on the screen; 0 points along x. Sums wrap.
+struct BinaryAngle {
+    std::uint16_t raw = 0;
+
+    static constexpr std::int32_t turn = 65536;
+    static constexpr std::int32_t half_turn = turn / 2;
+    static constexpr std::int32_t quarter_turn = turn / 4;
+
+    /// `raw` is taken modulo one turn.
+    static constexpr BinaryAngle from_raw(std::int32_t raw) { return {static_cast<std::uint16_t>(raw)}; }
+
+    friend constexpr bool operator==(BinaryAngle, BinaryAngle) = default;
+};
+
+/// The shortest way from `from` to `to` in 1/65536 turn, -32768 … 32767, positive clockwise.
+constexpr std::int32_t shortest_turn(BinaryAngle from, BinaryAngle to)
+{
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(to.raw - from.raw));
+}
+
+/// One in Q30, the format of sines and of the components of unit vectors.
+inline constexpr std::int32_t one_q30 = 1 << 30;
+
+/// sin(share * 90 degrees) in Q30, within 16 units of the exact value, monotone, exact at both ends.
+std::int32_t quarter_sine(Share share);
+
+/// In Q30, within 16 units of the exact value.
+std::int32_t sine(BinaryAngle angle);
+std::int32_t cosine(BinaryAngle angle);
+
+/// The direction of the vector (x, y), within 1 unit of the exact value; 0 for the vector (0, 0).
+/// |x| and |y| are at most 2^30.
+BinaryAngle direction(std::int32_t x, std::int32_t y);
+
+}

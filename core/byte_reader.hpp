@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// Reads little-endian numbers from front to back. Past the end it reads zeros and remembers that it did.
+class ByteReader {
+public:
+    explicit ByteReader(std::span<const std::byte> bytes)
+        : at_{bytes.data()}, end_{bytes.data() + bytes.size()}
+    {
+    }
+
+    std::uint32_t u8()
+    {
+        if (at_ == end_) {
+            overrun_ = true;
+            return 0;
+        }
+        return std::to_integer<std::uint32_t>(*at_++);
+    }
+
+    std::uint32_t u16()
+    {
+        const std::uint32_t low = u8();
+        return low | u8() << 8;
+    }
+
+    std::uint32_t u32()
+    {
+        const std::uint32_t low = u16();
+        return low | u16() << 16;
+    }
+
+    /// Seven bits a byte, lowest first, the high bit set on all bytes but the last; at most five bytes.
+    std::uint32_t varint()
+    {
+        std::uint32_t value = 0;
+        for (int shift = 0; shift < 35; shift += 7) {
+            const std::uint32_t byte = u8();
+            value |= (byte & 0x7F) << shift;
+            if ((byte & 0x80) == 0)
+                return value;
+        }
+        overrun_ = true;
+        return 0;
+    }
+
+    void skip(std::size_t count)
+    {
+        overrun_ = overrun_ || count > left();
+        at_ += count > left() ? left() : count;
+    }
+
+    std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+    std::span<const std::byte> rest() const { return {at_, end_}; }
+    bool overrun() const { return overrun_; }
+
+private:
+    const std::byte* at_;
+    const std::byte* end_;
+    bool overrun_ = false;
+};
+
+}

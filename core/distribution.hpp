@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+namespace kfast {
+
+/// `total` things handed out to `count` receivers as evenly as the original KFAST did it: everybody gets
+/// total div count, and the first total mod count of them one more.
+struct Distribution {
+    std::uint32_t each = 0;
+    std::uint32_t extra = 0;
+
+    constexpr Distribution() = default;
+    constexpr Distribution(std::uint32_t total, std::uint32_t count)
+        : each{total / count}, extra{total % count}
+    {
+    }
+
+    /// What receiver `index` gets.
+    constexpr std::uint32_t at(std::uint32_t index) const { return each + (index < extra ? 1 : 0); }
+};
+
+}

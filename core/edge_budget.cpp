@@ -1,0 +1,73 @@
+#include "core/edge_budget.hpp"
+
+#include "core/equalize.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t inner_join_edges = 2;
+
+}
+
+// The flattened curve turns no more than its control polygon: a whole turn; an eighth of one more for the
+// rounding of its short pieces (docs/design.md, "The bound on memory").
+EdgeBudget::EdgeBudget(const ObjectStyle& style, int pieces_log2)
+    : is_filled_{style.is_filled}, is_stroked_{style.is_stroked}, curve_pieces_{1U << pieces_log2},
+      arc_{static_cast<std::uint32_t>(arc_pieces(style.width))}, cap_{style.cap == Cap::round    ? arc_
+                                                                      : style.cap == Cap::square ? 3
+                                                                                                 : 1},
+      bend_{style.join == Join::miter ? 2U : 1U}, corner_{style.join == Join::round ? arc_ : bend_},
+      curve_arcs_{style.join == Join::round ? 2 * arc_ + arc_ / 4 + 1 : 0}
+{
+}
+
+std::uint32_t EdgeBudget::between(PackedDrawing a, PackedDrawing b) const
+{
+    std::uint32_t edges = 0;
+    EqualizedPair pair{a, b};
+    while (const std::uint32_t segments = pair.next_stroke()) {
+        edges += stroke_ends();
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const Pair<Segment> both = pair.next_segment();
+            edges +=
+                segment_edges(both.a.kind == Segment::Kind::cubic || both.b.kind == Segment::Kind::cubic);
+        }
+    }
+    return edges;
+}
+
+std::uint32_t EdgeBudget::segment_edges(bool curved) const
+{
+    const std::uint32_t pieces = curved ? curve_pieces_ : 1;
+    std::uint32_t edges = is_filled_ ? pieces : 0;
+    if (is_stroked_) {
+        edges += 2 * pieces + (pieces - 1) * (inner_join_edges + bend_) + (curved ? curve_arcs_ : 0);
+        edges += inner_join_edges + corner_;
+    }
+    return edges;
+}
+
+/// The fill is closed over its hub by two edges; a stroke has two caps, or one more segment that closes it.
+std::uint32_t EdgeBudget::stroke_ends() const
+{
+    return (is_filled_ ? 2 : 0) + (is_stroked_ ? 2 * cap_ + 2 + inner_join_edges + corner_ : 0);
+}
+
+std::uint32_t object_edges(const ObjectView& object, std::span<const std::byte> drawings)
+{
+    KeyCursor keys = object.keys;
+    Key from = keys.next();
+    std::uint32_t most = 0;
+    for (bool is_last = false; !is_last;) {
+        is_last = keys.at_end();
+        const Key to = is_last ? from : keys.next();
+        const EdgeBudget budget{object.style, from.pieces_log2};
+        most = std::max(most, budget.between(drawing_at(drawings, from), drawing_at(drawings, to)));
+        from = to;
+    }
+    return most;
+}
+
+}

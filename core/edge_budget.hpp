@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/object_view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// Counts the edges that an object can need at most between two of its keys, for any time between them.
+class EdgeBudget {
+public:
+    EdgeBudget(const ObjectStyle& style, int pieces_log2);
+
+    /// For the way from drawing `a` to drawing `b`.
+    std::uint32_t between(PackedDrawing a, PackedDrawing b) const;
+
+private:
+    std::uint32_t segment_edges(bool curved) const;
+    std::uint32_t stroke_ends() const;
+
+    bool is_filled_;
+    bool is_stroked_;
+    std::uint32_t curve_pieces_;
+    std::uint32_t arc_;        ///< pieces of half a turn
+    std::uint32_t cap_;        ///< edges of one cap
+    std::uint32_t bend_;       ///< outer edges of a join within a curve, arcs apart
+    std::uint32_t corner_;     ///< outer edges of a join between two segments
+    std::uint32_t curve_arcs_; ///< edges that all the arcs within one curve add
+};
+
+/// The most edges that any moment of `object` needs: the largest figure of all its key intervals.
+/// `drawings` is the scene's section of drawings.
+std::uint32_t object_edges(const ObjectView& object, std::span<const std::byte> drawings);
+
+}

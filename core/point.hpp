@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/fixed.hpp"
+
+namespace kfast {
+
+/// A point or a vector in pixels: x to the right, y down.
+struct Point {
+    Fixed x;
+    Fixed y;
+
+    friend constexpr bool operator==(Point, Point) = default;
+    friend constexpr Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+    friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+    friend constexpr Point operator-(Point a) { return {-a.x, -a.y}; }
+};
+
+constexpr Point lerp(Point a, Point b, Share share) { return {lerp(a.x, b.x, share), lerp(a.y, b.y, share)}; }
+
+}

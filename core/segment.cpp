@@ -1,0 +1,60 @@
+#include "core/segment.hpp"
+
+namespace kfast {
+namespace {
+
+/// The polar form of a cubic: blossom(t, t, t) is the point at t.
+Point blossom(const Segment& cubic, Share r, Share s, Share t)
+{
+    const Point a = lerp(cubic.from, cubic.c1, r);
+    const Point b = lerp(cubic.c1, cubic.c2, r);
+    const Point c = lerp(cubic.c2, cubic.to, r);
+    return lerp(lerp(a, b, s), lerp(b, c, s), t);
+}
+
+Segment as_cubic(const Segment& segment)
+{
+    if (segment.kind == Segment::Kind::cubic)
+        return segment;
+    constexpr Share third = Share::ratio(1, 3);
+    return {.kind = Segment::Kind::cubic,
+            .from = segment.from,
+            .c1 = lerp(segment.from, segment.to, third),
+            .c2 = lerp(segment.to, segment.from, third),
+            .to = segment.to};
+}
+
+Point tween(Point a, Point b, Share x, Share y) { return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)}; }
+
+}
+
+Point point_at(const Segment& segment, Share share)
+{
+    if (segment.kind == Segment::Kind::line)
+        return lerp(segment.from, segment.to, share);
+    return blossom(segment, share, share, share);
+}
+
+Segment stretch(const Segment& whole, Share begin, Share end)
+{
+    Segment part{.kind = whole.kind, .from = point_at(whole, begin), .to = point_at(whole, end)};
+    if (whole.kind == Segment::Kind::cubic) {
+        part.c1 = blossom(whole, begin, begin, end);
+        part.c2 = blossom(whole, begin, end, end);
+    }
+    return part;
+}
+
+Segment tween(const Segment& a, const Segment& b, Share x, Share y)
+{
+    if (a.kind != b.kind)
+        return tween(as_cubic(a), as_cubic(b), x, y);
+    Segment live{.kind = a.kind, .from = tween(a.from, b.from, x, y), .to = tween(a.to, b.to, x, y)};
+    if (a.kind == Segment::Kind::cubic) {
+        live.c1 = tween(a.c1, b.c1, x, y);
+        live.c2 = tween(a.c2, b.c2, x, y);
+    }
+    return live;
+}
+
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/coverage_row.hpp"
+#include "core/edge_list.hpp"
+
+namespace kfast {
+
+/// Moves the sweep of `layer` over one row and adds what its edges enclose (winding number not 0) to
+/// `coverage`. Rows are swept from 0 downwards, each once.
+void sweep_row(EdgeList& edges, Layer& layer, int row, CoverageRow& coverage);
+
+}
