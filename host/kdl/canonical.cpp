@@ -36,9 +36,8 @@ std::string value_form(const Value& value)
 
 std::vector<const Property*> by_name(const std::vector<Property>& properties)
 {
-    std::vector<const Property*> sorted;
-    for (const Property& property : properties)
-        sorted.push_back(&property);
+    std::vector<const Property*> sorted(properties.size());
+    std::ranges::transform(properties, sorted.begin(), [](const Property& property) { return &property; });
     std::ranges::sort(sorted, {},
                       [](const Property* property) -> const std::string& { return property->name; });
     return sorted;

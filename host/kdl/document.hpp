@@ -15,7 +15,7 @@ struct Null {
 };
 
 /// A number keeps its digits: `canonical` is how KDL's canonical form writes it, `value` the nearest double
-/// (infinite where it exceeds the range of double).
+/// (infinite where it exceeds the range of double, 0 where it is too small for it).
 struct Number {
     std::string canonical;
     double value = 0;
@@ -44,8 +44,8 @@ struct Node {
     std::string name;
     Place name_place;
     std::vector<Value> arguments;
-    std::vector<Property>
-        properties; ///< in source order; a name that is given again replaces the earlier one
+    /// In source order. A name that is given again replaces the earlier one.
+    std::vector<Property> properties;
     std::vector<Node> children;
 };
 

@@ -127,11 +127,10 @@ std::variant<Number, NumberFault> decimal_of(std::string_view word, std::string_
                            .remedy = "write a 0 after the point or leave the point out"};
     if (take(rest, "e") || take(rest, "E")) {
         decimal.is_exponent_negative = take_sign(rest);
-        decimal.exponent = take_digits(rest, Radix::decimal());
-        if (decimal.exponent.empty())
+        decimal.exponent = without_leading_zeros(take_digits(rest, Radix::decimal()));
+        if (decimal.exponent.empty() && rest.empty())
             return NumberFault{.message = "no digit follows the e of this number",
                                .remedy = "write a whole exponent, as in 1e3 or 1e-3"};
-        decimal.exponent = without_leading_zeros(decimal.exponent);
     }
     if (!rest.empty())
         return not_a_number(word);

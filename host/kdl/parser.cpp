@@ -7,7 +7,6 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -23,9 +22,9 @@ void drop_replaced(std::vector<Property>& properties)
         return;
     std::set<std::string> seen;
     std::vector<Property> kept;
-    for (Property& property : properties | std::views::reverse)
-        if (seen.insert(property.name).second)
-            kept.push_back(std::move(property));
+    for (auto property = properties.rbegin(); property != properties.rend(); ++property)
+        if (seen.insert(property->name).second)
+            kept.push_back(std::move(*property));
     std::ranges::reverse(kept);
     properties = std::move(kept);
 }

@@ -20,7 +20,7 @@ std::string headline(const Diagnostic& diagnostic, const SourceText& source)
            visible(diagnostic.message) + '\n';
 }
 
-std::string right_aligned(std::string text, std::size_t width)
+std::string right_aligned(const std::string& text, std::size_t width)
 {
     return std::string(width - std::min(width, text.size()), ' ') + text;
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kfast::test {
+
+/// The canonical form of a document, or its errors if it has any.
+std::string reading(std::string_view text);
+
+/// What is wrong with a document: `line:column: message` for each error and warning, a line each.
+std::string errors(std::string_view text);
+
+/// The remedy of the first error.
+std::string remedy(std::string_view text);
+
+}
