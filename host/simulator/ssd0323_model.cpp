@@ -102,9 +102,6 @@ void Ssd0323Model::select(Axis& axis, int limit, const char* name)
     if (last >= limit)
         return fail(range + ": the last one is " + std::to_string(limit - 1));
     axis = {.first = first, .last = last, .at = first, .given = true};
-    // Either command sends the writing place back to the corner of the window.
-    column_.at = column_.first;
-    row_.at = row_.first;
     window_full_ = false;
 }
 

@@ -17,6 +17,7 @@ from PIL import Image, ImageChops
 from qemu import Qemu
 
 SCENE_ADDRESS = 0x20000
+RAM_ADDRESS = 0x20000000
 SCREENSHOTS = 12
 PIXEL = 4  # the emulated display shows a pixel as a block of 4 x 4
 FREE_FRAMES = 20
@@ -42,11 +43,15 @@ def cpu_of(image):
     return re.search(r"cortex-m\d+", pathlib.Path(image).name).group()
 
 
-def board(image, scene=None):
-    arguments = ["-M", "lm3s6965evb", "-cpu", cpu_of(image), "-kernel", str(image)]
-    if scene is not None:
-        arguments += ["-device", f"loader,file={scene},addr={SCENE_ADDRESS:#x},force-raw=on"]
-    return Qemu(arguments)
+def loaded(path, address):
+    return ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
+
+
+def board(image, folder, scene=None):
+    noise = folder / "noise"
+    noise.write_bytes(bytes(range(1, 256)) * 256)  # what RAM may hold when the power comes on
+    arguments = ["-M", "lm3s6965evb", "-cpu", cpu_of(image), "-kernel", str(image)] + loaded(noise, RAM_ADDRESS)
+    return Qemu(arguments if scene is None else arguments + loaded(scene, SCENE_ADDRESS))
 
 
 def wait_for(qemu, start):
@@ -91,7 +96,7 @@ def check_frames(qemu, hashes, pictures, folder):
 
 
 def check_stepped(image, scene, hashes, pictures, folder):
-    with board(image, scene) as qemu:
+    with board(image, folder, scene) as qemu:
         banner = qemu.line()
         expect(re.fullmatch(r"KFAST \S+ lm3s6965evb ssd0323 128x64 grey4", banner), f"banner: {banner!r}")
         qemu.send(b"s")
@@ -108,8 +113,8 @@ def rising(times):
     return times[:next(falls, len(times))]
 
 
-def check_free_running(image, scene, hashes):
-    with board(image, scene) as qemu:
+def check_free_running(image, scene, hashes, folder):
+    with board(image, folder, scene) as qemu:
         wait_for(qemu, "SCENE")
         frames = [frame(qemu) for _ in range(FREE_FRAMES)]
         expect_quiet(qemu)
@@ -120,8 +125,8 @@ def check_free_running(image, scene, hashes):
             expect(shown == hashes[ticks // 1024], f"free-running, time {ticks}/1024: hash {shown}")
 
 
-def check_error(image, scene, expected):
-    with board(image, scene) as qemu:
+def check_error(image, scene, expected, folder):
+    with board(image, folder, scene) as qemu:
         qemu.line()
         line = qemu.line()
     expect(line.startswith(f"ERROR {expected}: "), f"{line!r} instead of ERROR {expected}")
@@ -131,7 +136,7 @@ def check_damaged(image, scene, folder):
     damaged = bytearray(pathlib.Path(scene).read_bytes())
     damaged[len(damaged) // 2] ^= 0x10
     (folder / "damaged.kfb").write_bytes(damaged)
-    check_error(image, folder / "damaged.kfb", "bad_checksum")
+    check_error(image, folder / "damaged.kfb", "bad_checksum", folder)
 
 
 def main(image, scene, program):
@@ -142,9 +147,9 @@ def main(image, scene, program):
         hashes = expected_hashes(program, scene)
         kfast(program, "render", scene, "--panel", "ssd0323", "--all", "-o", pictures)
         screenshots = check_stepped(image, scene, hashes, pictures, folder)
-        check_free_running(image, scene, hashes)
+        check_free_running(image, scene, hashes, folder)
         check_damaged(image, scene, folder)
-        check_error(image, None, "bad_magic")
+        check_error(image, None, "bad_magic", folder)
     print(f"board and preview agree: {len(hashes)} frames, {screenshots} screenshots, {cpu_of(image)}")
 
 
