@@ -7,10 +7,10 @@
 namespace kfast {
 
 // A chord over the angle a of a circle of radius r stays within r(1 - cos(a/2)), about r a^2 / 8. For 1/32 px
-// that gives pi / a = 2 pi sqrt(r) pieces; r is width / 32 px. 71/64 is 2 pi / sqrt(32), rounded up.
+// that gives pi / a = 2 pi sqrt(r) pieces; r is width / 32 px. 72/64 is 2 pi / sqrt(32), rounded up.
 int arc_pieces(int width)
 {
-    constexpr std::uint32_t scale = 71 * 71;
+    constexpr std::uint32_t scale = 72 * 72;
     const std::uint32_t pieces = (square_root(static_cast<std::uint32_t>(width) * scale) + 64) / 64;
     return std::max(4, static_cast<int>(pieces));
 }

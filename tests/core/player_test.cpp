@@ -1,0 +1,236 @@
+#include "core/player.hpp"
+
+#include "core/crc32.hpp"
+#include "tests/compiled.hpp"
+
+#include <doctest/doctest.h>
+#include <random>
+
+namespace kfast::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+constexpr std::string_view busy_scene = R"(
+kfast 1
+canvas 60 40 background="#203040" frames=30
+object morph fill="#ff8000" stroke=white width=3 cap=round join=round {
+    key 0 law=accelerate { circle 15 20 r=12 }
+    key 10 law-x=decelerate law-y=accelerate-decelerate { circle 10 10 r=6; rect 30 20 20 15 corner=3; line 5 35 55 35 }
+    key 20 { path "M 5 5 C 60 0 0 40 55 35 Q 30 0 5 30 Z" }
+    key 25
+    key 30 { circle 15 20 r=12 }
+}
+object zigzag stroke="#00ff80" width=5 cap=square join=miter {
+    key 0 { line 0 0 60 10 0 20 60 30 0 40 }
+    key 30 { line 30 0 31 40 32 0 33 40 34 0 35 40 }
+}
+)";
+
+/// A player and what it borrows.
+struct Stage {
+    Bytes bytes;
+    SceneView scene;
+    Bytes block;
+    Player player;
+
+    Stage(std::string_view text, Size panel, Fit fit = Fit::contain)
+        : bytes{compiled(text)}, scene{*SceneView::parse(bytes)},
+          block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
+    {
+    }
+
+    /// The picture at `time`, drawn in bands of `band_rows` rows.
+    template <PixelFormat format = PixelFormat::rgb565>
+    Bytes picture(Time time, int band_rows = 1000)
+    {
+        const Size panel = player.panel();
+        const std::size_t stride = row_bytes(format, panel.width);
+        Bytes pixels(stride * static_cast<std::size_t>(panel.height));
+        player.show(time);
+        for (int row = 0; row < panel.height; row += band_rows) {
+            const int rows = std::min(band_rows, panel.height - row);
+            player.draw_rows<format>(rows, std::span{pixels}.subspan(stride * static_cast<std::size_t>(row)));
+        }
+        return pixels;
+    }
+};
+
+std::string row_text(const Bytes& grey4)
+{
+    std::string text;
+    for (const std::byte pair : grey4) {
+        text += "0123456789abcdef"[std::to_integer<int>(pair) >> 4];
+        text += "0123456789abcdef"[std::to_integer<int>(pair) & 15];
+    }
+    return text;
+}
+
+}
+
+TEST_CASE("the picture does not depend on the height of the bands")
+{
+    Stage stage{busy_scene, {60, 40}};
+    for (const int frame : {0, 4, 13, 22, 27}) {
+        const Bytes whole = stage.picture(Time::frame(frame));
+        for (const int band_rows : {1, 3, 8, 39})
+            CHECK(stage.picture(Time::frame(frame), band_rows) == whole);
+    }
+}
+
+TEST_CASE("the picture does not depend on what was shown before, nor on rows that were left undrawn")
+{
+    std::mt19937 random{31};
+    Stage travelled{busy_scene, {60, 40}};
+    for (int round = 0; round < 40; ++round) {
+        const Time time{static_cast<std::int32_t>(random() % (30 * 1024))};
+        travelled.player.show({static_cast<std::int32_t>(random())});
+        Bytes few_rows(60 * 2 * 7);
+        travelled.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
+        Stage fresh{busy_scene, {60, 40}};
+        CHECK(travelled.picture(time) == fresh.picture(time));
+    }
+}
+
+TEST_CASE("no moment needs more edges than the scene says, and what is lent is not overrun")
+{
+    std::mt19937 random{32};
+    for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
+        Stage stage{busy_scene, panel};
+        std::size_t most = 0;
+        for (int round = 0; round < 3000; ++round) {
+            stage.player.show({static_cast<std::int32_t>(random())});
+            most = std::max(most, stage.player.edge_count());
+        }
+        CHECK(most <= stage.scene.max_edges());
+        CHECK(most > stage.scene.max_edges() / 4); // the bound is not a guess far off
+    }
+}
+
+TEST_CASE("a block that is one byte short is refused")
+{
+    const Bytes bytes = compiled(busy_scene);
+    const SceneView scene = *SceneView::parse(bytes);
+    Bytes block(Player::block_bytes(scene, {60, 40}) - 1);
+    const auto player = Player::create(scene, {60, 40}, Fit::contain, block);
+    REQUIRE(!player);
+    CHECK(player.error() == Error::block_too_small);
+}
+
+TEST_CASE("on a key the drawing is the one that was drawn, whatever the neighbours have")
+{
+    Stage morphing{busy_scene, {60, 40}};
+    Stage still{R"(
+kfast 1
+canvas 60 40 background="#203040" frames=30
+object morph fill="#ff8000" stroke=white width=3 cap=round join=round {
+    circle 10 10 r=6; rect 30 20 20 15 corner=3; line 5 35 55 35
+}
+object zigzag stroke="#00ff80" width=5 cap=square join=miter {
+    key 0 { line 0 0 60 10 0 20 60 30 0 40 }
+    key 30 { line 30 0 31 40 32 0 33 40 34 0 35 40 }
+}
+)",
+                {60, 40}};
+    CHECK(morphing.picture(Time::frame(10)) == still.picture(Time::frame(10)));
+}
+
+TEST_CASE("a linear tween puts a box halfway, laws apart for x and y")
+{
+    constexpr std::string_view text = R"(
+kfast 1
+canvas 8 4 frames=8
+object box fill=white {
+    key 0 law-x=constant law-y=accelerate { rect 0 0 2 1 }
+    key 8 { rect 4 3 2 1 }
+}
+)";
+    Stage stage{text, {8, 4}};
+    const Bytes picture = stage.picture<PixelFormat::grey4>(Time::frame(4));
+    // y: 3 (1 - cos 45 degrees) = 0.879
+    CHECK(row_text(picture) == "00220000"
+                               "00dd0000"
+                               "00000000"
+                               "00000000");
+}
+
+TEST_CASE("loop modes wrap any time")
+{
+    const auto crc_at = [](std::string_view loop, int ticks) {
+        Stage stage{"kfast 1\ncanvas 16 8 frames=10 loop=" + std::string{loop} +
+                        "\nobject box fill=white { key 0 { rect 0 0 4 4 }; key 10 { rect 12 4 4 4 } }",
+                    {16, 8}};
+        Crc32 crc;
+        crc.add(stage.picture({ticks}));
+        return crc.value();
+    };
+    constexpr int length = 10 * 1024;
+    CHECK(crc_at("repeat", length) == crc_at("repeat", 0));
+    CHECK(crc_at("repeat", -1) == crc_at("repeat", length - 1));
+    CHECK(crc_at("repeat", 7 * length + 300) == crc_at("repeat", 300));
+    CHECK(crc_at("once", length) == crc_at("once", 5 * length));
+    CHECK(crc_at("once", length) != crc_at("once", 0));
+    CHECK(crc_at("once", -50) == crc_at("once", 0));
+    CHECK(crc_at("ping-pong", length) == crc_at("once", length));
+    CHECK(crc_at("ping-pong", length + 300) == crc_at("ping-pong", length - 300));
+    CHECK(crc_at("ping-pong", 2 * length) == crc_at("ping-pong", 0));
+    CHECK(crc_at("ping-pong", -300) == crc_at("ping-pong", 300));
+}
+
+TEST_CASE("the canvas is laid on panels of other shapes")
+{
+    constexpr std::string_view text = "kfast 1\ncanvas 4 2\nobject all fill=white { rect 0 0 4 2 }";
+    SUBCASE("contain: whole, background above and below")
+    {
+        Stage stage{text, {8, 8}, Fit::contain};
+        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) ==
+              std::string(16, '0') + std::string(32, 'f') + std::string(16, '0'));
+    }
+    SUBCASE("cover: no background left")
+    {
+        Stage stage{text, {8, 8}, Fit::cover};
+        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == std::string(64, 'f'));
+    }
+    SUBCASE("none: pixel for pixel in the middle")
+    {
+        Stage stage{text, {8, 4}, Fit::none};
+        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "00000000"
+                                                                 "00ffff00"
+                                                                 "00ffff00"
+                                                                 "00000000");
+    }
+}
+
+TEST_CASE("colours become those of the format")
+{
+    constexpr std::string_view text = "kfast 1\ncanvas 2 1 background=\"#ff8000\"\n"
+                                      "object half fill=\"#0080ff\" { rect 0.5 0 0.5 1 }";
+    Stage stage{text, {2, 1}};
+    SUBCASE("rgb565, little-endian; half covered is half of each")
+    {
+        // ff8000 is 31, 32, 0; 0080ff is 0, 32, 31; 128 of 255 between them is 15, 32, 16
+        constexpr int mixed = 15 << 11 | 32 << 5 | 16;
+        constexpr int back = 31 << 11 | 32 << 5;
+        CHECK(stage.picture({}) == Bytes{std::byte{mixed & 255}, std::byte{mixed >> 8}, std::byte{back & 255},
+                                         std::byte{back >> 8}});
+    }
+    SUBCASE("grey: 0.30 red, 0.59 green, 0.11 blue")
+    {
+        // ff8000: 152 -> 9; 0080ff: 104 -> 6; half: 7
+        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "79");
+    }
+    SUBCASE("one bit: the brighter half is lit, leftmost pixel in the highest bit")
+    {
+        CHECK(stage.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b01000000}});
+    }
+}
+
+TEST_CASE("later objects lie on earlier ones")
+{
+    Stage stage{
+        "kfast 1\ncanvas 3 1\nobject a fill=white { rect 0 0 2 1 }\nobject b fill=black { rect 1 0 2 1 }",
+        {3, 1}};
+    CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "f000");
+}
+
+}
