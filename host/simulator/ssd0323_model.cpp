@@ -52,10 +52,7 @@ void Ssd0323Model::data(std::span<const std::byte> bytes)
     }
 }
 
-std::array<std::uint8_t, Ssd0323Model::width * Ssd0323Model::height> Ssd0323Model::picture() const
-{
-    return on_ ? memory_ : decltype(memory_){};
-}
+Ssd0323Model::Picture Ssd0323Model::picture() const { return on_ ? memory_ : Picture{}; }
 
 void Ssd0323Model::take_command(std::uint8_t byte)
 {
@@ -117,7 +114,8 @@ void Ssd0323Model::take_data(std::uint8_t byte)
         return fail("more pixels than the window holds");
 
     if (row_.at < height) {
-        const auto left = static_cast<std::size_t>(row_.at * width + 2 * column_.at);
+        const std::size_t left =
+            static_cast<std::size_t>(row_.at) * width + 2 * static_cast<std::size_t>(column_.at);
         memory_[left] = byte >> 4;
         memory_[left + 1] = byte & 15;
     }

@@ -16,6 +16,8 @@ class Ssd0323Model {
 public:
     static constexpr int width = 128;
     static constexpr int height = 64;
+    /// Levels 0..15, row by row.
+    using Picture = std::array<std::uint8_t, std::size_t{width} * height>;
 
     /// Bytes that arrive with D/C low.
     void command(std::span<const std::byte> bytes);
@@ -25,8 +27,8 @@ public:
     /// What was wrong first, with the position of the byte among all bytes received.
     const std::optional<std::string>& error() const { return error_; }
 
-    /// Levels 0..15, row by row, as they are on the glass: black until the display is on.
-    std::array<std::uint8_t, width * height> picture() const;
+    /// What is on the glass: black until the display is on.
+    Picture picture() const;
 
 private:
     struct Axis {
@@ -48,7 +50,7 @@ private:
     Axis row_;
     bool window_full_ = false;
     bool on_ = false;
-    std::array<std::uint8_t, width * height> memory_{};
+    Picture memory_{};
     std::size_t position_ = 0;
     std::optional<std::string> error_;
 };

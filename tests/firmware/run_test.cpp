@@ -129,7 +129,7 @@ std::vector<std::byte> ten_numbered_rows()
 
 TEST_CASE("the bands make up the picture although each is sent while the next is drawn")
 {
-    TestBoard board{4 * 3};
+    TestBoard board{12};
     NumberedRows player;
     player.show({});
     draw_frame(board, player);
@@ -139,7 +139,7 @@ TEST_CASE("the bands make up the picture although each is sent while the next is
 
 TEST_CASE("a band has as many rows as its buffer holds and the panel's granularity allows")
 {
-    TestBoard board{5 * 3 + 2};
+    TestBoard board{17};
     NumberedRows player;
     player.show({});
     draw_frame(board, player);
@@ -148,7 +148,7 @@ TEST_CASE("a band has as many rows as its buffer holds and the panel's granulari
 
 TEST_CASE("a watching board sees the bytes of the picture in their order")
 {
-    TestBoard board{4 * 3};
+    TestBoard board{12};
     NumberedRows player;
     player.show({});
     draw_frame(board, player);
@@ -157,7 +157,7 @@ TEST_CASE("a watching board sees the bytes of the picture in their order")
 
 TEST_CASE("frames are shown when they are due; those that come too late are left out and counted")
 {
-    TestBoard board{4 * 3};
+    TestBoard board{12};
     NumberedRows player;
     const Microseconds start = board.now();
     board.durations = {0, 5'000, 20'000, 25'000, 61'000, 1'000, 1'000};
@@ -175,7 +175,7 @@ TEST_CASE("frames are shown when they are due; those that come too late are left
 
 TEST_CASE("bytes that are no scene are reported, and nothing is shown")
 {
-    TestBoard board{4 * 3};
+    TestBoard board{12};
     board.scene = bytes({'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.',
                          'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.',
                          'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.'});
