@@ -17,14 +17,14 @@ namespace kfast {
 template <DrawingReader R>
 class BrokenDrawing {
 public:
-    /// `drawing` has at least one stroke.
     BrokenDrawing(R drawing, std::uint32_t partner_strokes)
-        : reader_{drawing}, parts_{std::max(partner_strokes, drawing.strokes()), drawing.strokes()}
+        : reader_{drawing}, strokes_{drawing.strokes()}, parts_{std::max(partner_strokes, strokes_),
+                                                                std::max<std::uint32_t>(strokes_, 1)}
     {
     }
 
     /// The parts of the whole drawing.
-    std::uint32_t parts() const { return parts_.each * reader_.strokes() + parts_.extra; }
+    std::uint32_t parts() const { return parts_.each * strokes_ + parts_.extra; }
 
     /// Begins the next part and returns the number of its segments, at least 1.
     std::uint32_t next_part()
@@ -93,6 +93,7 @@ private:
     }
 
     R reader_;
+    std::uint32_t strokes_;
     Distribution parts_;                ///< parts over the strokes
     std::uint32_t stroke_ = 0;          ///< the next stroke
     std::uint32_t stroke_segments_ = 0; ///< as the reader has them: 0 for a single point

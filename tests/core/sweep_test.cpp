@@ -1,0 +1,169 @@
+#include "core/sweep.hpp"
+
+#include "core/fill_outline.hpp"
+#include "tests/core/array_drawing.hpp"
+#include "tests/core/coverage_picture.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <random>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+using Polygon = std::vector<Point>;
+
+void fill(CoveragePicture& picture, const std::vector<Polygon>& polygons)
+{
+    FillOutline outline{picture.edges(), picture.layer()};
+    for (const Polygon& polygon : polygons) {
+        outline.begin(polygon.front());
+        for (const Point& point : polygon)
+            outline.line_to(point);
+        outline.end(polygon.front());
+    }
+    picture.draw();
+}
+
+int winding_at(const std::vector<Polygon>& polygons, double x, double y)
+{
+    int winding = 0;
+    for (const Polygon& polygon : polygons) {
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point& a = polygon[i];
+            const Point& b = polygon[(i + 1) % polygon.size()];
+            const double ay = a.y.raw() / 65536.0;
+            const double by = b.y.raw() / 65536.0;
+            if ((ay <= y) == (by <= y))
+                continue;
+            const double ax = a.x.raw() / 65536.0;
+            const double bx = b.x.raw() / 65536.0;
+            if (ax + (bx - ax) * (y - ay) / (by - ay) < x)
+                winding += ay < by ? 1 : -1;
+        }
+    }
+    return winding;
+}
+
+/// The covered share of a pixel from 32 x 32 samples, as a level.
+double sampled_level(const std::vector<Polygon>& polygons, int x, int y)
+{
+    constexpr int samples = 32;
+    int inside = 0;
+    for (int i = 0; i < samples; ++i)
+        for (int j = 0; j < samples; ++j)
+            inside += winding_at(polygons, x + (i + 0.5) / samples, y + (j + 0.5) / samples) != 0;
+    return inside * 255.0 / (samples * samples);
+}
+
+Polygon random_polygon(std::mt19937& random, double low, double high)
+{
+    std::uniform_real_distribution<double> coordinate{low, high};
+    Polygon polygon(3 + random() % 5);
+    for (Point& point : polygon)
+        point = pixels(coordinate(random), coordinate(random));
+    return polygon;
+}
+
+TEST_CASE("a rectangle on pixel borders covers its pixels wholly and no others")
+{
+    CoveragePicture picture{6, 4};
+    fill(picture, {{pixels(1, 1), pixels(4, 1), pixels(4, 3), pixels(1, 3)}});
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 6; ++x)
+            CHECK(picture.at(x, y) == (x >= 1 && x < 4 && y >= 1 && y < 3 ? 255 : 0));
+}
+
+TEST_CASE("coverage is the exact area, in 256 levels")
+{
+    for (int part = 0; part <= 256; ++part) {
+        CoveragePicture wide{1, 1};
+        fill(wide, {{pixels(0, 0), pixels(part / 256.0, 0), pixels(part / 256.0, 1), pixels(0, 1)}});
+        CoveragePicture high{1, 1};
+        fill(high, {{pixels(0, 0), pixels(1, 0), pixels(1, part / 256.0), pixels(0, part / 256.0)}});
+        const int expected = (part * 255 + 128) / 256;
+        CHECK(wide.at(0, 0) == expected);
+        CHECK(high.at(0, 0) == expected);
+    }
+}
+
+TEST_CASE("a triangle over half a pixel covers half of it")
+{
+    CoveragePicture picture{1, 1};
+    fill(picture, {{pixels(0, 0), pixels(1, 0), pixels(0, 1)}});
+    CHECK(picture.at(0, 0) == 128);
+}
+
+TEST_CASE("outlines that overlap within a pixel are not counted twice")
+{
+    CoveragePicture picture{2, 1};
+    const Polygon half{pixels(0, 0), pixels(0.5, 0), pixels(0.5, 1), pixels(0, 1)};
+    fill(picture, {half, half, half});
+    CHECK(picture.at(0, 0) == 128);
+    CHECK(picture.at(1, 0) == 0);
+}
+
+TEST_CASE("outlines of opposite sense cancel where both wind, and fill where one does")
+{
+    CoveragePicture picture{4, 1};
+    const Polygon right{pixels(0, 0), pixels(3, 0), pixels(3, 1), pixels(0, 1)};
+    const Polygon left{pixels(1, 0), pixels(1, 1), pixels(4, 1), pixels(4, 0)};
+    fill(picture, {right, left});
+    CHECK(picture.levels() == std::vector<int>{255, 0, 0, 255});
+}
+
+TEST_CASE("what lies outside the picture does not leak into it")
+{
+    CoveragePicture picture{4, 4};
+    fill(picture, {{pixels(-900, -50), pixels(-1, -50), pixels(-1, 900), pixels(-900, 900)},
+                   {pixels(5, -700), pixels(900, -700), pixels(900, 700), pixels(5, 700)},
+                   {pixels(-10, -9), pixels(20, -9), pixels(20, -1), pixels(-10, -1)},
+                   {pixels(-10, 4), pixels(20, 4), pixels(20, 40), pixels(-10, 40)}});
+    CHECK(picture.levels() == std::vector<int>(16, 0));
+}
+
+TEST_CASE("a shape much larger than the picture covers all of it")
+{
+    CoveragePicture picture{5, 3};
+    fill(picture,
+         {{pixels(-16000, -16000), pixels(16000, -16000), pixels(16000, 16000), pixels(-16000, 16000)}});
+    CHECK(picture.levels() == std::vector<int>(15, 255));
+}
+
+TEST_CASE("random outlines have the coverage that dense sampling finds")
+{
+    std::mt19937 random{1};
+    double worst = 0;
+    for (int round = 0; round < 40; ++round) {
+        std::vector<Polygon> polygons(1 + random() % 3);
+        for (Polygon& polygon : polygons)
+            polygon = random_polygon(random, -3, 15);
+        CoveragePicture picture{12, 12};
+        fill(picture, polygons);
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 12; ++x)
+                worst = std::max(worst, std::abs(picture.at(x, y) - sampled_level(polygons, x, y)));
+    }
+    CHECK(worst < 9); // the sampling itself is that coarse
+}
+
+TEST_CASE("the order in which outlines are added changes nothing")
+{
+    std::mt19937 random{2};
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Polygon> polygons(3);
+        for (Polygon& polygon : polygons)
+            polygon = random_polygon(random, -3, 15);
+        CoveragePicture forwards{12, 12};
+        fill(forwards, polygons);
+        std::swap(polygons[0], polygons[2]);
+        CoveragePicture backwards{12, 12};
+        fill(backwards, polygons);
+        for (std::size_t i = 0; i < forwards.levels().size(); ++i)
+            CHECK(std::abs(forwards.levels()[i] - backwards.levels()[i]) <= 1);
+    }
+}
+
+}
+}
