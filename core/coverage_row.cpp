@@ -39,8 +39,8 @@ void CoverageRow::add(Fixed top, Fixed bottom, std::int32_t height, std::int32_t
 
 void CoverageRow::add_within(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign)
 {
-    const std::int32_t first = left / columns;
-    const std::int32_t last = right / columns;
+    const int first = left / columns;
+    const int last = right / columns;
     first_ = std::min(first_, first);
     last_ = std::max(last_, last + 1);
     if (first == last)

@@ -13,8 +13,8 @@ constexpr std::uint32_t inner_join_edges = 2;
 
 // The flattened curve turns no more than its control polygon: a whole turn; an eighth of one more for the
 // rounding of its short pieces (docs/design.md, "The bound on memory").
-EdgeBudget::EdgeBudget(const ObjectStyle& style, int pieces_log2)
-    : is_filled_{style.is_filled}, is_stroked_{style.is_stroked}, curve_pieces_{1U << pieces_log2},
+EdgeBudget::EdgeBudget(const ObjectStyle& style, std::uint32_t curve_pieces)
+    : is_filled_{style.is_filled}, is_stroked_{style.is_stroked}, curve_pieces_{curve_pieces},
       arc_{static_cast<std::uint32_t>(arc_pieces(style.width))}, cap_{style.cap == Cap::round    ? arc_
                                                                       : style.cap == Cap::square ? 3
                                                                                                  : 1},
@@ -63,7 +63,7 @@ std::uint32_t object_edges(const ObjectView& object, std::span<const std::byte> 
     for (bool is_last = false; !is_last;) {
         is_last = keys.at_end();
         const Key to = is_last ? from : keys.next();
-        const EdgeBudget budget{object.style, from.pieces_log2};
+        const EdgeBudget budget{object.style, from.curve_pieces};
         most = std::max(most, budget.between(drawing_at(drawings, from), drawing_at(drawings, to)));
         from = to;
     }

@@ -11,7 +11,7 @@ namespace kfast {
 /// Counts the edges that an object can need at most between two of its keys, for any time between them.
 class EdgeBudget {
 public:
-    EdgeBudget(const ObjectStyle& style, int pieces_log2);
+    EdgeBudget(const ObjectStyle& style, std::uint32_t curve_pieces);
 
     /// For the way from drawing `a` to drawing `b`.
     std::uint32_t between(PackedDrawing a, PackedDrawing b) const;

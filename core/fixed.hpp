@@ -15,6 +15,8 @@ struct Share {
     /// `denominator` is at least 1 and less than 2^31.
     static constexpr Share ratio(std::uint32_t numerator, std::uint32_t denominator)
     {
+        if (numerator < 0x4000) // keeps the division in 32 bits
+            return {((numerator << 16) + denominator / 2) / denominator};
         const std::uint64_t scaled = (std::uint64_t{numerator} << 16) + denominator / 2;
         return {static_cast<std::uint32_t>(scaled / denominator)};
     }

@@ -32,7 +32,7 @@ Key KeyCursor::next()
     const std::uint32_t laws = bytes_.u8();
     key.law_x = static_cast<VelocityLaw>(laws & 15);
     key.law_y = static_cast<VelocityLaw>(laws >> 4);
-    key.pieces_log2 = static_cast<int>(bytes_.u8());
+    key.curve_pieces = bytes_.varint();
     key.drawing = bytes_.varint();
     return key;
 }

@@ -28,15 +28,12 @@ struct Key {
     Time time;
     VelocityLaw law_x = VelocityLaw::constant;
     VelocityLaw law_y = VelocityLaw::constant;
-    int pieces_log2 = 0;       ///< a curve is drawn as 2^pieces_log2 straight pieces
-    std::uint32_t drawing = 0; ///< offset in the section of drawings
+    std::uint32_t curve_pieces = 1; ///< straight pieces that stand for a curve
+    std::uint32_t drawing = 0;      ///< offset in the section of drawings
 };
 
 /// `drawings` is the section of drawings of the scene that the key belongs to.
 PackedDrawing drawing_at(std::span<const std::byte> drawings, const Key& key);
-
-/// At most 64 pieces a curve.
-inline constexpr int max_pieces_log2 = 6;
 
 /// Reads the keys of an object in the order of their times.
 class KeyCursor {

@@ -59,7 +59,7 @@ Segment mapped(const Segment& segment, const CanvasMap& map)
 /// Feeds the live strokes of one object to its fill, its stroke or both.
 class ObjectOutline {
 public:
-    explicit ObjectOutline(int pieces_log2) : pieces_log2_{pieces_log2} {}
+    explicit ObjectOutline(std::uint32_t curve_pieces) : curve_pieces_{curve_pieces} {}
 
     void fill_into(EdgeList& edges, Layer& layer) { fill_.emplace(edges, layer); }
     void stroke_into(EdgeList& edges, Layer& layer, const Pen& pen) { stroke_.emplace(edges, layer, pen); }
@@ -74,7 +74,7 @@ public:
 
     void add(const Segment& segment)
     {
-        flatten(segment, pieces_log2_, [this](Point to) {
+        flatten(segment, curve_pieces_, [this](Point to) {
             if (fill_)
                 fill_->line_to(to);
             if (stroke_)
@@ -93,7 +93,7 @@ public:
 private:
     std::optional<FillOutline> fill_;
     std::optional<StrokeOutline> stroke_;
-    int pieces_log2_;
+    std::uint32_t curve_pieces_;
 };
 
 /// The strokes between two drawings at one moment of their way, on the panel.
@@ -178,7 +178,7 @@ void Player::trace(const ObjectView& object, Time time, std::size_t& layer)
     const Progress way = progress_at(interval, time);
     const bool is_on_key = way.x == Share{} && way.y == Share{};
     const std::size_t first_layer = layer;
-    ObjectOutline outline{interval.from.pieces_log2};
+    ObjectOutline outline{interval.from.curve_pieces};
     if (object.style.is_filled)
         outline.fill_into(edges_, begin_layer(layer++, object.style.fill));
     if (object.style.is_stroked)

@@ -103,9 +103,12 @@ bool SceneView::check_keys(const ObjectView& object, std::uint32_t& key_points)
     Time before{-1};
     while (!keys.at_end()) {
         const Key key = keys.next();
+        const auto is_piece_count = [](std::uint32_t count) {
+            return count >= 1 && count <= format::max_curve_pieces;
+        };
         const auto is_law = [](VelocityLaw law) { return static_cast<int>(law) < velocity_law_count; };
         if (keys.overrun() || key.time <= before || key.time.ticks > format::max_time || !is_law(key.law_x) ||
-            !is_law(key.law_y) || key.pieces_log2 > max_pieces_log2 || !check_drawing(key, key_points))
+            !is_law(key.law_y) || !is_piece_count(key.curve_pieces) || !check_drawing(key, key_points))
             return false;
         before = key.time;
     }

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "boards/lm3s6965evb/clock.hpp"
+#include "boards/lm3s6965evb/ssi.hpp"
+#include "core/crc32.hpp"
+#include "firmware/board.hpp"
+#include "firmware/panel/ssd0323.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace kfast::lm3s6965evb {
+
+/// Stellaris LM3S6965 evaluation board as QEMU emulates it, with an SSD0323 display.
+///
+/// The scene lies in flash from 0x20000 on, or is linked in (KFAST_SCENE). UART0 reports, one line each:
+///
+///     KFAST <version> lm3s6965evb ssd0323 128x64 grey4
+///     SCENE <bytes> <CRC-32>
+///     F <time in 1/1024 frame> <CRC-32 of the whole picture as sent>         after every frame
+///     ERROR <name>: <meaning>                                                instead of SCENE
+///
+/// and listens. `s` starts the scene again, stepped, and is answered with STEP: from then on a frame stands,
+/// and the clock with it, until a byte comes, whatever it is. `q` ends, in either mode, and is answered with
+/// END.
+class Board {
+public:
+    Board();
+
+    /// Whether there is something to run, for the first time or again.
+    bool wants_to_run() const { return mode_ != Mode::ended; }
+
+    Ssd0323<Ssi>& panel() { return panel_; }
+    Microseconds now() const;
+    void sleep_until(Microseconds moment);
+
+    std::span<const std::byte> scene_bytes();
+    std::span<std::byte> block();
+    std::array<std::span<std::byte>, 2> bands();
+
+    bool running();
+    void scene_started(const SceneView& scene);
+    void watch(std::span<const std::byte> pixels) { picture_.add(pixels); }
+    void frame_shown(FrameReport report);
+    void fault(Error error);
+
+private:
+    enum class Mode { free_running, stepped, ended };
+
+    void end();
+
+    Clock clock_;
+    Ssi bus_;
+    Ssd0323<Ssi> panel_{bus_};
+    Crc32 picture_;
+    Mode mode_ = Mode::free_running;
+    bool frame_stands_ = false; ///< stepped: shown and not yet answered
+    Microseconds stepped_clock_;
+};
+
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "firmware/microseconds.hpp"
+
+namespace kfast::lm3s6965evb {
+
+/// The time since begin(), kept by SysTick.
+class Clock {
+public:
+    void begin();
+    Microseconds now() const;
+    /// Sleeps between the ticks of a millisecond and watches the last one pass.
+    void sleep_until(Microseconds moment) const;
+};
+
+}

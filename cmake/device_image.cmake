@@ -1,0 +1,34 @@
+# What every firmware image has in common: how the core is compiled for a CPU without an operating system.
+include(${PROJECT_SOURCE_DIR}/core/sources.cmake)
+
+set(KFAST_DEVICE_OPTIONS
+    -ffreestanding -ffunction-sections -fdata-sections
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-exceptions>
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-rtti>
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-threadsafe-statics>
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-use-cxa-atexit>
+    -fno-unwind-tables -fno-asynchronous-unwind-tables)
+
+# The compiler options that choose a CPU.
+function(kfast_cpu_options OUT CPU)
+    set(OPTIONS -mcpu=${CPU} -mthumb)
+    if(CPU STREQUAL cortex-m4)
+        list(APPEND OPTIONS -mfloat-abi=hard -mfpu=fpv4-sp-d16)
+    endif()
+    set(${OUT} ${OPTIONS} PARENT_SCOPE)
+endfunction()
+
+# kfast_device_image(<name> CPU <cpu> LINKER_SCRIPT <file> SOURCES <file>...): the core, compiled for the CPU, and
+# the sources of the board, linked without any library but the compiler's own.
+function(kfast_device_image NAME)
+    cmake_parse_arguments(PARSE_ARGV 1 IMAGE "" "CPU;LINKER_SCRIPT" "SOURCES")
+    kfast_cpu_options(CPU_OPTIONS ${IMAGE_CPU})
+    add_executable(${NAME} ${IMAGE_SOURCES} ${KFAST_CORE_SOURCES})
+    target_compile_options(${NAME} PRIVATE ${CPU_OPTIONS} ${KFAST_DEVICE_OPTIONS})
+    target_link_libraries(${NAME} PRIVATE kfast_firmware gcc)
+    target_link_options(${NAME} PRIVATE ${CPU_OPTIONS}
+        -nostartfiles -nostdlib -T ${IMAGE_LINKER_SCRIPT} -Wl,--gc-sections -Wl,--fatal-warnings)
+    set_target_properties(${NAME} PROPERTIES
+        LINK_DEPENDS ${IMAGE_LINKER_SCRIPT}
+        RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endfunction()

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/result.hpp"
+#include "core/scene_view.hpp"
+#include "core/time.hpp"
+#include "firmware/microseconds.hpp"
+#include "firmware/panel.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace kfast {
+
+/// What the run loop tells a board about a frame.
+struct FrameReport {
+    Time time;
+    std::uint32_t skipped = 0; ///< frames left out since the scene began, because their time had passed
+};
+
+// Compound requirements would be torn apart.
+// clang-format off
+
+/// What the run loop asks of a board. boards/template/ is the list to fill in.
+template <class B>
+concept Board = requires(B& board, Microseconds moment, const SceneView& scene, FrameReport report, Error error) {
+    requires Panel<std::remove_reference_t<decltype(board.panel())>>;
+    { board.now() } -> std::same_as<Microseconds>;
+    /// Returns at once when `moment` is past.
+    { board.sleep_until(moment) } -> std::same_as<void>;
+
+    /// The scene to play, perhaps with more bytes after it.
+    { board.scene_bytes() } -> std::same_as<std::span<const std::byte>>;
+    /// Memory lent to the player, aligned to 4.
+    { board.block() } -> std::same_as<std::span<std::byte>>;
+    /// Two buffers of equal size: one is drawn while the other is sent. Each holds whole rows.
+    { board.bands() } -> std::same_as<std::array<std::span<std::byte>, 2>>;
+
+    /// The loop ends when this is false.
+    { board.running() } -> std::same_as<bool>;
+    /// `scene` was accepted and begins.
+    { board.scene_started(scene) } -> std::same_as<void>;
+    /// The whole picture has arrived in the panel.
+    { board.frame_shown(report) } -> std::same_as<void>;
+    /// No scene plays, and why.
+    { board.fault(error) } -> std::same_as<void>;
+};
+
+/// A board that wants to see the pixels of every frame, from the top row down, as they go to the panel.
+template <class B>
+concept WatchingBoard = Board<B> && requires(B& board, std::span<const std::byte> pixels) {
+    { board.watch(pixels) } -> std::same_as<void>;
+};
+
+// clang-format on
+
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/pixel_format.hpp"
+#include "core/size.hpp"
+#include "firmware/microseconds.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+
+namespace kfast {
+
+// Compound requirements would be torn apart.
+// clang-format off
+
+/// A display controller, ready to show rectangles of pixels.
+template <class P>
+concept Panel = requires(P& panel, void (&pause)(Microseconds), Rect area, std::span<const std::byte> pixels) {
+    /// How pixels lie in memory and on the bus.
+    { P::format } -> std::same_as<const PixelFormat&>;
+    /// Places and sizes of areas must be multiples of this: panels whose bytes hold several pixels.
+    { P::granularity } -> std::same_as<const Size&>;
+    { panel.size() } -> std::same_as<Size>;
+    /// Sends the start-up sequence. `pause(Microseconds)` lets time pass.
+    { panel.begin(pause) } -> std::same_as<void>;
+    /// Starts to show `pixels`, packed row by row, in `area` and returns; the pixels must stay as they are
+    /// until busy() is false. Not while busy().
+    { panel.start(area, pixels) } -> std::same_as<void>;
+    { panel.busy() } -> std::same_as<bool>;
+};
+
+// clang-format on
+
+}

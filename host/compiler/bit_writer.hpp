@@ -1,0 +1,36 @@
+#pragma once
+
+#include "host/compiler/byte_writer.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Appends numbers of any width to a ByteWriter, the lowest bit first. Ends on a byte when it goes.
+class BitWriter {
+public:
+    explicit BitWriter(ByteWriter& bytes) : bytes_{bytes} {}
+    BitWriter(const BitWriter&) = delete;
+    BitWriter& operator=(const BitWriter&) = delete;
+
+    ~BitWriter()
+    {
+        if (pending_count_ != 0)
+            bytes_.u8(pending_);
+    }
+
+    /// The lowest `count` bits of `value`, at most 24.
+    void put(std::int32_t value, std::uint32_t count)
+    {
+        pending_ |= (static_cast<std::uint32_t>(value) & ((1U << count) - 1)) << pending_count_;
+        for (pending_count_ += count; pending_count_ >= 8; pending_count_ -= 8, pending_ >>= 8)
+            bytes_.u8(pending_);
+    }
+
+private:
+    ByteWriter& bytes_;
+    std::uint32_t pending_ = 0;
+    std::uint32_t pending_count_ = 0;
+};
+
+}

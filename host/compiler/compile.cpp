@@ -1,0 +1,18 @@
+#include "host/compiler/compile.hpp"
+
+#include "host/compiler/write_scene.hpp"
+#include "host/kdl/parser.hpp"
+#include "host/scene/scene_reader.hpp"
+
+namespace kfast {
+
+std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnostics& diagnostics)
+{
+    const kdl::Document document = kdl::parse(source.text, diagnostics);
+    const std::optional<scene::Scene> scene = scene::read_scene(document, source, diagnostics);
+    if (!scene)
+        return std::nullopt;
+    return write_scene(*scene, diagnostics);
+}
+
+}

@@ -1,0 +1,18 @@
+#include "host/compiler/drawing_pool.hpp"
+
+#include "host/compiler/pack_drawing.hpp"
+
+namespace kfast {
+
+std::uint32_t DrawingPool::offset_of(const scene::Drawing& drawing)
+{
+    ByteWriter packed;
+    pack_drawing(drawing, packed);
+    const auto [entry, is_new] =
+        offsets_.emplace(packed.bytes(), static_cast<std::uint32_t>(section_.size()));
+    if (is_new)
+        section_.append(packed.bytes());
+    return entry->second;
+}
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "host/compiler/byte_writer.hpp"
+#include "host/scene/model.hpp"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace kfast {
+
+/// The section of drawings: each drawing is stored once, however many keys of whichever objects show it.
+class DrawingPool {
+public:
+    /// Where the drawing is in the section.
+    std::uint32_t offset_of(const scene::Drawing& drawing);
+
+    const std::vector<std::byte>& bytes() const { return section_.bytes(); }
+
+private:
+    ByteWriter section_;
+    std::map<std::vector<std::byte>, std::uint32_t> offsets_;
+};
+
+}

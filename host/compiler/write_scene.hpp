@@ -1,0 +1,16 @@
+#pragma once
+
+#include "host/scene/model.hpp"
+#include "host/text/diagnostic.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace kfast {
+
+/// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on edges or points is an
+/// error at its largest object.
+std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics);
+
+}

@@ -1,0 +1,88 @@
+#include "host/scene/canvas_reader.hpp"
+
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <cmath>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm canvas_form{"canvas", "canvas WIDTH HEIGHT fps=30", 2, 2};
+constexpr Range sizes{1, widest_canvas};
+constexpr Range frame_rates{1, fastest};
+
+constexpr std::array loops{
+    Word<Loop>{"once", Loop::once},
+    Word<Loop>{"repeat", Loop::repeat},
+    Word<Loop>{"ping-pong", Loop::ping_pong},
+};
+
+/// A length in seconds has to wait for the frame rate, which may stand behind it.
+struct Canvas {
+    double frames_per_second = 30;
+    Loop loop = Loop::repeat;
+    bool has_background = false;
+    const kdl::Value* length = nullptr;
+};
+
+bool read_rate(const kdl::Value& value, Canvas& canvas, Reading& reading)
+{
+    return assign(read_number(value, frame_rates, reading), canvas.frames_per_second);
+}
+
+bool read_background(const kdl::Value& value, Canvas& canvas, Reading& reading)
+{
+    canvas.has_background = read_colour(value, reading).has_value();
+    return canvas.has_background;
+}
+
+bool read_loop(const kdl::Value& value, Canvas& canvas, Reading& reading)
+{
+    return assign(read_word(value, loops, reading), canvas.loop);
+}
+
+bool keep_length(const kdl::Value& value, Canvas& canvas, Reading&)
+{
+    canvas.length = &value;
+    return true;
+}
+
+constexpr std::array canvas_rules{
+    PropertyRule<Canvas>{"fps", read_rate},
+    PropertyRule<Canvas>{"background", read_background},
+    PropertyRule<Canvas>{"loop", read_loop},
+    PropertyRule<Canvas>{"frames", keep_length},
+};
+
+std::optional<Time> read_length(const kdl::Value& value, Reading& reading)
+{
+    const auto length = read_time(value, reading);
+    if (!length || *length >= Time::frame(1))
+        return length;
+    reading.report.error(value.place, "a scene cannot be shorter than one frame");
+    return std::nullopt;
+}
+
+}
+
+std::optional<Time> read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
+{
+    if (!fits(node, canvas_form, reading))
+        return std::nullopt;
+    assign(read_whole_number(node.arguments[0], sizes, reading), scene.canvas.width);
+    assign(read_whole_number(node.arguments[1], sizes, reading), scene.canvas.height);
+    Canvas canvas;
+    read_properties(node, canvas_rules, canvas, reading);
+    if (!canvas.has_background)
+        reading.palette.use(Colour{});
+    // Rounded once to 1/1000 fps, halves away from zero.
+    reading.frame_rate = static_cast<std::uint32_t>(std::lround(canvas.frames_per_second * 1000));
+    scene.frame_rate = reading.frame_rate;
+    scene.loop = canvas.loop;
+    return canvas.length != nullptr ? read_length(*canvas.length, reading) : std::nullopt;
+}
+
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "host/scene/model.hpp"
+
+#include <vector>
+
+namespace kfast::scene {
+
+/// A place on the canvas before rounding, in pixels.
+struct Spot {
+    double x = 0;
+    double y = 0;
+    friend constexpr Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
+    friend constexpr Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
+    friend constexpr Spot operator*(double factor, Spot a) { return {factor * a.x, factor * a.y}; }
+};
+
+/// A line or a cubic Bézier from wherever the one before it ended; lines ignore c1 and c2.
+struct Curve {
+    bool cubic = false;
+    Spot c1;
+    Spot c2;
+    Spot to;
+};
+
+constexpr Curve line_to(Spot to) { return {.cubic = false, .c1 = {}, .c2 = {}, .to = to}; }
+
+constexpr Curve cubic_to(Spot c1, Spot c2, Spot to) { return {.cubic = true, .c1 = c1, .c2 = c2, .to = to}; }
+
+/// A stroke before rounding.
+struct Outline {
+    Spot from;
+    std::vector<Curve> curves;
+    bool closed = false; ///< ends where it began, by a line of its own if need be
+};
+
+bool in_range(Spot spot);
+bool in_range(const Curve& curve);
+bool in_range(const Outline& outline);
+
+/// Rounds every point once, to the nearest 1/16 px (halves away from zero). Drops segments that have no
+/// extent after that, down to a single point. Only for outlines that are in_range().
+Stroke quantized(const Outline& outline);
+
+}

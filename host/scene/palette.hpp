@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/colour.hpp"
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kfast::scene {
+
+/// The 16 colours that CSS has known from the start; `grey` is `gray`.
+std::optional<Colour> basic_colour(std::string_view name);
+
+/// "#rgb" or "#rrggbb".
+std::optional<Colour> hex_colour(std::string_view text);
+
+/// The colours a scene names, and those it uses.
+class Palette {
+public:
+    /// The place of an earlier declaration of that name, if there is one; then nothing is changed.
+    std::optional<Place> declare(const std::string& name, Colour colour, Place place);
+    std::size_t declared() const { return named_.size(); }
+
+    /// A declared name, a basic name or a hexadecimal colour.
+    std::optional<Colour> find(const std::string& text) const;
+    /// The index of the colour among those in use; nothing when most_colours are in use already.
+    std::optional<std::size_t> use(Colour colour);
+
+    /// All names that find() knows, the declared ones first.
+    std::vector<std::string_view> names() const;
+    /// Each once, in the order of their first use.
+    const std::vector<Colour>& used() const { return used_; }
+
+private:
+    struct Named {
+        Colour colour;
+        Place place;
+    };
+    std::map<std::string, Named> named_;
+    std::vector<Colour> used_;
+};
+
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "host/scene/palette.hpp"
+#include "host/text/diagnostic.hpp"
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace kfast::scene {
+
+/// Passes on what is wrong with a scene, until it is so much that more helps nobody.
+class Report {
+public:
+    Report(const SourceText& source, Diagnostics& diagnostics) : source_{source}, diagnostics_{diagnostics} {}
+
+    /// Always false, so that a reader can return it.
+    bool error(Place place, std::string message, std::string remedy = {});
+    void warning(Place place, std::string message, std::string remedy = {});
+
+    /// Errors are no longer passed on; reading may stop.
+    bool full() const { return errors_ > most_errors; }
+    /// "line 12". Looks through the text: only for messages.
+    std::string line(Place place) const;
+
+private:
+    static constexpr std::size_t most_errors = 100;
+    static constexpr std::size_t most_warnings = 100;
+
+    const SourceText& source_;
+    Diagnostics& diagnostics_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
+};
+
+/// What is known of a scene while its nodes are read.
+struct Reading {
+    Report report;
+    Palette palette;
+    std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
+};
+
+/// From the start of `first` to the end of `last`.
+constexpr Place span(Place first, Place last)
+{
+    return {first.offset, last.offset + last.length - first.offset};
+}
+
+}

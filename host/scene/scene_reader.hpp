@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/model.hpp"
+#include "host/text/diagnostic.hpp"
+#include "host/text/source.hpp"
+
+#include <optional>
+
+namespace kfast::scene {
+
+/// Reads the scene language (docs/scene-language.md) from `document`, the parsed text of `source`.
+///
+/// Errors and warnings go to `diagnostics`, up to about 100 of each. There is a scene exactly when
+/// `diagnostics` holds no error afterwards, those of the parser included.
+std::optional<Scene> read_scene(const kdl::Document& document, const SourceText& source,
+                                Diagnostics& diagnostics);
+
+}

@@ -1,0 +1,143 @@
+#include "host/scene/value_reader.hpp"
+
+#include "host/scene/limits.hpp"
+#include "host/text/glyph.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace kfast::scene {
+namespace {
+
+/// A number of frames or of this many milliseconds.
+struct Unit {
+    std::string_view name;
+    double milliseconds;
+};
+
+constexpr std::array units{Unit{"s", 1000}, Unit{"ms", 1}};
+
+std::string text_of(double number)
+{
+    std::array<char, 32> digits;
+    return {
+        digits.data(),
+        std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed).ptr};
+}
+
+/// A type annotation means something on times only.
+const kdl::Number* number_of(const kdl::Value& value, Reading& reading)
+{
+    const kdl::Number* const number = value.number();
+    if (number == nullptr)
+        reading.report.error(value.place, "a number is expected here");
+    return number;
+}
+
+bool without_type(const kdl::Value& value, Reading& reading)
+{
+    return !value.type || reading.report.error(value.place, "this value takes no type or unit",
+                                               "leave out (" + visible(*value.type) + ")");
+}
+
+std::optional<double> ticks_per(const kdl::Value& value, Reading& reading)
+{
+    if (!value.type)
+        return Time::ticks_per_frame;
+    std::array<std::string_view, units.size()> known;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        if (units[i].name == *value.type)
+            return units[i].milliseconds * reading.frame_rate * Time::ticks_per_frame / 1e6;
+        known[i] = units[i].name;
+    }
+    reading.report.error(value.place, "unknown unit " + quoted(*value.type),
+                         suggestion(*value.type, known) + " (frames have no unit)");
+    return std::nullopt;
+}
+
+}
+
+std::optional<double> read_number(const kdl::Value& value, Range range, Reading& reading)
+{
+    const kdl::Number* const number = number_of(value, reading);
+    if (number == nullptr || !without_type(value, reading))
+        return std::nullopt;
+    if (number->value >= range.low && number->value <= range.high)
+        return number->value;
+    reading.report.error(value.place, "this number is out of range",
+                         "allowed: " + text_of(range.low) + " to " + text_of(range.high));
+    return std::nullopt;
+}
+
+std::optional<int> read_whole_number(const kdl::Value& value, Range range, Reading& reading)
+{
+    const auto number = read_number(value, range, reading);
+    if (!number)
+        return std::nullopt;
+    if (std::trunc(*number) == *number)
+        return static_cast<int>(*number);
+    reading.report.error(value.place, "a whole number is expected here");
+    return std::nullopt;
+}
+
+std::optional<std::string_view> read_text(const kdl::Value& value, Reading& reading)
+{
+    const std::string* const text = value.string();
+    if (text == nullptr)
+        reading.report.error(value.place, "a word or a text in quotes is expected here");
+    if (text == nullptr || !without_type(value, reading))
+        return std::nullopt;
+    return *text;
+}
+
+std::optional<Time> read_time(const kdl::Value& value, Reading& reading)
+{
+    const kdl::Number* const number = number_of(value, reading);
+    const auto scale = number != nullptr ? ticks_per(value, reading) : std::nullopt;
+    if (!scale)
+        return std::nullopt;
+    const double ticks = number->value * *scale;
+    if (ticks >= 0 && ticks <= Time::frame(most_frames).ticks)
+        return Time{static_cast<std::int32_t>(std::lround(ticks))};
+    if (ticks < 0)
+        reading.report.error(value.place, "a time cannot be negative");
+    else
+        reading.report.error(value.place, "this time is out of range",
+                             "allowed: up to " + std::to_string(most_frames) + " frames");
+    return std::nullopt;
+}
+
+std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading)
+{
+    const auto text = read_text(value, reading);
+    if (!text)
+        return std::nullopt;
+    const auto colour = reading.palette.find(std::string{*text});
+    if (!colour) {
+        report_unknown_colour(value, *text, reading.palette.names(), reading);
+        return std::nullopt;
+    }
+    const auto index = reading.palette.use(*colour);
+    if (!index)
+        reading.report.error(value.place, "too many colours",
+                             "a scene holds at most " + std::to_string(most_colours) +
+                                 ", background included");
+    return index;
+}
+
+void report_unknown_colour(const kdl::Value& value, std::string_view text,
+                           std::span<const std::string_view> known, Reading& reading)
+{
+    if (text.starts_with('#'))
+        reading.report.error(value.place, quoted(text) + " is no colour", "write \"#rgb\" or \"#rrggbb\"");
+    else
+        reading.report.error(value.place, "unknown colour " + quoted(text), suggestion(text, known));
+}
+
+void report_unknown_word(const kdl::Value& value, std::string_view name,
+                         std::span<const std::string_view> known, Reading& reading)
+{
+    reading.report.error(value.place, "unknown value " + quoted(name), suggestion(name, known));
+}
+
+}

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/crc32.hpp"
+#include "firmware/board.hpp"
+#include "firmware/panel/ssd0323.hpp"
+#include "host/simulator/simulated_bus.hpp"
+#include "host/simulator/ssd0323_model.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// A frame as the panel showed it.
+struct ShownFrame {
+    Time time;
+    std::uint32_t hash = 0;            ///< CRC-32 of the bytes of a full redraw, in the panel's format
+    std::vector<std::uint8_t> picture; ///< grey levels 0..15, row by row, decoded from the bus
+};
+
+/// A board that exists in memory: the firmware's loop and driver run on it against a model of the controller.
+/// Its clock stands still while a frame is drawn, so that no frame is ever late.
+class SimulatedBoard {
+public:
+    /// Shows every frame of one pass of the scene, whose bytes must outlive the board.
+    explicit SimulatedBoard(std::span<const std::byte> scene);
+    SimulatedBoard(const SimulatedBoard&) = delete;
+
+    const std::vector<ShownFrame>& frames() const { return frames_; }
+    /// Why the scene cannot be played.
+    const std::optional<Error>& error() const { return error_; }
+    /// What driver or loop did wrong on the wires.
+    std::optional<std::string> bus_error() const { return bus_.error() ? bus_.error() : model_.error(); }
+
+    Ssd0323<SimulatedBus<Ssd0323Model>>& panel() { return panel_; }
+    Microseconds now() const { return now_; }
+    void sleep_until(Microseconds moment) { now_ = moment; }
+
+    std::span<const std::byte> scene_bytes() const { return scene_; }
+    std::span<std::byte> block() { return block_; }
+    std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
+
+    bool running() const { return frames_.size() < frames_wanted_; }
+    void scene_started(const SceneView& scene);
+    void watch(std::span<const std::byte> pixels) { picture_.add(pixels); }
+    void frame_shown(FrameReport report);
+    void fault(Error error) { error_ = error; }
+
+private:
+    static constexpr int band_rows = 8;
+
+    std::span<const std::byte> scene_;
+    std::vector<std::byte> block_; ///< exactly what the scene says it needs
+    std::array<std::vector<std::byte>, 2> bands_;
+    Ssd0323Model model_;
+    SimulatedBus<Ssd0323Model> bus_{model_};
+    Ssd0323<SimulatedBus<Ssd0323Model>> panel_{bus_};
+    Microseconds now_;
+    Crc32 picture_;
+    std::size_t frames_wanted_ = 0;
+    std::vector<ShownFrame> frames_;
+    std::optional<Error> error_;
+};
+
+}

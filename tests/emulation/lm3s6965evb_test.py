@@ -1,0 +1,160 @@
+"""Runs a firmware image in QEMU and compares it with the preview:
+
+    lm3s6965evb_test.py <lm3s6965evb-cortex-….elf> <scene.kfb> <kfast>
+
+Every frame must have the hash that `kfast hash` gives, and screenshots of the emulated display must equal the
+pictures of `kfast render` in every pixel."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import zlib
+
+from PIL import Image, ImageChops
+
+from qemu import Qemu
+
+SCENE_ADDRESS = 0x20000
+RAM_ADDRESS = 0x20000000
+SCREENSHOTS = 12
+PIXEL = 4  # the emulated display shows a pixel as a block of 4 x 4
+FREE_FRAMES = 20
+
+
+def expect(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def kfast(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], check=True, stdout=subprocess.PIPE, text=True,
+                          timeout=120).stdout
+
+
+def expected_hashes(program, scene):
+    lines = [line.split() for line in kfast(program, "hash", scene, "--panel", "ssd0323").splitlines()]
+    expect(lines and [int(index) for index, _ in lines] == list(range(len(lines))), f"hash printed {lines[:3]}")
+    return [value for _, value in lines]
+
+
+def cpu_of(image):
+    return re.search(r"cortex-m\d+", pathlib.Path(image).name).group()
+
+
+def loaded(path, address):
+    return ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
+
+
+def board(image, folder, scene=None):
+    noise = folder / "noise"
+    noise.write_bytes(bytes(range(1, 256)) * 256)  # what RAM may hold when the power comes on
+    arguments = ["-M", "lm3s6965evb", "-cpu", cpu_of(image), "-kernel", str(image)] + loaded(noise, RAM_ADDRESS)
+    return Qemu(arguments if scene is None else arguments + loaded(scene, SCENE_ADDRESS))
+
+
+def wait_for(qemu, start):
+    while not (line := qemu.line()).startswith(start):
+        expect(not line.startswith(("ERROR", "FAULT")), line)
+    return line
+
+
+def frame(qemu):
+    match = re.fullmatch(r"F (\d+) ([0-9a-f]{8})", line := qemu.line())
+    expect(match, f"a frame was to come, not {line!r}")
+    return int(match[1]), match[2]
+
+
+def expect_quiet(qemu):
+    expect("error:" not in qemu.errors(), f"the emulated display objects: {qemu.errors()}")
+
+
+def compare_picture(shown, expected, index):
+    screenshot, preview = Image.open(shown).convert("RGB"), Image.open(expected).convert("RGB")
+    preview = preview.resize((preview.width * PIXEL, preview.height * PIXEL), Image.Resampling.NEAREST)
+    expect(screenshot.size == preview.size, f"frame {index}: {screenshot.size}, preview {preview.size}")
+    difference = ImageChops.difference(screenshot, preview).getbbox()
+    expect(difference is None, f"frame {index}: screenshot and preview differ within {difference}")
+
+
+def check_frames(qemu, hashes, pictures, folder):
+    """Steps through the scene; returns the number of screenshots."""
+    last = len(hashes) - 1
+    moments = {round(i * last / (SCREENSHOTS - 1)) for i in range(SCREENSHOTS)}
+    for index, expected in enumerate(hashes):
+        ticks, shown = frame(qemu)
+        expect(-(-ticks // 1024) == index, f"frame {index} was shown for time {ticks}/1024")
+        expect(shown == expected, f"frame {index}: hash {shown} on the board, {expected} in the preview")
+        if index in moments:
+            qemu.screenshot(folder / "shown.png")
+            compare_picture(folder / "shown.png", pictures / f"{index:04d}.png", index)
+        qemu.send(b"q" if index == last else b"n")
+    expect(qemu.line() == "END", "the board was to end")
+    expect_quiet(qemu)
+    return len(moments)
+
+
+def check_stepped(image, scene, hashes, pictures, folder):
+    with board(image, folder, scene) as qemu:
+        banner = qemu.line()
+        expect(re.fullmatch(r"KFAST \S+ lm3s6965evb ssd0323 128x64 grey4", banner), f"banner: {banner!r}")
+        qemu.send(b"s")
+        wait_for(qemu, "STEP")
+        data = pathlib.Path(scene).read_bytes()
+        announced = qemu.line()
+        expect(announced == f"SCENE {len(data)} {zlib.crc32(data):08x}", f"the board plays another scene: {announced}")
+        return check_frames(qemu, hashes, pictures, folder)
+
+
+def rising(times):
+    """The beginning of `times`, until the scene starts over or holds its end."""
+    falls = (i + 1 for i in range(len(times) - 1) if times[i + 1] <= times[i])
+    return times[:next(falls, len(times))]
+
+
+def check_free_running(image, scene, hashes, folder):
+    with board(image, folder, scene) as qemu:
+        wait_for(qemu, "SCENE")
+        frames = [frame(qemu) for _ in range(FREE_FRAMES)]
+        expect_quiet(qemu)
+    times = [ticks for ticks, _ in frames]
+    expect(times[0] == 0 and len(rising(times)) >= 3, f"times do not ascend: {times}")
+    for ticks, shown in frames:
+        if ticks % 1024 == 0 and ticks // 1024 < len(hashes):
+            expect(shown == hashes[ticks // 1024], f"free-running, time {ticks}/1024: hash {shown}")
+
+
+def check_error(image, scene, expected, folder):
+    with board(image, folder, scene) as qemu:
+        qemu.line()
+        line = qemu.line()
+    expect(line.startswith(f"ERROR {expected}: "), f"{line!r} instead of ERROR {expected}")
+
+
+def check_damaged(image, scene, folder):
+    damaged = bytearray(pathlib.Path(scene).read_bytes())
+    damaged[len(damaged) // 2] ^= 0x10
+    (folder / "damaged.kfb").write_bytes(damaged)
+    check_error(image, folder / "damaged.kfb", "bad_checksum", folder)
+
+
+def main(image, scene, program):
+    expect(pathlib.Path(image).is_file(), f"{image} is missing: build the board first")
+    with tempfile.TemporaryDirectory(prefix="kfast") as name:
+        folder = pathlib.Path(name)
+        pictures = folder / "preview"
+        hashes = expected_hashes(program, scene)
+        kfast(program, "render", scene, "--panel", "ssd0323", "--all", "-o", pictures)
+        screenshots = check_stepped(image, scene, hashes, pictures, folder)
+        check_free_running(image, scene, hashes, folder)
+        check_damaged(image, scene, folder)
+        check_error(image, None, "bad_magic", folder)
+    print(f"board and preview agree: {len(hashes)} frames, {screenshots} screenshots, {cpu_of(image)}")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except AssertionError as failure:
+        sys.exit(f"board and preview differ: {failure}")

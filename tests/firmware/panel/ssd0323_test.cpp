@@ -1,0 +1,62 @@
+#include "firmware/panel/ssd0323.hpp"
+
+#include "tests/bytes.hpp"
+#include "tests/firmware/recorded_bus.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+namespace kfast::test {
+
+static_assert(Panel<Ssd0323<RecordedBus>>);
+
+TEST_CASE("SSD0323: the start-up sequence, byte by byte, all of it with D/C low")
+{
+    RecordedBus bus;
+    Ssd0323 panel{bus};
+    panel.begin([](Microseconds) { FAIL("the controller needs no pause"); });
+
+    std::vector<std::byte> sent;
+    for (const auto& transfer : bus.sent) {
+        CHECK_FALSE(transfer.data);
+        sent.insert(sent.end(), transfer.bytes.begin(), transfer.bytes.end());
+    }
+    CHECK(sent == bytes({0xAE, 0xB3, 0x91, 0xA8, 0x3F, 0xA2, 0x40, 0xA1, 0x00, 0xAD, 0x02, 0xA0, 0x52,
+                         0x86, 0x81, 0x70, 0xB2, 0x51, 0xB1, 0x55, 0xBC, 0x10, 0xBE, 0x1C, 0xBF, 0x0F,
+                         0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, 0xA4, 0xAF}));
+}
+
+TEST_CASE("SSD0323: a window counts columns in bytes; its parameters go with D/C low, pixels with D/C high")
+{
+    RecordedBus bus;
+    Ssd0323 panel{bus};
+    const auto pixels = bytes({0x12, 0x34, 0x56, 0x78});
+    panel.start({.x = 32, .y = 24, .width = 4, .height = 2}, pixels);
+    CHECK(bus.sent == std::vector<RecordedBus::Transfer>{
+                          {false, bytes({0x15, 16, 17})},
+                          {false, bytes({0x75, 24, 25})},
+                          {true, pixels},
+                      });
+}
+
+TEST_CASE("SSD0323: the whole panel is columns 0 to 63 and rows 0 to 63")
+{
+    RecordedBus bus;
+    Ssd0323 panel{bus};
+    panel.start({.x = 0, .y = 0, .width = 128, .height = 64}, {});
+    REQUIRE(bus.sent.size() == 3);
+    CHECK(bus.sent[0].bytes == bytes({0x15, 0, 63}));
+    CHECK(bus.sent[1].bytes == bytes({0x75, 0, 63}));
+}
+
+TEST_CASE("SSD0323: the panel is busy as long as the bus is")
+{
+    RecordedBus bus;
+    Ssd0323 panel{bus};
+    CHECK_FALSE(panel.busy());
+    bus.is_busy = true;
+    CHECK(panel.busy());
+}
+
+}

@@ -1,0 +1,189 @@
+#include "firmware/run.hpp"
+
+#include "tests/bytes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace kfast::test {
+namespace {
+
+/// A panel of 6 x 10 greys. It reads pixels only when they must have arrived, like DMA at its slowest.
+class SlowPanel {
+public:
+    static constexpr PixelFormat format = PixelFormat::grey4;
+    static constexpr Size granularity{.width = 2, .height = 2};
+
+    Size size() const { return {.width = 6, .height = 10}; }
+
+    template <class Pause>
+    void begin(Pause&& pause)
+    {
+        pause(Microseconds{120'000});
+    }
+
+    void start(Rect area, std::span<const std::byte> pixels)
+    {
+        REQUIRE(polls_left_ == 0);
+        REQUIRE(pixels.size() == row_bytes(format, area.width) * static_cast<std::size_t>(area.height));
+        areas.push_back(area);
+        on_their_way_ = pixels;
+        polls_left_ = 3;
+    }
+
+    bool busy()
+    {
+        if (polls_left_ == 0)
+            return false;
+        if (--polls_left_ == 0)
+            shown.insert(shown.end(), on_their_way_.begin(), on_their_way_.end());
+        return true;
+    }
+
+    std::vector<Rect> areas;
+    std::vector<std::byte> shown;
+
+private:
+    std::span<const std::byte> on_their_way_;
+    int polls_left_ = 0;
+};
+
+/// Fills every row with its number; a frame takes as long as the board is told.
+class NumberedRows {
+public:
+    void show(Time time)
+    {
+        shown.push_back(time.ticks / Time::ticks_per_frame);
+        row_ = 0;
+    }
+
+    template <PixelFormat format>
+    void draw_rows(int rows, std::span<std::byte> pixels)
+    {
+        REQUIRE(pixels.size() == static_cast<std::size_t>(3 * rows));
+        for (std::byte& pixel : pixels)
+            pixel = static_cast<std::byte>(row_++ / 3);
+    }
+
+    std::vector<int> shown;
+
+private:
+    int row_ = 0;
+};
+
+class TestBoard {
+public:
+    explicit TestBoard(std::size_t band_bytes) { bands_.fill(std::vector<std::byte>(band_bytes)); }
+
+    SlowPanel& panel() { return panel_; }
+    Microseconds now() const { return now_; }
+    void sleep_until(Microseconds moment)
+    {
+        if (!reached(now_, moment))
+            now_ = moment;
+    }
+    std::span<const std::byte> scene_bytes() const { return scene; }
+    std::span<std::byte> block() { return {}; }
+    std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
+    bool running() const { return reports.size() < durations.size(); }
+    void scene_started(const SceneView&) {}
+    void watch(std::span<const std::byte> pixels)
+    {
+        watched.insert(watched.end(), pixels.begin(), pixels.end());
+    }
+    void frame_shown(FrameReport report)
+    {
+        shown_at.push_back(now_.count);
+        now_ = now_ + Microseconds{durations[reports.size()]};
+        reports.push_back(report);
+    }
+    void fault(Error error) { reported = error; }
+
+    std::vector<std::byte> scene;
+    std::vector<std::uint32_t> durations; ///< microseconds that each frame takes
+    std::vector<FrameReport> reports;
+    std::vector<std::uint32_t> shown_at;
+    std::vector<std::byte> watched;
+    std::optional<Error> reported;
+
+private:
+    SlowPanel panel_;
+    std::array<std::vector<std::byte>, 2> bands_;
+    Microseconds now_{0xFFFF'FFFF - 49'999}; // wraps within the first frames
+};
+
+static_assert(WatchingBoard<TestBoard>);
+
+std::vector<std::byte> ten_numbered_rows()
+{
+    std::vector<std::byte> rows;
+    for (int row = 0; row < 10; ++row)
+        rows.insert(rows.end(), 3, static_cast<std::byte>(row));
+    return rows;
+}
+
+}
+
+TEST_CASE("the bands make up the picture although each is sent while the next is drawn")
+{
+    TestBoard board{4 * 3};
+    NumberedRows player;
+    player.show({});
+    draw_frame(board, player);
+    CHECK(board.panel().shown == ten_numbered_rows());
+    CHECK(board.panel().areas == std::vector<Rect>{{0, 0, 6, 4}, {0, 4, 6, 4}, {0, 8, 6, 2}});
+}
+
+TEST_CASE("a band has as many rows as its buffer holds and the panel's granularity allows")
+{
+    TestBoard board{5 * 3 + 2};
+    NumberedRows player;
+    player.show({});
+    draw_frame(board, player);
+    CHECK(board.panel().areas.front() == Rect{0, 0, 6, 4});
+}
+
+TEST_CASE("a watching board sees the bytes of the picture in their order")
+{
+    TestBoard board{4 * 3};
+    NumberedRows player;
+    player.show({});
+    draw_frame(board, player);
+    CHECK(board.watched == ten_numbered_rows());
+}
+
+TEST_CASE("frames are shown when they are due; those that come too late are left out and counted")
+{
+    TestBoard board{4 * 3};
+    NumberedRows player;
+    const Microseconds start = board.now();
+    board.durations = {0, 5'000, 20'000, 25'000, 61'000, 1'000, 1'000};
+    play(board, player, {Time::frame(100), Loop::repeat}, {50'000, start});
+
+    // A frame has 20 ms. Number 2 takes all of its time, 3 a little more, 4 runs over three periods.
+    CHECK(player.shown == std::vector{0, 1, 2, 3, 4, 7, 8});
+    std::vector<std::uint32_t> moments;
+    std::ranges::transform(board.shown_at, std::back_inserter(moments),
+                           [&](std::uint32_t moment) { return moment - start.count; });
+    CHECK(moments == std::vector<std::uint32_t>{0, 20'000, 40'000, 60'000, 85'000, 146'000, 160'000});
+    CHECK(board.reports.back().skipped == 2);
+    CHECK(board.reports[4].skipped == 0);
+}
+
+TEST_CASE("bytes that are no scene are reported, and nothing is shown")
+{
+    TestBoard board{4 * 3};
+    board.scene = bytes({'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.',
+                         'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.',
+                         'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.'});
+    board.durations = {0};
+    run(board);
+    CHECK(board.reported == Error::bad_magic);
+    CHECK(board.reports.empty());
+    CHECK(board.panel().areas.empty());
+}
+
+}

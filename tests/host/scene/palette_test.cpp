@@ -1,0 +1,97 @@
+#include "tests/host/scene/scene_text.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::test {
+namespace {
+
+/// The colour of an object's fill.
+Colour filled(const std::string& colour)
+{
+    const auto scene = read_on_canvas("object o fill=" + colour + " { key 0 }").scene;
+    REQUIRE(scene);
+    return scene->palette.at(*scene->objects.at(0).fill);
+}
+
+}
+
+TEST_CASE("colours are hexadecimal in two lengths and either case")
+{
+    CHECK(filled("\"#4cc9f0\"") == Colour{0x4C, 0xC9, 0xF0});
+    CHECK(filled("\"#4CC9F0\"") == Colour{0x4C, 0xC9, 0xF0});
+    CHECK(filled("\"#4cf\"") == Colour{0x44, 0xCC, 0xFF});
+}
+
+TEST_CASE("the basic colours of CSS need no palette")
+{
+    CHECK(filled("black") == Colour{0, 0, 0});
+    CHECK(filled("silver") == Colour{192, 192, 192});
+    CHECK(filled("gray") == Colour{128, 128, 128});
+    CHECK(filled("grey") == Colour{128, 128, 128});
+    CHECK(filled("white") == Colour{255, 255, 255});
+    CHECK(filled("maroon") == Colour{128, 0, 0});
+    CHECK(filled("red") == Colour{255, 0, 0});
+    CHECK(filled("purple") == Colour{128, 0, 128});
+    CHECK(filled("fuchsia") == Colour{255, 0, 255});
+    CHECK(filled("green") == Colour{0, 128, 0});
+    CHECK(filled("lime") == Colour{0, 255, 0});
+    CHECK(filled("olive") == Colour{128, 128, 0});
+    CHECK(filled("yellow") == Colour{255, 255, 0});
+    CHECK(filled("navy") == Colour{0, 0, 128});
+    CHECK(filled("blue") == Colour{0, 0, 255});
+    CHECK(filled("teal") == Colour{0, 128, 128});
+    CHECK(filled("aqua") == Colour{0, 255, 255});
+}
+
+TEST_CASE("the scene holds the colours in use, each once, the background first")
+{
+    const auto [scene, findings] =
+        read("kfast 1\n"
+             "canvas 9 9 background=navy\n"
+             "palette { ink \"#f2f2f2\"; unused \"#123456\"; red \"#e04040\"; night navy }\n"
+             "object a fill=red stroke=ink { key 0 }\n"
+             "object b fill=night stroke=\"#f2f2f2\" { key 0 }");
+    REQUIRE(scene);
+    CHECK(findings == "");
+    CHECK(scene->palette == std::vector{Colour{0, 0, 128}, {0xE0, 0x40, 0x40}, {0xF2, 0xF2, 0xF2}});
+    CHECK(scene->objects[0].fill == 1);
+    CHECK(scene->objects[0].stroke->colour == 2);
+    CHECK(scene->objects[1].fill == 0);
+    CHECK(scene->objects[1].stroke->colour == 2);
+}
+
+TEST_CASE("a wrong colour is told from an unknown one")
+{
+    CHECK(read_on_canvas("palette { ink white }\nobject o fill=inc { key 0 }").findings ==
+          "4:15 error: unknown colour \"inc\" (did you mean \"ink\"?)");
+    CHECK(read_on_canvas("object o fill=magenta { key 0 }").findings ==
+          "3:15 error: unknown colour \"magenta\" (allowed: black, silver, gray, grey, white, maroon, red, "
+          "purple, fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua)");
+    for (const std::string wrong : {"#12345", "#", "#12345g", "#-12", "#1234567", "#+12"})
+        CHECK(read_on_canvas("object o fill=\"" + wrong + "\" { key 0 }").findings ==
+              "3:15 error: \"" + wrong + "\" is no colour (write \"#rgb\" or \"#rrggbb\")");
+    CHECK(read_on_canvas("object o fill=3 { key 0 }").findings ==
+          "3:15 error: a word or a text in quotes is expected here");
+    CHECK(read("kfast 1\ncanvas 9 9 background=vermilion-red-hot")
+              .findings.starts_with("2:23 error: unknown colour \"vermilion-red-hot\""));
+}
+
+TEST_CASE("a palette with mistakes")
+{
+    CHECK(read_on_canvas("palette { ink white\n ink black }").findings ==
+          "4:2 error: there is a colour \"ink\" already, on line 3");
+    CHECK(read_on_canvas("palette { ink }").findings ==
+          "3:11 error: ink needs more values (write NAME \"#rrggbb\")");
+    CHECK(read_on_canvas("palette { ink 1 }").findings ==
+          "3:15 error: a word or a text in quotes is expected here");
+    CHECK(read_on_canvas("palette { ink white; pen ink }")
+              .findings.starts_with("3:26 error: unknown colour \"ink\""));
+    CHECK(read_on_canvas("palette { ink white a=1 }").findings ==
+          "3:21 error: ink has no property \"a\" (nothing is allowed here)");
+    CHECK(read_on_canvas("palette { ink white { x } }").findings ==
+          "3:23 error: ink takes no nodes inside (write NAME \"#rrggbb\")");
+    CHECK(read_on_canvas("palette 3").findings ==
+          "3:9 error: this value is too many for palette (write palette { NAME \"#rrggbb\" })");
+}
+
+}

@@ -1,0 +1,80 @@
+"""Checks that every include respects the layers: layering.py <root of the repository>."""
+
+import pathlib
+import re
+import sys
+
+# Each folder may include itself and what is named here.
+MAY_INCLUDE = {
+    "core": {"core"},
+    "firmware": {"firmware", "core"},
+    "boards": {"boards", "firmware", "core"},
+    "host": {"host", "firmware", "core"},
+    "tests": {"tests", "host", "boards", "firmware", "core"},
+}
+
+# The only headers in angle brackets for what runs on every device. <cstdlib> is for std::abs; its heap is watched by
+# device_symbols.py.
+FREESTANDING = {
+    "algorithm", "array", "bit", "compare", "concepts", "cstddef", "cstdint", "cstdlib", "limits", "optional", "span",
+    "type_traits", "utility",
+}
+FREESTANDING_FOLDERS = {"core", "firmware"}
+
+# Libraries that one file each hides from the rest.
+HIDDEN = {"SDL": r"SDL.*", "hidapi": r"hidapi.*", "libusb": r"libusb.*", "libgpiod": r"gpiod.*"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def sources(root):
+    for folder in MAY_INCLUDE:
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix in {".hpp", ".cpp", ".h", ".c", ".in"}:
+                yield folder, path
+
+
+def quoted_mistake(folder, included):
+    if ".." in pathlib.PurePosixPath(included).parts:
+        return "climbs out of its folder"
+    layer = included.split("/")[0]
+    if layer not in MAY_INCLUDE:
+        return "is not written from the root of the repository"
+    if layer not in MAY_INCLUDE[folder]:
+        return f"reaches from {folder}/ into {layer}/"
+    return None
+
+
+def angle_mistake(folder, included):
+    if folder in FREESTANDING_FOLDERS and included not in FREESTANDING:
+        return f"is no freestanding header, as {folder}/ needs"
+    return None
+
+
+def hidden_library(included):
+    name = included.split("/")[-1]
+    return next((library for library, pattern in HIDDEN.items() if re.fullmatch(pattern, name)), None)
+
+
+def check(root):
+    """All violations below `root`, one line each."""
+    mistakes = []
+    users = {library: [] for library in HIDDEN}
+    for folder, path in sources(root):
+        for kind, included in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            place = path.relative_to(root)
+            mistake = (quoted_mistake if kind == '"' else angle_mistake)(folder, included)
+            if mistake:
+                mistakes.append(f"{place}: {included} {mistake}")
+            if library := hidden_library(included):
+                users[library].append(place)
+    for library, places in users.items():
+        if len(places) > 1 or any(place.suffix != ".cpp" for place in places):
+            mistakes.append(f"{library} must be included by one .cpp alone: {', '.join(map(str, places))}")
+    return mistakes
+
+
+if __name__ == "__main__":
+    found = check(pathlib.Path(sys.argv[1]))
+    print("\n".join(found) or "every include respects the layers")
+    sys.exit(1 if found else 0)
