@@ -1,6 +1,8 @@
 #include "host/commands/command.hpp"
 
+#include "firmware/version.hpp"
 #include "host/failure.hpp"
+#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +28,7 @@ std::string usage_message(const CLI::App* kfast, const CLI::Error& error)
 
 void declare_commands(CLI::App& kfast)
 {
-    kfast.set_version_flag("--version", "kfast " KFAST_VERSION);
+    kfast.set_version_flag("--version", std::string("kfast ") + version);
     kfast.failure_message(usage_message);
     kfast.footer("Example:\n  kfast preview examples/hello.kfast\n\n'kfast COMMAND --help' tells more.");
     for (const Command* command : commands) {
@@ -42,12 +44,12 @@ void require_command(int count, const char* const* arguments)
     const std::string_view word = count > 1 ? arguments[1] : "";
     if (word.starts_with('-') || std::ranges::find(commands, word, &Command::name) != commands.end())
         return;
-    std::string names;
+    std::vector<std::string_view> names;
     for (const Command* command : commands)
-        names.append(names.empty() ? "" : ", ").append(command->name);
+        names.push_back(command->name);
     const std::string wrong =
         word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
-    throw CLI::RequiredError(wrong + ": choose one of " + names, CLI::ExitCodes::RequiredError);
+    throw CLI::RequiredError(wrong + ": " + suggestion(word, names), CLI::ExitCodes::RequiredError);
 }
 
 int fail(const char* reason)

@@ -25,7 +25,7 @@ void print_hashes(const HashOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = timeline_of(scene.view);
-    const auto source = open_source(options.picture, scene.view);
+    const auto source = open_source(options.picture, scene);
     for (int frame = 0; frame < timeline.frame_count(); ++frame)
         std::cout << line(frame, hash(source->show(timeline.frame_time(frame))));
 }

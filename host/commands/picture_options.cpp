@@ -1,6 +1,7 @@
 #include "host/commands/picture_options.hpp"
 
 #include "host/picture/player_source.hpp"
+#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,10 +41,13 @@ std::string names_of(const Rows& rows)
 template <class Rows>
 const auto& named(const Rows& rows, const std::string& option, const std::string& name)
 {
-    for (const auto& row : rows)
+    std::vector<std::string_view> known;
+    for (const auto& row : rows) {
         if (row.name == name)
             return row;
-    throw CLI::ValidationError(option, "'" + name + "' is unknown: choose one of " + names_of(rows));
+        known.push_back(row.name);
+    }
+    throw CLI::ValidationError(option, "'" + name + "' is unknown: " + suggestion(name, known));
 }
 
 /// A side of a panel, and what follows it; 0 for anything else.
@@ -98,10 +102,10 @@ CLI::Option* add_format(CLI::App& app, PictureOptions& options)
         [&options](const std::string& name) { options.format = named(formats, "--format", name).value; });
 }
 
-void add_fit(CLI::App& app, PictureOptions& options)
+CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
 {
-    add(app, "--fit", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
-        [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
+    return add(app, "--fit", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
+               [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
 }
 
 }
@@ -114,7 +118,7 @@ void declare_size_options(CLI::App& app, PictureOptions& options)
 void declare_picture_options(CLI::App& app, PictureOptions& options)
 {
     declare_size_options(app, options);
-    add_fit(app, options);
+    add_fit(app, options)->excludes(app.get_option("--panel"));
     add_format(app, options)->excludes(app.get_option("--panel"));
 }
 
@@ -123,11 +127,12 @@ Size panel_size(const PictureOptions& options, const SceneView& scene)
     return options.panel != nullptr ? options.panel->size : options.size.value_or(scene.canvas());
 }
 
-std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneView& scene)
+std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
     if (options.panel != nullptr)
-        return options.panel->open(scene, options.fit);
-    return std::make_unique<PlayerSource>(scene, panel_size(options, scene), options.fit, options.format);
+        return options.panel->open(scene.bytes, timeline_of(scene.view));
+    const Size size = panel_size(options, scene.view);
+    return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
 }
 
 }

@@ -50,7 +50,7 @@ void preview(const PreviewOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = timeline_of(scene.view);
-    const auto source = open_source(options.picture, scene.view);
+    const auto source = open_source(options.picture, scene);
     if (options.headless)
         return preview_headless(options, *source, scene.view);
     if (!options.terminal && play_in_window(*source, timeline, key_times(scene.view), options.file))

@@ -71,7 +71,7 @@ void render_scene(const RenderOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = timeline_of(scene.view);
-    const auto source = open_source(options.picture, scene.view);
+    const auto source = open_source(options.picture, scene);
     const fs::path output = options.output;
     if (!options.all)
         write_png(output, widen(source->show(chosen_time(options, timeline))));

@@ -1,19 +1,19 @@
 #include "host/picture/panel_choice.hpp"
 
-#include "host/picture/player_source.hpp"
+#include "host/picture/board_source.hpp"
 
 #include <array>
 
 namespace kfast {
 namespace {
 
-std::unique_ptr<FrameSource> open_ssd0323(const SceneView& scene, Fit fit)
+std::unique_ptr<FrameSource> open_ssd0323(std::span<const std::byte> scene, const Timeline& timeline)
 {
-    return std::make_unique<PlayerSource>(scene, Size{128, 64}, fit, PixelFormat::grey4);
+    return std::make_unique<BoardSource>(scene, timeline);
 }
 
 constexpr std::array choices{
-    PanelChoice{"ssd0323", {128, 64}, PixelFormat::grey4, open_ssd0323},
+    PanelChoice{"ssd0323", {Ssd0323Model::width, Ssd0323Model::height}, open_ssd0323},
 };
 
 }

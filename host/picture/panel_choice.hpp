@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/player.hpp"
 #include "host/picture/frame_source.hpp"
+#include "host/picture/timeline.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -13,9 +14,8 @@ namespace kfast {
 struct PanelChoice {
     std::string_view name;
     Size size;
-    PixelFormat format;
-    /// `scene`'s bytes must outlive the source.
-    std::unique_ptr<FrameSource> (*open)(const SceneView& scene, Fit fit);
+    /// `scene` is a checked scene and must outlive the source.
+    std::unique_ptr<FrameSource> (*open)(std::span<const std::byte> scene, const Timeline& timeline);
 };
 
 std::span<const PanelChoice> panel_choices();
