@@ -1,6 +1,6 @@
 #include "core/object_view.hpp"
 
-#include "core/format_limits.hpp"
+#include "core/kfb_limits.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 std::int32_t time_difference(std::uint32_t code)
 {
     const std::uint32_t unit = (code & 1) != 0 ? 1 : Time::ticks_per_frame;
-    const std::uint32_t limit = format::max_time / unit + 1;
+    const std::uint32_t limit = kfb::max_time / unit + 1;
     return static_cast<std::int32_t>(std::min(code >> 1, limit) * unit);
 }
 

@@ -19,11 +19,11 @@ Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
     const std::size_t size = reader.u32();
     if (bytes.size() >= 3 && (tag & 0xFFFFFF) != magic)
         return Error::bad_magic;
-    if (bytes.size() >= 4 && tag >> 24 != format::version)
+    if (bytes.size() >= 4 && tag >> 24 != kfb::version)
         return Error::unsupported_version;
-    if (bytes.size() < format::header_bytes || bytes.size() < size)
+    if (bytes.size() < kfb::header_bytes || bytes.size() < size)
         return Error::truncated;
-    if (size < format::header_bytes)
+    if (size < kfb::header_bytes)
         return Error::bad_scene;
     Crc32 crc;
     crc.add(bytes.first(size).subspan(checksum_end));
@@ -61,11 +61,11 @@ bool SceneView::read_sections(std::span<const std::byte> bytes)
 
 bool SceneView::check_header() const
 {
-    const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= format::max_canvas; };
+    const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= kfb::max_canvas; };
     return is_side(canvas_.width) && is_side(canvas_.height) && frame_rate_ >= 1 &&
-           frame_rate_ <= format::max_frame_rate && length_.ticks >= Time::ticks_per_frame &&
-           length_.ticks <= format::max_time && loop_ <= Loop::ping_pong && !palette_.empty() &&
-           max_edges_ <= format::max_edges;
+           frame_rate_ <= kfb::max_frame_rate && length_.ticks >= Time::ticks_per_frame &&
+           length_.ticks <= kfb::max_time && loop_ <= Loop::ping_pong && !palette_.empty() &&
+           max_edges_ <= kfb::max_edges;
 }
 
 bool SceneView::check_objects()
@@ -91,7 +91,7 @@ bool SceneView::check_style(const ObjectStyle& style) const
         return false;
     if (!style.is_stroked)
         return style.is_filled;
-    return style.stroke < palette_size() && style.width >= 1 && style.width <= format::max_width &&
+    return style.stroke < palette_size() && style.width >= 1 && style.width <= kfb::max_width &&
            style.cap <= Cap::square && style.join <= Join::bevel;
 }
 
@@ -104,10 +104,10 @@ bool SceneView::check_keys(const ObjectView& object, std::uint32_t& key_points)
     while (!keys.at_end()) {
         const Key key = keys.next();
         const auto is_piece_count = [](std::uint32_t count) {
-            return count >= 1 && count <= format::max_curve_pieces;
+            return count >= 1 && count <= kfb::max_curve_pieces;
         };
         const auto is_law = [](VelocityLaw law) { return static_cast<int>(law) < velocity_law_count; };
-        if (keys.overrun() || key.time <= before || key.time.ticks > format::max_time || !is_law(key.law_x) ||
+        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.law_x) ||
             !is_law(key.law_y) || !is_piece_count(key.curve_pieces) || !check_drawing(key, key_points))
             return false;
         before = key.time;
@@ -124,8 +124,8 @@ bool SceneView::check_drawing(const Key& key, std::uint32_t& key_points) const
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;
-        if (!reader.is_sound() || segments > format::max_drawing_points ||
-            points > format::max_drawing_points)
+        if (!reader.is_sound() || segments > kfb::max_drawing_points ||
+            points > kfb::max_drawing_points)
             return false;
         for (std::uint32_t i = 0; i < segments; ++i) {
             reader.next_segment();
@@ -134,7 +134,7 @@ bool SceneView::check_drawing(const Key& key, std::uint32_t& key_points) const
         }
     }
     key_points += points + 1;
-    return reader.is_sound() && key_points <= format::max_key_points;
+    return reader.is_sound() && key_points <= kfb::max_key_points;
 }
 
 Colour SceneView::colour(std::size_t index) const

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/colour.hpp"
-#include "core/format_limits.hpp"
+#include "core/kfb_limits.hpp"
 #include "core/object_view.hpp"
 #include "core/result.hpp"
 #include "core/size.hpp"

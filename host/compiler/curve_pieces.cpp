@@ -1,7 +1,7 @@
 #include "host/compiler/curve_pieces.hpp"
 
 #include "core/equalize.hpp"
-#include "core/format_limits.hpp"
+#include "core/kfb_limits.hpp"
 #include "host/compiler/model_reader.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b)
         for (std::uint32_t i = 0; i < segments; ++i)
             most = std::max(most, bend_between(pair.next_segment()));
     const double pieces = std::ceil(std::sqrt(6 * most / (8 * tolerance)));
-    return std::clamp<std::uint32_t>(static_cast<std::uint32_t>(pieces), 1, format::max_curve_pieces);
+    return std::clamp<std::uint32_t>(static_cast<std::uint32_t>(pieces), 1, kfb::max_curve_pieces);
 }
 
 }

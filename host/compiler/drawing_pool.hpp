@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace kfast {
@@ -19,7 +20,7 @@ public:
 
 private:
     ByteWriter section_;
-    std::map<std::vector<std::byte>, std::uint32_t> offsets_;
+    std::map<std::string, std::uint32_t> offsets_; ///< by the packed bytes
 };
 
 }

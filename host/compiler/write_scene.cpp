@@ -2,7 +2,7 @@
 
 #include "core/crc32.hpp"
 #include "core/edge_budget.hpp"
-#include "core/format_limits.hpp"
+#include "core/kfb_limits.hpp"
 #include "core/scene_view.hpp"
 #include "host/compiler/byte_writer.hpp"
 #include "host/compiler/curve_pieces.hpp"
@@ -127,7 +127,7 @@ std::vector<std::byte> sealed(const ByteWriter& body)
     ByteWriter file;
     for (const char letter : {'K', 'F', 'B'})
         file.u8(static_cast<std::uint8_t>(letter));
-    file.u8(format::version);
+    file.u8(kfb::version);
     file.u32(crc.value());
     file.append(checked.bytes());
     return file.bytes();
@@ -142,8 +142,8 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     for (const scene::Object& object : scene.objects)
         write_object(object, drawings, objects);
 
-    Allowance edges{"edges", format::max_edges, {}};
-    Allowance points{"points in all keys together", format::max_key_points, {}};
+    Allowance edges{"edges", kfb::max_edges, {}};
+    Allowance points{"points in all keys together", kfb::max_key_points, {}};
     ObjectCursor cursor{ByteReader{objects.bytes()}, static_cast<std::uint32_t>(scene.objects.size())};
     for (const scene::Object& object : scene.objects) {
         edges.used.push_back(object_edges(cursor.next(), drawings.bytes()));

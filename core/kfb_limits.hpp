@@ -4,7 +4,7 @@
 #include <cstdint>
 
 /// What the scene format limits. The compiler refuses what exceeds it, so does SceneView::parse.
-namespace kfast::format {
+namespace kfast::kfb {
 
 inline constexpr std::uint8_t version = 1;
 inline constexpr std::size_t header_bytes = 32;
