@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+namespace kfast {
+
+/// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by
+/// commit(). Without commit(), or when a signal ends the program, the temporary is removed and whatever
+/// stood at `target` stays as it was. One at a time.
+///
+/// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
+/// destructor throws Failure when the disk is full, the place is not writable and so on.
+class AtomicFile {
+public:
+    explicit AtomicFile(std::filesystem::path target);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::span<const std::byte> bytes);
+    void commit();
+
+private:
+    void open_special();
+    void open_temporary();
+    void close();
+    [[noreturn]] void fail(int error_number) const;
+
+    std::filesystem::path target_;
+    std::optional<std::filesystem::path> temporary_;
+    int descriptor_ = -1;
+};
+
+/// Writes all of a file at once. Throws Failure.
+void write_file(const std::filesystem::path& target, std::span<const std::byte> bytes);
+
+}

@@ -1,0 +1,87 @@
+#include "host/commands/command.hpp"
+
+#include "firmware/version.hpp"
+#include "host/failure.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <new>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+constexpr int input_is_wrong = 1;
+constexpr int usage_is_wrong = 2;
+
+constexpr std::array commands{&compile_command, &check_command,   &info_command,
+                              &render_command,  &preview_command, &hash_command};
+
+std::string usage_message(const CLI::App* kfast, const CLI::Error& error)
+{
+    const auto chosen = kfast->get_subcommands();
+    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + ' ';
+    return std::string("kfast: ") + error.what() + "\nTry 'kfast " + command + "--help'.\n";
+}
+
+void declare_commands(CLI::App& kfast)
+{
+    kfast.set_version_flag("--version", std::string("kfast ") + version);
+    kfast.failure_message(usage_message);
+    kfast.footer("Example:\n  kfast preview examples/hello.kfast\n\n'kfast COMMAND --help' tells more.");
+    for (const Command* command : commands) {
+        CLI::App* app = kfast.add_subcommand(command->name, command->summary);
+        app->footer(std::string("Example:\n  ") + command->example);
+        command->declare(*app);
+    }
+}
+
+/// CLI11 alone would name neither the word nor the commands there are.
+void require_command(int count, const char* const* arguments)
+{
+    const std::string_view word = count > 1 ? arguments[1] : "";
+    if (word.starts_with('-') || std::ranges::find(commands, word, &Command::name) != commands.end())
+        return;
+    std::vector<std::string_view> names;
+    for (const Command* command : commands)
+        names.push_back(command->name);
+    const std::string wrong =
+        word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
+    throw CLI::RequiredError(wrong + ": " + suggestion(word, names), CLI::ExitCodes::RequiredError);
+}
+
+int fail(const char* reason)
+{
+    std::cerr << "kfast: " << reason << '\n';
+    return input_is_wrong;
+}
+
+int parse_and_run(CLI::App& kfast, int count, const char* const* arguments)
+{
+    try {
+        require_command(count, arguments);
+        kfast.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return kfast.exit(error) == 0 ? 0 : usage_is_wrong;
+    } catch (const Failure& failure) {
+        return fail(failure.what());
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory: try a smaller --size");
+    }
+    return 0;
+}
+
+}
+
+int run_command_line(int count, const char* const* arguments)
+{
+    CLI::App kfast{"Vector key-frame animation for microcontroller-driven displays.", "kfast"};
+    declare_commands(kfast);
+    const int status = parse_and_run(kfast, count, arguments);
+    std::cout.flush();
+    return std::cout ? status : fail("cannot write to standard output");
+}
+
+}

@@ -1,0 +1,53 @@
+#include "host/atomic_file.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/summary.hpp"
+#include "host/failure.hpp"
+#include "host/scene_file.hpp"
+
+#include <iostream>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CompileOptions {
+    std::string scene;
+    std::string output;
+};
+
+fs::path output_path(const CompileOptions& options)
+{
+    const fs::path beside = fs::path{options.scene}.replace_extension(".kfb");
+    const fs::path output = options.output.empty() ? beside : fs::path{options.output};
+    std::error_code none_yet;
+    if (fs::equivalent(output, options.scene, none_yet))
+        throw Failure(output.string() +
+                      ": this would overwrite the scene itself: choose another name with -o");
+    return output;
+}
+
+void compile_scene(const CompileOptions& options)
+{
+    const SceneFile scene = load_scene(options.scene);
+    if (!scene.was_text)
+        throw Failure(options.scene + ": compiled already: name the .kfast file it was made from");
+    const fs::path output = output_path(options);
+    write_file(output, scene.bytes);
+    std::cout << output.string() << ": " << summary(scene) << '\n';
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<CompileOptions>();
+    app.add_option("SCENE", options->scene, "The scene text (.kfast)")->required();
+    app.add_option("-o,--output", options->output, "The compiled scene (default: SCENE's name with .kfb)");
+    app.callback([options] { compile_scene(*options); });
+}
+
+}
+
+const Command compile_command{"compile", "Turn a scene text into the .kfb file a board plays",
+                              "kfast compile eyes.kfast -o eyes.kfb", declare};
+
+}

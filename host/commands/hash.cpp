@@ -1,0 +1,46 @@
+#include "host/commands/command.hpp"
+#include "host/commands/picture_options.hpp"
+#include "host/picture/timeline.hpp"
+#include "host/scene_file.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+namespace kfast {
+namespace {
+
+struct HashOptions {
+    std::string file;
+    PictureOptions picture;
+};
+
+std::string line(int frame, std::uint32_t hash)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%d %08x\n", frame, hash);
+    return text;
+}
+
+void print_hashes(const HashOptions& options)
+{
+    const SceneFile scene = load_scene(options.file);
+    const Timeline timeline = timeline_of(scene.view);
+    const auto source = open_source(options.picture, scene);
+    for (int frame = 0; frame < timeline.frame_count(); ++frame)
+        std::cout << line(frame, hash(source->show(timeline.frame_time(frame))));
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<HashOptions>();
+    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    declare_picture_options(app, options->picture);
+    app.callback([options] { print_hashes(*options); });
+}
+
+}
+
+const Command hash_command{"hash", "Print the CRC-32 of every frame, the same on every target",
+                           "kfast hash eyes.kfb --size 128x64 --format mono1", declare};
+
+}

@@ -1,0 +1,121 @@
+#include "host/commands/command.hpp"
+#include "host/commands/picture_options.hpp"
+#include "host/picture/timeline.hpp"
+#include "host/preview/key_times.hpp"
+#include "host/scene_file.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+    std::string file;
+    bool json = false;
+    PictureOptions picture;
+};
+
+const char* name_of(Loop loop)
+{
+    switch (loop) {
+    case Loop::once:
+        return "once";
+    case Loop::repeat:
+        return "repeat";
+    case Loop::ping_pong:
+        return "ping-pong";
+    }
+    return "";
+}
+
+double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
+
+Json keys_of(const SceneView& scene)
+{
+    Json keys = Json::array();
+    for (const Time key : key_times(scene))
+        keys.push_back(frames(key));
+    return keys;
+}
+
+Json facts(const InfoOptions& options, const SceneFile& scene)
+{
+    const Timeline timeline = timeline_of(scene.view);
+    const Size canvas = scene.view.canvas();
+    const Size panel = panel_size(options.picture, scene.view);
+    return {
+        {"file", options.file},
+        {"bytes", scene.bytes.size()},
+        {"canvas", {{"width", canvas.width}, {"height", canvas.height}}},
+        {"fps", timeline.frame_rate / 1000.0},
+        {"frames", frames(timeline.length)},
+        {"seconds", timeline.seconds(timeline.length.ticks)},
+        {"loop", name_of(timeline.loop)},
+        {"objects", scene.view.object_count()},
+        {"keys", keys_of(scene.view)},
+        {"memory",
+         {{"bytes", Player::block_bytes(scene.view, panel)},
+          {"width", panel.width},
+          {"height", panel.height}}},
+    };
+}
+
+std::string size_text(const Json& size)
+{
+    return std::to_string(size["width"].get<int>()) + 'x' + std::to_string(size["height"].get<int>());
+}
+
+std::string key_text(const Json& keys)
+{
+    std::ostringstream text;
+    text << keys.size();
+    for (std::size_t place = 0; place < keys.size(); ++place)
+        text << (place == 0 ? ", at frames " : " ") << keys[place].get<double>();
+    return text.str();
+}
+
+void print_text(const Json& facts)
+{
+    std::cout << facts["file"].get<std::string>() << '\n'
+              << "  size        " << facts["bytes"] << " bytes\n"
+              << "  canvas      " << size_text(facts["canvas"]) << '\n'
+              << "  frame rate  " << facts["fps"].get<double>() << " fps\n"
+              << "  length      " << facts["frames"].get<double>() << " frames, "
+              << facts["seconds"].get<double>() << " s\n"
+              << "  loop        " << facts["loop"].get<std::string>() << '\n'
+              << "  objects     " << facts["objects"] << '\n'
+              << "  keys        " << key_text(facts["keys"]) << '\n'
+              << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
+              << size_text(facts["memory"]) << '\n';
+}
+
+void print_json(const Json& facts)
+{
+    std::cout << facts.dump(2, ' ', false, Json::error_handler_t::replace) << '\n'; // names need not be UTF-8
+}
+
+void print_info(const InfoOptions& options)
+{
+    const SceneFile scene = load_scene(options.file);
+    const Json known = facts(options, scene);
+    options.json ? print_json(known) : print_text(known);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<InfoOptions>();
+    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_flag("--json", options->json, "For programs: a JSON object");
+    declare_size_options(app, options->picture);
+    app.callback([options] { print_info(*options); });
+}
+
+}
+
+const Command info_command{"info", "Tell size, length, loop, objects, keys and memory of a scene",
+                           "kfast info eyes.kfb --panel ssd0323", declare};
+
+}

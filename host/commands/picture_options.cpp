@@ -1,0 +1,138 @@
+#include "host/commands/picture_options.hpp"
+
+#include "host/picture/player_source.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace kfast {
+namespace {
+
+template <class T>
+struct Named {
+    std::string_view name;
+    T value;
+};
+
+constexpr std::array fits{
+    Named<Fit>{"contain", Fit::contain},
+    Named<Fit>{"cover", Fit::cover},
+    Named<Fit>{"none", Fit::none},
+};
+
+constexpr std::array formats{
+    Named<PixelFormat>{"rgb565", PixelFormat::rgb565},
+    Named<PixelFormat>{"grey4", PixelFormat::grey4},
+    Named<PixelFormat>{"mono1", PixelFormat::mono1},
+};
+
+template <class Rows>
+std::string names_of(const Rows& rows)
+{
+    std::string list;
+    for (const auto& row : rows)
+        list.append(list.empty() ? "" : ", ").append(row.name);
+    return list;
+}
+
+template <class Rows>
+const auto& named(const Rows& rows, const std::string& option, const std::string& name)
+{
+    std::vector<std::string_view> known;
+    for (const auto& row : rows) {
+        if (row.name == name)
+            return row;
+        known.push_back(row.name);
+    }
+    throw CLI::ValidationError(option, "'" + name + "' is unknown: " + suggestion(name, known));
+}
+
+/// A side of a panel, and what follows it; 0 for anything else.
+int read_side(std::string_view& text)
+{
+    int side = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+    return error == std::errc{} && side >= 1 && side <= Player::max_panel ? side : 0;
+}
+
+Size read_size(const std::string& text)
+{
+    std::string_view rest = text;
+    Size size{read_side(rest), 0};
+    if (rest.starts_with('x')) {
+        rest.remove_prefix(1);
+        size.height = read_side(rest);
+    }
+    if (size.width == 0 || size.height == 0 || !rest.empty())
+        throw CLI::ValidationError("--size", "'" + text +
+                                                 "' is no size: write it like 240x135, with sides of 1 to " +
+                                                 std::to_string(Player::max_panel));
+    return size;
+}
+
+using OnText = std::function<void(const std::string&)>;
+
+CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& text,
+                 const OnText& set)
+{
+    return app.add_option_function<std::string>(name, set, text)->type_name(type);
+}
+
+CLI::Option* add_size(CLI::App& app, PictureOptions& options)
+{
+    return add(app, "--size", "WxH", "Panel size in pixels (default: the canvas)",
+               [&options](const std::string& text) { options.size = read_size(text); });
+}
+
+CLI::Option* add_panel(CLI::App& app, PictureOptions& options)
+{
+    return add(
+        app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
+        [&options](const std::string& name) { options.panel = &named(panel_choices(), "--panel", name); });
+}
+
+CLI::Option* add_format(CLI::App& app, PictureOptions& options)
+{
+    return add(
+        app, "--format", "NAME", "Pixels: " + names_of(formats) + " (default: rgb565)",
+        [&options](const std::string& name) { options.format = named(formats, "--format", name).value; });
+}
+
+CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
+{
+    return add(app, "--fit", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
+               [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
+}
+
+}
+
+void declare_size_options(CLI::App& app, PictureOptions& options)
+{
+    add_panel(app, options)->excludes(add_size(app, options));
+}
+
+void declare_picture_options(CLI::App& app, PictureOptions& options)
+{
+    declare_size_options(app, options);
+    add_fit(app, options)->excludes(app.get_option("--panel"));
+    add_format(app, options)->excludes(app.get_option("--panel"));
+}
+
+Size panel_size(const PictureOptions& options, const SceneView& scene)
+{
+    return options.panel != nullptr ? options.panel->size : options.size.value_or(scene.canvas());
+}
+
+std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
+{
+    if (options.panel != nullptr)
+        return options.panel->open(scene.bytes, timeline_of(scene.view));
+    const Size size = panel_size(options, scene.view);
+    return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
+}
+
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "host/picture/panel_choice.hpp"
+#include "host/scene_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+namespace kfast {
+
+/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel.
+struct PictureOptions {
+    std::optional<Size> size; ///< none: the canvas of the scene
+    Fit fit = Fit::contain;
+    PixelFormat format = PixelFormat::rgb565;
+    const PanelChoice* panel = nullptr; ///< instead of size, fit and format: it is driven as on a board
+};
+
+/// Adds the four options to `app`. `options` must outlive its parsing.
+void declare_picture_options(CLI::App& app, PictureOptions& options);
+
+/// Adds --size and --panel only.
+void declare_size_options(CLI::App& app, PictureOptions& options);
+
+Size panel_size(const PictureOptions& options, const SceneView& scene);
+
+/// `scene` must outlive the source.
+std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene);
+
+}

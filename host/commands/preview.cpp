@@ -1,0 +1,100 @@
+#include "host/commands/command.hpp"
+#include "host/commands/picture_options.hpp"
+#include "host/picture/timeline.hpp"
+#include "host/preview/headless.hpp"
+#include "host/preview/key_times.hpp"
+#include "host/preview/terminal.hpp"
+#include "host/preview/window.hpp"
+#include "host/scene_file.hpp"
+
+#include <iostream>
+#include <sstream>
+
+namespace kfast {
+namespace {
+
+struct PreviewOptions {
+    std::string file;
+    bool terminal = false;
+    bool headless = false;
+    int loops = 1;
+    std::optional<std::vector<PreviewKey>> script;
+    PictureOptions picture;
+};
+
+std::vector<PreviewKey> read_script(const std::string& text)
+{
+    std::vector<PreviewKey> script;
+    std::istringstream words{text};
+    for (std::string word; words >> word;) {
+        const std::optional<PreviewKey> key = preview_key(word);
+        if (!key)
+            throw CLI::ValidationError("--keys",
+                                       "'" + word + "' is no key: write them like \"n p space right\"");
+        script.push_back(*key);
+    }
+    return script;
+}
+
+void preview_headless(const PreviewOptions& options, FrameSource& source, const SceneView& scene)
+{
+    const Timeline timeline = timeline_of(scene);
+    const std::vector<Time> keys = key_times(scene);
+    if (options.script)
+        play_script(source, timeline, keys, *options.script, std::cout);
+    else
+        play_headless(source, timeline, keys, std::cout);
+}
+
+void preview(const PreviewOptions& options)
+{
+    const SceneFile scene = load_scene(options.file);
+    const Timeline timeline = timeline_of(scene.view);
+    const auto source = open_source(options.picture, scene);
+    if (options.headless)
+        return preview_headless(options, *source, scene.view);
+    if (!options.terminal && play_in_window(*source, timeline, key_times(scene.view), options.file))
+        return;
+    if (!options.terminal)
+        std::cerr << "kfast: there is no display for a window, so this plays in the terminal\n";
+    play_in_terminal(*source, timeline, options.loops);
+}
+
+std::string key_list()
+{
+    std::string text = "Keys of the window and of --keys:";
+    for (const std::string& line : preview_key_help())
+        text += "\n  " + line;
+    return text;
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<PreviewOptions>();
+    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    CLI::Option* terminal =
+        app.add_flag("--terminal", options->terminal, "Play in the terminal, not in a window");
+    app.add_option("--loops", options->loops, "In the terminal: how often to play")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    CLI::Option* headless = app.add_flag("--headless", options->headless, "Show nothing; print a summary");
+    headless->excludes(terminal);
+    app.add_option_function<std::string>(
+           "--keys", [options](const std::string& text) { options->script = read_script(text); },
+           "With --headless: press these keys, print what each shows")
+        ->type_name("LIST")
+        ->needs(headless);
+    declare_picture_options(app, options->picture);
+    app.footer(app.get_footer() + "\n\n" + key_list());
+    app.callback([options] { preview(*options); });
+}
+
+}
+
+const Command preview_command{"preview", "Play a scene in a window, in the terminal, or unseen",
+                              "kfast preview eyes.kfast --size 128x64 --format mono1\n"
+                              "  kfast preview eyes.kfast --headless --keys \"n n p right\"",
+                              declare};
+
+}

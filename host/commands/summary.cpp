@@ -1,0 +1,19 @@
+#include "host/commands/summary.hpp"
+
+#include "core/player.hpp"
+#include "host/counted.hpp"
+#include "host/picture/timeline.hpp"
+
+namespace kfast {
+
+std::string summary(const SceneFile& scene)
+{
+    const Size canvas = scene.view.canvas();
+    const auto frames = static_cast<std::size_t>(timeline_of(scene.view).frame_count());
+    return counted(scene.bytes.size(), "byte") + ", " + counted(frames, "frame") + ", " +
+           counted(scene.view.object_count(), "object") + ", " +
+           counted(Player::block_bytes(scene.view, canvas), "byte") + " of memory at " +
+           std::to_string(canvas.width) + 'x' + std::to_string(canvas.height);
+}
+
+}

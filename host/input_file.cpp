@@ -1,0 +1,84 @@
+#include "host/input_file.hpp"
+
+#include "host/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string in_words(int error_number)
+{
+    switch (error_number) {
+    case ENOENT:
+    case ENOTDIR:
+        return "there is no such file: check the name and the folder";
+    case EISDIR:
+        return "this is a folder: name a .kfast or .kfb file in it";
+    case EACCES:
+    case EPERM:
+        return "you may not read it: change its permissions (chmod u+r) or copy it";
+    default:
+        return std::string("cannot be read: ") + std::strerror(error_number);
+    }
+}
+
+class InputFile {
+public:
+    explicit InputFile(const fs::path& path)
+        : path_{path}, descriptor_{::open(path.c_str(), O_RDONLY | O_CLOEXEC)}
+    {
+        if (descriptor_ < 0)
+            refuse(in_words(errno));
+    }
+    ~InputFile() { ::close(descriptor_); }
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    /// At most one block beyond the limit, also of an endless pipe.
+    std::string content() const
+    {
+        std::string all;
+        std::array<char, 65536> block{};
+        while (all.size() <= input_limit) {
+            const ssize_t count = ::read(descriptor_, block.data(), block.size());
+            if (count < 0)
+                refuse(in_words(errno));
+            if (count == 0)
+                break;
+            all.append(block.data(), static_cast<std::size_t>(count));
+        }
+        return all;
+    }
+
+    [[noreturn]] void refuse(const std::string& reason) const
+    {
+        throw Failure(path_.string() + ": " + reason);
+    }
+
+private:
+    fs::path path_;
+    int descriptor_;
+};
+
+}
+
+std::string read_input(const fs::path& path)
+{
+    const InputFile file{path};
+    std::string content = file.content();
+    if (content.empty())
+        file.refuse("the file is empty: a scene begins with 'kfast 1' and a canvas");
+    if (content.size() > input_limit)
+        file.refuse("larger than 16 MB, more than any scene needs: is it the right file?");
+    return content;
+}
+
+}

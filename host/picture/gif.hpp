@@ -1,0 +1,16 @@
+#pragma once
+
+#include "host/picture/frame_source.hpp"
+#include "host/picture/timeline.hpp"
+
+#include <filesystem>
+
+namespace kfast {
+
+/// Writes one period of the scene as an animated GIF that loops as the scene does.
+///
+/// Colours are exact when there are at most 256 in all or in a frame; a frame with more is quantized, without
+/// dither. Throws Failure when the file cannot be written; then there is none.
+void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline);
+
+}

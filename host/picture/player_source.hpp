@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "host/picture/frame_source.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// What a panel of any size and format would show, drawn by the core in full redraws.
+class PlayerSource : public FrameSource {
+public:
+    /// `scene`'s bytes must outlive the source.
+    PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFormat format);
+
+    const Frame& show(Time time) override;
+
+private:
+    std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
+    Player player_;
+    Frame frame_;
+};
+
+}

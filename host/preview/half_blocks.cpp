@@ -1,0 +1,127 @@
+#include "host/preview/half_blocks.hpp"
+
+#include "host/preview/placement.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <optional>
+
+namespace kfast {
+namespace {
+
+constexpr int above = 38;
+constexpr int below = 48;
+
+/// The mean of the pixels of `picture` that fall on one pixel of a picture of size `small`.
+Colour mean(const Picture& picture, Size small, int x, int y)
+{
+    const int left = x * picture.size.width / small.width;
+    const int right = (x + 1) * picture.size.width / small.width;
+    const int top = y * picture.size.height / small.height;
+    const int bottom = (y + 1) * picture.size.height / small.height;
+    std::array<int, 3> sum{};
+    for (int row = top; row < bottom; ++row)
+        for (int column = left; column < right; ++column) {
+            const Colour& pixel = picture.at(column, row);
+            sum[0] += pixel.red;
+            sum[1] += pixel.green;
+            sum[2] += pixel.blue;
+        }
+    const int count = (right - left) * (bottom - top);
+    const auto rounded = [count](int total) {
+        return static_cast<std::uint8_t>((total + count / 2) / count);
+    };
+    return {rounded(sum[0]), rounded(sum[1]), rounded(sum[2])};
+}
+
+Picture shrunk(const Picture& picture, Size space)
+{
+    if (picture.size.width <= space.width && picture.size.height <= space.height)
+        return picture;
+    const Rect place = placement(picture.size, space);
+    Picture small{{place.width, place.height}, {}};
+    for (int y = 0; y < small.size.height; ++y)
+        for (int x = 0; x < small.size.width; ++x)
+            small.pixels.push_back(mean(picture, small.size, x, y));
+    return small;
+}
+
+// xterm's palette: a cube of 6 x 6 x 6 from number 16 on, then 24 greys from 8 in steps of 10.
+constexpr std::array<int, 6> cube_levels{0, 95, 135, 175, 215, 255};
+
+int cube_index(int value) { return value < 48 ? 0 : value < 115 ? 1 : (value - 35) / 40; }
+
+int distance(Colour colour, int red, int green, int blue)
+{
+    return std::abs(colour.red - red) + std::abs(colour.green - green) + std::abs(colour.blue - blue);
+}
+
+int palette_number(Colour colour)
+{
+    const int red = cube_index(colour.red);
+    const int green = cube_index(colour.green);
+    const int blue = cube_index(colour.blue);
+    const int mean = (colour.red + colour.green + colour.blue) / 3;
+    const int step = mean < 3 ? 0 : std::min((mean - 3) / 10, 23);
+    const int grey = 8 + 10 * step;
+    const auto level = [](int index) { return cube_levels[static_cast<std::size_t>(index)]; };
+    const bool grey_is_nearer =
+        distance(colour, grey, grey, grey) < distance(colour, level(red), level(green), level(blue));
+    return grey_is_nearer ? 232 + step : 16 + 36 * red + 6 * green + blue;
+}
+
+std::string colour_code(int ground, Colour colour, TerminalColours colours)
+{
+    std::string code = "\x1b[" + std::to_string(ground);
+    if (colours == TerminalColours::palette_256)
+        return code + ";5;" + std::to_string(palette_number(colour)) + 'm';
+    for (const int value : {2, +colour.red, +colour.green, +colour.blue})
+        code += ';' + std::to_string(value);
+    return code + 'm';
+}
+
+/// One ground of a line, which says its colour only where it changes.
+class Ground {
+public:
+    Ground(int number, TerminalColours colours) : number_{number}, colours_{colours} {}
+
+    std::string change_to(Colour colour)
+    {
+        if (last_ == colour)
+            return {};
+        last_ = colour;
+        return colour_code(number_, colour, colours_);
+    }
+
+private:
+    int number_;
+    TerminalColours colours_;
+    std::optional<Colour> last_;
+};
+
+std::string line(const Picture& picture, int y, TerminalColours colours)
+{
+    std::string text;
+    Ground upper{above, colours};
+    Ground lower{below, colours};
+    for (int x = 0; x < picture.size.width; ++x) {
+        text += upper.change_to(picture.at(x, y));
+        if (y + 1 < picture.size.height)
+            text += lower.change_to(picture.at(x, y + 1));
+        text += "\u2580";
+    }
+    return text + "\x1b[0m\n";
+}
+
+}
+
+std::string half_blocks(const Picture& picture, Size cells, TerminalColours colours)
+{
+    const Picture small = shrunk(picture, {cells.width, cells.height * 2});
+    std::string text;
+    for (int y = 0; y < small.size.height; y += 2)
+        text += line(small, y, colours);
+    return text;
+}
+
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "host/picture/frame_source.hpp"
+#include "host/preview/playback.hpp"
+
+#include <string>
+
+namespace kfast {
+
+/// Plays a scene in a window until the user closes it. Returns false at once where there is no display.
+bool play_in_window(FrameSource& source, const Timeline& timeline, const std::vector<Time>& keys,
+                    const std::string& title);
+
+}

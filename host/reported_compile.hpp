@@ -1,0 +1,22 @@
+#pragma once
+
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace kfast {
+
+/// What the compiler made of a text, apart from what it said about it.
+struct CompiledText {
+    std::optional<std::vector<std::byte>> bytes; ///< present exactly when there were no errors
+    std::size_t errors = 0;
+    std::size_t warnings = 0;
+};
+
+/// Compiles a scene text and prints all diagnostics to standard error: in colour when that is a terminal and
+/// NO_COLOR is not set.
+CompiledText compile_and_report(const SourceText& source);
+
+}

@@ -1,0 +1,77 @@
+#include "host/scene_file.hpp"
+
+#include "host/counted.hpp"
+#include "host/failure.hpp"
+#include "host/input_file.hpp"
+#include "host/reported_compile.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view magic = "KFB";
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason)
+{
+    throw Failure(path.string() + ": " + reason);
+}
+
+std::string in_words(Error error, std::span<const std::byte> bytes)
+{
+    const std::string again = "compile the scene again";
+    switch (error) {
+    case Error::truncated:
+        return "the compiled scene breaks off before its end: copy it again, or " + again;
+    case Error::bad_magic:
+        return "not a compiled scene: name a .kfast or .kfb file";
+    case Error::unsupported_version: {
+        const int its = bytes.size() > magic.size() ? std::to_integer<int>(bytes[magic.size()]) : 0;
+        return std::string("made by ") + (its > int{format::version} ? "a newer" : "another") +
+               " kfast (format " + std::to_string(its) + ", this one reads " +
+               std::to_string(int{format::version}) + "): update kfast, or " + again;
+    }
+    case Error::bad_checksum:
+        return "the compiled scene was damaged on the way: copy it again, or " + again;
+    case Error::bad_scene:
+        return "the compiled scene contradicts itself: " + again;
+    case Error::block_too_small:
+        return "the scene needs more memory than it says: " + again;
+    }
+    return again;
+}
+
+SceneFile checked(const fs::path& path, std::vector<std::byte> bytes, bool was_text, std::size_t warnings)
+{
+    const Result<SceneView> view = SceneView::parse(bytes);
+    if (!view)
+        refuse(path, in_words(view.error(), bytes));
+    return {std::move(bytes), *view, was_text, warnings};
+}
+
+SceneFile from_text(const fs::path& path, std::string text)
+{
+    if (text.find('\0') != std::string::npos)
+        refuse(path, "neither a scene nor a compiled scene: name a .kfast or .kfb file");
+    CompiledText compiled = compile_and_report({path.string(), std::move(text)});
+    if (!compiled.bytes)
+        refuse(path, counted(compiled.errors, "error"));
+    return checked(path, std::move(*compiled.bytes), true, compiled.warnings);
+}
+
+}
+
+SceneFile load_scene(const fs::path& path)
+{
+    std::string content = read_input(path);
+    if (!content.starts_with(magic))
+        return from_text(path, std::move(content));
+    const auto bytes = std::as_bytes(std::span{content});
+    return checked(path, {bytes.begin(), bytes.end()}, false, 0);
+}
+
+}
