@@ -16,7 +16,7 @@ kfast 1
 canvas 60 40 background="#203040" frames=30
 object morph fill="#ff8000" stroke=white width=3 cap=round join=round {
     key 0 law=accelerate { circle 15 20 r=12 }
-    key 10 law-x=decelerate law-y=accelerate-decelerate { circle 10 10 r=6; rect 30 20 20 15 corner=3; line 5 35 55 35 }
+    key 10 law-x=decelerate law-y=accelerate-decelerate { polygon 10 3 17 10 10 17 3 10; rect 30 20 20 15; line 5 35 55 35 }
     key 20 { path "M 5 5 C 60 0 0 40 55 35 Q 30 0 5 30 Z" }
     key 25
     key 30 { circle 15 20 r=12 }
@@ -124,7 +124,7 @@ TEST_CASE("on a key the drawing is the one that was drawn, whatever the neighbou
 kfast 1
 canvas 60 40 background="#203040" frames=30
 object morph fill="#ff8000" stroke=white width=3 cap=round join=round {
-    circle 10 10 r=6; rect 30 20 20 15 corner=3; line 5 35 55 35
+    polygon 10 3 17 10 10 17 3 10; rect 30 20 20 15; line 5 35 55 35
 }
 object zigzag stroke="#00ff80" width=5 cap=square join=miter {
     key 0 { line 0 0 60 10 0 20 60 30 0 40 }
