@@ -59,7 +59,7 @@ def hidden_library(included):
 def check(root):
     """All violations below `root`, one line each."""
     mistakes = []
-    users = {library: [] for library in HIDDEN}
+    users = {library: set() for library in HIDDEN}
     for folder, path in sources(root):
         for kind, included in INCLUDE.findall(path.read_text(encoding="utf-8")):
             place = path.relative_to(root)
@@ -67,10 +67,10 @@ def check(root):
             if mistake:
                 mistakes.append(f"{place}: {included} {mistake}")
             if library := hidden_library(included):
-                users[library].append(place)
+                users[library].add(place)
     for library, places in users.items():
         if len(places) > 1 or any(place.suffix != ".cpp" for place in places):
-            mistakes.append(f"{library} must be included by one .cpp alone: {', '.join(map(str, places))}")
+            mistakes.append(f"{library} must be included by one .cpp alone: {', '.join(map(str, sorted(places)))}")
     return mistakes
 
 
