@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <optional>
 
 namespace kfast {
 namespace {
@@ -87,8 +86,9 @@ public:
 
     std::string change_to(Colour colour)
     {
-        if (last_ == colour)
+        if (is_set_ && last_ == colour)
             return {};
+        is_set_ = true;
         last_ = colour;
         return colour_code(number_, colour, colours_);
     }
@@ -96,7 +96,8 @@ public:
 private:
     int number_;
     TerminalColours colours_;
-    std::optional<Colour> last_;
+    bool is_set_ = false;
+    Colour last_;
 };
 
 std::string line(const Picture& picture, int y, TerminalColours colours)
