@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace kfast::scene {
@@ -44,6 +45,7 @@ public:
         const double quarters = std::abs(extent_) / (std::numbers::pi / 2);
         const int count = std::max(1, static_cast<int>(std::ceil(quarters - 1e-9)));
         std::vector<Curve> curves;
+        curves.reserve(static_cast<std::size_t>(count));
         for (int i = 0; i < count; ++i)
             curves.push_back(piece(start_ + extent_ * i / count, extent_ / count));
         return curves;

@@ -15,9 +15,9 @@ inline constexpr std::size_t most_objects = 65'535;
 inline constexpr std::size_t most_colours = 255; ///< in use, and names in the palette
 inline constexpr int most_frames = kfb::max_time / Time::ticks_per_frame;
 
-inline constexpr int widest_canvas = kfb::max_canvas;        ///< pixels, in each direction
-inline constexpr int fastest = kfb::max_frame_rate / 1000;   ///< frames per second
-inline constexpr double widest_stroke = kfb::max_width / 16; ///< pixels
+inline constexpr int widest_canvas = kfb::max_canvas;      ///< pixels, in each direction
+inline constexpr int fastest = kfb::max_frame_rate / 1000; ///< frames per second
+inline constexpr int widest_stroke = kfb::max_width / 16;  ///< pixels
 
 inline std::string too_many_points()
 {
