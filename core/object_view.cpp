@@ -59,7 +59,7 @@ ObjectView ObjectCursor::next()
     style.is_filled = (flags & 1) != 0;
     style.is_stroked = (flags & 2) != 0;
     style.cap = static_cast<Cap>(flags >> 2 & 3);
-    style.join = static_cast<Join>(flags >> 4 & 3);
+    style.join = static_cast<Join>(flags >> 4); // with the bits that must be 0: parse() refuses the rest
     if (style.is_filled)
         style.fill = static_cast<std::uint8_t>(bytes_.u8());
     if (style.is_stroked) {

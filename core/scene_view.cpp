@@ -90,7 +90,7 @@ bool SceneView::check_style(const ObjectStyle& style) const
     if (style.is_filled && style.fill >= palette_size())
         return false;
     if (!style.is_stroked)
-        return style.is_filled;
+        return style.is_filled && style.cap == Cap{} && style.join == Join{};
     return style.stroke < palette_size() && style.width >= 1 && style.width <= kfb::max_width &&
            style.cap <= Cap::square && style.join <= Join::bevel;
 }

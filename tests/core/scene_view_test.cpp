@@ -184,6 +184,11 @@ TEST_CASE("every value out of its range is refused, checksum or not")
     {
         CHECK(error_after([](Bytes& bytes) { put(bytes, first_object, 0, 1); }) == Error::bad_scene);
     }
+    SUBCASE("reserved bits of a style")
+    {
+        CHECK(error_after([](Bytes& bytes) { put(bytes, first_object, 0x41, 1); }) == Error::bad_scene);
+        CHECK(error_after([](Bytes& bytes) { put(bytes, first_object, 0x05, 1); }) == Error::bad_scene);
+    }
     SUBCASE("velocity law")
     {
         CHECK(error_after([](Bytes& bytes) { put(bytes, first_object + 4, 0x04, 1); }) == Error::bad_scene);
