@@ -124,8 +124,7 @@ bool SceneView::check_drawing(const Key& key, std::uint32_t& key_points) const
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;
-        if (!reader.is_sound() || segments > kfb::max_drawing_points ||
-            points > kfb::max_drawing_points)
+        if (!reader.is_sound() || segments > kfb::max_drawing_points || points > kfb::max_drawing_points)
             return false;
         for (std::uint32_t i = 0; i < segments; ++i) {
             reader.next_segment();
