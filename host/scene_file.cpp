@@ -31,9 +31,9 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
         return "not a compiled scene: name a .kfast or .kfb file";
     case Error::unsupported_version: {
         const int its = bytes.size() > magic.size() ? std::to_integer<int>(bytes[magic.size()]) : 0;
-        return std::string("made by ") + (its > int{format::version} ? "a newer" : "another") +
+        return std::string("made by ") + (its > int{kfb::version} ? "a newer" : "another") +
                " kfast (format " + std::to_string(its) + ", this one reads " +
-               std::to_string(int{format::version}) + "): update kfast, or " + again;
+               std::to_string(int{kfb::version}) + "): update kfast, or " + again;
     }
     case Error::bad_checksum:
         return "the compiled scene was damaged on the way: copy it again, or " + again;
