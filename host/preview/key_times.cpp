@@ -11,7 +11,7 @@ std::vector<Time> key_times(const SceneView& scene)
         for (KeyCursor keys = objects.next().keys; !keys.at_end();)
             times.push_back(keys.next().time);
     std::ranges::sort(times);
-    times.erase(std::ranges::unique(times).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 

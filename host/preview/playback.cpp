@@ -18,7 +18,7 @@ std::vector<std::int32_t> stops(const Timeline& timeline, const std::vector<Time
     if (ticks.empty())
         ticks.push_back(0);
     std::ranges::sort(ticks);
-    ticks.erase(std::ranges::unique(ticks).begin(), ticks.end());
+    ticks.erase(std::unique(ticks.begin(), ticks.end()), ticks.end());
     return ticks;
 }
 
