@@ -4,8 +4,7 @@
 #include "host/picture/picture.hpp"
 #include "host/preview/placement.hpp"
 
-#include <SDL.h>
-#include <SDL2_gfxPrimitives.h>
+#include <SDL2_gfxPrimitives.h> // with it SDL.h
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -1,0 +1,50 @@
+#include "host/input_file.hpp"
+
+#include "host/failure.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string failure(const fs::path& path)
+{
+    try {
+        read_input(path);
+    } catch (const Failure& caught) {
+        return caught.what();
+    }
+    return {};
+}
+
+void create(const fs::path& path, std::uintmax_t size)
+{
+    std::ofstream{path};
+    fs::resize_file(path, size);
+}
+
+}
+
+TEST_CASE("a file is read whole up to the limit of 16 MB")
+{
+    const TemporaryFolder folder;
+    create(folder / "largest", input_limit);
+    CHECK(read_input(folder / "largest").size() == input_limit);
+    create(folder / "larger", input_limit + 1);
+    CHECK(failure(folder / "larger").find("larger than 16 MB") != std::string::npos);
+}
+
+TEST_CASE("what cannot be read is named with the remedy")
+{
+    const TemporaryFolder folder;
+    create(folder / "empty", 0);
+    CHECK(failure(folder / "empty").find("the file is empty") != std::string::npos);
+    CHECK(failure(folder / "none").find("there is no such file") != std::string::npos);
+    CHECK(failure(folder / "empty/x").find("there is no such file") != std::string::npos);
+    CHECK(failure(folder / ".").find("this is a folder") != std::string::npos);
+}
+
+}

@@ -1,0 +1,54 @@
+#include "host/picture/timeline.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::test {
+
+TEST_CASE("a scene has the frames 0 to L-1, for once also L")
+{
+    CHECK(Timeline{30000, Time::frame(10), Loop::repeat}.frame_count() == 10);
+    CHECK(Timeline{30000, Time::frame(10), Loop::ping_pong}.frame_count() == 10);
+    CHECK(Timeline{30000, Time::frame(10), Loop::once}.frame_count() == 11);
+    CHECK(Timeline{30000, Time::frame(10), Loop::once}.frame_time(10) == Time::frame(10));
+}
+
+TEST_CASE("a length between frames counts the frame that has begun; once ends at exactly L")
+{
+    const Time length{2 * Time::ticks_per_frame + 512};
+    CHECK(Timeline{30000, length, Loop::repeat}.frame_count() == 3);
+    const Timeline once{30000, length, Loop::once};
+    CHECK(once.frame_count() == 4);
+    CHECK(once.frame_time(2) == Time::frame(2));
+    CHECK(once.frame_time(3) == length);
+}
+
+TEST_CASE("what is shown follows the loop mode")
+{
+    const std::int64_t frame = Time::ticks_per_frame;
+    const Timeline repeat{30000, Time::frame(10), Loop::repeat};
+    CHECK(repeat.shown_at(10 * frame) == Time{0});
+    CHECK(repeat.shown_at(23 * frame) == Time::frame(3));
+    const Timeline once{30000, Time::frame(10), Loop::once};
+    CHECK(once.shown_at(10 * frame) == Time::frame(10));
+    CHECK(once.shown_at(23 * frame) == Time::frame(10));
+    const Timeline there_and_back{30000, Time::frame(10), Loop::ping_pong};
+    CHECK(there_and_back.shown_at(10 * frame) == Time::frame(10));
+    CHECK(there_and_back.shown_at(11 * frame) == Time::frame(9));
+    CHECK(there_and_back.shown_at(20 * frame) == Time{0});
+}
+
+TEST_CASE("the longest ping-pong scene does not overflow")
+{
+    const Timeline longest{30000, {1'000'000 * 1024}, Loop::ping_pong};
+    CHECK(longest.period_ticks() == 2'048'000'000);
+    CHECK(longest.shown_at(2'048'000'000 + 5).ticks == 5);
+    CHECK(longest.frame_count() == 1'000'000);
+}
+
+TEST_CASE("seconds follow from the frame rate")
+{
+    CHECK(Timeline{25000, Time::frame(50), Loop::once}.seconds(50 * 1024) == doctest::Approx(2.0));
+    CHECK(Timeline{23976, Time::frame(1), Loop::once}.seconds(23976 * 1024) == doctest::Approx(1000.0));
+}
+
+}
