@@ -1,7 +1,8 @@
 """Runs a firmware image in QEMU and compares it with the preview:
 
-    lm3s6965evb_test.py <lm3s6965evb-cortex-….elf> <scene.kfb> <kfast>
+    lm3s6965evb_test.py <lm3s6965evb-cortex-….elf> <scene.kfb> <kfast> [--linked]
 
+The scene is put into the board's flash; with --linked it is part of the image already (KFAST_SCENE).
 Every frame must have the hash that `kfast hash` gives, and screenshots of the emulated display must equal the
 pictures of `kfast render` in every pixel."""
 
@@ -95,8 +96,8 @@ def check_frames(qemu, hashes, pictures, folder):
     return len(moments)
 
 
-def check_stepped(image, scene, hashes, pictures, folder):
-    with board(image, folder, scene) as qemu:
+def check_stepped(qemu_board, scene, hashes, pictures, folder):
+    with qemu_board as qemu:
         banner = qemu.line()
         expect(re.fullmatch(r"KFAST \S+ lm3s6965evb ssd0323 128x64 grey4", banner), f"banner: {banner!r}")
         qemu.send(b"s")
@@ -113,8 +114,8 @@ def rising(times):
     return times[:next(falls, len(times))]
 
 
-def check_free_running(image, scene, hashes, folder):
-    with board(image, folder, scene) as qemu:
+def check_free_running(qemu_board, hashes):
+    with qemu_board as qemu:
         wait_for(qemu, "SCENE")
         frames = [frame(qemu) for _ in range(FREE_FRAMES)]
         expect_quiet(qemu)
@@ -139,17 +140,20 @@ def check_damaged(image, scene, folder):
     check_error(image, folder / "damaged.kfb", "bad_checksum", folder)
 
 
-def main(image, scene, program):
+def main(image, scene, program, *options):
+    is_linked = options == ("--linked",)
     expect(pathlib.Path(image).is_file(), f"{image} is missing: build the board first")
     with tempfile.TemporaryDirectory(prefix="kfast") as name:
         folder = pathlib.Path(name)
         pictures = folder / "preview"
         hashes = expected_hashes(program, scene)
         kfast(program, "render", scene, "--panel", "ssd0323", "--all", "-o", pictures)
-        screenshots = check_stepped(image, scene, hashes, pictures, folder)
-        check_free_running(image, scene, hashes, folder)
+        in_flash = None if is_linked else scene
+        screenshots = check_stepped(board(image, folder, in_flash), scene, hashes, pictures, folder)
+        check_free_running(board(image, folder, in_flash), hashes)
         check_damaged(image, scene, folder)
-        check_error(image, None, "bad_magic", folder)
+        if not is_linked:
+            check_error(image, None, "bad_magic", folder)
     print(f"board and preview agree: {len(hashes)} frames, {screenshots} screenshots, {cpu_of(image)}")
 
 
