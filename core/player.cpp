@@ -1,11 +1,10 @@
 #include "core/player.hpp"
 
-#include "core/equalize.hpp"
-#include "core/flatten.hpp"
+#include "core/live_strokes.hpp"
 #include "core/pixel_row.hpp"
 #include "core/sweep.hpp"
 
-#include <optional>
+#include <algorithm>
 
 namespace kfast {
 namespace {
@@ -30,112 +29,6 @@ std::span<T> place(std::span<std::byte> block, std::size_t begin, std::size_t co
 {
     return {reinterpret_cast<T*>(block.data() + begin), count};
 }
-
-/// The share of the way between two keys, apart for x and y.
-struct Progress {
-    Share x;
-    Share y;
-};
-
-Progress progress_at(const KeyInterval& interval, Time time)
-{
-    if (time <= interval.from.time)
-        return {};
-    const auto passed = static_cast<std::uint32_t>((time - interval.from.time).ticks);
-    const auto whole = static_cast<std::uint32_t>((interval.to.time - interval.from.time).ticks);
-    if (passed >= whole)
-        return {};
-    const Share share = Share::ratio(passed, whole);
-    return {progress(interval.from.law_x, share), progress(interval.from.law_y, share)};
-}
-
-Segment mapped(const Segment& segment, const CanvasMap& map)
-{
-    if (segment.kind == Segment::Kind::line)
-        return {.kind = segment.kind, .from = map(segment.from), .to = map(segment.to)};
-    return {segment.kind, map(segment.from), map(segment.c1), map(segment.c2), map(segment.to)};
-}
-
-/// Feeds the live strokes of one object to its fill, its stroke or both.
-class ObjectOutline {
-public:
-    explicit ObjectOutline(std::uint32_t curve_pieces) : curve_pieces_{curve_pieces} {}
-
-    void fill_into(EdgeList& edges, Layer& layer) { fill_.emplace(edges, layer); }
-    void stroke_into(EdgeList& edges, Layer& layer, const Pen& pen) { stroke_.emplace(edges, layer, pen); }
-
-    void begin(Point at)
-    {
-        if (fill_)
-            fill_->begin(at);
-        if (stroke_)
-            stroke_->begin(at);
-    }
-
-    void add(const Segment& segment)
-    {
-        flatten(segment, curve_pieces_, [this](Point to) {
-            if (fill_)
-                fill_->line_to(to);
-            if (stroke_)
-                stroke_->line_to(to);
-        });
-    }
-
-    void end(Point hub, bool is_closed)
-    {
-        if (fill_)
-            fill_->end(hub);
-        if (stroke_)
-            stroke_->end(is_closed);
-    }
-
-private:
-    std::optional<FillOutline> fill_;
-    std::optional<StrokeOutline> stroke_;
-    std::uint32_t curve_pieces_;
-};
-
-/// The strokes between two drawings at one moment of their way, on the panel.
-class LiveStrokes {
-public:
-    LiveStrokes(const PackedDrawing& from, const PackedDrawing& to, Progress way, const CanvasMap& map)
-        : pair_{from, to}, way_{way}, map_{map}
-    {
-    }
-
-    void trace(ObjectOutline& outline)
-    {
-        while (const std::uint32_t segments = pair_.next_stroke())
-            trace_stroke(segments, outline);
-    }
-
-private:
-    void trace_stroke(std::uint32_t segments, ObjectOutline& outline)
-    {
-        Pair<Segment> both = pair_.next_segment();
-        const Pair<Point> first{both.a.from, both.b.from};
-        Segment live = tweened(both);
-        outline.begin(live.from);
-        outline.add(live);
-        for (std::uint32_t i = 1; i < segments; ++i) {
-            both = pair_.next_segment();
-            outline.add(tweened(both));
-        }
-        const bool ends_meet = first.a == both.a.to && first.b == both.b.to;
-        const Pair<Point> hub = pair_.hub();
-        outline.end(tweened({still_segment(hub.a), still_segment(hub.b)}).to, ends_meet && pair_.is_whole());
-    }
-
-    Segment tweened(const Pair<Segment>& both) const
-    {
-        return mapped(tween(both.a, both.b, way_.x, way_.y), map_);
-    }
-
-    EqualizedPair<PackedDrawing> pair_;
-    Progress way_;
-    const CanvasMap& map_;
-};
 
 }
 

@@ -3,7 +3,6 @@
 #include "core/canvas_map.hpp"
 #include "core/coverage_row.hpp"
 #include "core/edge_list.hpp"
-#include "core/fill_outline.hpp"
 #include "core/pixel_format.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
