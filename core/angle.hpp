@@ -37,7 +37,7 @@ std::int32_t sine(BinaryAngle angle);
 std::int32_t cosine(BinaryAngle angle);
 
 /// The direction of the vector (x, y), within 1 unit of the exact value; 0 for the vector (0, 0).
-/// |x| and |y| are at most 2^30.
+/// |x| and |y| are less than 2^31.
 BinaryAngle direction(std::int32_t x, std::int32_t y);
 
 }

@@ -35,12 +35,15 @@ public:
         return low | u16() << 16;
     }
 
-    /// Seven bits a byte, lowest first, the high bit set on all bytes but the last; at most five bytes.
+    /// Seven bits a byte, lowest first, the high bit set on all bytes but the last. What does not fit in 32
+    /// bits counts as past the end.
     std::uint32_t varint()
     {
         std::uint32_t value = 0;
-        for (int shift = 0; shift < 35; shift += 7) {
+        for (int shift = 0; shift < 32; shift += 7) {
             const std::uint32_t byte = u8();
+            if (shift == 28 && byte > 0x0F)
+                break;
             value |= (byte & 0x7F) << shift;
             if ((byte & 0x80) == 0)
                 return value;

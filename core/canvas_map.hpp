@@ -23,12 +23,14 @@ public:
     /// Rounded to 1/65536 px. Points further than 16383 px away from the origin are moved there, so that the
     /// differences of mapped coordinates fit in Fixed.
     Point operator()(Point on_canvas) const;
-    /// A length, rounded to 1/65536 px; at most 16383 px.
-    Fixed scaled(Fixed length) const;
+    /// Half the width of a stroke, rounded to 1/65536 px; at most 4095 px, so that the tip of a miter, four
+    /// times as far from its corner, fits in Fixed too.
+    Fixed half_width(Fixed on_canvas) const;
 
 private:
     Fixed scale_;
-    Point shift_;
+    std::int64_t shift_x_; ///< in 1/65536 px: what covers a panel of another shape reaches far beyond Fixed
+    std::int64_t shift_y_;
 };
 
 }

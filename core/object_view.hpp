@@ -73,6 +73,8 @@ public:
     /// Only when not at the end.
     ObjectView next();
     bool overrun() const { return bytes_.overrun(); }
+    /// Bytes of the section that have not been read.
+    std::size_t bytes_left() const { return bytes_.left(); }
 
 private:
     ByteReader bytes_;

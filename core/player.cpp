@@ -91,7 +91,7 @@ Layer& Player::begin_layer(std::size_t index, std::uint8_t colour)
 
 Pen Player::pen_for(const ObjectStyle& style) const
 {
-    return {.half_width = map_.scaled(Fixed::from_raw(style.width * (Fixed::one / 32))),
+    return {.half_width = map_.half_width(Fixed::from_raw(style.width * (Fixed::one / 32))),
             .arc_pieces = arc_pieces(style.width),
             .cap = style.cap,
             .join = style.join};

@@ -82,7 +82,7 @@ bool SceneView::check_objects()
         if (edges > max_edges_)
             return false;
     }
-    return true;
+    return cursor.bytes_left() == 0;
 }
 
 bool SceneView::check_style(const ObjectStyle& style) const

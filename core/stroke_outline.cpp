@@ -62,8 +62,8 @@ void StrokeOutline::end(bool is_closed)
     }
 }
 
-// The vector is brought to 15 bits, so that its square fits in 32; the direction is then within 1/20000 rad,
-// 1/1000 px at the edge of a stroke 40 px wide.
+// The vector is brought to 15 bits, so that its square fits in 32; the direction is then within 1/15000 rad,
+// 1/750 px at the edge of a stroke 40 px wide.
 StrokeOutline::Heading StrokeOutline::heading_of(Point vector)
 {
     const std::int32_t x = vector.x.raw();

@@ -8,7 +8,7 @@ namespace kfast {
 
 /// The tool that draws a stroke.
 struct Pen {
-    Fixed half_width;   ///< in panel pixels
+    Fixed half_width;   ///< in panel pixels, at most 4095
     int arc_pieces = 4; ///< of half a turn
     Cap cap = Cap::butt;
     Join join = Join::miter;

@@ -26,7 +26,7 @@ enum class Loop : std::uint8_t {
     ping_pong, ///< runs back and forth, each end shown once a pass
 };
 
-/// The moment of a scene of `length` (at least 1 tick, at most 2^30) that is shown at `time`.
+/// The moment of a scene of `length` (at least 1 tick, less than 2^30) that is shown at `time`.
 constexpr Time wrap(Time time, Time length, Loop loop)
 {
     if (loop == Loop::once)

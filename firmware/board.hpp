@@ -36,7 +36,8 @@ concept Board = requires(B& board, Microseconds moment, const SceneView& scene, 
     { board.scene_bytes() } -> std::same_as<std::span<const std::byte>>;
     /// Memory lent to the player, aligned to 4.
     { board.block() } -> std::same_as<std::span<std::byte>>;
-    /// Two buffers of equal size: one is drawn while the other is sent. Each holds whole rows.
+    /// Two buffers of equal size: one is drawn while the other is sent. Each holds at least as
+    /// many rows as the panel takes at once.
     { board.bands() } -> std::same_as<std::array<std::span<std::byte>, 2>>;
 
     /// The loop ends when this is false.

@@ -99,7 +99,7 @@ void Board::frame_shown(FrameReport report)
     uart::write_hex(picture_.value());
     uart::write('\n');
     picture_ = {};
-    frame_stands_ = true;
+    frame_stands_ = mode_ == Mode::stepped;
 }
 
 void Board::fault(Error error)

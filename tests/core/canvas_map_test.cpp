@@ -1,17 +1,26 @@
 #include "core/canvas_map.hpp"
 
+#include "core/kfb_limits.hpp"
+#include "core/player.hpp"
 #include "tests/core/array_drawing.hpp"
 
+#include <cstdlib>
 #include <doctest/doctest.h>
 
 namespace kfast::test {
+namespace {
+
+constexpr Size widest_canvas{kfb::max_canvas, 1};
+constexpr Size largest_panel{Player::max_panel, Player::max_panel};
+
+}
 
 TEST_CASE("a panel of the canvas's size changes nothing, however the canvas is laid on it")
 {
     for (const Fit fit : {Fit::contain, Fit::cover, Fit::none}) {
         const CanvasMap map{{240, 100}, {240, 100}, fit};
         CHECK(map(pixels(-3.25, 99.5)) == pixels(-3.25, 99.5));
-        CHECK(map.scaled(Fixed::pixels(5)) == Fixed::pixels(5));
+        CHECK(map.half_width(Fixed::pixels(5)) == Fixed::pixels(5));
     }
 }
 
@@ -30,21 +39,38 @@ TEST_CASE("cover scales by the looser side and cuts the other in equal parts")
     const CanvasMap map{{240, 120}, {120, 240}, Fit::cover};
     CHECK(map(pixels(120, 60)) == pixels(60, 120));
     CHECK(map(pixels(0, 0)) == pixels(-180, 0));
-    CHECK(map.scaled(Fixed::pixels(3)) == Fixed::pixels(6));
+    CHECK(map.half_width(Fixed::pixels(3)) == Fixed::pixels(6));
 }
 
 TEST_CASE("none keeps the pixels and centres, cutting what is too large")
 {
     const CanvasMap map{{240, 120}, {128, 200}, Fit::none};
     CHECK(map(pixels(0, 0)) == pixels(-56, 40));
-    CHECK(map.scaled(Fixed::pixels(3)) == Fixed::pixels(3));
+    CHECK(map.half_width(Fixed::pixels(3)) == Fixed::pixels(3));
 }
 
-TEST_CASE("what lies too far away is held at 16383 px")
+TEST_CASE("the middle of any canvas is the middle of any panel")
 {
-    const CanvasMap map{{1, 1}, {4096, 4096}, Fit::contain};
-    CHECK(map(pixels(2047, -2048)) == pixels(16383, -16383));
-    CHECK(map.scaled(Fixed::pixels(2047)) == Fixed::pixels(16383));
+    for (const Fit fit : {Fit::contain, Fit::cover, Fit::none}) {
+        for (const Size canvas : {widest_canvas, Size{1, 1}, Size{1, kfb::max_canvas}, Size{240, 135}}) {
+            for (const Size panel :
+                 {largest_panel, Size{1, 1}, Size{4096, 1}, Size{1, 4096}, Size{128, 64}}) {
+                const Point middle =
+                    CanvasMap{canvas, panel, fit}(pixels(canvas.width / 2.0, canvas.height / 2.0));
+                const Point off = middle - pixels(panel.width / 2.0, panel.height / 2.0);
+                CHECK(std::abs(off.x.raw()) <= 1);
+                CHECK(std::abs(off.y.raw()) <= 1);
+            }
+        }
+    }
+}
+
+TEST_CASE("what would not fit in Fixed stays at the limits")
+{
+    const CanvasMap map{widest_canvas, largest_panel, Fit::cover};
+    CHECK(map(pixels(0, -2048)) == pixels(-16383, -16383));
+    CHECK(map(pixels(2047, 2047)) == pixels(16383, 16383));
+    CHECK(map.half_width(Fixed::pixels(2047)) == Fixed::pixels(4095));
 }
 
 }

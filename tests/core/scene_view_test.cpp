@@ -167,6 +167,14 @@ TEST_CASE("every value out of its range is refused, checksum or not")
     {
         CHECK(error_after([](Bytes& bytes) { put(bytes, 28, 3, 2); }) == Error::bad_scene);
     }
+    SUBCASE("bytes behind the last object")
+    {
+        CHECK(error_after([](Bytes& bytes) {
+                  const auto object_bytes = std::to_integer<std::uint32_t>(bytes[first_object - 1]);
+                  put(bytes, first_object - 1, object_bytes + 1, 1);
+                  bytes.insert(bytes.begin() + first_object + object_bytes, std::byte{0});
+              }) == Error::bad_scene);
+    }
     SUBCASE("palette")
     {
         CHECK(error_after([](Bytes& bytes) { put(bytes, 30, 0, 1); }) == Error::bad_scene);

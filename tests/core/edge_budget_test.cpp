@@ -1,0 +1,41 @@
+#include "core/edge_budget.hpp"
+
+#include "core/player.hpp"
+#include "tests/compiled.hpp"
+
+#include <doctest/doctest.h>
+#include <initializer_list>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+/// Shows the drawing with that style on a panel that cuts nothing off, and compares.
+void check_bound(const std::string& style, const std::string& drawing)
+{
+    CAPTURE(style);
+    CAPTURE(drawing);
+    const auto bytes = compiled("kfast 1\ncanvas 200 200\nobject it " + style + " { " + drawing + " }");
+    const SceneView scene = *SceneView::parse(bytes);
+    std::vector<std::byte> block(Player::block_bytes(scene, scene.canvas()));
+    const auto player = Player::create(scene, scene.canvas(), Fit::contain, block);
+    CHECK(player->edge_count() <= scene.max_edges());
+}
+
+}
+
+TEST_CASE("the bound on edges holds for every cap and join, for lines and curves, open and closed")
+{
+    for (const std::string drawing :
+         {"line 40 40 100 45 60 100 110 120", "polygon 40 40 100 45 60 100 110 120",
+          "path \"M 60 60 C 160 63 60 163 61 61\"", "path \"M 60 60 C 160 63 60 163 61 61 Z\"",
+          "path \"M 90 90 C 130 91 70 92 110 93\"", "circle 100 100 r=40", "circle 100 100 r=3"}) {
+        check_bound("fill=white", drawing);
+        for (const std::string cap : {"butt", "round", "square"})
+            for (const std::string join : {"miter", "round", "bevel"})
+                for (const std::string width : {"0.25", "3", "50"})
+                    check_bound("stroke=white width=" + width + " cap=" + cap + " join=" + join, drawing);
+    }
+}
+
+}
