@@ -9,15 +9,20 @@ namespace {
 
 constexpr std::uint32_t inner_join_edges = 2;
 
-/// What the arcs within one flattened curve add to one piece for each join, if half a turn has `arc` pieces.
+/// What the arcs at the `joins` within one flattened curve add to one piece for each, if half a turn has
+/// `arc` pieces.
 ///
-/// The curve turns no more than its control polygon, one whole turn: that is 2 arc pieces. The rounding of
-/// its shortest pieces, 1/256 px, turns each join by up to 0.0013 turns more, 0.0026 arc pieces. That counts
-/// only where a join has two pieces or more: there are at most 2 arc / (1 - 0.0026 arc) of these. `arc` is
-/// below 300.
-constexpr std::uint32_t arcs_within_curve(std::uint32_t arc)
+/// The curve turns no more than its control polygon, one whole turn: that is 2 arc pieces. Rounding adds to
+/// that. A point is off by up to 1.5/65536 px (three nested roundings), so the heading of the shortest piece,
+/// 1/256 px, by 3/256 rad, and a join by twice that, less than 0.0038 turns: that is e = 0.0076 arc pieces.
+/// It counts only where a join has two pieces or more, and so at least 1 - e of its own: there are at most 2
+/// arc / (1 - e) of these. No join has more than arc pieces, which is all that is left to say where e
+/// nears 1.
+constexpr std::uint32_t arcs_within_curve(std::uint32_t arc, std::uint32_t joins)
 {
-    return 2 * arc + 2 * arc * 13 * arc / (5000 - 13 * arc) + 1;
+    const std::uint32_t most = joins * (arc - 1);
+    const std::uint32_t e = 76 * arc; // in 1/10000
+    return e > 5000 ? most : std::min(most, 2 * arc + 2 * arc * e / (10000 - e) + 1);
 }
 
 }
@@ -28,7 +33,7 @@ EdgeBudget::EdgeBudget(const ObjectStyle& style, std::uint32_t curve_pieces)
                                                                       : style.cap == Cap::square ? 3
                                                                                                  : 1},
       bend_{style.join == Join::miter ? 2U : 1U}, corner_{style.join == Join::round ? arc_ : bend_},
-      curve_arcs_{style.join == Join::round ? arcs_within_curve(arc_) : 0}
+      curve_arcs_{style.join == Join::round ? arcs_within_curve(arc_, curve_pieces - 1) : 0}
 {
 }
 
@@ -38,11 +43,8 @@ std::uint32_t EdgeBudget::between(PackedDrawing a, PackedDrawing b) const
     EqualizedPair pair{a, b};
     while (const std::uint32_t segments = pair.next_stroke()) {
         edges += stroke_ends();
-        for (std::uint32_t i = 0; i < segments; ++i) {
-            const Pair<Segment> both = pair.next_segment();
-            edges +=
-                segment_edges(both.a.kind == Segment::Kind::cubic || both.b.kind == Segment::Kind::cubic);
-        }
+        for (std::uint32_t i = 0; i < segments; ++i)
+            edges += segment_edges(pair.skip_segment());
     }
     return edges;
 }

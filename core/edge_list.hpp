@@ -14,16 +14,23 @@ inline constexpr std::int32_t subrows = 1024;
 
 /// One side of an outline, from its upper to its lower end. Sweeping down consumes it: x and y move along.
 struct Edge {
-    Fixed x;                 ///< at y
-    Fixed x_end;             ///< at y_end
-    Fixed slope;             ///< of x in a whole row; only of edges that are at least one row high
-    std::int32_t y = 0;      ///< in sub-rows
-    std::int32_t y_end = 0;  ///< in sub-rows, larger than y
-    std::uint16_t next = 0;  ///< in the layer's list
-    std::int8_t winding = 0; ///< 1 where the outline runs down, -1 where it runs up
+    Fixed x;                     ///< at y
+    Fixed x_end;                 ///< at y_end
+    Fixed slope;                 ///< of x in a whole row; only of edges that are at least one row high
+    std::int32_t y = 0;          ///< in sub-rows
+    std::int32_t y_end : 30;     ///< in sub-rows, larger than y
+    std::int32_t winding : 2;    ///< 1 where the outline runs down, -1 where it runs up
+    std::uint16_t next = 0;      ///< in the layer's list
+    std::uint8_t x_rest = 0;     ///< what x lacks, in 1/256 of its unit: a row's rounding must not add up
+    std::uint8_t slope_rest = 0; ///< what slope lacks, likewise
 
-    /// x at a sub-row of y … y_end that is at most a row below y.
+    /// x at a sub-row of y … y_end that is at most a row below y, rounded down.
     Fixed x_at(std::int32_t subrow) const;
+    /// Moves y to such a sub-row.
+    void advance(std::int32_t subrow);
+
+private:
+    std::int64_t fine_x_at(std::int32_t subrow) const;
 };
 
 static_assert(sizeof(Edge) == 24, "edges are most of the memory that a player borrows");

@@ -47,15 +47,22 @@ public:
 
     Segment next_piece()
     {
-        if (piece_ == 0 && sub_segment_ == 0)
-            read_segment();
+        read_segment();
         const std::uint32_t pieces = pieces_.at(segment_of_part_);
         const std::uint32_t number = sub_segment_ * pieces + piece_;
         const std::uint32_t count = sub_segments_ * pieces;
-        advance(pieces);
+        advance();
         if (count == 1)
             return segment_;
         return stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count));
+    }
+
+    /// As next_piece(), but tells only its kind.
+    Segment::Kind skip_piece()
+    {
+        read_segment();
+        advance();
+        return segment_.kind;
     }
 
     /// The first point of the stroke that the part belongs to.
@@ -75,16 +82,19 @@ private:
         part_ = 0;
     }
 
+    /// The segment of the next piece, if it is not the one that was read last.
     void read_segment()
     {
+        if (piece_ != 0 || sub_segment_ != 0)
+            return;
         segment_ = stroke_segments_ == 0 ? still_segment(reader_.start()) : reader_.next_segment();
         sub_segments_ = is_subdivided() ? Distribution{stroke_parts_, segments_}.at(read_segments_) : 1;
         ++read_segments_;
     }
 
-    void advance(std::uint32_t pieces)
+    void advance()
     {
-        if (++piece_ < pieces)
+        if (++piece_ < pieces_.at(segment_of_part_))
             return;
         piece_ = 0;
         ++segment_of_part_;
@@ -156,6 +166,14 @@ public:
     {
         const Pair<Segment> both{a_.next_piece(), b_.next_piece()};
         return {a_is_empty_ ? still_segment(centre_) : both.a, b_is_empty_ ? still_segment(centre_) : both.b};
+    }
+
+    /// As next_segment(), but computes no points: tells only whether the pair is a curve.
+    bool skip_segment()
+    {
+        const Segment::Kind a = a_.skip_piece();
+        const Segment::Kind b = b_.skip_piece();
+        return a == Segment::Kind::cubic || b == Segment::Kind::cubic;
     }
 
     /// Where the fill of the stroke is closed: the first points of the strokes that its two sides belong to.

@@ -13,6 +13,9 @@
 namespace kfast {
 namespace {
 
+/// May be more than Fixed holds.
+std::int64_t distance(Fixed from, Fixed to) { return std::int64_t{to.raw()} - from.raw(); }
+
 class RowSweep {
 public:
     RowSweep(EdgeList& edges, Layer& layer, CoverageRow& coverage)
@@ -47,7 +50,7 @@ private:
         if (layer_.waiting != Layer::no_edge)
             end = std::min(end, edges_[layer_.waiting].y);
         for (std::uint16_t i = layer_.active; i != Layer::no_edge; i = edges_[i].next)
-            end = std::min(end, edges_[i].y_end);
+            end = std::min<std::int32_t>(end, edges_[i].y_end);
         return end;
     }
 
@@ -89,7 +92,7 @@ private:
             const Edge* right = &edges_[left->next];
             const Fixed right_end = right->x_at(slab_end_);
             if (right_end < left_end)
-                first = std::min(first, crossing(right->x - left->x, left_end - right_end));
+                first = std::min(first, crossing(distance(left->x, right->x), distance(right_end, left_end)));
             left = right;
             left_end = right_end;
         }
@@ -98,11 +101,10 @@ private:
 
     /// Where a distance of `before` at y_ has shrunk to -`after` at the end of the slab passes through 0,
     /// rounded up to a sub-row.
-    std::int32_t crossing(Fixed before, Fixed after) const
+    std::int32_t crossing(std::int64_t before, std::int64_t after) const
     {
-        const std::int64_t height = slab_end_ - y_;
-        const std::int64_t whole = std::int64_t{before.raw()} + after.raw();
-        const std::int64_t part = (height * before.raw() + whole - 1) / whole;
+        const std::int64_t whole = before + after;
+        const std::int64_t part = ((slab_end_ - y_) * before + whole - 1) / whole;
         return y_ + std::max(static_cast<std::int32_t>(part), std::int32_t{1});
     }
 
@@ -120,8 +122,7 @@ private:
                 coverage_.add(edge.x, end, slab_end_ - y_, 1);
             else if (winding == 0)
                 coverage_.add(edge.x, end, slab_end_ - y_, -1);
-            edge.x = end;
-            edge.y = slab_end_;
+            edge.advance(slab_end_);
             if (edge.y == edge.y_end)
                 *link = edge.next;
             else

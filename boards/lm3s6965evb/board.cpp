@@ -24,10 +24,11 @@ constexpr std::size_t band_bytes = band_rows * row_bytes(PixelFormat::grey4, 128
 alignas(4) std::array<std::byte, 32 * 1024> player_block;
 std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
 
+/// Told by the magic alone: run() reads the rest.
 bool holds_scene(std::span<const std::byte> bytes)
 {
-    const auto scene = SceneView::parse(bytes);
-    return scene || scene.error() != Error::bad_magic;
+    const auto beginning = SceneView::parse(bytes.first(4));
+    return beginning || beginning.error() != Error::bad_magic;
 }
 
 }

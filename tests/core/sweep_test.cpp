@@ -148,6 +148,23 @@ TEST_CASE("random outlines have the coverage that dense sampling finds")
     CHECK(worst < 9); // the sampling itself is that coarse
 }
 
+TEST_CASE("a straight edge stays straight over the highest panel")
+{
+    constexpr int rows = 4096;
+    for (const double x : {0.7, 3.3, 8.9, 11.3}) {
+        CoveragePicture picture{12, rows};
+        fill(picture, {{pixels(0, 0), pixels(1, 0), pixels(x, rows), pixels(0, rows)}});
+        double worst = 0;
+        for (int row = 0; row < rows; ++row) {
+            double covered = 0;
+            for (int column = 0; column < 12; ++column)
+                covered += picture.at(column, row);
+            worst = std::max(worst, std::abs(covered - 255 * (1 + (x - 1) * (row + 0.5) / rows)));
+        }
+        CHECK(worst <= 1);
+    }
+}
+
 TEST_CASE("the order in which outlines are added changes nothing")
 {
     std::mt19937 random{2};
