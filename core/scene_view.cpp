@@ -9,6 +9,13 @@ namespace {
 constexpr std::uint32_t magic = 'K' | 'F' << 8 | 'B' << 16;
 constexpr std::size_t checksum_end = 8; ///< the checksum covers everything behind itself
 
+bool is_in_range(const Key& key)
+{
+    const auto is_law = [](VelocityLaw law) { return static_cast<int>(law) < velocity_law_count; };
+    return key.time.ticks <= kfb::max_time && is_law(key.law_x) && is_law(key.law_y) &&
+           key.curve_pieces >= 1 && key.curve_pieces <= kfb::max_curve_pieces;
+}
+
 }
 
 Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
@@ -103,12 +110,7 @@ bool SceneView::check_keys(const ObjectView& object, std::uint32_t& key_points)
     Time before{-1};
     while (!keys.at_end()) {
         const Key key = keys.next();
-        const auto is_piece_count = [](std::uint32_t count) {
-            return count >= 1 && count <= kfb::max_curve_pieces;
-        };
-        const auto is_law = [](VelocityLaw law) { return static_cast<int>(law) < velocity_law_count; };
-        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.law_x) ||
-            !is_law(key.law_y) || !is_piece_count(key.curve_pieces) || !check_drawing(key, key_points))
+        if (keys.overrun() || key.time <= before || !is_in_range(key) || !check_drawing(key, key_points))
             return false;
         before = key.time;
     }
@@ -121,6 +123,8 @@ bool SceneView::check_drawing(const Key& key, std::uint32_t& key_points) const
         return false;
     PackedDrawing reader = drawing(key);
     std::uint32_t points = reader.strokes();
+    if (points > kfb::max_drawing_points)
+        return false;
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;

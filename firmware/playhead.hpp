@@ -10,7 +10,7 @@ namespace kfast {
 /// and so can run for ever.
 class Playhead {
 public:
-    /// `length` is at least one frame.
+    /// `length` is at least one frame, at most kfb::max_time.
     constexpr Playhead(Time length, Loop loop)
         : length_{static_cast<std::uint32_t>(length.ticks)}, loop_{loop}
     {
@@ -19,8 +19,7 @@ public:
     /// From 0 to the length of the scene.
     constexpr Time time() const
     {
-        const bool back = position_ > length_;
-        return {static_cast<std::int32_t>(back ? 2 * length_ - position_ : position_)};
+        return wrap({static_cast<std::int32_t>(position_)}, {static_cast<std::int32_t>(length_)}, loop_);
     }
 
     constexpr void advance(std::uint32_t frames)

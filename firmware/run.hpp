@@ -66,13 +66,16 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
     }
 }
 
-/// Plays the board's scene until the board stops running, or reports why it cannot be played.
+/// Plays the board's scene until the board stops running, or reports why it cannot be played: an error of
+/// SceneView::parse, or block_too_small, also when the bands do not hold a row.
 template <Board B>
 void run(B& board)
 {
     const auto scene = SceneView::parse(board.scene_bytes());
     if (!scene)
         return board.fault(scene.error());
+    if (rows_per_band(board.panel(), board.bands()[0].size()) == 0)
+        return board.fault(Error::block_too_small);
     auto player = Player::create(*scene, board.panel().size(), Fit::contain, board.block());
     if (!player)
         return board.fault(player.error());

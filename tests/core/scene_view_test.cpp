@@ -206,6 +206,10 @@ TEST_CASE("every value out of its range is refused, checksum or not")
     {
         CHECK(error_after([](Bytes& bytes) { put(bytes, first_object + 5, 0, 1); }) == Error::bad_scene);
     }
+    SUBCASE("a key at the time of the one before")
+    {
+        CHECK(error_after([](Bytes& bytes) { put(bytes, first_object + 7, 0, 1); }) == Error::bad_scene);
+    }
     SUBCASE("a drawing outside the file")
     {
         CHECK(error_after([](Bytes& bytes) { put(bytes, first_object + 6, 0x7F, 1); }) == Error::bad_scene);

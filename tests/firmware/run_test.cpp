@@ -1,6 +1,7 @@
 #include "firmware/run.hpp"
 
 #include "tests/bytes.hpp"
+#include "tests/compiled.hpp"
 
 #include <doctest/doctest.h>
 
@@ -171,6 +172,16 @@ TEST_CASE("frames are shown when they are due; those that come too late are left
     CHECK(moments == std::vector<std::uint32_t>{0, 20'000, 40'000, 60'000, 85'000, 146'000, 160'000});
     CHECK(board.reports.back().skipped == 2);
     CHECK(board.reports[4].skipped == 0);
+}
+
+TEST_CASE("bands that do not hold a row are reported, not waited for")
+{
+    TestBoard board{5};
+    board.scene = compiled("kfast 1\ncanvas 6 10\nobject a fill=white { rect 0 0 6 10 }");
+    board.durations = {0};
+    run(board);
+    CHECK(board.reported == Error::block_too_small);
+    CHECK(board.reports.empty());
 }
 
 TEST_CASE("bytes that are no scene are reported, and nothing is shown")
