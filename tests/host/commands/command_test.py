@@ -354,12 +354,19 @@ class PreviewTest(CommandTest):
         window.send_signal(signal.SIGINT)
         self.assertEqual(window.wait(timeout=60), 0)
 
+    def test_a_window_closes_after_its_loops(self):
+        unseen = {"SDL_VIDEODRIVER": "dummy", "ASAN_OPTIONS": "detect_leaks=0"}
+        begun = time.monotonic()
+        self.run_kfast("preview", "repeat.kfast", "--loops", "3", environment=unseen)
+        self.assertGreaterEqual(time.monotonic() - begun, 1, "three times ten frames of 1/30 s")
+
     def test_wrong_usage(self):
         preview = ["preview", "repeat.kfast"]
         self.refuse(*preview, "--keys", "n", status=2, says="--keys requires --headless")
         self.refuse(*preview, "--headless", "--keys", "n x", status=2, says="'x' is no key")
         self.refuse(*preview, "--headless", "--terminal", status=2, says="excludes")
         self.refuse(*preview, "--terminal", "--loops", "0", status=2, says="--loops")
+        self.refuse(*preview, "--headless", "--loops", "2", status=2, says="excludes")
 
 
 class UsageTest(CommandTest):
