@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/output_path.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/failure.hpp"
@@ -72,7 +73,7 @@ void render_scene(const RenderOptions& options)
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = timeline_of(scene.view);
     const auto source = open_source(options.picture, scene);
-    const fs::path output = options.output;
+    const fs::path output = output_path(options.output, options.file);
     if (!options.all)
         write_png(output, widen(source->show(chosen_time(options, timeline))));
     else if (output.extension() == ".gif")

@@ -279,6 +279,13 @@ class RenderTest(CommandTest):
         self.refuse(*render, "-o", "a.png", "--frame", "-1", status=2, says="it has frames 0 to 9")
         self.refuse(*render, "-o", "a.png", "--time", "1h", status=2, says="'1h' is no time")
 
+    def test_never_overwrites_its_input(self):
+        for name in ("repeat.kfast", "./repeat.kfast"):
+            self.refuse("render", "repeat.kfast", "--frame", "1", "-o", name, status=1, says="overwrite the scene")
+        os.rename(self.folder / "repeat.kfast", self.folder / "text.gif")
+        self.refuse("render", "text.gif", "--all", "-o", "text.gif", status=1, says="overwrite the scene itself")
+        self.assertTrue((self.folder / "text.gif").read_text().startswith("kfast 1"))
+
     def test_unwritable_outputs(self):
         (self.folder / "file").write_text("")
         self.refuse("render", "repeat.kfast", "--all", "-o", "file", status=1, says="cannot make the folder file")
