@@ -20,6 +20,7 @@ import zlib
 from PIL import Image
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 SCENE = """kfast 1
 canvas 60 40 fps=30 loop={loop}
@@ -378,7 +379,8 @@ class PreviewTest(CommandTest):
 
 class UsageTest(CommandTest):
     def test_help_everywhere(self):
-        self.assertIn("Example:", self.run_kfast("--help").stdout)
+        example = re.search(r"Example:\n  kfast preview (\S+)", self.run_kfast("--help").stdout)
+        self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
         for command in ("compile", "check", "info", "render", "preview", "hash"):
             self.assertIn(f"  kfast {command} ", self.run_kfast(command, "--help").stdout)
 
