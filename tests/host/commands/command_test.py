@@ -129,6 +129,11 @@ class InputTest(CommandTest):
             file.truncate((16 << 20) + 1)
         self.everywhere("huge.kfast", "larger than 16 MB")
 
+    def test_huge_text(self):
+        good = SCENE.format(loop="repeat").encode()
+        self.run_kfast("check", self.write("largest.kfast", good.ljust(4 << 20)))
+        self.everywhere(self.write("larger.kfast", good.ljust((4 << 20) + 1)), "a text larger than 4 MB")
+
     def test_wrong_text(self):
         text = SCENE.format(loop="repeat").replace("rect 40", "rekt 40")
         self.everywhere(self.write("wrong.kfast", text.encode()), "wrong.kfast:5:")
