@@ -68,8 +68,19 @@ void render_folder(const fs::path& folder, FrameSource& source, const Timeline& 
         write_png(numbered(folder, frame), widen(source.show(timeline.frame_time(frame))));
 }
 
+/// A picture under the name of another kind, or a folder under that of a picture, is a slip.
+void require_fitting_name(const RenderOptions& options)
+{
+    const fs::path kind = fs::path{options.output}.extension();
+    if (options.all && kind == ".png")
+        throw CLI::ValidationError("--output", "--all makes a folder or a .gif, not one .png");
+    if (!options.all && kind == ".gif")
+        throw CLI::ValidationError("--output", "one frame makes a .png: add --all for a .gif");
+}
+
 void render_scene(const RenderOptions& options)
 {
+    require_fitting_name(options);
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = timeline_of(scene.view);
     const auto source = open_source(options.picture, scene);
