@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "KFB";
 
+/// Much less than of a compiled scene, for a parsed text takes up to 90 times its size in memory.
+constexpr std::size_t text_limit = std::size_t{4} << 20;
+
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
 {
     throw Failure(path.string() + ": " + reason);
@@ -57,6 +60,8 @@ SceneFile from_text(const fs::path& path, std::string text)
 {
     if (text.find('\0') != std::string::npos)
         refuse(path, "neither a scene nor a compiled scene: name a .kfast or .kfb file");
+    if (text.size() > text_limit)
+        refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
     CompiledText compiled = compile_and_report({path.string(), std::move(text)});
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));

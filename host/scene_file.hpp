@@ -26,7 +26,8 @@ struct SceneFile {
 
 /// Reads a compiled scene (known by its first bytes, "KFB") or reads and compiles a scene text, whatever the
 /// file's name. What the compiler finds is printed to standard error, in colour on a terminal.
-/// Throws Failure when the file cannot be read, is empty or larger than 16 MB, or is no valid scene.
+/// Throws Failure when the file cannot be read, is empty or larger than 16 MB (a text: 4 MB), or is no valid
+/// scene.
 SceneFile load_scene(const std::filesystem::path& path);
 
 }

@@ -30,7 +30,8 @@ void declare_commands(CLI::App& kfast)
 {
     kfast.set_version_flag("--version", std::string("kfast ") + version);
     kfast.failure_message(usage_message);
-    kfast.footer("Example:\n  kfast preview examples/hello.kfast\n\n'kfast COMMAND --help' tells more.");
+    kfast.footer(
+        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.");
     for (const Command* command : commands) {
         CLI::App* app = kfast.add_subcommand(command->name, command->summary);
         app->footer(std::string("Example:\n  ") + command->example);

@@ -1,5 +1,6 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/output_path.hpp"
 #include "host/commands/summary.hpp"
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
@@ -16,15 +17,10 @@ struct CompileOptions {
     std::string output;
 };
 
-fs::path output_path(const CompileOptions& options)
+fs::path chosen_output(const CompileOptions& options)
 {
-    const fs::path beside = fs::path{options.scene}.replace_extension(".kfb");
-    const fs::path output = options.output.empty() ? beside : fs::path{options.output};
-    std::error_code none_yet;
-    if (fs::equivalent(output, options.scene, none_yet))
-        throw Failure(output.string() +
-                      ": this would overwrite the scene itself: choose another name with -o");
-    return output;
+    return options.output.empty() ? fs::path{options.scene}.replace_extension(".kfb")
+                                  : fs::path{options.output};
 }
 
 void compile_scene(const CompileOptions& options)
@@ -32,7 +28,7 @@ void compile_scene(const CompileOptions& options)
     const SceneFile scene = load_scene(options.scene);
     if (!scene.was_text)
         throw Failure(options.scene + ": compiled already: name the .kfast file it was made from");
-    const fs::path output = output_path(options);
+    const fs::path output = output_path(chosen_output(options), options.scene);
     write_file(output, scene.bytes);
     std::cout << output.string() << ": " << summary(scene) << '\n';
 }

@@ -17,7 +17,7 @@ struct PreviewOptions {
     std::string file;
     bool terminal = false;
     bool headless = false;
-    int loops = 1;
+    std::optional<int> loops;
     std::optional<std::vector<PreviewKey>> script;
     PictureOptions picture;
 };
@@ -53,11 +53,12 @@ void preview(const PreviewOptions& options)
     const auto source = open_source(options.picture, scene);
     if (options.headless)
         return preview_headless(options, *source, scene.view);
-    if (!options.terminal && play_in_window(*source, timeline, key_times(scene.view), options.file))
+    if (!options.terminal &&
+        play_in_window(*source, timeline, key_times(scene.view), options.file, options.loops))
         return;
     if (!options.terminal)
         std::cerr << "kfast: there is no display for a window, so this plays in the terminal\n";
-    play_in_terminal(*source, timeline, options.loops);
+    play_in_terminal(*source, timeline, options.loops.value_or(1));
 }
 
 std::string key_list()
@@ -74,12 +75,13 @@ void declare(CLI::App& app)
     app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
     CLI::Option* terminal =
         app.add_flag("--terminal", options->terminal, "Play in the terminal, not in a window");
-    app.add_option("--loops", options->loops, "In the terminal: how often to play")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
+    CLI::Option* loops =
+        app.add_option("--loops", options->loops,
+                       "Ends after so many plays (default: a window stays, the terminal plays once)")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1000000));
     CLI::Option* headless = app.add_flag("--headless", options->headless, "Show nothing; print a summary");
-    headless->excludes(terminal);
+    headless->excludes(terminal)->excludes(loops);
     app.add_option_function<std::string>(
            "--keys", [options](const std::string& text) { options->script = read_script(text); },
            "With --headless: press these keys, print what each shows")

@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/output_path.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/failure.hpp"
@@ -67,12 +68,23 @@ void render_folder(const fs::path& folder, FrameSource& source, const Timeline& 
         write_png(numbered(folder, frame), widen(source.show(timeline.frame_time(frame))));
 }
 
+/// A picture under the name of another kind, or a folder under that of a picture, is a slip.
+void require_fitting_name(const RenderOptions& options)
+{
+    const fs::path kind = fs::path{options.output}.extension();
+    if (options.all && kind == ".png")
+        throw CLI::ValidationError("--output", "--all makes a folder or a .gif, not one .png");
+    if (!options.all && kind == ".gif")
+        throw CLI::ValidationError("--output", "one frame makes a .png: add --all for a .gif");
+}
+
 void render_scene(const RenderOptions& options)
 {
+    require_fitting_name(options);
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = timeline_of(scene.view);
     const auto source = open_source(options.picture, scene);
-    const fs::path output = options.output;
+    const fs::path output = output_path(options.output, options.file);
     if (!options.all)
         write_png(output, widen(source->show(chosen_time(options, timeline))));
     else if (output.extension() == ".gif")

@@ -22,11 +22,19 @@ std::vector<std::int32_t> stops(const Timeline& timeline, const std::vector<Time
     return ticks;
 }
 
+std::int64_t ticks_of(const Timeline& timeline, int loops)
+{
+    return timeline.period_ticks() * (timeline.loop == Loop::once ? 1 : loops);
 }
 
-Playback::Playback(const Timeline& timeline, const std::vector<Time>& keys, Seconds now)
+}
+
+Playback::Playback(const Timeline& timeline, const std::vector<Time>& keys, Seconds now,
+                   std::optional<int> loops)
     : timeline_{timeline}, keys_{stops(timeline, keys)}, anchor_{now}
 {
+    if (loops)
+        quits_at_ = ticks_of(timeline, *loops);
 }
 
 void Playback::press(PreviewKey key, Seconds now)
@@ -56,10 +64,16 @@ void Playback::advance_to(Seconds now)
 {
     if (!playing_)
         return;
-    const double ticks = (now - anchor_).count() / timeline_.seconds(1);
-    position_ = anchor_position_ + std::llround(ticks);
-    if (timeline_.loop == Loop::once && position_ >= timeline_.period_ticks())
+    play_to(anchor_position_ + std::llround((now - anchor_).count() / timeline_.seconds(1)));
+}
+
+void Playback::play_to(std::int64_t ticks)
+{
+    wants_to_quit_ = wants_to_quit_ || (quits_at_ && ticks >= *quits_at_);
+    if (timeline_.loop == Loop::once && ticks >= timeline_.period_ticks())
         stop_at(timeline_.period_ticks());
+    else if (!wants_to_quit_)
+        position_ = ticks;
 }
 
 Playback::Seconds Playback::next_frame_at() const

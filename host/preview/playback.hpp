@@ -4,6 +4,7 @@
 #include "host/preview/preview_key.hpp"
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,10 @@ class Playback {
 public:
     using Seconds = std::chrono::duration<double>;
 
-    Playback(const Timeline& timeline, const std::vector<Time>& keys, Seconds now);
+    /// With `loops`, quits once it has played so often (a scene that plays once: one time), and shows nothing
+    /// of the pass after. A stepping key begins the first pass anew.
+    Playback(const Timeline& timeline, const std::vector<Time>& keys, Seconds now,
+             std::optional<int> loops = std::nullopt);
 
     /// Stepping keys also pause, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
@@ -28,14 +32,13 @@ public:
     bool playing() const { return playing_; }
     bool help_open() const { return help_open_; }
     bool wants_to_quit() const { return wants_to_quit_; }
-    /// How often the scene has been played to its end; `once` gets there one time and pauses.
-    std::int64_t passes() const { return position_ / timeline_.period_ticks(); }
     /// When the next frame begins, while playing.
     Seconds next_frame_at() const;
     /// "frame 12  0.400 s  playing"
     std::string status() const;
 
 private:
+    void play_to(std::int64_t ticks);
     void toggle_playing(Seconds now);
     void stop_at(std::int64_t ticks);
     void step_frame(int direction);
@@ -46,7 +49,8 @@ private:
     std::vector<std::int32_t> keys_; // ticks of all stops of n and p, in order, as shown
     std::int64_t position_ = 0;      // ticks since the beginning of the first pass
     std::int64_t anchor_position_ = 0;
-    Seconds anchor_; // when playing passed anchor_position_
+    Seconds anchor_;                       // when playing passed anchor_position_
+    std::optional<std::int64_t> quits_at_; // ticks, as position_
     bool playing_ = true;
     bool help_open_ = true;
     bool wants_to_quit_ = false;

@@ -101,17 +101,15 @@ std::string status_line(const Playback& playback)
     return playback.status().substr(0, static_cast<std::size_t>(terminal_size().width - 1)) + "\x1b[J\n";
 }
 
-void play(FrameSource& source, Playback& playback, int loops)
+void play(FrameSource& source, Playback& playback)
 {
     std::string rewind;
-    while (playback.playing() && signal_seen == 0) {
+    while (!playback.wants_to_quit() && signal_seen == 0) {
         playback.advance_to(steady_now());
-        if (playback.playing() && playback.passes() >= loops)
-            break; // the first picture of one pass too many
         const std::string picture = picture_text(source.show(playback.time()));
         write_all(rewind + picture + status_line(playback));
         rewind = up(std::ranges::count(picture, '\n') + 1);
-        if (playback.playing())
+        if (!playback.wants_to_quit())
             sleep_until(playback.next_frame_at());
     }
 }
@@ -123,8 +121,8 @@ void play_in_terminal(FrameSource& source, const Timeline& timeline, int loops)
     if (::isatty(STDOUT_FILENO) == 0)
         return write_all(picture_text(source.show(Time{0})));
     const BorrowedTerminal terminal;
-    Playback playback{timeline, {}, steady_now()};
-    play(source, playback, loops);
+    Playback playback{timeline, {}, steady_now(), loops};
+    play(source, playback);
 }
 
 }

@@ -208,14 +208,14 @@ void play(Window& window, FrameSource& source, Playback& playback)
 }
 
 bool play_in_window(FrameSource& source, const Timeline& timeline, const std::vector<Time>& keys,
-                    const std::string& title)
+                    const std::string& title, std::optional<int> loops)
 {
     const Video video;
     if (!video.works())
         return false;
     const Size picture = source.show(Time{0}).size;
     Window window{title, picture, first_window_size(picture)};
-    Playback playback{timeline, keys, steady_now()};
+    Playback playback{timeline, keys, steady_now(), loops};
     play(window, source, playback);
     return true;
 }

@@ -7,8 +7,9 @@
 
 namespace kfast {
 
-/// Plays a scene in a window until the user closes it. Returns false at once where there is no display.
+/// Plays a scene in a window until the user closes it or it has played `loops` times. Returns false at once
+/// where there is no display.
 bool play_in_window(FrameSource& source, const Timeline& timeline, const std::vector<Time>& keys,
-                    const std::string& title);
+                    const std::string& title, std::optional<int> loops);
 
 }

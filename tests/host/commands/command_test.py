@@ -20,6 +20,7 @@ import zlib
 from PIL import Image
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 SCENE = """kfast 1
 canvas 60 40 fps=30 loop={loop}
@@ -127,6 +128,11 @@ class InputTest(CommandTest):
         with open(self.folder / "huge.kfast", "wb") as file:
             file.truncate((16 << 20) + 1)
         self.everywhere("huge.kfast", "larger than 16 MB")
+
+    def test_huge_text(self):
+        good = SCENE.format(loop="repeat").encode()
+        self.run_kfast("check", self.write("largest.kfast", good.ljust(4 << 20)))
+        self.everywhere(self.write("larger.kfast", good.ljust((4 << 20) + 1)), "a text larger than 4 MB")
 
     def test_wrong_text(self):
         text = SCENE.format(loop="repeat").replace("rect 40", "rekt 40")
@@ -278,6 +284,15 @@ class RenderTest(CommandTest):
         self.refuse(*render, "-o", "a.png", "--frame", "10", status=2, says="it has frames 0 to 9")
         self.refuse(*render, "-o", "a.png", "--frame", "-1", status=2, says="it has frames 0 to 9")
         self.refuse(*render, "-o", "a.png", "--time", "1h", status=2, says="'1h' is no time")
+        self.refuse(*render, "-o", "a.png", "--all", status=2, says="makes a folder or a .gif")
+        self.refuse(*render, "-o", "a.gif", "--frame", "1", status=2, says="add --all for a .gif")
+
+    def test_never_overwrites_its_input(self):
+        for name in ("repeat.kfast", "./repeat.kfast"):
+            self.refuse("render", "repeat.kfast", "--frame", "1", "-o", name, status=1, says="overwrite the scene")
+        os.rename(self.folder / "repeat.kfast", self.folder / "text.gif")
+        self.refuse("render", "text.gif", "--all", "-o", "text.gif", status=1, says="overwrite the scene itself")
+        self.assertTrue((self.folder / "text.gif").read_text().startswith("kfast 1"))
 
     def test_unwritable_outputs(self):
         (self.folder / "file").write_text("")
@@ -354,17 +369,25 @@ class PreviewTest(CommandTest):
         window.send_signal(signal.SIGINT)
         self.assertEqual(window.wait(timeout=60), 0)
 
+    def test_a_window_closes_after_its_loops(self):
+        unseen = {"SDL_VIDEODRIVER": "dummy", "ASAN_OPTIONS": "detect_leaks=0"}
+        begun = time.monotonic()
+        self.run_kfast("preview", "repeat.kfast", "--loops", "3", environment=unseen)
+        self.assertGreaterEqual(time.monotonic() - begun, 1, "three times ten frames of 1/30 s")
+
     def test_wrong_usage(self):
         preview = ["preview", "repeat.kfast"]
         self.refuse(*preview, "--keys", "n", status=2, says="--keys requires --headless")
         self.refuse(*preview, "--headless", "--keys", "n x", status=2, says="'x' is no key")
         self.refuse(*preview, "--headless", "--terminal", status=2, says="excludes")
         self.refuse(*preview, "--terminal", "--loops", "0", status=2, says="--loops")
+        self.refuse(*preview, "--headless", "--loops", "2", status=2, says="excludes")
 
 
 class UsageTest(CommandTest):
     def test_help_everywhere(self):
-        self.assertIn("Example:", self.run_kfast("--help").stdout)
+        example = re.search(r"Example:\n  kfast preview (\S+)", self.run_kfast("--help").stdout)
+        self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
         for command in ("compile", "check", "info", "render", "preview", "hash"):
             self.assertIn(f"  kfast {command} ", self.run_kfast(command, "--help").stdout)
 

@@ -10,10 +10,10 @@ using Seconds = Playback::Seconds;
 constexpr Seconds start{1000};
 
 /// 10 fps and 10 frames; keys at 0, 3, 6.5 and at the end.
-Playback playback(Loop loop)
+Playback playback(Loop loop, std::optional<int> loops = std::nullopt)
 {
     const std::vector<Time> keys{Time::frame(0), Time::frame(3), {6 * 1024 + 512}, Time::frame(10)};
-    return {{10000, Time::frame(10), loop}, keys, start};
+    return {{10000, Time::frame(10), loop}, keys, start, loops};
 }
 
 Seconds after(double seconds) { return start + Seconds{seconds}; }
@@ -49,7 +49,7 @@ TEST_CASE("playing follows the clock")
     CHECK((state.next_frame_at() - start).count() == doctest::Approx(0.5));
     state.advance_to(after(12.3));
     CHECK(state.frame() == 3);
-    CHECK(state.passes() == 12);
+    CHECK_FALSE(state.wants_to_quit());
 }
 
 TEST_CASE("a day of playing does not drift")
@@ -76,7 +76,7 @@ TEST_CASE("once stops at its end; space then plays it anew")
     state.advance_to(after(99));
     CHECK(state.time() == Time::frame(10));
     CHECK_FALSE(state.playing());
-    CHECK(state.passes() == 1);
+    CHECK_FALSE(state.wants_to_quit());
     state.press(PreviewKey::play_pause, after(100));
     state.advance_to(after(100.1));
     CHECK(state.time() == Time::frame(1));
@@ -89,7 +89,49 @@ TEST_CASE("ping-pong comes back")
     CHECK(state.time() == Time::frame(10));
     state.advance_to(after(1.3));
     CHECK(state.time() == Time::frame(7));
-    CHECK(state.passes() == 0);
+}
+
+TEST_CASE("a number of loops ends with the last picture of the last one")
+{
+    Playback state = playback(Loop::repeat, 2);
+    state.advance_to(after(1.9));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(2));
+    CHECK(state.wants_to_quit());
+    CHECK(state.frame() == 9);
+}
+
+TEST_CASE("a loop of ping-pong is there and back")
+{
+    Playback state = playback(Loop::ping_pong, 1);
+    state.advance_to(after(1.9));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(2));
+    CHECK(state.wants_to_quit());
+    CHECK(state.frame() == 1);
+}
+
+TEST_CASE("once has one loop, however many are wanted, and ends on its last picture")
+{
+    Playback state = playback(Loop::once, 5);
+    state.advance_to(after(0.9));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(1.1));
+    CHECK(state.wants_to_quit());
+    CHECK(state.time() == Time::frame(10));
+}
+
+TEST_CASE("a pause or a step does not end a preview, whatever the number of loops")
+{
+    Playback state = playback(Loop::once, 1);
+    state.press(PreviewKey::play_pause, after(0.5));
+    state.advance_to(after(9));
+    CHECK_FALSE(state.wants_to_quit());
+    state.press(PreviewKey::previous_key, after(9));
+    state.press(PreviewKey::previous_key, after(9));
+    state.press(PreviewKey::previous_key, after(9));
+    CHECK(state.time() == Time::frame(10));
+    CHECK_FALSE(state.wants_to_quit());
 }
 
 TEST_CASE("n and p go from key to key and around, and pause")

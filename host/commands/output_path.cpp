@@ -1,0 +1,18 @@
+#include "host/commands/output_path.hpp"
+
+#include "host/failure.hpp"
+
+namespace kfast {
+
+namespace fs = std::filesystem;
+
+fs::path output_path(const fs::path& output, const fs::path& input)
+{
+    std::error_code none_yet;
+    if (fs::equivalent(output, input, none_yet))
+        throw Failure(output.string() +
+                      ": this would overwrite the scene itself: choose another name with -o");
+    return output;
+}
+
+}
