@@ -49,6 +49,16 @@ TEST_CASE("none keeps the pixels and centres, cutting what is too large")
     CHECK(map.half_width(Fixed::pixels(3)) == Fixed::pixels(3));
 }
 
+TEST_CASE("scale and lengths are rounded to nearest")
+{
+    const CanvasMap two_thirds{{3, 3}, {2, 2}, Fit::contain};
+    CHECK(std::abs((two_thirds.half_width(Fixed::pixels(3)) - Fixed::pixels(2)).raw()) <= 1);
+    const CanvasMap half{{4, 4}, {2, 2}, Fit::contain};
+    CHECK(half.half_width(Fixed::from_raw(1)).raw() == 1);
+    CHECK(half(pixels(1, 1) + Point{Fixed::from_raw(1), {}}) ==
+          pixels(0.5, 0.5) + Point{Fixed::from_raw(1), {}});
+}
+
 TEST_CASE("the middle of any canvas is the middle of any panel")
 {
     for (const Fit fit : {Fit::contain, Fit::cover, Fit::none}) {

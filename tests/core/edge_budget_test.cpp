@@ -38,4 +38,20 @@ TEST_CASE("the bound on edges holds for every cap and join, for lines and curves
     }
 }
 
+TEST_CASE("the bound of simple drawings is what their outlines can need, and no more")
+{
+    const auto bound = [](const std::string& style, const std::string& drawing) {
+        const auto bytes = compiled("kfast 1\ncanvas 200 200\nobject it " + style + " { " + drawing + " }");
+        return SceneView::parse(bytes)->max_edges();
+    };
+    CHECK(bound("fill=white", "polygon 0 0 9 0 0 9") == 3 + 2); // closed by way of its hub
+    // two sides, a join of two inner and two outer edges, two caps, and as much again if it were closed
+    CHECK(bound("stroke=white", "line 0 0 9 0") == 2 + 4 + 2 * 1 + 2 + 4);
+    CHECK(bound("stroke=white cap=square", "line 0 0 9 0") == 2 + 4 + 2 * 3 + 2 + 4);
+    CHECK(bound("stroke=white join=bevel", "line 0 0 9 0 9 9") == 2 * (2 + 3) + 2 * 1 + 2 + 3);
+    const auto arc = static_cast<std::uint32_t>(arc_pieces(16));
+    CHECK(bound("stroke=white cap=round join=round", "line 0 0 9 0") == 2 + 2 + arc + 2 * arc + 2 + 2 + arc);
+    CHECK(bound("fill=white stroke=white", "line 0 0 9 0") == 14 + 1 + 2);
+}
+
 }

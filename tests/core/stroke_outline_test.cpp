@@ -132,6 +132,14 @@ TEST_CASE("a stroke that crosses itself, or turns back, is as dark as one that d
     CHECK(there.levels() == and_back.levels());
 }
 
+TEST_CASE("points closer than 1/256 px are passed over: they do not turn a wide pen")
+{
+    const Pen pen{.half_width = half_width(8)};
+    const auto with_noise =
+        stroked({pixels(2, 12), pixels(12, 12), pixels(12 - 1 / 300.0, 12 + 1 / 300.0), pixels(22, 12)}, pen);
+    CHECK(with_noise.levels() == stroked({pixels(2, 12), pixels(22, 12)}, pen).levels());
+}
+
 TEST_CASE("random round strokes are where the pen has been")
 {
     std::mt19937 random{41};

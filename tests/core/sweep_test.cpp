@@ -151,15 +151,15 @@ TEST_CASE("random outlines have the coverage that dense sampling finds")
 TEST_CASE("a straight edge stays straight over the highest panel")
 {
     constexpr int rows = 4096;
-    for (const double x : {0.7, 3.3, 8.9, 11.3}) {
+    for (const auto& [top, bottom] : {std::pair{1.0, 0.7}, {1.0, 3.3}, {1.0, 11.3}, {11.7, 0.9}}) {
         CoveragePicture picture{12, rows};
-        fill(picture, {{pixels(0, 0), pixels(1, 0), pixels(x, rows), pixels(0, rows)}});
+        fill(picture, {{pixels(0, 0), pixels(top, 0), pixels(bottom, rows), pixels(0, rows)}});
         double worst = 0;
         for (int row = 0; row < rows; ++row) {
             double covered = 0;
             for (int column = 0; column < 12; ++column)
                 covered += picture.at(column, row);
-            worst = std::max(worst, std::abs(covered - 255 * (1 + (x - 1) * (row + 0.5) / rows)));
+            worst = std::max(worst, std::abs(covered - 255 * (top + (bottom - top) * (row + 0.5) / rows)));
         }
         CHECK(worst <= 1);
     }
