@@ -1,0 +1,90 @@
+#include "host/compiler/compile.hpp"
+
+#include "core/player.hpp"
+#include "tests/compiled.hpp"
+
+#include <doctest/doctest.h>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+std::string with_object(const std::string& object) { return "kfast 1\ncanvas 64 64\n" + object; }
+
+std::string first_message(const std::string& text)
+{
+    Diagnostics diagnostics;
+    const SourceText source{"s.kfast", text};
+    REQUIRE(!compile(source, diagnostics));
+    REQUIRE(diagnostics.has_errors());
+    return format(diagnostics.sorted().front(), source);
+}
+
+/// A path of `count` curves, each as bent as fits.
+std::string bent_path(int count)
+{
+    std::string path = "path \"M 0 0";
+    for (int i = 0; i < count; ++i)
+        path += " C 2000 -2000 -2000 2000 " + std::to_string(i % 60) + " 9";
+    return path + "\"";
+}
+
+}
+
+TEST_CASE("a drawing that is shown again is stored once, also in another object")
+{
+    const std::string shape = "{ path \"M 1 1 C 9 1 1 9 9 9 L 40 3 30 33 12 60 Z\" }";
+    const auto once = compiled(with_object("object a fill=white { key 0 " + shape + " }")).size();
+    const auto again =
+        compiled(with_object("object a fill=white { key 0 " + shape + "; key 9 " + shape + " }")).size();
+    CHECK(again == once + 4); // one more key
+    const auto twice = compiled(with_object("object a fill=white { key 0 " + shape + " }\n" +
+                                            "object b fill=white { key 0 " + shape + " }"))
+                           .size();
+    CHECK(twice == once + 3 + 4); // style, colour, length of the keys, one key
+}
+
+TEST_CASE("times of every kind come back as they were written")
+{
+    const auto bytes = compiled("kfast 1\ncanvas 8 8 fps=25\nobject a fill=white { key 0.5 { rect 0 0 1 1 }; "
+                                "key (s)1 { rect 0 0 2 1 }; key (ms)1500 { rect 0 0 3 1 }; key 1000000 }");
+    const SceneView scene = *SceneView::parse(bytes);
+    KeyCursor keys = scene.objects().next().keys;
+    CHECK(keys.next().time.ticks == 512);
+    CHECK(keys.next().time == Time::frame(25));
+    CHECK(keys.next().time.ticks == 37 * 1024 + 512);
+    CHECK(keys.next().time == Time::frame(1'000'000));
+    CHECK(keys.at_end());
+}
+
+TEST_CASE("whatever compiles can be parsed and played")
+{
+    const auto bytes =
+        compiled(with_object("object a stroke=white width=200 cap=round join=round { key 0 { path "
+                             "\"M -2047 -2047 C 2047 -2047 -2047 2047 2047 2047\" }; key 1 }"));
+    const auto scene = SceneView::parse(bytes);
+    REQUIRE(scene);
+    std::vector<std::byte> block(Player::block_bytes(*scene, {4, 4}));
+    CHECK(Player::create(*scene, {4, 4}, Fit::cover, block));
+}
+
+TEST_CASE("a scene with too many edges is refused at its largest object, with the figures")
+{
+    const std::string text = with_object("object small fill=white { rect 0 0 9 9 }\n"
+                                         "object large fill=white { " +
+                                         bent_path(400) + " }");
+    const std::string message = first_message(text);
+    CHECK(message.find("s.kfast:4:") == 0);
+    CHECK(message.find("edges, the format holds 65534; object \"large\" alone needs ") != std::string::npos);
+    CHECK(message.find("help: ") != std::string::npos);
+}
+
+TEST_CASE("a syntax error is reported without errors that only follow from it")
+{
+    Diagnostics diagnostics;
+    CHECK(
+        !compile({"s.kfast", "kfast 1\ncanvas 64 64\nobject a fill=white { path \"M 0 0 }\n"}, diagnostics));
+    CHECK(diagnostics.sorted().size() == 1);
+}
+
+}
