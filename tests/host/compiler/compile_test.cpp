@@ -82,8 +82,8 @@ TEST_CASE("a scene with too many edges is refused at its largest object, with th
 TEST_CASE("a syntax error is reported without errors that only follow from it")
 {
     Diagnostics diagnostics;
-    CHECK(
-        !compile({"s.kfast", "kfast 1\ncanvas 64 64\nobject a fill=white { path \"M 0 0 }\n"}, diagnostics));
+    const SourceText source{"s.kfast", "kfast 1\ncanvas 64 64 fps=\nobject a fill=nothing { circle 1 1 }\n"};
+    CHECK(!compile(source, diagnostics));
     CHECK(diagnostics.sorted().size() == 1);
 }
 
