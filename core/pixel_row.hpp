@@ -3,6 +3,7 @@
 #include "core/colour.hpp"
 #include "core/pixel_format.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -81,8 +82,12 @@ struct BrightnessRow {
 
     void fill(int x, int count, std::uint32_t ink)
     {
-        for (const int end = x + count; x < end; ++x)
-            store(x, ink);
+        for (; count > 0 && x % pixels_per_byte != 0; --count)
+            store(x++, ink);
+        const int bytes = count / pixels_per_byte;
+        std::fill_n(row + x / pixels_per_byte, bytes, static_cast<std::byte>(ink * (255 / max)));
+        for (x += bytes * pixels_per_byte, count %= pixels_per_byte; count > 0; --count)
+            store(x++, ink);
     }
 
     void blend(int x, int count, std::uint32_t ink, std::uint32_t coverage)

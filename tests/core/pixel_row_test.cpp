@@ -57,6 +57,20 @@ TEST_CASE("rows of several pixels to a byte leave the neighbours alone")
     CHECK(mono == bytes({0b00000011, 0b10011111}));
 }
 
+TEST_CASE("a stretch of any place and length is filled, and nothing else")
+{
+    for (int x = 0; x < 20; ++x)
+        for (int count = 0; x + count <= 24; ++count) {
+            auto row = bytes({0x5A, 0x5A, 0x5A});
+            PixelRow<PixelFormat::mono1>{{row.data()}}.fill(x, count, 1);
+            for (int i = 0; i < 24; ++i) {
+                const int bit = std::to_integer<int>(row[static_cast<std::size_t>(i / 8)]) >> (7 - i % 8) & 1;
+                const int before = 0x5A >> (7 - i % 8) & 1;
+                REQUIRE(bit == (i >= x && i < x + count ? 1 : before));
+            }
+        }
+}
+
 TEST_CASE("rgb565 is stored with the low byte first")
 {
     auto row = bytes({0, 0, 0, 0});
