@@ -193,7 +193,8 @@ void PathReader::missing_argument(char kind)
     else if (scanner_.at_number())
         fail(scanner_.offset(), "this number is out of range");
     else
-        fail(scanner_.offset(), "a number is expected here");
+        fail(scanner_.offset(), "a number is expected here",
+             "M, L and T take x y; H x; V y; S and Q x y x y; C x y x y x y");
 }
 
 void PathReader::move(const Arguments& a)
