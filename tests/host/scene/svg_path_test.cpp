@@ -166,7 +166,7 @@ TEST_CASE("in a text whose bytes are not those of the source, words tell the pla
           "1:6 error: a path command is expected here (line 1, column 7 of the path) "
           "(allowed: M L H V C S Q T A Z and their lower case)");
     CHECK(drawn("path \"\"\"\n  M 1 2\n  L 3\n  \"\"\"") ==
-          "1:6 error: a number is expected here (line 2, column 4 of the path)");
+          "1:6 error: a number is expected here (line 2, column 4 of the path)" + number_remedy);
     CHECK(drawn("path \"\"\"\n  M 1 2\n  L 3 4\n  \"\"\"") == "M 1 2 L 3 4");
 }
 
