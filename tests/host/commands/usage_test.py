@@ -1,0 +1,41 @@
+"""Right and wrong usage of the real command."""
+
+import re
+import unittest
+
+from command_case import ROOT, CommandTest, kfast
+
+
+class UsageTest(CommandTest):
+    def test_help_everywhere(self):
+        example = re.search(r"Example:\n  kfast preview (\S+)", self.run_kfast("--help").stdout)
+        self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
+        for command in ("compile", "check", "info", "render", "preview", "hash"):
+            self.assertIn(f"  kfast {command} ", self.run_kfast(command, "--help").stdout)
+
+    def test_version(self):
+        self.assertRegex(self.run_kfast("--version").stdout, r"^kfast \d+\.\d+\.\d+\n$")
+
+    def test_wrong_usage(self):
+        self.refuse(status=2, says="a command is missing")
+        self.refuse("hsh", "repeat.kfast", status=2, says='did you mean "hash"?')
+        self.refuse("hash", status=2, says="FILE is required")
+        self.refuse("hash", "repeat.kfast", "--frobnicate", status=2, says="--frobnicate")
+        self.refuse("hash", "repeat.kfast", "extra", status=2, says="extra")
+
+    def test_wrong_pictures(self):
+        scene = ["hash", "repeat.kfast"]
+        for size in ("0x1", "1x0", "4097x1", "1x4097", "3", "3x", "x3", "3x3x3", "-3x3", "3 x 3", "99999999999x1"):
+            self.refuse(*scene, f"--size={size}", status=2, says="write it like 240x135")
+        self.refuse(*scene, "--fit", "containt", status=2, says='did you mean "contain"?')
+        self.refuse(*scene, "--format", "rgb888", status=2, says="rgb565")
+        self.refuse(*scene, "--panel", "sdd0323", status=2, says="ssd0323")
+        for option, value in (("--size", "9x9"), ("--fit", "none"), ("--format", "mono1")):
+            self.refuse(*scene, "--panel", "ssd0323", option, value, status=2, says="--panel")
+
+    def test_the_largest_picture(self):
+        self.run_kfast("render", "repeat.kfast", "--frame", "0", "--size", "4096x4096", "--format", "mono1", "-o", "a.png")
+
+
+if __name__ == "__main__":
+    unittest.main()
