@@ -19,7 +19,8 @@ std::uint8_t rest_of(std::int64_t fine) { return static_cast<std::uint8_t>(fine 
 /// Rounded towards minus infinity, for divisor > 0.
 std::int64_t floor_divide(std::int64_t dividend, std::int32_t divisor)
 {
-    return dividend / divisor - (dividend % divisor < 0 ? 1 : 0);
+    const std::int64_t quotient = dividend / divisor;
+    return quotient - (quotient * divisor > dividend ? 1 : 0);
 }
 
 /// `top` and `bottom` are on different sub-rows.

@@ -115,14 +115,14 @@ private:
         std::uint16_t* link = &layer_.active;
         while (*link != Layer::no_edge) {
             Edge& edge = edges_[*link];
-            const Fixed end = edge.x_at(slab_end_);
+            const Fixed begin = edge.x;
+            edge.advance(slab_end_);
             const std::int32_t outside = winding;
             winding += edge.winding;
             if (outside == 0)
-                coverage_.add(edge.x, end, slab_end_ - y_, 1);
+                coverage_.add(begin, edge.x, slab_end_ - y_, 1);
             else if (winding == 0)
-                coverage_.add(edge.x, end, slab_end_ - y_, -1);
-            edge.advance(slab_end_);
+                coverage_.add(begin, edge.x, slab_end_ - y_, -1);
             if (edge.y == edge.y_end)
                 *link = edge.next;
             else
