@@ -29,15 +29,14 @@ void read_named_colour(const kdl::Node& node, Reading& reading)
 {
     if (!fits(node, colour_form(node.name), reading) || !refuse_properties(node, reading))
         return;
-    const auto colour = read_plain_colour(node.arguments.front(), reading);
-    if (!colour)
-        return;
+    // A wrong colour does not make every use of its name wrong as well.
+    const Colour colour = read_plain_colour(node.arguments.front(), reading).value_or(Colour{});
     if (reading.palette.declared() == most_colours) {
         reading.report.error(node.name_place,
                              "a palette holds at most " + std::to_string(most_colours) + " colours");
         return;
     }
-    if (const auto earlier = reading.palette.declare(node.name, *colour, node.name_place))
+    if (const auto earlier = reading.palette.declare(node.name, colour, node.name_place))
         reading.report.error(node.name_place, "there is a colour " + quoted(node.name) + " already, on " +
                                                   reading.report.line(*earlier));
 }

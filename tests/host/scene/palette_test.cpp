@@ -76,6 +76,12 @@ TEST_CASE("a wrong colour is told from an unknown one")
               .findings.starts_with("2:23 error: unknown colour \"vermilion-red-hot\""));
 }
 
+TEST_CASE("a wrong colour in the palette is reported there, not again at its uses")
+{
+    CHECK(read_on_canvas("palette { ink \"#12345\" }\nobject o fill=ink { key 0 }").findings ==
+          "3:15 error: \"#12345\" is no colour (write \"#rgb\" or \"#rrggbb\")");
+}
+
 TEST_CASE("a palette with mistakes")
 {
     CHECK(read_on_canvas("palette { ink white\n ink black }").findings ==
