@@ -1,6 +1,7 @@
 #include "host/preview/headless.hpp"
 
 #include "core/crc32.hpp"
+#include "host/counted.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -28,13 +29,12 @@ public:
 
     void write(std::ostream& out) const
     {
-        out << count_ << (count_ == 1 ? " frame" : " frames") << ", hash " << hexadecimal(crc_.value())
-            << '\n';
+        out << counted(count_, "frame") << ", hash " << hexadecimal(crc_.value()) << '\n';
     }
 
 private:
     Crc32 crc_;
-    int count_ = 0;
+    std::size_t count_ = 0;
 };
 
 Seconds clock_at(const Timeline& timeline, int frame)

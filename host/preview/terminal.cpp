@@ -2,6 +2,7 @@
 
 #include "host/failure.hpp"
 #include "host/preview/half_blocks.hpp"
+#include "host/preview/steady_now.hpp"
 
 #include <algorithm>
 #include <array>
@@ -82,8 +83,6 @@ std::string picture_text(const Frame& frame)
     const Size terminal = terminal_size();
     return half_blocks(widen(frame), {terminal.width, std::max(1, terminal.height - 2)}, terminal_colours());
 }
-
-Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 /// Short sleeps, for a signal does not end one.
 void sleep_until(Seconds moment)

@@ -3,6 +3,7 @@
 #include "host/failure.hpp"
 #include "host/picture/picture.hpp"
 #include "host/preview/placement.hpp"
+#include "host/preview/steady_now.hpp"
 
 #include <SDL2_gfxPrimitives.h> // with it SDL.h
 #include <algorithm>
@@ -172,8 +173,6 @@ private:
     Owned<SDL_Texture> texture_;
     Size picture_;
 };
-
-Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 int milliseconds_to_redraw()
 {
