@@ -4,9 +4,12 @@
 #include "host/failure.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace kfast {
 namespace {
+
+constexpr int longest_scene = 10'000;
 
 std::vector<std::byte> packed(const std::vector<std::uint8_t>& levels)
 {
@@ -23,7 +26,12 @@ BoardSource::BoardSource(std::span<const std::byte> scene, const Timeline& timel
                                                  {Ssd0323Model::width, Ssd0323Model::height},
                                                  {}}
 {
+    if (timeline.frame_count() > longest_scene)
+        throw Failure("a simulated board keeps every frame, at most " + std::to_string(longest_scene) +
+                      "; the scene has " + std::to_string(timeline.frame_count()) + ": leave out --panel");
     run(board_);
+    if (board_.error())
+        throw Failure("the simulated board cannot play this scene");
     if (const auto mistake = board_.bus_error())
         throw Failure("the simulated panel was driven wrongly: " + *mistake);
 }

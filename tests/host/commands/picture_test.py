@@ -37,6 +37,11 @@ class HashTest(CommandTest):
             drawn = self.hashes(f"{loop}.kfast", "--size", "128x64", "--format", "grey4")
             self.assertEqual(self.hashes(f"{loop}.kfast", "--panel", "ssd0323"), drawn)
 
+    def test_a_simulated_board_refuses_what_it_cannot_keep(self):
+        (self.folder / "long.kfast").write_text(
+            "kfast 1\ncanvas 8 8 frames=10001\nobject a fill=white { rect 1 1 2 2 }\n")
+        self.refuse("hash", "long.kfast", "--panel", "ssd0323", status=1, says="at most 10000")
+
     def test_size_and_fit_change_the_picture(self):
         sizes = [self.hashes("repeat.kfast", "--size", "64x64", "--fit", fit)[1] for fit in ("contain", "cover", "none")]
         self.assertEqual(len(set(sizes)), 3)
