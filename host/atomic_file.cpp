@@ -97,7 +97,7 @@ const char* remedy(int error_number)
 
 }
 
-AtomicFile::AtomicFile(fs::path target) : target_{behind_links(target)}
+AtomicFile::AtomicFile(const fs::path& target) : target_{behind_links(target)}
 {
     std::error_code unknown;
     if (fs::is_directory(target_, unknown))

@@ -45,7 +45,7 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
     case Error::block_too_small:
         return "the scene needs more memory than it says: " + again;
     }
-    return again;
+    return {};
 }
 
 SceneFile checked(const fs::path& path, std::vector<std::byte> bytes, bool was_text, std::size_t warnings)

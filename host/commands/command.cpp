@@ -45,9 +45,8 @@ void require_command(int count, const char* const* arguments)
     const std::string_view word = count > 1 ? arguments[1] : "";
     if (word.starts_with('-') || std::ranges::find(commands, word, &Command::name) != commands.end())
         return;
-    std::vector<std::string_view> names;
-    for (const Command* command : commands)
-        names.push_back(command->name);
+    std::array<std::string_view, commands.size()> names;
+    std::ranges::transform(commands, names.begin(), &Command::name);
     const std::string wrong =
         word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
     throw CLI::RequiredError(wrong + ": " + suggestion(word, names), CLI::ExitCodes::RequiredError);

@@ -67,8 +67,8 @@ public:
         put_delay(centiseconds);
         require(EGifPutImageDesc(gif_, 0, 0, size_.width, size_.height, false, colours) == GIF_OK);
         std::vector<GifByteType> copy = indices; // giflib masks the line it is given in place
-        for (int y = 0; y < size_.height; ++y)
-            require(EGifPutLine(gif_, copy.data() + y * size_.width, size_.width) == GIF_OK);
+        for (auto* line = copy.data(); line != copy.data() + copy.size(); line += size_.width)
+            require(EGifPutLine(gif_, line, size_.width) == GIF_OK);
     }
 
     /// Ends the file; nothing may follow.

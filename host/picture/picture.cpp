@@ -37,7 +37,8 @@ Colour pixel(PixelFormat format, const std::byte* row, int x)
 Picture widen(const Frame& frame)
 {
     Picture picture{frame.size, {}};
-    picture.pixels.reserve(static_cast<std::size_t>(frame.size.width * frame.size.height));
+    picture.pixels.reserve(static_cast<std::size_t>(frame.size.width) *
+                           static_cast<std::size_t>(frame.size.height));
     const std::size_t stride = row_bytes(frame.format, frame.size.width);
     for (int y = 0; y < frame.size.height; ++y) {
         const std::byte* row = frame.pixels.data() + stride * static_cast<std::size_t>(y);

@@ -12,7 +12,11 @@ struct Picture {
     Size size;
     std::vector<Colour> pixels;
 
-    const Colour& at(int x, int y) const { return pixels[static_cast<std::size_t>(y * size.width + x)]; }
+    const Colour& at(int x, int y) const
+    {
+        const int index = y * size.width + x;
+        return pixels[static_cast<std::size_t>(index)];
+    }
 };
 
 /// Every channel v of at most max becomes (v * 255 + max / 2) div max.

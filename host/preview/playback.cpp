@@ -12,11 +12,9 @@ constexpr std::int64_t frame_ticks = Time::ticks_per_frame;
 /// The stops of n and p: the keys as they are shown, or the beginning where there are none.
 std::vector<std::int32_t> stops(const Timeline& timeline, const std::vector<Time>& keys)
 {
-    std::vector<std::int32_t> ticks;
-    for (const Time key : keys)
-        ticks.push_back(timeline.shown_at(std::max(key.ticks, 0)).ticks);
-    if (ticks.empty())
-        ticks.push_back(0);
+    std::vector<std::int32_t> ticks(std::max<std::size_t>(keys.size(), 1));
+    std::ranges::transform(keys, ticks.begin(),
+                           [&](Time key) { return timeline.shown_at(std::max(key.ticks, 0)).ticks; });
     std::ranges::sort(ticks);
     ticks.erase(std::unique(ticks.begin(), ticks.end()), ticks.end());
     return ticks;
