@@ -4,7 +4,7 @@
 #include "core/drawing_reader.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cstdint>
 
 /// Two key drawings with different numbers of strokes and points, walked side by side as if they had the
 /// same.
