@@ -11,7 +11,8 @@ namespace kfast::test {
 
 TEST_CASE("a ratio is rounded to nearest, whichever way it is computed")
 {
-    for (const std::uint32_t denominator : {1U, 2U, 3U, 7U, 1024U, 40'000U, 1'024'000'000U, 2'147'483'647U}) {
+    for (const std::uint32_t denominator :
+         {1U, 2U, 3U, 7U, 1024U, 40'000U, 1'024'000'000U, 2'147'483'647U, 4'294'967'295U}) {
         std::mt19937 random{71};
         for (int round = 0; round < 2'000; ++round) {
             const auto numerator = static_cast<std::uint32_t>(random() % (std::uint64_t{denominator} + 1));
@@ -33,11 +34,26 @@ TEST_CASE("lerp is exact at both ends and rounds halves up between them")
 {
     const Fixed a = Fixed::from_raw(-7);
     const Fixed b = Fixed::from_raw(4);
-    CHECK(lerp(a, b, {0}) == a);
-    CHECK(lerp(a, b, {Share::one}) == b);
-    CHECK(lerp(a, b, {Share::one / 2}).raw() == -1); // -1.5
-    CHECK(lerp(Fixed::sixteenths(-32768), Fixed::sixteenths(32767), {Share::one}) ==
+    CHECK(lerp(a, b, Share{0}) == a);
+    CHECK(lerp(a, b, Share{Share::one}) == b);
+    CHECK(lerp(a, b, Share{Share::one / 2}).raw() == -1); // -1.5
+    CHECK(lerp(Fixed::sixteenths(-32768), Fixed::sixteenths(32767), Share{Share::one}) ==
           Fixed::sixteenths(32767));
+}
+
+TEST_CASE("a way leads from a to b, and beyond")
+{
+    const Fixed a = Fixed::from_raw(-7);
+    const Fixed b = Fixed::from_raw(4);
+    CHECK(lerp(a, b, Way{0}) == a);
+    CHECK(lerp(a, b, Way{Way::one}) == b);
+    CHECK(lerp(a, b, Way{Way::one / 2}).raw() == -1); // -1.5
+    CHECK(lerp(a, b, Way{2 * Way::one}).raw() == 15);
+    CHECK(lerp(a, b, Way{-Way::one / 2}).raw() == -12); // -12.5
+    const Fixed least = Fixed::sixteenths(-32768);
+    const Fixed most = Fixed::sixteenths(32767);
+    CHECK(lerp(least, most, Way{Way::one * 5 / 2}).raw() == Fixed::pixels(8192).raw() - 65536 * 5 / 32);
+    CHECK(lerp(most, least, Way{Way::one * 5 / 2}).raw() == 65536 * 3 / 32 - Fixed::pixels(8192).raw());
 }
 
 TEST_CASE("the square root is the whole part of the exact one")
