@@ -6,7 +6,8 @@
 
 namespace kfast {
 
-/// A moment or a length on the timeline of a scene, in 1/1024 frame.
+/// A moment or a length on the timeline of a scene, in 1/1024 frame. Sums and differences do not check their
+/// range.
 struct Time {
     std::int32_t ticks = 0;
 

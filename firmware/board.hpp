@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/mark_view.hpp"
+#include "core/playhead.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
@@ -54,6 +56,19 @@ concept Board = requires(B& board, Microseconds moment, const SceneView& scene, 
 template <class B>
 concept WatchingBoard = Board<B> && requires(B& board, std::span<const std::byte> pixels) {
     { board.watch(pixels) } -> std::same_as<void>;
+};
+
+/// A board that wants to know the events of the scene as they are passed, each before its frame is drawn. It
+/// may copy the view: the name lies in the scene.
+template <class B>
+concept EventBoard = Board<B> && requires(B& board, const EventView& event) {
+    { board.event_passed(event) } -> std::same_as<void>;
+};
+
+/// A board that chooses what is played: a clip, from where, and how fast. Asked after scene_started().
+template <class B>
+concept ChoosingBoard = Board<B> && requires(B& board, const SceneView& scene) {
+    { board.playhead(scene) } -> std::same_as<Playhead>;
 };
 
 // clang-format on

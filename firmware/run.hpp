@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/player.hpp"
+#include "core/playhead.hpp"
 #include "firmware/board.hpp"
 #include "firmware/frame_clock.hpp"
-#include "firmware/playhead.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,22 +48,45 @@ void draw_frame(B& board, Animation& player)
     }
 }
 
-/// Shows frame after frame, each when `clock` says it is due, as long as the board is running.
+/// Lets frames pass, and tells the board the events on the way if it asks for them.
+template <Board B>
+void advance(B& board, Playhead& playhead, std::uint32_t frames)
+{
+    playhead.advance(std::int64_t{frames} * Time::ticks_per_frame,
+                     [&board]([[maybe_unused]] const EventView& event) {
+                         if constexpr (EventBoard<B>)
+                             board.event_passed(event);
+                     });
+}
+
+/// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of
+/// a frame, and of those left out before it, are told before it is drawn.
 template <Board B, class Animation>
 void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
 {
     FrameReport report;
+    std::uint32_t frames = 0;
     while (board.running()) {
-        report.time = playhead.time();
-        player.show(report.time);
+        advance(board, playhead, frames);
+        report.time = playhead.moment();
+        player.show_moment(report.time);
         draw_frame(board, player);
         board.frame_shown(report);
 
-        const std::uint32_t frames = clock.advance(board.now());
-        playhead.advance(frames);
+        frames = clock.advance(board.now());
         report.skipped += frames - 1;
         board.sleep_until(clock.due());
     }
+}
+
+/// The whole scene from its beginning, unless the board chooses.
+template <Board B>
+Playhead playhead_for(B& board, const SceneView& scene)
+{
+    if constexpr (ChoosingBoard<B>)
+        return board.playhead(scene);
+    else
+        return Playhead{scene};
 }
 
 /// Plays the board's scene until the board stops running, or reports why it cannot be played: an error of
@@ -82,7 +105,7 @@ void run(B& board)
 
     board.panel().begin([&board](Microseconds time) { board.sleep_until(board.now() + time); });
     board.scene_started(*scene);
-    play(board, *player, {scene->length(), scene->loop()}, {scene->frame_rate(), board.now()});
+    play(board, *player, playhead_for(board, *scene), {scene->frame_rate(), board.now()});
 }
 
 }

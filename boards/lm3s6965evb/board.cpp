@@ -92,6 +92,13 @@ void Board::scene_started(const SceneView& scene)
     uart::write('\n');
 }
 
+void Board::event_passed(const EventView& event)
+{
+    uart::write("EVENT ");
+    uart::write(event.name);
+    uart::write('\n');
+}
+
 void Board::frame_shown(FrameReport report)
 {
     uart::write("F ");

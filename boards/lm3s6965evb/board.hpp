@@ -18,8 +18,9 @@ namespace kfast::lm3s6965evb {
 ///
 ///     KFAST <version> lm3s6965evb ssd0323 128x64 grey4
 ///     SCENE <bytes> <CRC-32>
-///     F <time in 1/1024 frame> <CRC-32 of the whole picture as sent>         after every frame
-///     ERROR <name>: <meaning>                                                instead of SCENE
+///     EVENT <name>                                                    when it is passed, before the frame
+///     F <time in 1/1024 frame> <CRC-32 of the whole picture as sent>  after every frame
+///     ERROR <name>: <meaning>                                         instead of SCENE
 ///
 /// and listens. `s` starts the scene again, stepped, and is answered with STEP: from then on a frame stands,
 /// and the clock with it, until a byte comes, whatever it is. `q` ends, in either mode, and is answered with
@@ -42,6 +43,7 @@ public:
     bool running();
     void scene_started(const SceneView& scene);
     void watch(std::span<const std::byte> pixels) { picture_.add(pixels); }
+    void event_passed(const EventView& event);
     void frame_shown(FrameReport report);
     void fault(Error error);
 

@@ -40,6 +40,12 @@ void write(const char* text)
         write(*text);
 }
 
+void write(std::string_view text)
+{
+    for (const char letter : text)
+        write(letter);
+}
+
 void write_decimal(std::uint32_t number)
 {
     if (number >= 10)

@@ -1,0 +1,68 @@
+#include "core/playhead.hpp"
+
+namespace kfast {
+
+Playhead::Playhead(const Stretch& stretch, EventCursor events)
+    : stretch_{stretch}, events_{events}, place_{place_of(stretch.begin)},
+      has_events_{count({stretch.begin.ticks, stretch.end.ticks}) > 0}
+{
+}
+
+void Playhead::seek(Time moment)
+{
+    const std::int64_t length = stretch_.length().ticks;
+    const std::int64_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
+    std::int64_t offset = std::int64_t{moment.ticks} - stretch_.begin.ticks;
+    offset = stretch_.loop == Loop::once ? std::clamp<std::int64_t>(offset, 0, length)
+                                         : (offset % period + period) % period;
+    returning_ = offset > length;
+    place_ = place_of(stretch_.begin) + ((returning_ ? period - offset : offset) << 16);
+    put_down_ = true;
+}
+
+Playhead::Place Playhead::way_in(std::int64_t ticks) const
+{
+    const Place way = ticks * (speed_ < 0 ? -speed_ : speed_);
+    if (has_events_ || stretch_.loop == Loop::once)
+        return way;
+    const Place length = place_of(stretch_.length());
+    return way % (stretch_.loop == Loop::ping_pong ? 2 * length : length);
+}
+
+Playhead::Place Playhead::next_stop(Place way) const
+{
+    return runs_back() ? std::max(goal(), place_ - way) : std::min(goal(), place_ + way);
+}
+
+Playhead::Ticks Playhead::ticks_to(Place place) const
+{
+    if (runs_back())
+        return {ceiling(place), ceiling(place_) - 1};
+    return {floor(place_) + 1, floor(place)};
+}
+
+EventCursor Playhead::events_from(std::int32_t first) const
+{
+    EventCursor events = events_;
+    for (EventCursor ahead = events; !ahead.at_end() && ahead.next().time.ticks < first;)
+        events = ahead;
+    return events;
+}
+
+std::int32_t Playhead::count(Ticks ticks) const
+{
+    std::int32_t found = 0;
+    for (EventCursor events = events_from(ticks.first);
+         !events.at_end() && events.next().time.ticks <= ticks.last;)
+        ++found;
+    return found;
+}
+
+EventView Playhead::nth(EventCursor events, std::int32_t number)
+{
+    for (; number > 1; --number)
+        events.next();
+    return events.next();
+}
+
+}

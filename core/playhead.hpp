@@ -1,0 +1,146 @@
+#pragma once
+
+#include "core/mark_view.hpp"
+#include "core/stretch.hpp"
+#include "core/time.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kfast {
+
+/// Where playing stands, and what it passes on its way. It counts within one turn and so can run for ever.
+///
+/// An event is passed when playing arrives at its time, from either side, and once for each arrival: not
+/// again when playing goes on from there, nor when it turns there. Where it is put down, at first and by
+/// seek(), it arrives with the next advance(). So the events that are reported depend on the way alone, not
+/// on how it is divided into advances. A repeating stretch ends and begins at one moment, which looks like
+/// the beginning: forwards the events at the end are passed first, then those at the beginning; backwards it
+/// is the other way round. Events outside the stretch are not passed.
+class Playhead {
+public:
+    static constexpr std::int32_t as_authored = 1 << 16;
+    static constexpr std::int32_t fastest = 16 * as_authored;
+
+    /// Puts it down at the beginning, to run as authored. What `events` reads must outlive the playhead.
+    Playhead(const Stretch& stretch, EventCursor events);
+    /// For the whole scene, whose bytes must outlive the playhead.
+    explicit Playhead(const SceneView& scene) : Playhead{stretch_of(scene), scene.events()} {}
+
+    const Stretch& stretch() const { return stretch_; }
+    /// Q16 of the authored speed, within ±fastest; negative speeds run backwards, 0 stands.
+    std::int32_t speed() const { return speed_; }
+    void set_speed(std::int32_t speed) { speed_ = speed; }
+
+    /// Puts it down at any moment of the timeline; what lies outside the stretch is brought in by its loop:
+    /// in `ping_pong`, a moment behind the end is one of the way back. Reports nothing itself.
+    void seek(Time moment);
+
+    /// Lets `ticks` of the scene's clock pass, 0 … 2^40, and calls report(const EventView&) for every event
+    /// on the way, in the order of passing; of events at one time, the first first, and backwards the last
+    /// first. Fractions of a tick are carried along. Reads the list of events from its beginning, once for
+    /// each turn and backwards once for each event to report.
+    template <class Report>
+    void advance(std::int64_t ticks, Report&& report);
+    void advance(std::int64_t ticks)
+    {
+        advance(ticks, [](const EventView&) {});
+    }
+
+    /// What is to be shown, rounded down to a tick: within the stretch, its ends included.
+    Time moment() const { return {floor(place_)}; }
+    /// Whether `once` has come to the end that it runs to; it stays there.
+    bool finished() const { return stretch_.loop == Loop::once && place_ == goal(); }
+
+private:
+    /// Ticks of the timeline in Q16.
+    using Place = std::int64_t;
+    /// The whole ticks from `first` to `last`, both included.
+    struct Ticks {
+        std::int32_t first = 0;
+        std::int32_t last = 0;
+    };
+
+    static constexpr Place place_of(Time time) { return Place{time.ticks} << 16; }
+    static constexpr std::int32_t floor(Place place) { return static_cast<std::int32_t>(place >> 16); }
+    static constexpr std::int32_t ceiling(Place place) { return floor(place + 0xFFFF); }
+
+    bool runs_back() const { return (speed_ < 0) != returning_; }
+    /// The end that it runs to.
+    Place goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
+    Place way_in(std::int64_t ticks) const;
+    /// How far it comes on `way` without a turn.
+    Place next_stop(Place way) const;
+    /// Where it arrives on the way to `place`: without the place where it stands.
+    Ticks ticks_to(Place place) const;
+    /// The events from tick `first` on.
+    EventCursor events_from(std::int32_t first) const;
+    std::int32_t count(Ticks ticks) const;
+    /// Counted from 1.
+    static EventView nth(EventCursor events, std::int32_t number);
+
+    template <class Report>
+    void report_within(Ticks ticks, Report& report) const;
+    template <class Report>
+    void put_at(Time time, Report& report);
+    template <class Report>
+    void turn(Report& report);
+
+    Stretch stretch_;
+    EventCursor events_;
+    Place place_;
+    std::int32_t speed_ = as_authored;
+    bool has_events_;
+    bool returning_ = false; ///< on the way back of ping-pong
+    bool put_down_ = true;   ///< and has not yet arrived there
+};
+
+template <class Report>
+void Playhead::advance(std::int64_t ticks, Report&& report)
+{
+    if (put_down_)
+        put_at(moment(), report);
+    put_down_ = false;
+    Place way = way_in(ticks);
+    while (way > 0) {
+        const Place stop = next_stop(way);
+        way -= stop < place_ ? place_ - stop : stop - place_;
+        report_within(ticks_to(stop), report);
+        place_ = stop;
+        if (finished())
+            return;
+        // Forwards a repeating stretch cannot stand at its end, which looks like its beginning.
+        if (place_ == goal() && (way > 0 || !runs_back()))
+            turn(report);
+    }
+}
+
+template <class Report>
+void Playhead::turn(Report& report)
+{
+    if (stretch_.loop == Loop::ping_pong)
+        returning_ = !returning_;
+    else
+        put_at(runs_back() ? stretch_.end : stretch_.begin, report);
+}
+
+template <class Report>
+void Playhead::put_at(Time time, Report& report)
+{
+    place_ = place_of(time);
+    report_within({time.ticks, time.ticks}, report);
+}
+
+template <class Report>
+void Playhead::report_within(Ticks ticks, Report& report) const
+{
+    std::int32_t left = count(ticks);
+    EventCursor events = events_from(ticks.first);
+    if (!runs_back())
+        for (; left > 0; --left)
+            report(events.next());
+    for (; left > 0; --left) // the list is only read forwards
+        report(nth(events, left));
+}
+
+}
