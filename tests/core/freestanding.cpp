@@ -1,0 +1,25 @@
+#include "core/drawing_view.hpp"
+#include "core/equalize.hpp"
+#include "core/flatten.hpp"
+#include "core/player.hpp"
+#include "core/velocity_law.hpp"
+
+static_assert(__STDC_HOSTED__ == 0, "compiled with -ffreestanding");
+
+namespace kfast::test {
+
+/// Uses all that docs/library.md shows, so that the templates are compiled as well.
+std::uint32_t points_between(DrawingView from, DrawingView to, Share time)
+{
+    std::uint32_t points = 0;
+    const auto way = progress(VelocityLaw::accelerate, time);
+    EqualizedPair pair{from, to};
+    while (const std::uint32_t segments = pair.next_stroke())
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const Pair<Segment> both = pair.next_segment();
+            flatten(tween(both.a, both.b, way, way), 8, [&points](Point) { ++points; });
+        }
+    return points;
+}
+
+}

@@ -1,0 +1,54 @@
+"""Runs the programs of examples/library: library_test.py <folder of the programs> <kfast>."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from PIL import Image
+
+KFAST = pathlib.Path(sys.argv.pop(2)).resolve()
+PROGRAMS = pathlib.Path(sys.argv.pop(1)).resolve()
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          timeout=60)
+
+
+def greys_of_pgm(text):
+    magic, width, height, white, *greys = text.split()
+    return [magic, width, height, white], [int(grey) * 17 for grey in greys]
+
+
+class Library(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="kfast")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def test_morph_writes_the_strip_next_to_it(self):
+        self.assertEqual(run(PROGRAMS / "morph").stdout, (EXAMPLES / "library/morph.svg").read_text())
+
+    def test_play_draws_what_the_command_draws(self):
+        scene, picture = self.folder / "scene.kfb", self.folder / "picture.png"
+        run(KFAST, "compile", EXAMPLES / "first-light.kfast", "-o", scene)
+        for frame in (0, 20, 45):
+            run(KFAST, "render", scene, "--frame", frame, "--panel", "ssd0323", "-o", picture)
+            head, greys = greys_of_pgm(run(PROGRAMS / "play", scene, frame).stdout)
+            self.assertEqual(head, ["P2", "128", "64", "15"])
+            with Image.open(picture) as expected:
+                self.assertEqual(greys, list(expected.convert("L").getdata()))
+
+    def test_play_refuses_what_is_no_scene(self):
+        scene = self.folder / "scene.kfb"
+        scene.write_bytes(b"KFAST?")
+        refused = run(PROGRAMS / "play", scene, 0)
+        self.assertEqual((refused.returncode, refused.stdout), (1, ""))
+        self.assertIn("scene.kfb", refused.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
