@@ -9,6 +9,7 @@ namespace kfast {
 /// Reads little-endian numbers from front to back. Past the end it reads zeros and remembers that it did.
 class ByteReader {
 public:
+    ByteReader() = default;
     explicit ByteReader(std::span<const std::byte> bytes)
         : at_{bytes.data()}, end_{bytes.data() + bytes.size()}
     {
@@ -58,13 +59,21 @@ public:
         at_ += count > left() ? left() : count;
     }
 
+    /// Reads the next `count` bytes on their own, or those that are left.
+    ByteReader take(std::size_t count)
+    {
+        const ByteReader part{rest().first(count < left() ? count : left())};
+        skip(count);
+        return part;
+    }
+
     std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
     std::span<const std::byte> rest() const { return {at_, end_}; }
     bool overrun() const { return overrun_; }
 
 private:
-    const std::byte* at_;
-    const std::byte* end_;
+    const std::byte* at_ = nullptr;
+    const std::byte* end_ = nullptr;
     bool overrun_ = false;
 };
 

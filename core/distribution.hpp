@@ -5,7 +5,7 @@
 namespace kfast {
 
 /// `total` things handed out to `count` receivers as evenly as the original KFAST did it: everybody gets
-/// total div count, and the first total mod count of them one more.
+/// total div count, and the first total mod count of them one more. `count` is at least 1.
 struct Distribution {
     std::uint32_t each = 0;
     std::uint32_t extra = 0;
@@ -16,7 +16,7 @@ struct Distribution {
     {
     }
 
-    /// What receiver `index` gets.
+    /// What receiver `index` (from 0) gets.
     constexpr std::uint32_t at(std::uint32_t index) const { return each + (index < extra ? 1 : 0); }
 };
 

@@ -12,12 +12,12 @@ namespace kfast {
 template <class R>
 concept DrawingReader = std::copyable<R> && requires(R reader, const R& drawing)
 {
-    /// Strokes of the whole drawing.
+    /// Strokes of the whole drawing, however many have been begun.
     {
         drawing.strokes()
         } -> std::same_as<std::uint32_t>;
-    /// Begins the next stroke and returns the number of its segments; 0 if it is a single point. All segments
-    /// of the stroke before have been read.
+    /// Begins the next stroke and returns the number of its segments; 0 if it is a single point. There is one
+    /// more stroke, and all segments of the one before have been read.
     {
         reader.next_stroke()
         } -> std::same_as<std::uint32_t>;
@@ -25,7 +25,7 @@ concept DrawingReader = std::copyable<R> && requires(R reader, const R& drawing)
     {
         drawing.start()
         } -> std::same_as<Point>;
-    /// The next segment of that stroke; it begins where the one before ended.
+    /// The next segment of that stroke, which has one more; it begins where the one before ended.
     {
         reader.next_segment()
         } -> std::same_as<Segment>;

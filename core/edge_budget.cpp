@@ -1,6 +1,7 @@
 #include "core/edge_budget.hpp"
 
 #include "core/equalize.hpp"
+#include "core/packed_drawing.hpp"
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@ constexpr std::uint32_t inner_join_edges = 2;
 /// What the arcs at the `joins` within one flattened curve add to one piece for each, if half a turn has
 /// `arc` pieces.
 ///
+/// This holds for any curve, so also where a velocity law takes the control points beyond those of both keys.
 /// The curve turns no more than its control polygon, one whole turn: that is 2 arc pieces. Rounding adds to
 /// that. A point is off by up to 1.5/65536 px (three nested roundings), so the heading of the shortest piece,
 /// 1/256 px, by 3/256 rad, and a join by twice that, less than 0.0038 turns: that is e = 0.0076 arc pieces.
@@ -28,18 +30,18 @@ constexpr std::uint32_t arcs_within_curve(std::uint32_t arc, std::uint32_t joins
 }
 
 EdgeBudget::EdgeBudget(const ObjectStyle& style, std::uint32_t curve_pieces)
-    : is_filled_{style.is_filled}, is_stroked_{style.is_stroked}, curve_pieces_{curve_pieces},
-      arc_{static_cast<std::uint32_t>(arc_pieces(style.width))}, cap_{style.cap == Cap::round    ? arc_
-                                                                      : style.cap == Cap::square ? 3
-                                                                                                 : 1},
+    : is_filled_{style.is_filled}, is_stroked_{style.is_stroked},
+      curve_pieces_{curve_pieces}, arc_{style.arc_pieces}, cap_{style.cap == Cap::round    ? arc_
+                                                                : style.cap == Cap::square ? 3
+                                                                                           : 1},
       bend_{style.join == Join::miter ? 2U : 1U}, corner_{style.join == Join::round ? arc_ : bend_},
       curve_arcs_{style.join == Join::round ? arcs_within_curve(arc_, curve_pieces - 1) : 0}
 {
 }
 
-std::uint32_t EdgeBudget::between(PackedDrawing a, PackedDrawing b) const
+std::uint64_t EdgeBudget::between(PackedDrawing a, PackedDrawing b) const
 {
-    std::uint32_t edges = 0;
+    std::uint64_t edges = 0;
     EqualizedPair pair{a, b};
     while (const std::uint32_t segments = pair.next_stroke()) {
         edges += stroke_ends();
@@ -66,17 +68,18 @@ std::uint32_t EdgeBudget::stroke_ends() const
     return (is_filled_ ? 2 : 0) + (is_stroked_ ? 2 * cap_ + 2 + inner_join_edges + corner_ : 0);
 }
 
-std::uint32_t object_edges(const ObjectView& object, std::span<const std::byte> drawings)
+std::uint64_t object_edges(const ObjectView& object, std::span<const std::byte> drawings)
 {
-    KeyCursor keys = object.keys;
+    KeyCursor keys = object.keys();
     Key from = keys.next();
-    std::uint32_t most = 0;
+    std::uint64_t most = 0;
     for (bool is_last = false; !is_last;) {
         is_last = keys.at_end();
-        const Key to = is_last ? from : keys.next();
+        const Key next = is_last ? from : keys.next();
         const EdgeBudget budget{object.style, from.curve_pieces};
-        most = std::max(most, budget.between(drawing_at(drawings, from), drawing_at(drawings, to)));
-        from = to;
+        const std::uint32_t to = object.has_arrivals ? from.arrival : next.drawing;
+        most = std::max(most, budget.between(drawing_at(drawings, from.drawing), drawing_at(drawings, to)));
+        from = next;
     }
     return most;
 }

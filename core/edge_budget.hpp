@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/object_view.hpp"
+#include "core/item_view.hpp"
+#include "core/packed_drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,7 @@ public:
     EdgeBudget(const ObjectStyle& style, std::uint32_t curve_pieces);
 
     /// For the way from drawing `a` to drawing `b`.
-    std::uint32_t between(PackedDrawing a, PackedDrawing b) const;
+    std::uint64_t between(PackedDrawing a, PackedDrawing b) const;
 
 private:
     std::uint32_t segment_edges(bool curved) const;
@@ -32,6 +33,6 @@ private:
 
 /// The most edges that any moment of `object` needs: the largest figure of all its key intervals.
 /// `drawings` is the scene's section of drawings.
-std::uint32_t object_edges(const ObjectView& object, std::span<const std::byte> drawings);
+std::uint64_t object_edges(const ObjectView& object, std::span<const std::byte> drawings);
 
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/colour.hpp"
+#include "core/fill_rule.hpp"
 #include "core/fixed.hpp"
 #include "core/point.hpp"
 
@@ -41,7 +43,8 @@ struct Layer {
 
     std::uint16_t waiting = no_edge; ///< edges that begin further down, sorted by y
     std::uint16_t active = no_edge;  ///< edges under the sweep, sorted by x
-    std::uint8_t colour = 0;         ///< index of the palette
+    Colour colour;
+    FillRule rule = FillRule::nonzero;
 };
 
 /// The edges of one picture, in memory that the caller lends.

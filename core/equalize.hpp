@@ -135,7 +135,11 @@ struct Pair {
 ///         for (std::uint32_t i = 0; i < pieces; ++i)
 ///             use(pair.next_segment());
 ///
-/// An empty drawing is its partner with every stroke drawn together to the centre of its vertices' box.
+/// An empty drawing is its partner with every stroke drawn together to the centre of its vertices' box; two
+/// empty ones have no strokes. Every segment that next_stroke() counts is read before the next is begun.
+///
+/// A drawing has at most 65535 strokes, a stroke at most 65535 segments, and their points lie less than
+/// 32768 px apart in x and in y (core/segment.hpp). What the readers look at must outlive the pair.
 template <DrawingReader R>
 class EqualizedPair {
 public:

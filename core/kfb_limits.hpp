@@ -13,9 +13,23 @@ inline constexpr std::uint32_t max_frame_rate = 1'000'000; ///< in 1/1000 fps
 inline constexpr std::int32_t max_time = 1'000'000 * 1024; ///< ticks
 inline constexpr std::uint32_t max_drawing_points = 65535;
 inline constexpr std::uint32_t max_edges = 65534;
-/// Enough for the most curved cubic that 16-bit coordinates can describe, within 1/32 px.
+/// Enough for the most curved cubic that 16-bit coordinates can describe, within 1/32 px, and within 1/30 px
+/// where a velocity law takes two of them as far beyond their keys as it may.
 inline constexpr std::uint32_t max_curve_pieces = 1024;
 inline constexpr int max_width = 65535; ///< of a stroke, in 1/16 px
+inline constexpr std::uint32_t max_arc_pieces = 1024;
+inline constexpr std::size_t max_law_pairs = 255; ///< besides that of constant laws
+inline constexpr std::size_t max_symbols = 255;
+inline constexpr std::size_t max_clips = 255;
+inline constexpr std::size_t max_name_bytes = 255;
+/// Groups and uses within each other.
+inline constexpr std::uint32_t max_depth = 8;
+/// Items of the whole scene, those of a symbol counted wherever it is used.
+inline constexpr std::uint32_t max_items = 65535;
+/// Items beside each other of which one has an order: the player looks through all of them for each.
+inline constexpr std::uint32_t max_ordered_items = 256;
+inline constexpr std::int32_t max_scale = 64 * 4096; ///< in 1/4096, in each direction
+inline constexpr std::int32_t max_turn = 16 * 65536; ///< of a rotation, in 1/65536 turn, in each direction
 /// Points of the drawings of all keys together: what parse() has to walk through at the start.
 inline constexpr std::uint32_t max_key_points = 1U << 22;
 

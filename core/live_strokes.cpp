@@ -3,25 +3,14 @@
 namespace kfast {
 namespace {
 
-Segment mapped(const Segment& segment, const CanvasMap& map)
+Segment placed(const Segment& segment, const Affine& placement)
 {
     if (segment.kind == Segment::Kind::line)
-        return {.kind = segment.kind, .from = map(segment.from), .to = map(segment.to)};
-    return {segment.kind, map(segment.from), map(segment.c1), map(segment.c2), map(segment.to)};
+        return {.kind = segment.kind, .from = placement(segment.from), .to = placement(segment.to)};
+    return {segment.kind, placement(segment.from), placement(segment.c1), placement(segment.c2),
+            placement(segment.to)};
 }
 
-}
-
-Progress progress_at(const KeyInterval& interval, Time time)
-{
-    if (time <= interval.from.time)
-        return {};
-    const auto passed = static_cast<std::uint32_t>((time - interval.from.time).ticks);
-    const auto whole = static_cast<std::uint32_t>((interval.to.time - interval.from.time).ticks);
-    if (passed >= whole)
-        return {};
-    const Share share = Share::ratio(passed, whole);
-    return {progress(interval.from.law_x, share), progress(interval.from.law_y, share)};
 }
 
 void LiveStrokes::trace(ObjectOutline& outline)
@@ -48,7 +37,7 @@ void LiveStrokes::trace_stroke(std::uint32_t segments, ObjectOutline& outline)
 
 Segment LiveStrokes::live(const Pair<Segment>& both) const
 {
-    return mapped(tween(both.a, both.b, way_.x, way_.y), map_);
+    return placed(tween(both.a, both.b, way_.x, way_.y), placement_);
 }
 
 }

@@ -1,29 +1,21 @@
 #pragma once
 
-#include "core/canvas_map.hpp"
+#include "core/affine.hpp"
 #include "core/equalize.hpp"
+#include "core/key_interval.hpp"
 #include "core/object_outline.hpp"
-#include "core/object_view.hpp"
+#include "core/packed_drawing.hpp"
 
 #include <cstdint>
 
 namespace kfast {
 
-/// The share of the way between two keys, apart for x and y.
-struct Progress {
-    Share x;
-    Share y;
-};
-
-/// How far the way of `interval` has come at `time`; nothing of it on and before its first key.
-Progress progress_at(const KeyInterval& interval, Time time);
-
 /// The strokes between two drawings at one moment of their way, on the panel.
 class LiveStrokes {
 public:
-    /// `map` must outlive the strokes.
-    LiveStrokes(const PackedDrawing& from, const PackedDrawing& to, Progress way, const CanvasMap& map)
-        : pair_{from, to}, way_{way}, map_{map}
+    /// `placement` must outlive the strokes.
+    LiveStrokes(const PackedDrawing& from, const PackedDrawing& to, Progress way, const Affine& placement)
+        : pair_{from, to}, way_{way}, placement_{placement}
     {
     }
 
@@ -35,7 +27,7 @@ private:
 
     EqualizedPair<PackedDrawing> pair_;
     Progress way_;
-    const CanvasMap& map_;
+    const Affine& placement_;
 };
 
 }

@@ -71,4 +71,9 @@ Point PackedDrawing::checked(Sixteenths at)
     return {Fixed::sixteenths(at.x), Fixed::sixteenths(at.y)};
 }
 
+PackedDrawing drawing_at(std::span<const std::byte> drawings, std::uint32_t offset)
+{
+    return PackedDrawing{ByteReader{drawings.subspan(offset)}};
+}
+
 }

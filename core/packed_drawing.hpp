@@ -3,7 +3,9 @@
 #include "core/byte_reader.hpp"
 #include "core/segment.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace kfast {
 
@@ -47,5 +49,8 @@ private:
     std::uint32_t pending_count_ = 0;
     bool sound_ = true;
 };
+
+/// `drawings` is a scene's section of drawings, `offset` within it.
+PackedDrawing drawing_at(std::span<const std::byte> drawings, std::uint32_t offset);
 
 }

@@ -55,16 +55,30 @@ struct PixelRow<PixelFormat::rgb565> {
 
     void blend(int x, int count, std::uint32_t ink, std::uint32_t coverage)
     {
-        for (std::byte* at = row + 2 * x; count > 0; --count, at += 2) {
-            const std::uint32_t under =
-                std::to_integer<std::uint32_t>(at[0]) | std::to_integer<std::uint32_t>(at[1]) << 8;
-            store(at, blend_channel(under >> 11, ink >> 11, coverage) << 11 |
-                          blend_channel(under >> 5 & 63, ink >> 5 & 63, coverage) << 5 |
-                          blend_channel(under & 31, ink & 31, coverage));
-        }
+        for (std::byte* at = row + 2 * x; count > 0; --count, at += 2)
+            store(at, mixed(load(at), ink, coverage));
+    }
+
+    /// Makes what was painted since `before` was kept of the row as transparent as `opacity` (0 … 255) says.
+    void fade_from(const std::byte* before, int width, std::uint32_t opacity)
+    {
+        for (std::byte* at = row; width > 0; --width, at += 2, before += 2)
+            store(at, mixed(load(before), load(at), opacity));
     }
 
 private:
+    static std::uint32_t load(const std::byte* at)
+    {
+        return std::to_integer<std::uint32_t>(at[0]) | std::to_integer<std::uint32_t>(at[1]) << 8;
+    }
+
+    static std::uint32_t mixed(std::uint32_t under, std::uint32_t over, std::uint32_t coverage)
+    {
+        return blend_channel(under >> 11, over >> 11, coverage) << 11 |
+               blend_channel(under >> 5 & 63, over >> 5 & 63, coverage) << 5 |
+               blend_channel(under & 31, over & 31, coverage);
+    }
+
     static void store(std::byte* at, std::uint32_t pixel)
     {
         at[0] = static_cast<std::byte>(pixel & 255);
@@ -93,16 +107,23 @@ struct BrightnessRow {
     void blend(int x, int count, std::uint32_t ink, std::uint32_t coverage)
     {
         for (const int end = x + count; x < end; ++x)
-            store(x, blend_channel(load(x), ink, coverage));
+            store(x, blend_channel(load(row, x), ink, coverage));
+    }
+
+    /// As in PixelRow<PixelFormat::rgb565>.
+    void fade_from(const std::byte* before, int width, std::uint32_t opacity)
+    {
+        for (int x = 0; x < width; ++x)
+            store(x, blend_channel(load(before, x), load(row, x), opacity));
     }
 
 private:
     static constexpr int pixels_per_byte = 8 / bits;
     static constexpr int shift(int x) { return 8 - bits * (x % pixels_per_byte + 1); }
 
-    std::uint32_t load(int x) const
+    static std::uint32_t load(const std::byte* from, int x)
     {
-        return std::to_integer<std::uint32_t>(row[x / pixels_per_byte]) >> shift(x) & max;
+        return std::to_integer<std::uint32_t>(from[x / pixels_per_byte]) >> shift(x) & max;
     }
 
     void store(int x, std::uint32_t pixel)

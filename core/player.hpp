@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/affine.hpp"
 #include "core/canvas_map.hpp"
 #include "core/coverage_row.hpp"
 #include "core/edge_list.hpp"
+#include "core/item_state.hpp"
+#include "core/paint_step.hpp"
 #include "core/pixel_format.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
@@ -11,6 +14,7 @@
 #include "core/time.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace kfast {
@@ -19,6 +23,8 @@ namespace kfast {
 ///
 /// The picture depends on scene, time, fit and panel size alone: not on earlier pictures, nor on how its rows
 /// are divided into bands.
+///
+/// Besides the block it takes up to 6.5 KB of stack (docs/design.md, "The bound on memory").
 class Player {
 public:
     /// The sides of a panel are 1 … max_panel pixels long.
@@ -33,6 +39,8 @@ public:
     /// Computes the outlines of the picture at `time`. Any time is allowed: the scene's loop mode decides
     /// what it stands for.
     void show(Time time);
+    /// As show(), but without loop: the scene's beginning before it and its very end from there on.
+    void show_moment(Time moment);
 
     /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
     /// The first call after show() begins at row 0. No more rows than the panel has.
@@ -43,22 +51,35 @@ public:
     Size panel() const { return panel_; }
     /// Edges of the picture that is shown; at most the scene's max_edges().
     std::size_t edge_count() const { return edges_.count(); }
+    /// Steps in which its rows are painted; at most the scene's paint_steps().
+    std::size_t step_count() const { return step_count_; }
 
 private:
     Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
-    void trace(const ObjectView& object, Time time, std::size_t& layer);
-    Layer& begin_layer(std::size_t index, std::uint8_t colour);
-    Pen pen_for(const ObjectStyle& style) const;
+    void trace(ItemCursor items, const Affine& plane);
+    void trace(const ItemView& item, const Affine& plane);
+    void trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Affine& plane);
+    void trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
+                      const Affine& plane);
+    PaintStep& add_step(PaintStep::Kind kind);
+    Layer& add_layer(Colour colour, std::uint32_t opacity, FillRule rule);
+
     template <class Row>
-    void draw_row(Row row);
+    void draw_row(Row row, std::size_t bytes);
+    template <class Row>
+    void paint_layer(Row row, Layer& layer);
+    std::span<std::byte> backdrop(std::size_t depth);
 
     SceneView scene_;
     Size panel_;
-    CanvasMap map_;
-    std::span<Layer> layers_;
+    Affine canvas_; ///< from the canvas to the panel
+    Time moment_;
+    std::span<PaintStep> steps_;
+    std::size_t step_count_ = 0;
     EdgeList edges_;
     CoverageRow coverage_;
+    std::span<std::byte> backdrops_; ///< a row of the panel for each depth of blending
     int next_row_ = 0;
 };
 

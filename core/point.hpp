@@ -15,6 +15,7 @@ struct Point {
     friend constexpr Point operator-(Point a) { return {-a.x, -a.y}; }
 };
 
+/// As lerp() of Fixed, for x and y alike.
 constexpr Point lerp(Point a, Point b, Share share) { return {lerp(a.x, b.x, share), lerp(a.y, b.y, share)}; }
 
 }

@@ -1,15 +1,20 @@
 #pragma once
 
+#include "core/byte_reader.hpp"
 #include "core/colour.hpp"
-#include "core/kfb_limits.hpp"
-#include "core/object_view.hpp"
+#include "core/item_view.hpp"
+#include "core/law_pair.hpp"
+#include "core/mark_view.hpp"
+#include "core/packed_drawing.hpp"
 #include "core/result.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace kfast {
 
@@ -33,25 +38,39 @@ public:
     Loop loop() const { return loop_; }
     /// The most edges that any moment of the scene needs.
     std::uint32_t max_edges() const { return max_edges_; }
-    /// Fills and strokes of all objects.
-    std::uint32_t layers() const { return layers_; }
-    std::uint32_t object_count() const { return object_count_; }
+    /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
+    /// that may be blended as a whole. What is in a symbol counts wherever it is used.
+    std::uint32_t paint_steps() const { return paint_steps_; }
+    /// How deep items that may be blended as a whole lie in each other.
+    std::uint32_t blended_depth() const { return blended_depth_; }
 
     /// `index` is less than palette_size(); 0 is the background.
     Colour colour(std::size_t index) const;
-    std::size_t palette_size() const { return palette_.size() / 3; }
-    ObjectCursor objects() const { return {ByteReader{objects_}, object_count_}; }
-    PackedDrawing drawing(const Key& key) const { return drawing_at(drawings_, key); }
+    std::size_t palette_size() const { return palette_.size() / colour_bytes; }
+    /// `number` is that of a key.
+    LawPair laws(std::uint32_t number) const;
+    /// The outermost items.
+    ItemCursor items() const { return ItemCursor{items_}; }
+    /// `number` is less than symbol_count().
+    ItemCursor symbol(std::uint32_t number) const;
+    std::uint32_t symbol_count() const { return symbol_count_; }
+    /// `offset` is that of a key.
+    PackedDrawing drawing(std::uint32_t offset) const { return drawing_at(drawings_, offset); }
+    /// All drawings, to which the offsets of keys refer.
+    std::span<const std::byte> drawings() const { return drawings_; }
+    ClipCursor clips() const;
+    std::optional<ClipView> clip(std::string_view name) const;
+    /// In the order of their times.
+    EventCursor events() const;
 
 private:
+    friend class SceneCheck;
+
+    static constexpr std::size_t colour_bytes = 4;
+
     SceneView() = default;
 
     bool read_sections(std::span<const std::byte> bytes);
-    bool check_header() const;
-    bool check_objects();
-    bool check_style(const ObjectStyle& style) const;
-    bool check_keys(const ObjectView& object, std::uint32_t& key_points);
-    bool check_drawing(const Key& key, std::uint32_t& key_points) const;
 
     std::size_t size_ = 0;
     Size canvas_;
@@ -59,10 +78,15 @@ private:
     Time length_;
     Loop loop_ = Loop::repeat;
     std::uint32_t max_edges_ = 0;
-    std::uint32_t layers_ = 0;
-    std::uint32_t object_count_ = 0;
+    std::uint32_t paint_steps_ = 0;
+    std::uint32_t blended_depth_ = 0;
+    std::uint32_t law_count_ = 0;
+    std::uint32_t symbol_count_ = 0;
     std::span<const std::byte> palette_;
-    std::span<const std::byte> objects_;
+    ByteReader laws_;
+    ByteReader marks_;
+    ByteReader symbols_;
+    ByteReader items_;
     std::span<const std::byte> drawings_;
 };
 

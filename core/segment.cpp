@@ -24,7 +24,7 @@ Segment as_cubic(const Segment& segment)
             .to = segment.to};
 }
 
-Point tween(Point a, Point b, Share x, Share y) { return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)}; }
+Point tween(Point a, Point b, Way x, Way y) { return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)}; }
 
 }
 
@@ -45,7 +45,7 @@ Segment stretch(const Segment& whole, Share begin, Share end)
     return part;
 }
 
-Segment tween(const Segment& a, const Segment& b, Share x, Share y)
+Segment tween(const Segment& a, const Segment& b, Way x, Way y)
 {
     if (a.kind != b.kind)
         return tween(as_cubic(a), as_cubic(b), x, y);

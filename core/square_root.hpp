@@ -1,19 +1,22 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <limits>
 
 namespace kfast {
 
 /// The largest integer whose square is not larger than `value`.
-constexpr std::uint32_t square_root(std::uint32_t value)
+template <std::unsigned_integral T>
+constexpr std::uint32_t square_root(T value)
 {
-    std::uint32_t root = 0;
-    for (std::uint32_t bit = 1U << 15; bit != 0; bit >>= 1) {
-        const std::uint32_t candidate = root | bit;
+    T root = 0;
+    for (T bit = T{1} << (std::numeric_limits<T>::digits / 2 - 1); bit != 0; bit >>= 1) {
+        const T candidate = root | bit;
         if (candidate * candidate <= value)
             root = candidate;
     }
-    return root;
+    return static_cast<std::uint32_t>(root);
 }
 
 }

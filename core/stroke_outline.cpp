@@ -21,6 +21,13 @@ Point scaled(std::int32_t x_q30, std::int32_t y_q30, Fixed length)
             Fixed::from_raw(multiply(y_q30, length.raw(), 30))};
 }
 
+/// Tips stay where Fixed can hold them: corners are within 16383 px.
+Fixed tip_distance(std::int64_t raw)
+{
+    return Fixed::from_raw(
+        static_cast<std::int32_t>(std::min<std::int64_t>(raw, Fixed::pixels(16384).raw())));
+}
+
 }
 
 void StrokeOutline::begin(Point at)
@@ -127,11 +134,10 @@ void StrokeOutline::outer_join(Point at, Point from, Point to, BinaryAngle from_
     }
     // The miter is 1 / cos(turn / 2) half widths long.
     const std::int32_t half_cosine = cosine(BinaryAngle::from_raw(turn / 2));
-    if (pen_.join == Join::miter && half_cosine > one_q30 / miter_limit) {
+    if (pen_.join == Join::miter && half_cosine >= one_q30 / pen_.miter_limit * 8) {
         const BinaryAngle middle = BinaryAngle::from_raw(from_angle.raw + turn / 2);
-        const auto length =
-            static_cast<std::int32_t>((std::int64_t{pen_.half_width.raw()} << 30) / half_cosine);
-        const Point tip = at + scaled(cosine(middle), sine(middle), Fixed::from_raw(length));
+        const std::int64_t length = (std::int64_t{pen_.half_width.raw()} << 30) / half_cosine;
+        const Point tip = at + scaled(cosine(middle), sine(middle), tip_distance(length));
         line(at + from, tip);
         line(tip, at + to);
     } else {

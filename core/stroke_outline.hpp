@@ -12,6 +12,7 @@ struct Pen {
     int arc_pieces = 4; ///< of half a turn
     Cap cap = Cap::butt;
     Join join = Join::miter;
+    int miter_limit = default_miter_limit; ///< in 1/8 widths, 8 … 255
 };
 
 /// Turns strokes into the edges of their outlines, as they are drawn: nothing is stored but the first and the

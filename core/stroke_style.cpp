@@ -10,8 +10,8 @@ namespace kfast {
 // that gives pi / a = 2 pi sqrt(r) pieces; r is width / 32 px. 72/64 is 2 pi / sqrt(32), rounded up.
 int arc_pieces(int width)
 {
-    constexpr std::uint32_t scale = 72 * 72;
-    const std::uint32_t pieces = (square_root(static_cast<std::uint32_t>(width) * scale) + 64) / 64;
+    constexpr std::uint64_t scale = 72 * 72;
+    const std::uint32_t pieces = (square_root(static_cast<std::uint64_t>(width) * scale) + 64) / 64;
     return std::max(4, static_cast<int>(pieces));
 }
 

@@ -117,17 +117,20 @@ private:
             Edge& edge = edges_[*link];
             const Fixed begin = edge.x;
             edge.advance(slab_end_);
-            const std::int32_t outside = winding;
+            const bool was_inside = is_inside(winding);
             winding += edge.winding;
-            if (outside == 0)
-                coverage_.add(begin, edge.x, slab_end_ - y_, 1);
-            else if (winding == 0)
-                coverage_.add(begin, edge.x, slab_end_ - y_, -1);
+            if (is_inside(winding) != was_inside)
+                coverage_.add(begin, edge.x, slab_end_ - y_, was_inside ? -1 : 1);
             if (edge.y == edge.y_end)
                 *link = edge.next;
             else
                 link = &edge.next;
         }
+    }
+
+    bool is_inside(std::int32_t winding) const
+    {
+        return layer_.rule == FillRule::nonzero ? winding != 0 : (winding & 1) != 0;
     }
 
     EdgeList& edges_;

@@ -38,6 +38,33 @@ TEST_CASE("the bound on edges holds for every cap and join, for lines and curves
     }
 }
 
+TEST_CASE("the bound holds wherever the object is placed, however it is stretched")
+{
+    for (const std::string placing :
+         {"rotate=33 scale-x=-3 scale-y=0.5", "scale=20", "scale=0.02 rotate=-100", "scale-x=0",
+          "scale-x=-64 scale-y=64 pivot-x=0 pivot-y=0"})
+        for (const std::string drawing : {"polygon 40 40 100 45 60 100 110 120", "circle 100 100 r=40",
+                                          "path \"M 60 60 C 160 63 60 163 61 61\""})
+            for (const std::string style : {"fill=white stroke=white width=0.25 join=round cap=round",
+                                            "stroke=white width=50 cap=square"})
+                check_bound(style + " " + placing, drawing);
+}
+
+TEST_CASE("an object needs what the largest way between two of its keys needs")
+{
+    const auto edges = [](const std::string& keys) {
+        const auto bytes =
+            compiled("kfast 1\ncanvas 200 200 frames=9\nobject it fill=white { " + keys + " }");
+        return SceneView::parse(bytes)->items().next().object.max_edges;
+    };
+    const std::string triangle = "{ polygon 0 0 9 0 0 9 }";
+    const std::string square = "{ polygon 0 0 9 0 9 9 0 9 }";
+    const std::string hexagon = "{ regular 9 9 r=9 sides=6 }";
+    CHECK(edges("key 0 " + triangle + "; key 2 " + square) == 4 + 2);
+    CHECK(edges("key 0 " + triangle + "; key 2 " + hexagon + "; key 4 " + triangle) == 6 + 2);
+    CHECK(edges("key 0 " + hexagon + "; key 2 { empty }") == 6 + 2);
+}
+
 TEST_CASE("the bound of simple drawings is what their outlines can need, and no more")
 {
     const auto bound = [](const std::string& style, const std::string& drawing) {

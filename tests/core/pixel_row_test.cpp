@@ -79,6 +79,23 @@ TEST_CASE("rgb565 is stored with the low byte first")
     CHECK(row == bytes({0, 0, 0x01, 0xF8}));
 }
 
+TEST_CASE("a row fades back to what it was, in proportion and from end to end")
+{
+    auto colours = bytes({0x00, 0xF8, 0xFF, 0xFF, 0x1F, 0x00});
+    const auto before = bytes({0x00, 0x00, 0x00, 0x00, 0x1F, 0x00});
+    PixelRow<PixelFormat::rgb565>{colours.data()}.fade_from(before.data(), 3, 128);
+    CHECK(colours == bytes({0x00, 0x80, 0x10, 0x84, 0x1F, 0x00})); // 31 -> 16, 63 -> 32, rounded
+    PixelRow<PixelFormat::rgb565>{colours.data()}.fade_from(before.data(), 2, 0);
+    CHECK(colours == before);
+
+    auto grey = bytes({0xF0, 0x3C});
+    PixelRow<PixelFormat::grey4>{{grey.data()}}.fade_from(bytes({0x0F, 0x33}).data(), 3, 51);
+    CHECK(grey == bytes({0x3C, 0x3C}));
+    auto mono = bytes({0b11000000});
+    PixelRow<PixelFormat::mono1>{{mono.data()}}.fade_from(bytes({0b10100000}).data(), 8, 127);
+    CHECK(mono == bytes({0b10100000}));
+}
+
 TEST_CASE("a row takes whole bytes")
 {
     CHECK(row_bytes(PixelFormat::rgb565, 3) == 6);

@@ -1,15 +1,14 @@
 #include "core/player.hpp"
 
 #include "core/crc32.hpp"
-#include "tests/compiled.hpp"
+#include "tests/core/everything.hpp"
+#include "tests/core/stage.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
 
 namespace kfast::test {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 constexpr std::string_view busy_scene = R"(
 kfast 1
@@ -18,7 +17,7 @@ object morph fill="#ff8000" stroke=white width=3 cap=round join=round {
     key 0 law=accelerate { circle 15 20 r=12 }
     key 10 law-x=decelerate law-y=accelerate-decelerate { polygon 10 3 17 10 10 17 3 10; rect 30 20 20 15; line 5 35 55 35 }
     key 20 { path "M 5 5 C 60 0 0 40 55 35 Q 30 0 5 30 Z" }
-    key 25
+    key 25 { empty }
     key 30 { circle 15 20 r=12 }
 }
 object zigzag stroke="#00ff80" width=5 cap=square join=miter {
@@ -27,84 +26,102 @@ object zigzag stroke="#00ff80" width=5 cap=square join=miter {
 }
 )";
 
-/// A player and what it borrows.
-struct Stage {
-    Bytes bytes;
-    SceneView scene;
-    Bytes block;
-    Player player;
+}
 
-    Stage(std::string_view text, Size panel, Fit fit = Fit::contain)
-        : bytes{compiled(text)}, scene{*SceneView::parse(bytes)},
-          block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
-    {
-    }
-
-    /// The picture at `time`, drawn in bands of `band_rows` rows.
-    template <PixelFormat format = PixelFormat::rgb565>
-    Bytes picture(Time time, int band_rows = 1000)
-    {
-        const Size panel = player.panel();
-        const std::size_t stride = row_bytes(format, panel.width);
-        Bytes pixels(stride * static_cast<std::size_t>(panel.height));
-        player.show(time);
-        for (int row = 0; row < panel.height; row += band_rows) {
-            const int rows = std::min(band_rows, panel.height - row);
-            player.draw_rows<format>(rows, std::span{pixels}.subspan(stride * static_cast<std::size_t>(row)));
+TEST_CASE_TEMPLATE("the picture does not depend on the height of the bands", Format,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::grey4>,
+                   std::integral_constant<PixelFormat, PixelFormat::mono1>)
+{
+    constexpr PixelFormat format = Format::value;
+    for (const std::string_view text : {busy_scene, everything}) {
+        Stage stage{text, {60, 40}};
+        for (const int frame : {0, 4, 13, 22, 27}) {
+            const Bytes whole = stage.picture<format>(Time::frame(frame));
+            for (const int band_rows : {1, 3, 8, 39})
+                CHECK(stage.picture<format>(Time::frame(frame), band_rows) == whole);
         }
-        return pixels;
-    }
-};
-
-std::string row_text(const Bytes& grey4)
-{
-    std::string text;
-    for (const std::byte pair : grey4) {
-        text += "0123456789abcdef"[std::to_integer<int>(pair) >> 4];
-        text += "0123456789abcdef"[std::to_integer<int>(pair) & 15];
-    }
-    return text;
-}
-
-}
-
-TEST_CASE("the picture does not depend on the height of the bands")
-{
-    Stage stage{busy_scene, {60, 40}};
-    for (const int frame : {0, 4, 13, 22, 27}) {
-        const Bytes whole = stage.picture(Time::frame(frame));
-        for (const int band_rows : {1, 3, 8, 39})
-            CHECK(stage.picture(Time::frame(frame), band_rows) == whole);
     }
 }
 
 TEST_CASE("the picture does not depend on what was shown before, nor on rows that were left undrawn")
 {
     std::mt19937 random{31};
-    Stage travelled{busy_scene, {60, 40}};
-    for (int round = 0; round < 40; ++round) {
-        const Time time{static_cast<std::int32_t>(random() % (30 * 1024))};
-        travelled.player.show({static_cast<std::int32_t>(random())});
-        Bytes few_rows(60 * 2 * 7);
-        travelled.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
-        Stage fresh{busy_scene, {60, 40}};
-        CHECK(travelled.picture(time) == fresh.picture(time));
+    for (const std::string_view text : {busy_scene, everything}) {
+        Stage travelled{text, {60, 40}};
+        for (int round = 0; round < 40; ++round) {
+            const Time time{static_cast<std::int32_t>(random() % (30 * 1024))};
+            travelled.player.show({static_cast<std::int32_t>(random())});
+            Bytes few_rows(60 * 2 * 7);
+            travelled.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
+            Stage fresh{text, {60, 40}};
+            CHECK(travelled.picture(time) == fresh.picture(time));
+        }
     }
 }
 
-TEST_CASE("no moment needs more edges than the scene says, and what is lent is not overrun")
+TEST_CASE("no moment needs more edges or steps than the scene says")
 {
     std::mt19937 random{32};
-    for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
-        Stage stage{busy_scene, panel};
-        std::size_t most = 0;
-        for (int round = 0; round < 3000; ++round) {
-            stage.player.show({static_cast<std::int32_t>(random())});
-            most = std::max(most, stage.player.edge_count());
+    for (const std::string_view text : {busy_scene, everything})
+        for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
+            Stage stage{text, panel};
+            std::size_t most_edges = 0;
+            std::size_t most_steps = 0;
+            for (int round = 0; round < 3000; ++round) {
+                stage.player.show({static_cast<std::int32_t>(random())});
+                most_edges = std::max(most_edges, stage.player.edge_count());
+                most_steps = std::max(most_steps, stage.player.step_count());
+            }
+            CHECK(most_edges <= stage.scene.max_edges());
+            CHECK(most_edges > stage.scene.max_edges() / 4); // the bound is not a guess far off
+            CHECK(most_steps == stage.scene.paint_steps());
         }
-        CHECK(most <= stage.scene.max_edges());
-        CHECK(most > stage.scene.max_edges() / 4); // the bound is not a guess far off
+}
+
+TEST_CASE("a player writes to its block and to the rows it is asked for, nowhere else")
+{
+    constexpr std::size_t guard = 64;
+    constexpr std::byte mark{0xA5};
+    constexpr Size panel{61, 33};
+    const Bytes bytes = compiled(everything);
+    const SceneView scene = *SceneView::parse(bytes);
+    const std::size_t size = Player::block_bytes(scene, panel);
+    Bytes memory(size + 2 * guard, mark);
+    auto player = Player::create(scene, panel, Fit::cover, std::span{memory}.subspan(guard, size));
+    REQUIRE(player);
+    const auto is_untouched = [](std::span<const std::byte> part) {
+        return std::ranges::all_of(part, [](std::byte byte) { return byte == mark; });
+    };
+    const auto draw = [&]<PixelFormat format>(std::integral_constant<PixelFormat, format>) {
+        const std::size_t picture = row_bytes(format, panel.width) * panel.height;
+        Bytes pixels(picture + 2 * guard, mark);
+        player->draw_rows<format>(panel.height, std::span{pixels}.subspan(guard, picture));
+        CHECK(is_untouched(std::span{pixels}.first(guard)));
+        CHECK(is_untouched(std::span{pixels}.last(guard)));
+    };
+    for (int frame = 0; frame < 30; ++frame) {
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::rgb565>{});
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::grey4>{});
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::mono1>{});
     }
+    CHECK(is_untouched(std::span{memory}.first(guard)));
+    CHECK(is_untouched(std::span{memory}.last(guard)));
+}
+
+TEST_CASE("a block has room for edges, a row of coverage, steps and a row for each level of blending")
+{
+    const auto block_bytes = [](const std::string& properties) {
+        const Bytes bytes = compiled("kfast 1\ncanvas 9 9\ngroup " + properties +
+                                     " { group opacity=0.5 { object o fill=red { rect 0 0 9 9 } } }");
+        return Player::block_bytes(*SceneView::parse(bytes), {20, 10});
+    };
+    const std::size_t edges = 4 + 2; // of a rectangle, and for its hub
+    CHECK(block_bytes("opacity=1") == edges * 24 + 22 * 4 + 3 * sizeof(PaintStep) + 1 * 20 * 2);
+    CHECK(block_bytes("opacity=0.5") == edges * 24 + 22 * 4 + 5 * sizeof(PaintStep) + 2 * 20 * 2);
 }
 
 TEST_CASE("a block that is one byte short is refused")
@@ -175,6 +192,33 @@ TEST_CASE("loop modes wrap any time")
     CHECK(crc_at("ping-pong", length + 300) == crc_at("ping-pong", length - 300));
     CHECK(crc_at("ping-pong", 2 * length) == crc_at("ping-pong", 0));
     CHECK(crc_at("ping-pong", -300) == crc_at("ping-pong", 300));
+}
+
+TEST_CASE("a moment is not wrapped: the end of a scene that repeats can be shown")
+{
+    const auto text = [](const std::string& loop) {
+        return "kfast 1\ncanvas 16 8 frames=10 loop=" + loop +
+               "\nobject box fill=white { key 0 { rect 0 0 4 4 }; key 10 { rect 12 4 4 4 } }";
+    };
+    const auto moment = [&text](const std::string& loop, Time time) {
+        Stage stage{text(loop), {16, 8}};
+        stage.player.show_moment(time);
+        Bytes pixels(16 * 8 * 2);
+        stage.player.draw_rows<PixelFormat::rgb565>(8, pixels);
+        return pixels;
+    };
+    Stage once{text("once"), {16, 8}};
+    const Bytes begin = once.picture({});
+    const Bytes end = once.picture(Time::frame(10));
+    REQUIRE(begin != end);
+    Stage repeating{text("repeat"), {16, 8}};
+    CHECK(repeating.picture(Time::frame(10)) == begin);
+    for (const std::string loop : {"once", "repeat", "ping-pong"}) {
+        CHECK(moment(loop, Time::frame(10)) == end);
+        CHECK(moment(loop, Time::frame(13)) == end);
+        CHECK(moment(loop, Time::frame(-3)) == begin);
+        CHECK(moment(loop, Time::frame(4)) == once.picture(Time::frame(4)));
+    }
 }
 
 TEST_CASE("the canvas is laid on panels of other shapes")

@@ -82,16 +82,17 @@ TEST_CASE("a line tweens to a curve as a curve with its control points at the th
     CHECK(begin.kind == Segment::Kind::cubic);
     CHECK(std::abs((begin.c1.x - pixels(3, 0).x).raw()) <= 4);
     CHECK(std::abs((begin.c2.y - pixels(0, 2).y).raw()) <= 4);
-    CHECK(tween(line, curve, {Share::one}, {Share::one}) == curve);
+    CHECK(tween(line, curve, {Way::one}, {Way::one}) == curve);
 }
 
-TEST_CASE("x and y have shares of their own")
+TEST_CASE("x and y have ways of their own, which may lead beyond either end")
 {
     const Segment a{.from = pixels(0, 0), .to = pixels(4, 0)};
     const Segment b{.from = pixels(8, 8), .to = pixels(12, 8)};
-    const Segment live = tween(a, b, {Share::one / 2}, {Share::one / 4});
+    const Segment live = tween(a, b, {Way::one / 2}, {Way::one / 4});
     CHECK(live.from == pixels(4, 2));
     CHECK(live.to == pixels(8, 2));
+    CHECK(tween(a, b, {-Way::one / 2}, {2 * Way::one}).from == pixels(-4, 16));
 }
 
 TEST_CASE("a line is one piece, a curve as many as asked for, the last point its own")

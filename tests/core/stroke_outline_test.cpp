@@ -114,6 +114,30 @@ TEST_CASE("a miter longer than four widths becomes a bevel")
     CHECK(reach(2.5) < 13); // 11.8 degrees: 4.9
 }
 
+TEST_CASE("a miter's limit is the pen's own")
+{
+    const std::vector<Point> corner{pixels(4, 20), pixels(4, 4), pixels(20, 4)}; // 1.414 half widths
+    const auto area = [&corner](int limit) {
+        return total(stroked(corner, {.half_width = half_width(4), .arc_pieces = 64, .miter_limit = limit}));
+    };
+    CHECK(area(12) == area(255));
+    CHECK(area(12) > area(11) + 1.9);
+    CHECK(area(11) == area(8));
+}
+
+TEST_CASE("the tip of the longest miter of the widest pen stays within what Fixed holds")
+{
+    CoveragePicture picture{24, 24};
+    StrokeOutline outline{
+        picture.edges(), picture.layer(), {.half_width = Fixed::pixels(4095), .miter_limit = 255}};
+    outline.begin(pixels(0, -1000));
+    outline.line_to(pixels(16383, 0));
+    outline.line_to(pixels(0, 1000));
+    outline.end(false);
+    picture.draw();
+    CHECK(picture.at(12, 12) == 255);
+}
+
 TEST_CASE("a closed stroke is joined where it began")
 {
     const std::vector<Point> square{pixels(4, 4), pixels(20, 4), pixels(20, 20), pixels(4, 20), pixels(4, 4)};

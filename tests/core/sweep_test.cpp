@@ -14,8 +14,9 @@ namespace {
 
 using Polygon = std::vector<Point>;
 
-void fill(CoveragePicture& picture, const std::vector<Polygon>& polygons)
+void fill(CoveragePicture& picture, const std::vector<Polygon>& polygons, FillRule rule = FillRule::nonzero)
 {
+    picture.layer().rule = rule;
     FillOutline outline{picture.edges(), picture.layer()};
     for (const Polygon& polygon : polygons) {
         outline.begin(polygon.front());
@@ -46,14 +47,19 @@ int winding_at(const std::vector<Polygon>& polygons, double x, double y)
     return winding;
 }
 
+bool is_inside(int winding, FillRule rule)
+{
+    return rule == FillRule::nonzero ? winding != 0 : winding % 2 != 0;
+}
+
 /// The covered share of a pixel from 32 x 32 samples, as a level.
-double sampled_level(const std::vector<Polygon>& polygons, int x, int y)
+double sampled_level(const std::vector<Polygon>& polygons, int x, int y, FillRule rule)
 {
     constexpr int samples = 32;
     int inside = 0;
     for (int i = 0; i < samples; ++i)
         for (int j = 0; j < samples; ++j)
-            inside += winding_at(polygons, x + (i + 0.5) / samples, y + (j + 0.5) / samples) != 0;
+            inside += is_inside(winding_at(polygons, x + (i + 0.5) / samples, y + (j + 0.5) / samples), rule);
     return inside * 255.0 / (samples * samples);
 }
 
@@ -113,6 +119,19 @@ TEST_CASE("outlines of opposite sense cancel where both wind, and fill where one
     CHECK(picture.levels() == std::vector<int>{255, 0, 0, 255});
 }
 
+TEST_CASE("by the rule even-odd, what an even number of outlines goes around is empty, whatever their sense")
+{
+    const Polygon outer{pixels(0, 0), pixels(5, 0), pixels(5, 1), pixels(0, 1)};
+    const Polygon middle{pixels(1, 0), pixels(4, 0), pixels(4, 1), pixels(1, 1)};
+    const Polygon inner{pixels(2, 0), pixels(2, 1), pixels(3, 1), pixels(3, 0)};
+    CoveragePicture rings{5, 1};
+    fill(rings, {outer, middle, inner}, FillRule::even_odd);
+    CHECK(rings.levels() == std::vector<int>{255, 0, 255, 0, 255});
+    CoveragePicture nothing{5, 1};
+    fill(nothing, {outer, outer}, FillRule::even_odd);
+    CHECK(nothing.levels() == std::vector<int>(5, 0));
+}
+
 TEST_CASE("what lies outside the picture does not leak into it")
 {
     CoveragePicture picture{4, 4};
@@ -135,15 +154,16 @@ TEST_CASE("random outlines have the coverage that dense sampling finds")
 {
     std::mt19937 random{1};
     double worst = 0;
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 80; ++round) {
+        const FillRule rule = round % 2 == 0 ? FillRule::nonzero : FillRule::even_odd;
         std::vector<Polygon> polygons(1 + random() % 3);
         for (Polygon& polygon : polygons)
             polygon = random_polygon(random, -3, 15);
         CoveragePicture picture{12, 12};
-        fill(picture, polygons);
+        fill(picture, polygons, rule);
         for (int y = 0; y < 12; ++y)
             for (int x = 0; x < 12; ++x)
-                worst = std::max(worst, std::abs(picture.at(x, y) - sampled_level(polygons, x, y)));
+                worst = std::max(worst, std::abs(picture.at(x, y) - sampled_level(polygons, x, y, rule)));
     }
     CHECK(worst < 9); // the sampling itself is that coarse
 }

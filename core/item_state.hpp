@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/affine.hpp"
+#include "core/colour.hpp"
+#include "core/item_view.hpp"
+#include "core/scene_view.hpp"
+#include "core/time.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace kfast {
+
+/// What the tracks of an item come to at one moment.
+class ItemState {
+public:
+    ItemState(const SceneView& scene, const ItemView& item, Time time);
+
+    /// 0 … 255; 0 if the item is not to be seen at all.
+    std::uint32_t opacity() const;
+    /// From the item's own plane to the plane of what it lies in.
+    Affine placement() const;
+    /// Only of a filled object.
+    Colour fill() const { return fill_; }
+    /// Only of a stroked object.
+    Colour stroke() const { return stroke_; }
+    /// Of the stroke; only of a stroked object.
+    Fixed width() const;
+
+private:
+    void read(const SceneView& scene, const TrackView& track, Time time);
+    std::int32_t fine(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
+    std::int32_t whole(Property property) const;
+    Fixed pixels(Property property) const;
+
+    std::array<std::int32_t, property_count> fine_; ///< in 1/256 of the unit of the property
+    Colour fill_;
+    Colour stroke_;
+};
+
+/// The place of an item among those beside it: Property::order at `time`.
+std::int32_t order_at(const ItemView& item, Time time);
+
+}

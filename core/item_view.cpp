@@ -1,0 +1,99 @@
+#include "core/item_view.hpp"
+
+#include "core/kfb_limits.hpp"
+#include "core/time_code.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t kind_bits = 3;
+constexpr std::uint32_t tracks_bit = 1 << 2;
+constexpr std::uint32_t filled_bit = 1 << 3;
+constexpr std::uint32_t stroked_bit = 1 << 4;
+constexpr std::uint32_t even_odd_bit = 1 << 5;
+constexpr std::uint32_t arrivals_bit = 1 << 6;
+constexpr std::uint32_t unused_bit = 1 << 7;
+
+bool is_known(std::uint32_t head, ItemKind kind)
+{
+    const std::uint32_t object_bits = filled_bit | stroked_bit | even_odd_bit | arrivals_bit;
+    return (head & unused_bit) == 0 && kind <= ItemKind::use &&
+           (kind == ItemKind::object || (head & object_bits) == 0);
+}
+
+TrackCursor take_tracks(ByteReader& bytes)
+{
+    const std::uint32_t count = bytes.u8();
+    TrackCursor tracks{bytes, count};
+    TrackCursor cursor = tracks;
+    while (!cursor.at_end())
+        cursor.next();
+    bytes = cursor.rest();
+    return tracks;
+}
+
+void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
+{
+    style.stroke = static_cast<std::uint8_t>(bytes.u8());
+    style.width = static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_width + 1));
+    const std::uint32_t ends = bytes.u8();
+    style.cap = static_cast<Cap>(ends & 3);
+    style.join = static_cast<Join>(ends >> 2); // with the bits that must be 0: parse() refuses the rest
+    if (style.join == Join::miter)
+        style.miter_limit = static_cast<int>(bytes.u8());
+    style.arc_pieces = bytes.varint();
+}
+
+ObjectView take_object(ByteReader& bytes, std::uint32_t head)
+{
+    ObjectView object;
+    ObjectStyle& style = object.style;
+    style.is_filled = (head & filled_bit) != 0;
+    style.is_stroked = (head & stroked_bit) != 0;
+    style.fill_rule = (head & even_odd_bit) != 0 ? FillRule::even_odd : FillRule::nonzero;
+    object.has_arrivals = (head & arrivals_bit) != 0;
+    if (style.is_filled)
+        style.fill = static_cast<std::uint8_t>(bytes.u8());
+    if (style.is_stroked)
+        read_stroke_style(bytes, style);
+    object.max_edges = bytes.varint();
+    object.key_bytes = bytes.take(bytes.varint());
+    return object;
+}
+
+}
+
+Key KeyCursor::next()
+{
+    time_ = time_ + read_time_code(bytes_);
+    Key key{.time = time_};
+    key.laws = bytes_.u8();
+    key.curve_pieces = bytes_.varint();
+    key.drawing = bytes_.varint();
+    if (has_arrivals_)
+        key.arrival = bytes_.varint();
+    return key;
+}
+
+ItemView ItemCursor::next()
+{
+    const std::uint32_t head = bytes_.u8();
+    ItemView item;
+    item.kind = static_cast<ItemKind>(head & kind_bits);
+    item.is_known = is_known(head, item.kind);
+    if ((head & tracks_bit) != 0) {
+        item.tracks = take_tracks(bytes_);
+        item.is_known = item.is_known && !item.tracks.at_end();
+    }
+    if (item.kind == ItemKind::object)
+        item.object = take_object(bytes_, head);
+    else if (item.kind == ItemKind::group)
+        item.items = bytes_.take(bytes_.varint());
+    else
+        item.symbol = bytes_.u8();
+    return item;
+}
+
+}

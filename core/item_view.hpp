@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/byte_reader.hpp"
+#include "core/fill_rule.hpp"
+#include "core/stroke_style.hpp"
+#include "core/time.hpp"
+#include "core/track_view.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// How an object is painted: filled, stroked or both, the stroke over the fill.
+struct ObjectStyle {
+    bool is_filled = false;
+    bool is_stroked = false;
+    FillRule fill_rule = FillRule::nonzero;
+    std::uint8_t fill = 0;   ///< index of the palette
+    std::uint8_t stroke = 0; ///< index of the palette
+    int width = 0;           ///< of the stroke, in 1/16 px
+    Cap cap = Cap::butt;
+    Join join = Join::miter;
+    int miter_limit = default_miter_limit; ///< in 1/8 widths
+    std::uint32_t arc_pieces = 0; ///< straight pieces that stand for half a turn of a round cap or join
+};
+
+/// One key of an object, and the way from it to the next.
+struct Key {
+    Time time;
+    std::uint32_t laws = 0;         ///< number of the pair of laws
+    std::uint32_t curve_pieces = 1; ///< straight pieces that stand for a curve
+    std::uint32_t drawing = 0;      ///< offset in the section of drawings
+    std::uint32_t arrival = 0;      ///< offset of what the way leads to; only if the object has such drawings
+};
+
+/// Reads the keys of an object in the order of their times.
+class KeyCursor {
+public:
+    KeyCursor(ByteReader bytes, bool has_arrivals) : bytes_{bytes}, has_arrivals_{has_arrivals} {}
+
+    bool at_end() const { return bytes_.left() == 0; }
+    /// Only when not at the end.
+    Key next();
+    bool overrun() const { return bytes_.overrun(); }
+
+private:
+    ByteReader bytes_;
+    bool has_arrivals_;
+    Time time_;
+};
+
+/// What an object is besides its tracks; borrows the scene's bytes.
+struct ObjectView {
+    ObjectStyle style;
+    std::uint32_t max_edges = 0; ///< that any moment of the object needs
+    bool has_arrivals = false;   ///< see Key::arrival
+    ByteReader key_bytes;
+
+    KeyCursor keys() const { return {key_bytes, has_arrivals}; }
+};
+
+enum class ItemKind : std::uint8_t { object, group, use };
+
+/// Something that is painted; borrows the scene's bytes.
+struct ItemView {
+    ItemKind kind = ItemKind::object;
+    bool is_known = false; ///< no bit is set without a meaning
+    TrackCursor tracks;
+    ObjectView object;        ///< only of an object
+    ByteReader items;         ///< inside; only of a group
+    std::uint32_t symbol = 0; ///< only of a use
+};
+
+/// Reads items that lie beside each other, the lowest first.
+class ItemCursor {
+public:
+    explicit ItemCursor(ByteReader bytes) : bytes_{bytes} {}
+
+    bool at_end() const { return bytes_.left() == 0; }
+    /// Only when not at the end.
+    ItemView next();
+    bool overrun() const { return bytes_.overrun(); }
+
+private:
+    ByteReader bytes_;
+};
+
+}

@@ -1,0 +1,223 @@
+#include "core/scene_check.hpp"
+
+#include "core/blending.hpp"
+#include "core/edge_budget.hpp"
+#include "core/kfb_limits.hpp"
+#include "core/paint_order.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+
+bool SceneCheck::passes()
+{
+    return check_header() && check_laws() && check_clips() && check_events() && check_symbols() &&
+           check_items(scene_.items(), scene_.symbol_count_, 0) && count_items(scene_.items(), 0, 0);
+}
+
+bool SceneCheck::check_header() const
+{
+    const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= kfb::max_canvas; };
+    return is_side(scene_.canvas_.width) && is_side(scene_.canvas_.height) && scene_.frame_rate_ >= 1 &&
+           scene_.frame_rate_ <= kfb::max_frame_rate && scene_.length_.ticks >= Time::ticks_per_frame &&
+           scene_.length_.ticks <= kfb::max_time && scene_.loop_ <= Loop::ping_pong &&
+           !scene_.palette_.empty() && scene_.colour(0).opacity == 255 && scene_.max_edges_ <= kfb::max_edges;
+}
+
+bool SceneCheck::check_laws() const
+{
+    for (std::uint32_t number = 1; number <= scene_.law_count_; ++number) {
+        const LawPair laws = scene_.laws(number);
+        if (!is_valid(laws.x) || !is_valid(laws.y))
+            return false;
+    }
+    return true;
+}
+
+bool SceneCheck::check_clips() const
+{
+    for (ClipCursor clips = scene_.clips(); !clips.at_end();) {
+        const ClipView clip = clips.next();
+        if (clip.name.empty() || clip.begin > scene_.length_ || clip.end <= clip.begin ||
+            clip.end > scene_.length_ || clip.loop > Loop::ping_pong)
+            return false;
+        if (clips.rest().overrun())
+            return false;
+    }
+    return true;
+}
+
+bool SceneCheck::check_events() const
+{
+    for (EventCursor events = scene_.events(); !events.at_end();) {
+        const EventView event = events.next();
+        if (event.name.empty() || event.time > scene_.length_ || events.overrun())
+            return false;
+    }
+    return true;
+}
+
+bool SceneCheck::check_symbols()
+{
+    ByteReader symbols = scene_.symbols_;
+    for (std::uint32_t number = 0; number < scene_.symbol_count_; ++number) {
+        symbols.skip(symbols.varint());
+        if (symbols.overrun() || !check_items(scene_.symbol(number), number, 1))
+            return false;
+    }
+    return symbols.left() == 0;
+}
+
+bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std::uint32_t depth)
+{
+    std::uint32_t count = 0;
+    for (ItemCursor cursor = items; !cursor.at_end(); ++count) {
+        const ItemView item = cursor.next();
+        if (cursor.overrun() || !check_item(item, usable_symbols, depth))
+            return false;
+    }
+    return count <= kfb::max_ordered_items || !any_has_order(items);
+}
+
+bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, std::uint32_t depth)
+{
+    if (!item.is_known || !check_tracks(item))
+        return false;
+    switch (item.kind) {
+    case ItemKind::object:
+        return check_object(item.object);
+    case ItemKind::group:
+        return depth < kfb::max_depth && check_items(ItemCursor{item.items}, usable_symbols, depth + 1);
+    case ItemKind::use:
+        return item.symbol < usable_symbols;
+    }
+    return false;
+}
+
+bool SceneCheck::check_tracks(const ItemView& item) const
+{
+    int before = -1;
+    for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
+        const TrackView track = tracks.next();
+        const int property = static_cast<int>(track.property);
+        if (property <= before || property >= static_cast<int>(property_count) ||
+            !check_track(track, item.object.style))
+            return false;
+        before = property;
+    }
+    return true;
+}
+
+bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) const
+{
+    if (track.property == Property::fill && !style.is_filled)
+        return false;
+    if ((track.property == Property::stroke || track.property == Property::width) && !style.is_stroked)
+        return false;
+    if (track.is_fixed)
+        return check_value(track, track.value);
+    TrackKeyCursor keys = track.keys;
+    if (keys.at_end())
+        return false;
+    for (Time before{-1}; !keys.at_end();) {
+        const TrackKey key = keys.next();
+        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+            !check_value(track, key.value))
+            return false;
+        before = key.time;
+    }
+    return true;
+}
+
+bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
+{
+    const ValueRange range = value_range(track.property);
+    const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
+    return value >= range.least && value <= range.most &&
+           (!is_colour || static_cast<std::size_t>(value) < scene_.palette_size());
+}
+
+bool SceneCheck::check_object(const ObjectView& object)
+{
+    return check_style(object.style) && check_keys(object) && object.max_edges <= kfb::max_edges &&
+           object_edges(object, scene_.drawings_) <= object.max_edges;
+}
+
+bool SceneCheck::check_style(const ObjectStyle& style) const
+{
+    if (style.is_filled && style.fill >= scene_.palette_size())
+        return false;
+    if (!style.is_stroked)
+        return style.is_filled;
+    return style.stroke < scene_.palette_size() && style.width >= 1 && style.width <= kfb::max_width &&
+           style.cap <= Cap::square && style.join <= Join::bevel && style.miter_limit >= 8 &&
+           style.arc_pieces >= 4 && style.arc_pieces <= kfb::max_arc_pieces;
+}
+
+bool SceneCheck::check_keys(const ObjectView& object)
+{
+    KeyCursor keys = object.keys();
+    if (keys.at_end())
+        return false;
+    for (Time before{-1}; !keys.at_end();) {
+        const Key key = keys.next();
+        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+            key.curve_pieces < 1 || key.curve_pieces > kfb::max_curve_pieces || !check_drawing(key.drawing))
+            return false;
+        if (object.has_arrivals && !check_drawing(key.arrival))
+            return false;
+        before = key.time;
+    }
+    return true;
+}
+
+bool SceneCheck::check_drawing(std::uint32_t offset)
+{
+    if (offset >= scene_.drawings_.size())
+        return false;
+    PackedDrawing reader = scene_.drawing(offset);
+    std::uint32_t points = reader.strokes();
+    if (points > kfb::max_drawing_points)
+        return false;
+    for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
+        const std::uint32_t segments = reader.next_stroke();
+        points += segments;
+        if (!reader.is_sound() || segments > kfb::max_drawing_points || points > kfb::max_drawing_points)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            reader.next_segment();
+            if (!reader.is_sound())
+                return false;
+        }
+    }
+    key_points_ += points + 1;
+    return reader.is_sound() && key_points_ <= kfb::max_key_points;
+}
+
+bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)
+{
+    while (!items.at_end())
+        if (++items_ > kfb::max_items || !count_item(items.next(), depth, blended))
+            return false;
+    return true;
+}
+
+/// `blended` items may be blended as a whole around this one.
+bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint32_t blended)
+{
+    if (may_be_blended(item)) {
+        scene_.paint_steps_ += 2;
+        scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
+    }
+    if (item.kind == ItemKind::object) {
+        scene_.paint_steps_ += layer_count(item.object.style);
+        edges_ += item.object.max_edges;
+        return edges_ <= scene_.max_edges_;
+    }
+    if (depth == kfb::max_depth)
+        return false;
+    return count_items(item.kind == ItemKind::group ? ItemCursor{item.items} : scene_.symbol(item.symbol),
+                       depth + 1, blended);
+}
+
+}

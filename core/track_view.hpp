@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/byte_reader.hpp"
+#include "core/property.hpp"
+#include "core/time.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// One key of a track, and the way from it to the next.
+struct TrackKey {
+    Time time;
+    std::uint32_t laws = 0; ///< number of the pair of laws
+    std::int32_t value = 0; ///< in the unit of the property
+};
+
+/// Reads the keys of a track in the order of their times.
+class TrackKeyCursor {
+public:
+    TrackKeyCursor() = default;
+    explicit TrackKeyCursor(ByteReader bytes) : bytes_{bytes} {}
+
+    bool at_end() const { return bytes_.left() == 0; }
+    /// Only when not at the end.
+    TrackKey next();
+    bool overrun() const { return bytes_.overrun(); }
+
+private:
+    ByteReader bytes_;
+    Time time_;
+};
+
+/// One quantity of an item: a fixed value, or keys; borrows the scene's bytes.
+struct TrackView {
+    Property property = Property::x;
+    bool is_fixed = false;
+    std::int32_t value = 0; ///< only of a fixed track
+    TrackKeyCursor keys;    ///< only of a track that is not fixed
+};
+
+/// Reads the tracks of an item in the order of their properties.
+class TrackCursor {
+public:
+    /// No tracks.
+    TrackCursor() = default;
+    /// `bytes` begins behind the number of tracks and may go on after the last one.
+    TrackCursor(ByteReader bytes, std::uint32_t count) : bytes_{bytes}, left_{count} {}
+
+    bool at_end() const { return left_ == 0; }
+    /// Only when not at the end.
+    TrackView next();
+    /// What has not been read.
+    const ByteReader& rest() const { return bytes_; }
+
+private:
+    ByteReader bytes_;
+    std::uint32_t left_ = 0;
+};
+
+}

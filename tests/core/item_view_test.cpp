@@ -1,0 +1,110 @@
+#include "core/item_view.hpp"
+
+#include "core/kfb_limits.hpp"
+#include "tests/bytes.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::test {
+
+TEST_CASE("items are read one after the other, whatever they hold")
+{
+    const auto items = bytes({0x0D, 1, 0x80, 2, 2, 2, 7,      // a group with a track, in it a use
+                              0x06, 1, 0x81, 4, 9,            // a use with a track
+                              0x08, 5, 4,    4, 0, 0, 1, 0}); // an object
+    ItemCursor cursor{ByteReader{items}};
+    const ItemView group = cursor.next();
+    CHECK(group.kind == ItemKind::group);
+    CHECK_FALSE(group.is_known); // it says that it is filled
+    CHECK(TrackCursor{group.tracks}.next().value == 1);
+    const ItemView inside = ItemCursor{group.items}.next();
+    CHECK(inside.kind == ItemKind::use);
+    CHECK(inside.symbol == 7);
+    CHECK(inside.tracks.at_end());
+    const ItemView use = cursor.next();
+    CHECK(use.is_known);
+    CHECK(use.symbol == 9);
+    CHECK(TrackCursor{use.tracks}.next().property == Property::y);
+    const ItemView object = cursor.next();
+    CHECK(object.kind == ItemKind::object);
+    CHECK(object.object.style.fill == 5);
+    CHECK(object.object.max_edges == 4);
+    CHECK(cursor.at_end());
+    CHECK_FALSE(cursor.overrun());
+}
+
+TEST_CASE("the style of an object, all of it")
+{
+    const auto items = bytes({0x38, 1, 2,  0xA0, 1, 0x02, 12, 0x84, 1, 9, 4, 0, 0, 1, 0, //
+                              0x10, 3, 16, 0x05, 8, 5,    4,  0,    0, 1, 0});
+    ItemCursor cursor{ByteReader{items}};
+    const ObjectStyle both = cursor.next().object.style;
+    CHECK(both.is_filled);
+    CHECK(both.is_stroked);
+    CHECK(both.fill_rule == FillRule::even_odd);
+    CHECK(both.fill == 1);
+    CHECK(both.stroke == 2);
+    CHECK(both.width == 160);
+    CHECK(both.cap == Cap::square);
+    CHECK(both.join == Join::miter);
+    CHECK(both.miter_limit == 12);
+    CHECK(both.arc_pieces == 132);
+    const ObjectStyle wire = cursor.next().object.style;
+    CHECK_FALSE(wire.is_filled);
+    CHECK(wire.fill_rule == FillRule::nonzero);
+    CHECK(wire.cap == Cap::round);
+    CHECK(wire.join == Join::round);
+    CHECK(wire.miter_limit == default_miter_limit); // not stored: it has no miters
+    CHECK(wire.arc_pieces == 8);
+    CHECK(cursor.at_end());
+}
+
+TEST_CASE("keys count their times from the key before, and may have arrival drawings")
+{
+    const auto items = bytes({0x48, 1, 4, 10, 4, 2, 3, 10, 20, 7, 0, 1, 30, 40});
+    const ObjectView object = ItemCursor{ByteReader{items}}.next().object;
+    CHECK(object.has_arrivals);
+    KeyCursor keys = object.keys();
+    const Key first = keys.next();
+    CHECK(first.time == Time::frame(2));
+    CHECK(first.laws == 2);
+    CHECK(first.curve_pieces == 3);
+    CHECK(first.drawing == 10);
+    CHECK(first.arrival == 20);
+    const Key second = keys.next();
+    CHECK(second.time == Time{2 * 1024 + 3});
+    CHECK(second.arrival == 40);
+    CHECK(keys.at_end());
+}
+
+TEST_CASE("bits that only objects have are known in objects alone")
+{
+    const auto is_known = [](int head) {
+        const auto item = bytes({head, 1, 0x80, 2, 0, 0, 0, 0, 0, 0}); // one track, for those that have any
+        return ItemCursor{ByteReader{item}}.next().is_known;
+    };
+    CHECK(is_known(0x7C));
+    CHECK(is_known(0x05));
+    CHECK(is_known(0x06));
+    CHECK_FALSE(is_known(0x03));
+    for (const int bit : {0x08, 0x10, 0x20, 0x40}) {
+        CHECK(is_known(bit));
+        CHECK_FALSE(is_known(1 | bit));
+        CHECK_FALSE(is_known(2 | bit));
+    }
+    for (const int kind : {0, 1, 2})
+        CHECK_FALSE(is_known(0x80 | kind));
+}
+
+TEST_CASE("an item that breaks off anywhere is noticed")
+{
+    const auto whole = bytes({0x3C, 1, 0x80, 2, 1, 2, 16, 0x00, 12, 4, 9, 4, 0, 0, 1, 0});
+    for (std::size_t count = 1; count < whole.size(); ++count) {
+        ItemCursor cursor{ByteReader{std::span{whole}.first(count)}};
+        cursor.next();
+        CHECK(cursor.overrun());
+        CHECK(cursor.at_end());
+    }
+}
+
+}

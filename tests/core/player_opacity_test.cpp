@@ -1,0 +1,209 @@
+#include "core/player.hpp"
+
+#include "tests/core/stage.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+/// What is transparent: pictures against a reference that renders everything opaque and blends the pictures.
+namespace kfast::test {
+namespace {
+
+/// The channels of all pixels, one or three for each.
+using Channels = std::vector<int>;
+
+template <PixelFormat format>
+Channels channels_of(const Bytes& picture)
+{
+    Channels channels;
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        const auto byte = std::to_integer<int>(picture[i]);
+        if constexpr (format == PixelFormat::rgb565) {
+            const int pixel = byte | std::to_integer<int>(picture[++i]) << 8;
+            channels.insert(channels.end(), {pixel >> 11, pixel >> 5 & 63, pixel & 31});
+        } else if constexpr (format == PixelFormat::grey4) {
+            channels.insert(channels.end(), {byte >> 4, byte & 15});
+        } else {
+            for (int bit = 7; bit >= 0; --bit)
+                channels.push_back(byte >> bit & 1);
+        }
+    }
+    return channels;
+}
+
+const std::string backdrop = "object sky fill=\"#3060c0\" { rect 0 0 40 18 }\n"
+                             "object hill fill=\"#60a020\" { circle 25 35 r=19 }\n";
+
+template <PixelFormat format>
+Channels drawn(const std::string& items, Time time = {})
+{
+    Stage stage{"kfast 1\ncanvas 40 40 background=\"#102030\" frames=20\n" + items, {40, 40}};
+    return channels_of<format>(stage.picture<format>(time));
+}
+
+int mixed(int under, int over, int opacity)
+{
+    return static_cast<int>(std::lround(under + (over - under) * opacity / 255.0));
+}
+
+Channels mixed(const Channels& under, const Channels& over, int opacity)
+{
+    Channels result(under.size());
+    for (std::size_t i = 0; i < under.size(); ++i)
+        result[i] = mixed(under[i], over[i], opacity);
+    return result;
+}
+
+const std::string badge = "object badge fill=red stroke=white width=4 join=round";
+const std::string badge_shape = " { circle 17 20 r=11 }\n";
+const std::string overlapping = "object a fill=red { circle 14 18 r=9 }\n"
+                                "object b fill=white stroke=black width=3 { rect 15.5 10 17 21.25 }\n";
+
+constexpr int half = 128; ///< 0.5 of 255
+constexpr int third = 77; ///< 0.3
+
+}
+
+TEST_CASE("a colour's opacity mixes it with what is below, by its coverage")
+{
+    Stage stage{"kfast 1\ncanvas 4 1 background=\"#ff8000\"\n"
+                "object o fill=\"#0080ff80\" { rect 0 0 1 1; rect 2.5 0 0.5 1 }",
+                {4, 1}};
+    SUBCASE("rgb565")
+    {
+        // ff8000 is 31, 32, 0; 0080ff is 0, 32, 31; a half-covered pixel has 128 * 128 / 255 = 64
+        CHECK(channels_of<PixelFormat::rgb565>(stage.picture({})) ==
+              Channels{mixed(31, 0, 128), 32, mixed(0, 31, 128), 31, 32, 0, //
+                       mixed(31, 0, 64), 32, mixed(0, 31, 64), 31, 32, 0});
+    }
+    SUBCASE("grey4: 9 below, 6 above") { CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "7989"); }
+}
+
+TEST_CASE("the opacity of an object with one layer multiplies with that of its colour")
+{
+    const auto levels = [](const std::string& object) {
+        return row_text(Stage{"kfast 1\ncanvas 2 1\n" + object, {2, 1}}.picture<PixelFormat::grey4>({}));
+    };
+    CHECK(levels("object o fill=white opacity=0.5 { rect 0 0 2 1 }") == "88");
+    CHECK(levels("object o fill=\"#ffffff80\" opacity=0.5 { rect 0 0 2 1 }") == "44");
+    CHECK(levels("object o stroke=\"#ffffff80\" width=2 opacity=0.5 { line 0 0 2 0 }") == "44");
+    CHECK(levels(
+              "object o fill=\"#ffffff80\" { rect 0 0 2 1 }\nobject p fill=\"#ffffff80\" { rect 1 0 1 1 }") ==
+          "8c");
+}
+
+TEST_CASE("an object's own colours let its fill shine through its stroke, its opacity does not")
+{
+    const auto levels = [](const std::string& properties) {
+        return row_text(Stage{
+            "kfast 1\ncanvas 6 1\nobject o " + properties + " { rect 2 -9 9 19 }",
+            {6, 1}}.picture<PixelFormat::grey4>({}));
+    };
+    CHECK(levels("fill=white stroke=\"#333333\" width=2") == "033fff");
+    CHECK(levels("fill=white stroke=\"#333333\" width=2 opacity=0.5") == "022888");
+    CHECK(levels("fill=white stroke=\"#33333380\" width=2") == "029fff");
+}
+
+TEST_CASE_TEMPLATE("a fill with a stroke fades as one picture", Format,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::grey4>,
+                   std::integral_constant<PixelFormat, PixelFormat::mono1>)
+{
+    constexpr PixelFormat format = Format::value;
+    const Channels below = drawn<format>(backdrop);
+    const Channels opaque = drawn<format>(backdrop + badge + badge_shape);
+    REQUIRE(opaque != below);
+    CHECK(drawn<format>(backdrop + badge + " opacity=0.5" + badge_shape) == mixed(below, opaque, half));
+    CHECK(drawn<format>(backdrop + badge + " opacity=0.3" + badge_shape) == mixed(below, opaque, third));
+}
+
+TEST_CASE_TEMPLATE("groups and uses fade as one picture, overlaps inside do not show", Format,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::grey4>,
+                   std::integral_constant<PixelFormat, PixelFormat::mono1>)
+{
+    constexpr PixelFormat format = Format::value;
+    const Channels below = drawn<format>(backdrop);
+    const Channels opaque = drawn<format>(backdrop + overlapping);
+    REQUIRE(opaque != below);
+    const Channels expected = mixed(below, opaque, third);
+    CHECK(drawn<format>(backdrop + "group opacity=0.3 {\n" + overlapping + "}\n") == expected);
+    CHECK(drawn<format>(backdrop + "symbol s {\n" + overlapping + "}\nuse s opacity=0.3\n") == expected);
+    CHECK(drawn<format>(backdrop + "group { group { group opacity=0.3 {\n" + overlapping + "} } }\n") ==
+          expected);
+}
+
+TEST_CASE_TEMPLATE("what fades within what fades is mixed from the inside out", Format,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::grey4>)
+{
+    constexpr PixelFormat format = Format::value;
+    const std::string lower = "object low fill=yellow { rect 5 5 20 20 }\n";
+    const Channels p0 = drawn<format>(backdrop);
+    const Channels p1 = drawn<format>(backdrop + lower);
+    const Channels p2 = drawn<format>(backdrop + lower + overlapping);
+    SUBCASE("two levels")
+    {
+        CHECK(drawn<format>(backdrop + "group opacity=0.5 {\n" + lower + "group opacity=0.3 {\n" +
+                            overlapping + "} }\n") == mixed(p0, mixed(p1, p2, third), half));
+    }
+    SUBCASE("three levels: the innermost is an object with a fill and a stroke")
+    {
+        const Channels p3 = drawn<format>(backdrop + lower + badge + badge_shape);
+        CHECK(drawn<format>(backdrop + "group opacity=0.5 { group opacity=0.3 {\n" + lower + badge +
+                            " opacity=0.5" + badge_shape + "} }\n") ==
+              mixed(p0, mixed(p0, mixed(p1, p3, half), third), half));
+    }
+    SUBCASE("two beside each other: the second is blended with what the first has left")
+    {
+        const std::string upper =
+            "object all fill=olive { rect 0 0 40 40 }\nobject up fill=blue { circle 20 22.5 r=9 }\n";
+        CHECK(drawn<format>(backdrop + "group opacity=0.3 {\n" + lower + overlapping +
+                            "}\ngroup opacity=0.5 {\n" + upper + "}\n") ==
+              mixed(mixed(p0, p2, third), drawn<format>(upper), half));
+    }
+}
+
+TEST_CASE("an opacity that has keys fades to nothing and comes back whole")
+{
+    constexpr auto format = PixelFormat::rgb565;
+    const std::string fading =
+        backdrop + "group { key 0 opacity=1; key 10 opacity=0; key 20 opacity=1\n" + overlapping + "}\n";
+    const Channels below = drawn<format>(backdrop);
+    const Channels opaque = drawn<format>(backdrop + overlapping);
+    for (int frame = 0; frame < 20; ++frame) {
+        const auto opacity = static_cast<int>(std::floor(25.5 * std::abs(frame - 10) + 0.5)); // halves up
+        CHECK(drawn<format>(fading, Time::frame(frame)) == mixed(below, opaque, opacity));
+    }
+}
+
+TEST_CASE("what has no opacity or is invisible is not even traced")
+{
+    for (const std::string hidden : {"opacity=0", "visible=#false", "opacity=0.5 visible=#false"}) {
+        CAPTURE(hidden);
+        for (const std::string& items :
+             {"group " + hidden + " {\n" + overlapping + "}\n", badge + " " + hidden + badge_shape,
+              "symbol s {\n" + overlapping + "}\nuse s " + hidden + "\n",
+              "object one fill=red " + hidden + badge_shape}) {
+            Stage stage{"kfast 1\ncanvas 40 40\n" + items, {40, 40}};
+            CHECK(stage.player.edge_count() == 0);
+            CHECK(stage.player.step_count() == 0);
+            CHECK(stage.scene.max_edges() > 0);
+            CHECK(stage.picture({}) == Bytes(40 * 40 * 2));
+        }
+    }
+}
+
+TEST_CASE("only what is transparent at the moment is blended")
+{
+    Stage stage{"kfast 1\ncanvas 40 40 frames=20\n"
+                "group { key 0 opacity=1; key 10 opacity=0.5\n" +
+                    overlapping + "}\n",
+                {40, 40}};
+    CHECK(stage.scene.paint_steps() == 5);
+    CHECK(stage.player.step_count() == 3);
+    stage.player.show(Time::frame(5));
+    CHECK(stage.player.step_count() == 5);
+}
+
+}

@@ -1,0 +1,506 @@
+#include "core/scene_check.hpp"
+
+#include "core/kfb_limits.hpp"
+#include "tests/core/raw_scene.hpp"
+
+#include <doctest/doctest.h>
+#include <initializer_list>
+
+namespace kfast::test {
+namespace {
+
+bool is_accepted(const RawScene& scene)
+{
+    const Bytes file = scene.file();
+    const auto view = SceneView::parse(file);
+    if (!view)
+        CHECK(view.error() == Error::bad_scene);
+    return static_cast<bool>(view);
+}
+
+bool takes_items(const Bytes& items)
+{
+    RawScene scene;
+    scene.items = items;
+    return is_accepted(scene);
+}
+
+/// On a triangle, whose scene has three colours and one pair of laws.
+bool takes_tracks(int count, const Bytes& tracks)
+{
+    RawScene scene;
+    scene.law_count = 1;
+    scene.laws = bytes({0x21});
+    scene.items = tracked(count, tracks);
+    return is_accepted(scene);
+}
+
+bool takes_value(Property property, std::int32_t value)
+{
+    return takes_tracks(1, fixed_track(property, value));
+}
+
+bool takes_track_keys(const Bytes& keys) { return takes_tracks(1, joined({bytes({0}), block(keys)})); }
+
+/// Of a filled object.
+bool takes_keys(const Bytes& keys, const Bytes& laws = {}, int law_count = 0)
+{
+    RawScene scene;
+    scene.law_count = static_cast<std::uint32_t>(law_count);
+    scene.laws = laws;
+    scene.items = joined({bytes({0x08, 1, 4}), block(keys)});
+    return is_accepted(scene);
+}
+
+/// Of an object with a generous figure of edges.
+bool takes_stroke(const Bytes& style)
+{
+    return takes_items(joined({bytes({0x10}), style, varint(900), bytes({4, 0, 0, 1, 0})}));
+}
+
+bool takes_marks(const Bytes& marks)
+{
+    RawScene scene;
+    scene.marks = marks;
+    return is_accepted(scene);
+}
+
+bool takes_drawings(const Bytes& drawings)
+{
+    RawScene scene;
+    scene.drawings = drawings;
+    return is_accepted(scene);
+}
+
+/// Groups in groups, `depth` of them, around `innermost`.
+Bytes nested(int depth, Bytes innermost)
+{
+    for (; depth > 0; --depth)
+        innermost = group(innermost);
+    return innermost;
+}
+
+/// `symbols` symbols, each of which uses the one before it inside of `groups` groups; the last is used. Uses
+/// and groups lie (groups + 1) * symbols deep in each other.
+RawScene chain(int symbols, int groups)
+{
+    RawScene scene;
+    scene.add_symbol(nested(groups, triangle()));
+    for (int number = 1; number < symbols; ++number)
+        scene.add_symbol(nested(groups, use(number - 1)));
+    scene.items = use(symbols - 1);
+    return scene;
+}
+
+/// 2^7 (count + 2) - 1 items: eight symbols, each with two uses of the one before, the first with `count`
+/// objects.
+RawScene doubled(std::size_t count)
+{
+    RawScene scene;
+    scene.add_symbol(repeated(nothing(), count));
+    for (int number = 1; number < 8; ++number)
+        scene.add_symbol(repeated(use(number - 1), 2));
+    scene.items = use(7);
+    return scene;
+}
+
+}
+
+TEST_CASE("what is put together by hand is a scene, and may be empty")
+{
+    CHECK(is_accepted({}));
+    CHECK(takes_items(nothing()));
+    CHECK(takes_items({}));
+    CHECK(takes_items(group({})));
+}
+
+TEST_CASE("values of the header have ranges")
+{
+    const auto with = [](auto member, std::uint32_t value) {
+        RawScene scene;
+        scene.*member = value;
+        return is_accepted(scene);
+    };
+    for (const auto side : {&RawScene::width, &RawScene::height}) {
+        CHECK_FALSE(with(side, 0));
+        CHECK(with(side, 1));
+        CHECK(with(side, 2047));
+        CHECK_FALSE(with(side, 2048));
+    }
+    CHECK_FALSE(with(&RawScene::ticks, 1023));
+    CHECK(with(&RawScene::ticks, 1024));
+    CHECK(with(&RawScene::ticks, kfb::max_time));
+    CHECK_FALSE(with(&RawScene::ticks, kfb::max_time + 1));
+    CHECK_FALSE(with(&RawScene::ticks, 0xFFFFFFFF));
+    CHECK_FALSE(with(&RawScene::frame_rate, 0));
+    CHECK(with(&RawScene::frame_rate, 1));
+    CHECK(with(&RawScene::frame_rate, 1'000'000));
+    CHECK_FALSE(with(&RawScene::frame_rate, 1'000'001));
+    CHECK(with(&RawScene::loop, 2));
+    CHECK_FALSE(with(&RawScene::loop, 3));
+    CHECK_FALSE(with(&RawScene::padding, 1));
+    CHECK_FALSE(with(&RawScene::padding, 0x100));
+    CHECK(with(&RawScene::edges, 65534));
+    CHECK_FALSE(with(&RawScene::edges, 65535));
+}
+
+TEST_CASE("the background is opaque, and there is one")
+{
+    RawScene scene;
+    scene.palette[3] = std::byte{254};
+    CHECK_FALSE(is_accepted(scene));
+    scene.palette.clear();
+    scene.items.clear();
+    CHECK_FALSE(is_accepted(scene));
+}
+
+TEST_CASE("the edges of the scene are those of its objects together, or more")
+{
+    RawScene scene;
+    scene.items = repeated(triangle(), 3);
+    scene.edges = 3 * triangle_edges;
+    CHECK(is_accepted(scene));
+    --scene.edges;
+    CHECK_FALSE(is_accepted(scene));
+    SUBCASE("what a symbol needs counts wherever it is used")
+    {
+        scene.add_symbol(triangle());
+        scene.items = repeated(use(0), 3);
+        CHECK_FALSE(is_accepted(scene));
+        ++scene.edges;
+        CHECK(is_accepted(scene));
+    }
+    SUBCASE("an object's own figure may be too large, not too small")
+    {
+        CHECK(takes_items(bytes({0x08, 1, 5, 4, 0, 0, 1, 0})));
+        CHECK_FALSE(takes_items(bytes({0x08, 1, 3, 4, 0, 0, 1, 0})));
+        CHECK_FALSE(takes_items(joined({bytes({0x08, 1}), varint(65535), bytes({4, 0, 0, 1, 0})})));
+        CHECK_FALSE(takes_items(joined({bytes({0x08, 1}), varint(0xFFFFFFFF), bytes({4, 0, 0, 1, 0})})));
+    }
+}
+
+TEST_CASE("laws have a known kind and parameters in their ranges")
+{
+    const auto takes_laws = [](std::uint32_t count, const Bytes& laws) {
+        RawScene scene;
+        scene.law_count = count;
+        scene.laws = laws;
+        return is_accepted(scene);
+    };
+    CHECK(takes_laws(1, bytes({0x44})));
+    CHECK_FALSE(takes_laws(1, bytes({0x07})));
+    CHECK_FALSE(takes_laws(1, bytes({0xF0})));
+    CHECK(takes_laws(1, bytes({0x05, 1, 0})));
+    CHECK_FALSE(takes_laws(1, bytes({0x05, 0, 0})));
+    CHECK(takes_laws(2, bytes({0x00, 0x60, 0x00, 0x20, 0x00, 0xC0, 0x00, 0x00, 0x00, 0x60})));
+    CHECK_FALSE(takes_laws(2, bytes({0x00, 0x60, 0x01, 0x20, 0x00, 0xC0, 0x00, 0x00, 0x00, 0x60})));
+    CHECK_FALSE(takes_laws(2, bytes({0x00, 0x60, 0x00, 0x20, 0xFF, 0xBF, 0x00, 0x00, 0x00, 0x60})));
+    CHECK_FALSE(takes_laws(2, bytes({0x00, 0x60, 0x00, 0x20, 0x00, 0xC0, 0xFF, 0xFF, 0x00, 0x60})));
+    CHECK_FALSE(takes_laws(2, bytes({0x00, 0x60, 0x00, 0x20, 0x00, 0xC0, 0x00, 0x00, 0x01, 0x60})));
+}
+
+TEST_CASE("clips have a name and lie within the scene")
+{
+    const auto takes_clip = [](const Bytes& clip) { return takes_marks(joined({bytes({1}), clip})); };
+    CHECK(takes_clip(bytes({1, 'a', 0, 20, 2})));
+    CHECK(takes_clip(bytes({1, 'a', 18, 2, 0})));
+    CHECK(takes_clip(bytes({1, 'a', 18, 3, 0}))); // one tick
+    CHECK_FALSE(takes_clip(bytes({0, 0, 20, 0})));
+    CHECK_FALSE(takes_clip(bytes({1, 'a', 2, 0, 0})));
+    CHECK_FALSE(takes_clip(bytes({1, 'a', 0, 22, 0})));
+    CHECK_FALSE(takes_clip(bytes({1, 'a', 18, 4, 0})));
+    CHECK_FALSE(takes_clip(bytes({1, 'a', 22, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0})));
+    CHECK_FALSE(takes_clip(bytes({1, 'a', 0, 20, 3})));
+    CHECK_FALSE(takes_clip(bytes({1, 'a', 0, 20}))); // the loop is missing
+    CHECK_FALSE(takes_marks(bytes({2, 1, 'a', 0, 20, 0})));
+}
+
+TEST_CASE("events have a name and come within the scene")
+{
+    CHECK(takes_marks({}));
+    CHECK(takes_marks(bytes({0})));
+    CHECK(takes_marks(bytes({0, 20, 1, 'a', 0, 1, 'b'})));
+    CHECK_FALSE(takes_marks(bytes({0, 22, 1, 'a'})));
+    CHECK_FALSE(takes_marks(bytes({0, 20, 1, 'a', 3, 1, 'b'}))); // one tick later
+    CHECK_FALSE(takes_marks(bytes({0, 2, 0})));
+    CHECK_FALSE(takes_marks(bytes({0, 2, 2, 'a'})));
+    CHECK_FALSE(takes_marks(bytes({0, 2})));
+}
+
+TEST_CASE("items have no bits without a meaning")
+{
+    CHECK_FALSE(takes_items(bytes({0x88, 1, 4, 4, 0, 0, 1, 0})));
+    CHECK_FALSE(takes_items(bytes({3})));
+    CHECK_FALSE(takes_items(bytes({3, 0})));
+    for (const int bit : {0x08, 0x10, 0x20, 0x40, 0x80})
+        CHECK_FALSE(takes_items(bytes({1 | bit, 0})));
+    CHECK_FALSE(takes_items(bytes({0x00, 4, 4, 0, 0, 1, 0}))); // neither filled nor stroked
+    CHECK_FALSE(takes_items(bytes({0x05, 0, 0})));             // tracks, but none
+}
+
+TEST_CASE("items end where their section ends")
+{
+    for (std::size_t count = 1; count < triangle().size(); ++count) {
+        Bytes items = triangle();
+        items.resize(count);
+        CHECK_FALSE(takes_items(items));
+        CHECK_FALSE(takes_items(group(items)));
+    }
+    CHECK_FALSE(takes_items(joined({triangle(), bytes({0})})));
+    CHECK_FALSE(takes_items(bytes({1, 1})));
+    CHECK_FALSE(takes_items(bytes({2})));
+    CHECK_FALSE(takes_items(bytes({0x0C})));
+}
+
+TEST_CASE("tracks rise by their properties, of which there are thirteen")
+{
+    const Bytes x = bytes({0x80, 2});
+    const Bytes y = bytes({0x81, 2});
+    CHECK(takes_tracks(2, joined({x, y})));
+    CHECK_FALSE(takes_tracks(2, joined({y, x})));
+    CHECK_FALSE(takes_tracks(2, joined({x, x})));
+    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 13, 2})));
+    CHECK_FALSE(takes_tracks(1, bytes({0xFF, 2})));
+    CHECK_FALSE(takes_tracks(3, joined({x, y})));
+}
+
+TEST_CASE("values of tracks have ranges")
+{
+    const auto check_range = [](Property property, std::int32_t least, std::int32_t most) {
+        CAPTURE(static_cast<int>(property));
+        CHECK(takes_value(property, least));
+        CHECK(takes_value(property, most));
+        CHECK_FALSE(takes_value(property, least - 1));
+        CHECK_FALSE(takes_value(property, most + 1));
+    };
+    for (const Property place :
+         {Property::x, Property::y, Property::pivot_x, Property::pivot_y, Property::order})
+        check_range(place, -32768, 32767);
+    check_range(Property::rotation, -1'048'576, 1'048'576);
+    check_range(Property::scale_x, -262'144, 262'144);
+    check_range(Property::scale_y, -262'144, 262'144);
+    check_range(Property::opacity, 0, 255);
+    check_range(Property::visible, 0, 1);
+    check_range(Property::fill, 0, 2); // three colours
+    CHECK_FALSE(takes_value(Property::x, (1 << 30) - 1));
+}
+
+TEST_CASE("tracks of colours and widths need what they colour")
+{
+    const Bytes fill = bytes({1, 0x8A, 2});
+    const Bytes stroke = bytes({1, 0x8B, 2});
+    const Bytes width = bytes({1, 0x8C, 2});
+    const auto on_filled = [](const Bytes& tracks) {
+        return takes_items(joined({bytes({0x0C}), tracks, bytes({1, 4, 4, 0, 0, 1, 0})}));
+    };
+    const auto on_stroked = [](const Bytes& tracks) {
+        return takes_items(
+            joined({bytes({0x14}), tracks, bytes({1, 16, 8, 16}), varint(900), bytes({4, 0, 0, 1, 0})}));
+    };
+    CHECK(on_filled(fill));
+    CHECK_FALSE(on_filled(stroke));
+    CHECK_FALSE(on_filled(width));
+    CHECK_FALSE(on_stroked(fill));
+    CHECK(on_stroked(stroke));
+    CHECK(on_stroked(width));
+    CHECK(on_stroked(joined({bytes({1, 0x8C}), signed_varint(65535)})));
+    CHECK_FALSE(on_stroked(joined({bytes({1, 0x8C}), signed_varint(65536)})));
+    CHECK_FALSE(on_stroked(bytes({1, 0x8C, 1}))); // -1
+    CHECK_FALSE(on_stroked(bytes({1, 0x8B, 6}))); // the fourth colour of three
+    for (const Bytes& tracks : {fill, stroke, width}) {
+        CHECK_FALSE(takes_items(joined({bytes({5}), tracks, bytes({0})})));
+        RawScene scene;
+        scene.add_symbol(triangle());
+        scene.items = joined({bytes({6}), tracks, bytes({0})});
+        CHECK_FALSE(is_accepted(scene));
+    }
+}
+
+TEST_CASE("keys of tracks rise in time and have known laws")
+{
+    CHECK(takes_track_keys(bytes({0, 1, 2, 4, 0, 4})));
+    CHECK_FALSE(takes_track_keys({}));
+    CHECK_FALSE(takes_track_keys(bytes({0, 0, 2, 0, 0, 4}))); // twice the same time
+    CHECK_FALSE(takes_track_keys(bytes({0, 2, 2, 4, 0, 4}))); // a law too many
+    CHECK_FALSE(takes_track_keys(bytes({0, 0, 2, 4, 0})));    // breaks off
+    CHECK(takes_track_keys(joined({varint(2 * 1'000'000), bytes({0, 2})})));
+    CHECK_FALSE(takes_track_keys(joined({varint(2 * 1'000'000 + 2), bytes({0, 2})})));
+    CHECK_FALSE(takes_track_keys(joined({varint(2 * 1'000'000), bytes({0, 2, 3, 0, 2})})));
+    CHECK_FALSE(takes_track_keys(joined({bytes({0, 0}), signed_varint(32768)})));
+    CHECK_FALSE(takes_track_keys(joined({bytes({0, 0, 2, 4, 0}), signed_varint(-32769)})));
+}
+
+TEST_CASE("keys of objects rise in time, have known laws and pieces, and drawings that are there")
+{
+    CHECK(takes_keys(bytes({0, 0, 1, 0, 3, 0, 1, 0})));
+    CHECK_FALSE(takes_keys({}));
+    CHECK_FALSE(takes_keys(bytes({2, 0, 1, 0, 0, 0, 1, 0})));
+    CHECK(takes_keys(bytes({0, 1, 1, 0}), bytes({0x21}), 1));
+    CHECK_FALSE(takes_keys(bytes({0, 2, 1, 0}), bytes({0x21}), 1));
+    CHECK_FALSE(takes_keys(bytes({0, 0, 0, 0})));
+    CHECK(takes_keys(joined({bytes({0, 0}), varint(1024), bytes({0})})));
+    CHECK_FALSE(takes_keys(joined({bytes({0, 0}), varint(1025), bytes({0})})));
+    CHECK(takes_keys(joined({varint(2 * 1'000'000), bytes({0, 1, 0})})));
+    CHECK_FALSE(takes_keys(joined({varint(2 * 1'000'000 + 2), bytes({0, 1, 0})})));
+    CHECK(takes_keys(bytes({0, 0, 1, 10})));
+    CHECK_FALSE(takes_keys(bytes({0, 0, 1, 11}))); // behind the last drawing
+    CHECK_FALSE(takes_keys(joined({bytes({0, 0, 1}), varint(0xFFFFFFFF)})));
+    CHECK_FALSE(takes_keys(bytes({0, 0, 1, 0, 2, 0, 1}))); // breaks off
+}
+
+TEST_CASE("arrival drawings are there, and count for the edges")
+{
+    CHECK(takes_items(bytes({0x48, 1, 4, 5, 0, 0, 1, 10, 0})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 3, 5, 0, 0, 1, 10, 0})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 4, 5, 0, 0, 1, 0, 11})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 4, 4, 0, 0, 1, 0})));
+}
+
+TEST_CASE("styles have known words, colours of the palette and parameters in their ranges")
+{
+    CHECK(takes_items(bytes({0x28, 2, 4, 4, 0, 0, 1, 0})));
+    CHECK_FALSE(takes_items(bytes({0x28, 3, 4, 4, 0, 0, 1, 0}))); // the fourth colour of three
+    CHECK(takes_stroke(bytes({2, 1, 0x0A, 4})));
+    CHECK_FALSE(takes_stroke(bytes({3, 1, 0x0A, 4})));
+    CHECK_FALSE(takes_stroke(bytes({2, 0, 0x0A, 4}))); // no width
+    CHECK(takes_stroke(joined({bytes({2}), varint(65535), bytes({0x0A, 4})})));
+    CHECK_FALSE(takes_stroke(joined({bytes({2}), varint(65536), bytes({0x0A, 4})})));
+    CHECK_FALSE(takes_stroke(joined({bytes({2}), varint(0xFFFFFFFF), bytes({0x0A, 4})})));
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0B, 4}))); // a fourth cap
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0E, 4}))); // a fourth join
+    for (const int bit : {0x10, 0x20, 0x40, 0x80})
+        CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0A | bit, 4})));
+    CHECK(takes_stroke(bytes({2, 1, 0x00, 8, 4})));
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x00, 7, 4}))); // a miter shorter than the width
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x08, 3})));
+    CHECK(takes_stroke(joined({bytes({2, 1, 0x08}), varint(1024)})));
+    CHECK_FALSE(takes_stroke(joined({bytes({2, 1, 0x08}), varint(1025)})));
+}
+
+TEST_CASE("drawings are whole, and their points have coordinates of 16 bits")
+{
+    CHECK_FALSE(takes_drawings({}));
+    CHECK_FALSE(takes_drawings(bytes({1})));
+    CHECK_FALSE(takes_drawings(bytes({1, 6, 2, 16, 0, 32, 0, 0x10, 0x00})));
+    CHECK_FALSE(takes_drawings(bytes({1, 0x86, 2, 16, 0, 32, 0, 0x10, 0x00, 0x03})));
+    CHECK_FALSE(takes_drawings(bytes({1, 0, 2, 16, 0, 32, 0, 0x10, 0x00, 0x03})));
+    CHECK(takes_drawings(bytes({1, 6, 2, 0xEF, 0x7F, 32, 0, 0x10, 0x00, 0x03})));       // to 32767
+    CHECK_FALSE(takes_drawings(bytes({1, 6, 2, 0xF0, 0x7F, 32, 0, 0x10, 0x00, 0x03}))); // to 32768
+    CHECK_FALSE(takes_drawings(joined({varint(65536), Bytes(70'000)})));                // points
+}
+
+TEST_CASE("symbols use symbols in front of them")
+{
+    RawScene scene;
+    scene.add_symbol(triangle());
+    scene.add_symbol(use(0));
+    scene.items = use(1);
+    CHECK(is_accepted(scene));
+    scene.items = use(2);
+    CHECK_FALSE(is_accepted(scene)); // missing
+    scene.items = use(1);
+    SUBCASE("not itself")
+    {
+        scene.add_symbol(use(2));
+        CHECK_FALSE(is_accepted(scene));
+    }
+    SUBCASE("not a later one, nor within a group")
+    {
+        RawScene wrong;
+        wrong.add_symbol(group(use(1)));
+        wrong.add_symbol(triangle());
+        CHECK_FALSE(is_accepted(wrong));
+    }
+    SUBCASE("what no item uses is looked at, too")
+    {
+        scene.add_symbol(bytes({3}));
+        CHECK_FALSE(is_accepted(scene));
+    }
+}
+
+TEST_CASE("the section of symbols holds as many as the header says")
+{
+    RawScene scene;
+    scene.add_symbol(triangle());
+    scene.add_symbol(triangle());
+    --scene.symbol_count;
+    CHECK_FALSE(is_accepted(scene)); // bytes behind the last
+    scene.symbol_count += 2;
+    CHECK_FALSE(is_accepted(scene)); // one is missing
+    RawScene cut;
+    cut.symbol_count = 1;
+    cut.symbols = joined({bytes({9}), triangle()});
+    CHECK_FALSE(is_accepted(cut));
+}
+
+TEST_CASE("groups and uses lie at most 8 deep in each other")
+{
+    CHECK(takes_items(nested(8, triangle())));
+    CHECK_FALSE(takes_items(nested(9, triangle())));
+    CHECK_FALSE(takes_items(nested(9, {})));
+    CHECK_FALSE(takes_items(nested(10'000, {})));
+    SUBCASE("also through symbols")
+    {
+        CHECK(is_accepted(chain(8, 0)));
+        CHECK_FALSE(is_accepted(chain(9, 0)));
+        CHECK_FALSE(is_accepted(chain(255, 0)));
+        CHECK(is_accepted(chain(4, 1)));
+        CHECK(is_accepted(chain(2, 3)));
+        CHECK_FALSE(is_accepted(chain(2, 4)));
+        CHECK_FALSE(is_accepted(chain(3, 2)));
+    }
+    SUBCASE("also where a symbol that is not used is too deep by itself")
+    {
+        RawScene scene;
+        scene.add_symbol(nested(7, triangle()));
+        CHECK(is_accepted(scene));
+        scene.add_symbol(nested(8, triangle())); // with its use, nine
+        CHECK_FALSE(is_accepted(scene));
+    }
+}
+
+TEST_CASE("the whole scene has at most 65535 items, each counted wherever it is painted")
+{
+    CHECK(takes_items(repeated(nothing(), 65535)));
+    CHECK_FALSE(takes_items(repeated(nothing(), 65536)));
+    RawScene scene = doubled(510);
+    CHECK(is_accepted(scene));
+    scene.items = joined({nothing(), scene.items});
+    CHECK_FALSE(is_accepted(scene));
+    SUBCASE("and is refused before 255^8 of them are counted")
+    {
+        RawScene hostile;
+        hostile.add_symbol(nothing());
+        for (int number = 1; number < 8; ++number)
+            hostile.add_symbol(repeated(use(number - 1), 255));
+        hostile.items = repeated(use(7), 255);
+        CHECK_FALSE(is_accepted(hostile));
+    }
+}
+
+TEST_CASE("items beside each other are at most 256 if one of them has an order")
+{
+    const Bytes ordered = joined({bytes({0x05, 1}), fixed_track(Property::order, 1), block({})});
+    CHECK(takes_items(joined({repeated(nothing(), 255), ordered})));
+    CHECK_FALSE(takes_items(joined({repeated(nothing(), 256), ordered})));
+    CHECK_FALSE(takes_items(group(joined({ordered, repeated(nothing(), 256)}))));
+    CHECK(takes_items(joined({ordered, repeated(nothing(), 200), group(repeated(nothing(), 200))})));
+    CHECK(takes_items(repeated(nothing(), 400)));
+}
+
+TEST_CASE("drawings of all keys have at most 4,194,304 points, each key one more")
+{
+    // 127 points on one stroke: 126 lines of one bit each way, which do not move
+    const Bytes line = joined({bytes({1, 1, 126, 0, 0, 0, 0}), Bytes(32)});
+    const auto takes_keys_of = [&line](std::size_t count) {
+        RawScene scene;
+        scene.drawings = line;
+        const Bytes keys = joined({bytes({0, 0, 1, 0}), repeated(bytes({3, 0, 1, 0}), count - 1)});
+        scene.items = joined({bytes({0x08, 1}), varint(200), block(keys)});
+        return is_accepted(scene);
+    };
+    CHECK(takes_keys_of(4'194'304 / 128));
+    CHECK_FALSE(takes_keys_of(4'194'304 / 128 + 1));
+}
+
+}

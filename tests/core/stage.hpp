@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "tests/compiled.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kfast::test {
+
+using Bytes = std::vector<std::byte>;
+
+/// A player and what it borrows.
+struct Stage {
+    Bytes bytes;
+    SceneView scene;
+    Bytes block;
+    Player player;
+
+    Stage(std::string_view text, Size panel, Fit fit = Fit::contain)
+        : bytes{compiled(text)}, scene{*SceneView::parse(bytes)},
+          block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
+    {
+    }
+
+    /// The picture at `time`, drawn in bands of `band_rows` rows.
+    template <PixelFormat format = PixelFormat::rgb565>
+    Bytes picture(Time time, int band_rows = 1000)
+    {
+        const Size panel = player.panel();
+        const std::size_t stride = row_bytes(format, panel.width);
+        Bytes pixels(stride * static_cast<std::size_t>(panel.height));
+        player.show(time);
+        for (int row = 0; row < panel.height; row += band_rows) {
+            const int rows = std::min(band_rows, panel.height - row);
+            player.draw_rows<format>(rows, std::span{pixels}.subspan(stride * static_cast<std::size_t>(row)));
+        }
+        return pixels;
+    }
+};
+
+/// A digit for each pixel.
+inline std::string row_text(const Bytes& grey4)
+{
+    std::string text;
+    for (const std::byte pair : grey4) {
+        text += "0123456789abcdef"[std::to_integer<int>(pair) >> 4];
+        text += "0123456789abcdef"[std::to_integer<int>(pair) & 15];
+    }
+    return text;
+}
+
+}
