@@ -1,0 +1,44 @@
+#pragma once
+
+#include "host/scene/outline.hpp"
+
+/// A segment of a stroke before rounding, with its length: what is divided by length.
+///
+/// Only operations that every machine rounds alike are used, so that a scene compiles to the same bytes
+/// everywhere.
+namespace kfast {
+
+using scene::Spot;
+
+/// In pixels. A line's control points are not looked at.
+struct MeasuredSegment {
+    bool cubic = false;
+    Spot from;
+    Spot c1;
+    Spot c2;
+    Spot to;
+    double length = 0;
+};
+
+double dot(Spot a, Spot b);
+/// Positive if `b` is to the right of `a` on a canvas, where y points down.
+double cross(Spot a, Spot b);
+/// The point at a share of the way from `a` to `b`; exact at 0 and 1.
+Spot between(Spot a, Spot b, double share);
+
+/// Sets the length. A curve's is that of 32 chords: for a quarter of a circle 1/10000 too short.
+MeasuredSegment measured(MeasuredSegment segment);
+
+/// The point at a share of the length.
+Spot spot_at(const MeasuredSegment& segment, double share);
+
+/// The stretch between two shares of the length; it has the same points in common with its neighbour that
+/// begins where it ends, to the bit.
+MeasuredSegment stretch(const MeasuredSegment& whole, double begin, double end);
+
+MeasuredSegment reversed(const MeasuredSegment& segment);
+
+/// Where it leads from its first point; (0, 0) if it has no extent.
+Spot direction(const MeasuredSegment& segment);
+
+}
