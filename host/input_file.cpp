@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string in_words(int error_number)
+std::string in_words(int error_number, const InputKind& kind)
 {
     switch (error_number) {
     case ENOENT:
     case ENOTDIR:
         return "there is no such file: check the name and the folder";
     case EISDIR:
-        return "this is a folder: name a .kfast or .kfb file in it";
+        return "this is a folder: name " + std::string{kind.files} + " in it";
     case EACCES:
     case EPERM:
         return "you may not read it: change its permissions (chmod u+r) or copy it";
@@ -32,11 +32,11 @@ std::string in_words(int error_number)
 
 class InputFile {
 public:
-    explicit InputFile(const fs::path& path)
-        : path_{path}, descriptor_{::open(path.c_str(), O_RDONLY | O_CLOEXEC)}
+    InputFile(const fs::path& path, const InputKind& kind)
+        : path_{path}, kind_{kind}, descriptor_{::open(path.c_str(), O_RDONLY | O_CLOEXEC)}
     {
         if (descriptor_ < 0)
-            refuse(in_words(errno));
+            refuse(in_words(errno, kind_));
     }
     ~InputFile() { ::close(descriptor_); }
     InputFile(const InputFile&) = delete;
@@ -50,7 +50,7 @@ public:
         while (all.size() <= input_limit) {
             const ssize_t count = ::read(descriptor_, block.data(), block.size());
             if (count < 0)
-                refuse(in_words(errno));
+                refuse(in_words(errno, kind_));
             if (count == 0)
                 break;
             all.append(block.data(), static_cast<std::size_t>(count));
@@ -65,19 +65,21 @@ public:
 
 private:
     fs::path path_;
+    InputKind kind_;
     int descriptor_;
 };
 
 }
 
-std::string read_input(const fs::path& path)
+std::string read_input(const fs::path& path, const InputKind& kind)
 {
-    const InputFile file{path};
+    const InputFile file{path, kind};
     std::string content = file.content();
     if (content.empty())
-        file.refuse("the file is empty: a scene begins with 'kfast 1' and a canvas");
+        file.refuse("the file is empty: " + std::string{kind.begins});
     if (content.size() > input_limit)
-        file.refuse("larger than 16 MB, more than any scene needs: is it the right file?");
+        file.refuse("larger than 16 MB, more than any " + std::string{kind.noun} +
+                    " needs: is it the right file?");
     return content;
 }
 

@@ -3,13 +3,25 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace kfast {
 
-/// No scene comes near it; what is larger was named by mistake.
+/// No file that kfast reads comes near it; what is larger was named by mistake.
 inline constexpr std::size_t input_limit = std::size_t{16} << 20;
 
+/// What a file is to be, for the messages.
+struct InputKind {
+    std::string_view noun;   ///< "scene"
+    std::string_view files;  ///< which files are such: "a .kfast or .kfb file"
+    std::string_view begins; ///< what would stand in it: "a scene begins with …"
+};
+
+inline constexpr InputKind scene_input{"scene", "a .kfast or .kfb file",
+                                       "a scene begins with 'kfast 1' and a canvas"};
+inline constexpr InputKind font_input{"font", "a .ttf or .otf file", "copy it again"};
+
 /// The content of a file. Throws Failure when it cannot be read, is empty, or larger than input_limit.
-std::string read_input(const std::filesystem::path& path);
+std::string read_input(const std::filesystem::path& path, const InputKind& kind);
 
 }

@@ -1,0 +1,76 @@
+#include "host/scene/star_reader.hpp"
+
+#include "host/scene/property_rule.hpp"
+#include "host/scene/spot_reader.hpp"
+#include "host/scene/star.hpp"
+#include "host/scene/value_reader.hpp"
+
+namespace kfast::scene {
+namespace {
+
+constexpr Range counts{3, 1000};
+
+/// What the properties of star and regular give.
+struct Shape {
+    int count = 5; ///< of tips or sides
+    double radius = 0;
+    std::optional<double> inner;
+    double turn = 0;
+};
+
+bool read_count(const kdl::Value& value, Shape& shape, Reading& reading)
+{
+    return assign(read_whole_number(value, counts, reading), shape.count);
+}
+
+bool read_radius(const kdl::Value& value, Shape& shape, Reading& reading)
+{
+    return assign(read_number(value, extents, reading), shape.radius);
+}
+
+bool read_inner(const kdl::Value& value, Shape& shape, Reading& reading)
+{
+    return assign(read_number(value, extents, reading), shape.inner);
+}
+
+bool read_turn(const kdl::Value& value, Shape& shape, Reading& reading)
+{
+    return assign(read_number(value, angles, reading), shape.turn);
+}
+
+constexpr std::array star_rules{
+    PropertyRule<Shape>{"points", read_count},
+    PropertyRule<Shape>{"r", read_radius, true},
+    PropertyRule<Shape>{"inner", read_inner},
+    PropertyRule<Shape>{"turn", read_turn},
+};
+
+constexpr std::array regular_rules{
+    PropertyRule<Shape>{"sides", read_count, true},
+    PropertyRule<Shape>{"r", read_radius, true},
+    PropertyRule<Shape>{"turn", read_turn},
+};
+
+}
+
+std::vector<Outline> read_star(const kdl::Node& node, std::size_t, Reading& reading)
+{
+    Shape shape;
+    const bool good = read_properties(node, star_rules, shape, reading);
+    const auto centre = read_spot(node, reading);
+    if (!good || !centre)
+        return {};
+    return {star(*centre, shape.count, shape.radius, shape.inner.value_or(shape.radius / 2), shape.turn)};
+}
+
+std::vector<Outline> read_regular(const kdl::Node& node, std::size_t, Reading& reading)
+{
+    Shape shape;
+    const bool good = read_properties(node, regular_rules, shape, reading);
+    const auto centre = read_spot(node, reading);
+    if (!good || !centre)
+        return {};
+    return {regular_polygon(*centre, shape.count, shape.radius, shape.turn)};
+}
+
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/outline.hpp"
+#include "host/scene/reading.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace kfast::scene {
+
+/// As read_shape(), for the node text, whose form has been checked.
+std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_left, Reading& reading);
+
+}
