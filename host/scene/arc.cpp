@@ -1,5 +1,7 @@
 #include "host/scene/arc.hpp"
 
+#include "host/scene/unit_circle.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -41,9 +43,7 @@ public:
 
     std::vector<Curve> curves() const
     {
-        // A quarter that rounding made a hair too long is still one piece.
-        const double quarters = std::abs(extent_) / (std::numbers::pi / 2);
-        const int count = std::max(1, static_cast<int>(std::ceil(quarters - 1e-9)));
+        const int count = arc_pieces(std::abs(extent_) / (std::numbers::pi / 2));
         std::vector<Curve> curves;
         curves.reserve(static_cast<std::size_t>(count));
         for (int i = 0; i < count; ++i)
@@ -72,17 +72,15 @@ private:
 
     Curve piece(double angle, double extent) const
     {
-        const double handle = 4.0 / 3.0 * std::tan(extent / 4);
         const double end = angle + extent;
-        return cubic_to(on_canvas(angle, handle), on_canvas(end, -handle), on_canvas(end, 0));
+        const Curve unit =
+            unit_arc({std::cos(angle), std::sin(angle)}, {std::cos(end), std::sin(end)}, extent);
+        return cubic_to(on_canvas(unit.c1), on_canvas(unit.c2), on_canvas(unit.to));
     }
 
-    /// The point at `angle`, moved along the tangent there.
-    Spot on_canvas(double angle, double along) const
+    Spot on_canvas(Spot unit) const
     {
-        const double x = std::cos(angle) - along * std::sin(angle);
-        const double y = std::sin(angle) + along * std::cos(angle);
-        return centre_ + turned({radii_.x * x, radii_.y * y}, cosine_, sine_);
+        return centre_ + turned({radii_.x * unit.x, radii_.y * unit.y}, cosine_, sine_);
     }
 
     double cosine_;

@@ -14,12 +14,6 @@ constexpr NodeForm canvas_form{"canvas", "canvas WIDTH HEIGHT fps=30", 2, 2};
 constexpr Range sizes{1, widest_canvas};
 constexpr Range frame_rates{1, fastest};
 
-constexpr std::array loops{
-    Word<Loop>{"once", Loop::once},
-    Word<Loop>{"repeat", Loop::repeat},
-    Word<Loop>{"ping-pong", Loop::ping_pong},
-};
-
 /// A length in seconds has to wait for the frame rate, which may stand behind it.
 struct Canvas {
     double frames_per_second = 30;
@@ -35,13 +29,17 @@ bool read_rate(const kdl::Value& value, Canvas& canvas, Reading& reading)
 
 bool read_background(const kdl::Value& value, Canvas& canvas, Reading& reading)
 {
-    canvas.has_background = read_colour(value, reading).has_value();
-    return canvas.has_background;
+    const auto background = read_colour(value, reading);
+    canvas.has_background = background.has_value();
+    if (!background || reading.palette.used()[*background].opacity == 255)
+        return canvas.has_background;
+    return reading.report.error(value.place, "the background cannot be transparent",
+                                "leave out the opacity of this colour");
 }
 
 bool read_loop(const kdl::Value& value, Canvas& canvas, Reading& reading)
 {
-    return assign(read_word(value, loops, reading), canvas.loop);
+    return assign(read_loop(value, reading), canvas.loop);
 }
 
 bool keep_length(const kdl::Value& value, Canvas& canvas, Reading&)
@@ -68,10 +66,10 @@ std::optional<Time> read_length(const kdl::Value& value, Reading& reading)
 
 }
 
-std::optional<Time> read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
+void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
 {
     if (!fits(node, canvas_form, reading))
-        return std::nullopt;
+        return;
     assign(read_whole_number(node.arguments[0], sizes, reading), scene.canvas.width);
     assign(read_whole_number(node.arguments[1], sizes, reading), scene.canvas.height);
     Canvas canvas;
@@ -82,7 +80,8 @@ std::optional<Time> read_canvas(const kdl::Node& node, Scene& scene, Reading& re
     reading.frame_rate = static_cast<std::uint32_t>(std::lround(canvas.frames_per_second * 1000));
     scene.frame_rate = reading.frame_rate;
     scene.loop = canvas.loop;
-    return canvas.length != nullptr ? read_length(*canvas.length, reading) : std::nullopt;
+    if (canvas.length != nullptr)
+        reading.length = read_length(*canvas.length, reading);
 }
 
 }

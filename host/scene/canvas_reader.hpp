@@ -4,12 +4,10 @@
 #include "host/scene/model.hpp"
 #include "host/scene/reading.hpp"
 
-#include <optional>
-
 namespace kfast::scene {
 
-/// Fills the canvas, frame rate and loop of `scene`, puts the background first into the palette and sets the
-/// frame rate for the times that follow. Returns the length of the scene if the canvas gives one.
-std::optional<Time> read_canvas(const kdl::Node& node, Scene& scene, Reading& reading);
+/// Fills the canvas, frame rate and loop of `scene`, puts the background first into the palette and sets what
+/// the nodes that follow need: the frame rate, and the length if the canvas gives one.
+void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading);
 
 }

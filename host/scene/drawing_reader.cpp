@@ -1,28 +1,107 @@
 #include "host/scene/drawing_reader.hpp"
 
 #include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/placement.hpp"
+#include "host/scene/property_rule.hpp"
 #include "host/scene/shape_reader.hpp"
+#include "host/scene/symbol_use.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <string>
 
 namespace kfast::scene {
+namespace {
+
+constexpr NodeForm empty_form{"empty", "key TIME { empty }"};
+
+}
+
+std::vector<std::string_view> drawn_names()
+{
+    std::vector<std::string_view> names{shape_names().begin(), shape_names().end()};
+    names.push_back(use_name);
+    names.push_back(empty_form.name);
+    return names;
+}
+
+bool is_drawn(std::string_view name) { return is_shape(name) || name == use_name || name == empty_form.name; }
+
+bool take_points(std::size_t points, Place place, Reading& reading)
+{
+    return reading.points.take(points) ||
+           reading.report.error(place, "the drawings of a scene hold at most " +
+                                           std::to_string(most_points_of_scene) + " points");
+}
 
 void DrawingReader::read(const kdl::Node& node)
 {
-    for (const Outline& outline : read_shape(node, most_points - points_, reading_))
-        if (!add(outline, node))
+    const bool is_empty = node.name == empty_form.name;
+    if (is_empty ? has_strokes_ : is_empty_)
+        reading_.report.error(node.name_place, "\"empty\" stands alone", "remove it, or the shapes");
+    if (is_empty)
+        read_empty(node);
+    else
+        read_strokes(node);
+}
+
+void DrawingReader::read_empty(const kdl::Node& node)
+{
+    is_empty_ = true;
+    if (fits(node, empty_form, reading_))
+        refuse_properties(node, reading_);
+}
+
+void DrawingReader::read_strokes(const kdl::Node& node)
+{
+    has_strokes_ = true;
+    if (node.name == use_name)
+        return copy(node);
+    for (Outline& outline : read_shape(node, most_points - points_, reading_))
+        if (!add(std::move(outline), node))
             return;
 }
 
-bool DrawingReader::add(const Outline& outline, const kdl::Node& node)
+void DrawingReader::copy(const kdl::Node& node)
+{
+    const auto use = read_drawing_use(node, reading_);
+    if (!use)
+        return;
+    const SymbolEntry& symbol = *use->symbol;
+    const Place name = node.arguments.front().place;
+    if (!symbol.still) {
+        reading_.report.error(name, "the symbol " + quoted(symbol.name) + " has keys, which do not fit here",
+                              "let its use be all that an object draws, or use one without keys");
+        return;
+    }
+    depth_ = std::max(depth_, symbol.depth + 1);
+    if (depth_ > deepest_item) {
+        reading_.report.error(name, too_deep());
+        return;
+    }
+    ItemValues values = use->values;
+    mirror(use->mirror, values, {});
+    const Placement placement{values};
+    for (const Outline& outline : *symbol.still)
+        if (!add(placement.of(outline), node))
+            return;
+}
+
+bool DrawingReader::add(Outline outline, const kdl::Node& node)
 {
     if (!in_range(outline))
         return reading_.report.error(node.name_place,
                                      "this " + node.name + " reaches more than 2047 px from the origin");
+    if (!take_points(outline.curves.size() + 1, node.name_place, reading_))
+        return false;
     Stroke stroke = quantized(outline);
     const std::size_t points = stroke.segments.size() + 1;
     if (points > most_points - points_)
         return reading_.report.error(node.name_place, too_many_points());
     points_ += points;
     drawing_.strokes.push_back(std::move(stroke));
+    outlines_.push_back(std::move(outline));
     return true;
 }
 

@@ -6,25 +6,45 @@
 #include "host/scene/reading.hpp"
 
 #include <cstddef>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace kfast::scene {
+
+/// The nodes that a drawing consists of: shapes, uses of symbols, and `empty`.
+std::vector<std::string_view> drawn_names();
+bool is_drawn(std::string_view name);
+
+/// Whether the scene has room for as many points, a key counted as one; reports it if not.
+bool take_points(std::size_t points, Place place, Reading& reading);
 
 /// Collects the strokes of one drawing.
 class DrawingReader {
 public:
     explicit DrawingReader(Reading& reading) : reading_{reading} {}
 
-    /// Adds the strokes of `node`, for which is_shape() holds; reports it when it is wrong.
+    /// Adds the strokes of `node`, for which is_drawn() holds; reports it when it is wrong.
     void read(const kdl::Node& node);
     Drawing take() { return std::move(drawing_); }
+    /// What take() gives, before rounding.
+    std::vector<Outline> take_outlines() { return std::move(outlines_); }
+    /// How deep symbols that have been copied lie in each other.
+    int depth() const { return depth_; }
 
 private:
-    bool add(const Outline& outline, const kdl::Node& node);
+    void read_strokes(const kdl::Node& node);
+    void read_empty(const kdl::Node& node);
+    void copy(const kdl::Node& node);
+    bool add(Outline outline, const kdl::Node& node);
 
     Reading& reading_;
     Drawing drawing_;
+    std::vector<Outline> outlines_;
     std::size_t points_ = 0;
+    int depth_ = 0;
+    bool has_strokes_ = false; ///< nodes, at least
+    bool is_empty_ = false;    ///< says so
 };
 
 }

@@ -1,66 +1,42 @@
 #include "host/scene/key_list.hpp"
 
-#include "host/scene/key_reader.hpp"
+#include "host/scene/idle_laws.hpp"
 #include "host/scene/limits.hpp"
-#include "host/scene/shape_reader.hpp"
-#include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
-#include <optional>
+#include <algorithm>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace kfast::scene {
-void KeyList::read(const kdl::Node& node)
+
+bool KeyList::read(const kdl::Node& node)
 {
-    if (node.name == key_name)
-        add_key(node);
-    else if (is_shape(node.name))
-        add_shape(node);
-    else
-        report_unknown(node);
+    auto key = read_key(node, holder_, reading_);
+    if (!key || !in_order(*key))
+        return false;
+    keys_.push_back(std::move(*key));
+    return true;
 }
 
-void KeyList::finish()
+std::vector<ItemKey> KeyList::take()
 {
-    if (has_shape_)
-        object_.keys.push_back({.time = {}, .drawing = still_.take(), .place = object_.place});
-    else if (const auto law = last_key_ != nullptr ? law_place(*last_key_) : std::nullopt)
-        reading_.report.warning(*law, "a law on the last key governs nothing",
-                                "remove it, or add a later key");
+    warn_of_idle_laws(keys_, reading_);
+    warn_of_unseen_keys();
+    if (!keys_.empty())
+        reading_.last_key = std::max(reading_.last_key, keys_.back().time);
+    return std::move(keys_);
 }
 
-void KeyList::add_key(const kdl::Node& node)
+bool KeyList::in_order(const ItemKey& key)
 {
-    if (has_shape_)
-        return report_mixture(node);
-    last_key_ = &node;
-    auto key = read_key(node, reading_);
-    if (key && in_order(*key))
-        object_.keys.push_back(std::move(*key));
-}
-
-void KeyList::add_shape(const kdl::Node& node)
-{
-    if (last_key_ != nullptr)
-        return report_mixture(node);
-    has_shape_ = true;
-    still_.read(node);
-}
-
-bool KeyList::in_order(const Key& key)
-{
-    if (object_.keys.size() == most_keys)
-        return reading_.report.error(key.place,
-                                     "an object holds at most " + std::to_string(most_keys) + " keys");
-    if (object_.keys.empty() || object_.keys.back().time < key.time)
+    if (keys_.size() == most_keys)
+        return reading_.report.error(key.place, "at most " + std::to_string(most_keys) + " keys stand here");
+    if (keys_.empty() || keys_.back().time < key.time)
         return true;
-    return report_order(key, object_.keys.back());
+    return report_order(key, keys_.back());
 }
 
-bool KeyList::report_order(const Key& key, const Key& before)
+bool KeyList::report_order(const ItemKey& key, const ItemKey& before)
 {
     const std::string line = reading_.report.line(before.place);
     if (key.time == before.time)
@@ -70,19 +46,16 @@ bool KeyList::report_order(const Key& key, const Key& before)
                                  "put the keys in the order of their times");
 }
 
-void KeyList::report_mixture(const kdl::Node& node)
+/// The way to a key is seen in part if it begins before the end.
+void KeyList::warn_of_unseen_keys()
 {
-    if (!std::exchange(mixed_, true))
-        reading_.report.error(node.name_place, "an object has either keys or shapes, not both",
-                              "put the shapes into a key: key 0 { … }");
-}
-
-void KeyList::report_unknown(const kdl::Node& node)
-{
-    std::vector<std::string_view> known{key_name};
-    known.insert(known.end(), shape_names().begin(), shape_names().end());
-    reading_.report.error(node.name_place, "an object has no node " + quoted(node.name),
-                          suggestion(node.name, known));
+    if (!reading_.length)
+        return;
+    const auto begins_too_late = [&](const ItemKey& key) { return key.time >= *reading_.length; };
+    const auto late = std::ranges::find_if(keys_, begins_too_late);
+    if (keys_.end() - late > 1)
+        reading_.report.warning((late + 1)->place, "the scene ends before anything of this key is seen",
+                                "make the scene longer with frames=… or remove the key");
 }
 
 }

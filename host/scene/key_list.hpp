@@ -1,36 +1,31 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
-#include "host/scene/drawing_reader.hpp"
-#include "host/scene/model.hpp"
+#include "host/scene/key_reader.hpp"
 #include "host/scene/reading.hpp"
+
+#include <vector>
 
 namespace kfast::scene {
 
-/// Takes the nodes inside an object: keys, or the shapes of a single drawing.
+/// The keys of one item or symbol, in the order of their times.
 class KeyList {
 public:
-    KeyList(Object& object, Reading& reading) : object_{object}, reading_{reading}, still_{reading} {}
+    KeyList(KeyHolder holder, Reading& reading) : holder_{holder}, reading_{reading} {}
 
-    /// `node` must live until finish().
-    void read(const kdl::Node& node);
-    /// After the last node.
-    void finish();
+    /// `node` must live as long as the keys. Whether it was a key at a time of its own.
+    bool read(const kdl::Node& node);
+    /// After the last key: all of them. Their laws are looked at, and how far they reach in time.
+    std::vector<ItemKey> take();
 
 private:
-    void add_key(const kdl::Node& node);
-    void add_shape(const kdl::Node& node);
-    bool in_order(const Key& key);
-    bool report_order(const Key& key, const Key& before);
-    void report_mixture(const kdl::Node& node);
-    void report_unknown(const kdl::Node& node);
+    bool in_order(const ItemKey& key);
+    bool report_order(const ItemKey& key, const ItemKey& before);
+    void warn_of_unseen_keys();
 
-    Object& object_;
+    KeyHolder holder_;
     Reading& reading_;
-    DrawingReader still_;
-    const kdl::Node* last_key_ = nullptr;
-    bool has_shape_ = false;
-    bool mixed_ = false; ///< has been reported
+    std::vector<ItemKey> keys_;
 };
 
 }

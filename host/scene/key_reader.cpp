@@ -3,40 +3,69 @@
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
-#include "host/scene/shape_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
 
 namespace kfast::scene {
 namespace {
 
-constexpr NodeForm key_form{key_name, "key TIME law=LAW { shapes }", 1, 1, true};
+constexpr NodeForm drawing_key_form{key_name, "key TIME law=LAW { shapes }", 1, 1, true};
+constexpr NodeForm group_key_form{key_name, "key TIME law=LAW x=X …", 1, 1};
 
-constexpr std::array laws{
-    Word<VelocityLaw>{"constant", VelocityLaw::constant},
-    Word<VelocityLaw>{"accelerate", VelocityLaw::accelerate},
-    Word<VelocityLaw>{"decelerate", VelocityLaw::decelerate},
-    Word<VelocityLaw>{"accelerate-decelerate", VelocityLaw::accelerate_decelerate},
-};
+constexpr std::array matches{Word<Match>{"count", Match::count}, Word<Match>{"length", Match::length}};
 
-/// The law of one axis wins over that of both, whichever is written first.
-struct Laws {
-    std::optional<VelocityLaw> both;
-    std::optional<VelocityLaw> x;
-    std::optional<VelocityLaw> y;
-};
-
-template <std::optional<VelocityLaw> Laws::*member>
-bool read_law(const kdl::Value& value, Laws& target, Reading& reading)
+bool read_match(const kdl::Value& value, ItemKey& key, Reading& reading)
 {
-    return assign(read_word(value, laws, reading), target.*member);
+    return assign(read_word(value, matches, reading), key.match);
 }
 
-constexpr std::array law_rules{
-    PropertyRule<Laws>{"law", read_law<&Laws::both>},
-    PropertyRule<Laws>{"law-x", read_law<&Laws::x>},
-    PropertyRule<Laws>{"law-y", read_law<&Laws::y>},
+constexpr std::array match_rules{PropertyRule<ItemKey>{"match", read_match}};
+constexpr std::array paint_rules{
+    PropertyRule<ItemKey>{"fill", read_own_value<Property::fill>},
+    PropertyRule<ItemKey>{"stroke", read_own_value<Property::stroke>},
+    PropertyRule<ItemKey>{"width", read_own_value<Property::width>},
 };
+
+constexpr auto symbol_key_rules = joined(law_rules<ItemKey>, match_rules);
+constexpr auto group_key_rules = joined(law_rules<ItemKey>, place_rules<ItemKey>, show_rules<ItemKey>);
+constexpr auto object_key_rules = joined(group_key_rules, match_rules, paint_rules);
+
+bool read_key_properties(const kdl::Node& node, KeyHolder holder, ItemKey& key, Reading& reading)
+{
+    switch (holder) {
+    case KeyHolder::object:
+        return read_properties(node, object_key_rules, key, reading);
+    case KeyHolder::group:
+        return read_properties(node, group_key_rules, key, reading);
+    case KeyHolder::symbol:
+        return read_properties(node, symbol_key_rules, key, reading);
+    }
+    return false;
+}
+
+/// Whether it is more than a law or a match, which say how and not what.
+bool is_setting(const kdl::Property& property)
+{
+    return std::ranges::find(symbol_key_rules, property.name, &PropertyRule<ItemKey>::name) ==
+           symbol_key_rules.end();
+}
+
+bool report_idle_key(const ItemKey& key, KeyHolder holder, Reading& reading)
+{
+    constexpr auto message = "this key sets nothing";
+    switch (holder) {
+    case KeyHolder::object:
+        return reading.report.error(key.place, message, "add shapes, \"empty\", or a property such as x=10");
+    case KeyHolder::group:
+        return reading.report.error(key.place, message, "add a property such as x=10");
+    case KeyHolder::symbol:
+        return reading.report.error(key.place, message, "add shapes or \"empty\"");
+    }
+    return false;
+}
 
 Drawing read_drawing(const kdl::Node& key, Reading& reading)
 {
@@ -44,42 +73,36 @@ Drawing read_drawing(const kdl::Node& key, Reading& reading)
     for (const kdl::Node& node : key.children) {
         if (reading.report.full())
             break;
-        if (is_shape(node.name))
+        if (is_drawn(node.name))
             drawing.read(node);
         else
             reading.report.error(node.name_place, "a key has no node " + quoted(node.name),
-                                 suggestion(node.name, shape_names()));
+                                 suggestion(node.name, drawn_names()));
     }
+    take_points(1, key.name_place, reading);
     return drawing.take();
 }
 
 }
 
-std::optional<Key> read_key(const kdl::Node& node, Reading& reading)
+std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading& reading)
 {
-    if (!fits(node, key_form, reading))
+    if (!fits(node, holder == KeyHolder::group ? group_key_form : drawing_key_form, reading))
         return std::nullopt;
-    Laws chosen;
-    read_properties(node, law_rules, chosen, reading);
-    Drawing drawing = read_drawing(node, reading);
     const kdl::Value& moment = node.arguments.front();
+    ItemKey key;
+    key.node = &node;
+    key.place = span(node.name_place, moment.place);
+    read_key_properties(node, holder, key, reading);
+    if (!node.children.empty())
+        key.drawing = read_drawing(node, reading);
+    else if (std::ranges::none_of(node.properties, is_setting))
+        report_idle_key(key, holder, reading);
     const auto time = read_time(moment, reading);
     if (!time)
         return std::nullopt;
-    const VelocityLaw both = chosen.both.value_or(VelocityLaw::constant);
-    return Key{.time = *time,
-               .law_x = chosen.x.value_or(both),
-               .law_y = chosen.y.value_or(both),
-               .drawing = std::move(drawing),
-               .place = span(node.name_place, moment.place)};
-}
-
-std::optional<Place> law_place(const kdl::Node& node)
-{
-    for (const kdl::Property& property : node.properties)
-        if (std::ranges::find(law_rules, property.name, &PropertyRule<Laws>::name) != law_rules.end())
-            return span(property.name_place, property.value.place);
-    return std::nullopt;
+    key.time = *time;
+    return key;
 }
 
 }

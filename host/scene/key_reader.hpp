@@ -1,9 +1,13 @@
 #pragma once
 
+#include "core/time.hpp"
 #include "host/kdl/document.hpp"
+#include "host/scene/item_values.hpp"
+#include "host/scene/key_laws.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/reading.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -11,10 +15,26 @@ namespace kfast::scene {
 
 inline constexpr std::string_view key_name = "key";
 
-/// Nothing when it cannot be said when the key is, which is reported like everything else.
-std::optional<Key> read_key(const kdl::Node& node, Reading& reading);
+/// What the key stands in; it decides what the key may set.
+enum class KeyHolder : std::uint8_t {
+    object,
+    group,  ///< or a use: no drawings
+    symbol, ///< of a drawing: nothing else
+};
 
-/// Where a key names a law, if it does.
-std::optional<Place> law_place(const kdl::Node& node);
+/// A key as it is written: what it sets, and how that goes on to the next key that sets the same.
+struct ItemKey {
+    const kdl::Node* node = nullptr;
+    Time time;
+    Place place; ///< of its name and time
+    ItemValues values;
+    KeyLaws laws;
+    std::optional<Match> match;
+    std::optional<Drawing> drawing;
+};
+
+/// Nothing when it cannot be said when the key is, which is reported like everything else. The key points
+/// to `node`.
+std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading& reading);
 
 }

@@ -5,10 +5,13 @@
 #include "host/scene/reading.hpp"
 
 #include <optional>
+#include <string_view>
 
 namespace kfast::scene {
 
+inline constexpr std::string_view object_name = "object";
+
 /// Nothing when the node gives no usable object; what is wrong is reported.
-std::optional<Object> read_object(const kdl::Node& node, Reading& reading);
+std::optional<Item> read_object(const kdl::Node& node, Reading& reading);
 
 }

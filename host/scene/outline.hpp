@@ -27,6 +27,12 @@ constexpr Curve line_to(Spot to) { return {.cubic = false, .c1 = {}, .c2 = {}, .
 
 constexpr Curve cubic_to(Spot c1, Spot c2, Spot to) { return {.cubic = true, .c1 = c1, .c2 = c2, .to = to}; }
 
+/// The cubic that is the same curve as a quadratic Bézier.
+constexpr Curve quadratic_to(Spot from, Spot control, Spot to)
+{
+    return cubic_to(from + 2.0 / 3 * (control - from), to + 2.0 / 3 * (control - to), to);
+}
+
 /// A stroke before rounding.
 struct Outline {
     Spot from;

@@ -27,7 +27,10 @@ constexpr std::array basic_colours{
     BasicColour{"aqua", {0, 255, 255}},
 };
 
-constexpr std::uint8_t byte(unsigned value) { return static_cast<std::uint8_t>(value & 0xFF); }
+constexpr std::uint8_t byte(std::uint32_t value) { return static_cast<std::uint8_t>(value & 0xFF); }
+
+/// The last digit, twice.
+constexpr std::uint8_t doubled(std::uint32_t value) { return byte((value & 15) * 17); }
 
 }
 
@@ -41,15 +44,18 @@ std::optional<Colour> basic_colour(std::string_view name)
 
 std::optional<Colour> hex_colour(std::string_view text)
 {
-    if (!text.starts_with('#') || (text.size() != 4 && text.size() != 7))
+    const std::size_t digits = text.size() - 1;
+    if (!text.starts_with('#') || (digits != 3 && digits != 4 && digits != 6 && digits != 8))
         return std::nullopt;
-    unsigned bits = 0;
+    std::uint32_t bits = 0;
     const char* const end = text.data() + text.size();
     if (std::from_chars(text.data() + 1, end, bits, 16).ptr != end)
         return std::nullopt;
-    if (text.size() == 7)
-        return Colour{byte(bits >> 16), byte(bits >> 8), byte(bits)};
-    return Colour{byte((bits >> 8) * 17), byte((bits >> 4 & 15) * 17), byte((bits & 15) * 17)};
+    if (digits % 4 != 0)
+        bits = digits == 3 ? bits << 4 | 15 : bits << 8 | 255;
+    if (digits > 4)
+        return Colour{byte(bits >> 24), byte(bits >> 16), byte(bits >> 8), byte(bits)};
+    return Colour{doubled(bits >> 12), doubled(bits >> 8), doubled(bits >> 4), doubled(bits)};
 }
 
 std::optional<Place> Palette::declare(const std::string& name, Colour colour, Place place)

@@ -15,7 +15,7 @@ namespace kfast::scene {
 /// The 16 colours that CSS has known from the start; `grey` is `gray`.
 std::optional<Colour> basic_colour(std::string_view name);
 
-/// "#rgb" or "#rrggbb".
+/// "#rgb" or "#rrggbb", or with opacity "#rgba" or "#rrggbbaa".
 std::optional<Colour> hex_colour(std::string_view text);
 
 /// The colours a scene names, and those it uses.

@@ -4,7 +4,6 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
-#include "host/text/glyph.hpp"
 
 namespace kfast::scene {
 namespace {
@@ -37,8 +36,7 @@ void read_named_colour(const kdl::Node& node, Reading& reading)
         return;
     }
     if (const auto earlier = reading.palette.declare(node.name, colour, node.name_place))
-        reading.report.error(node.name_place, "there is a colour " + quoted(node.name) + " already, on " +
-                                                  reading.report.line(*earlier));
+        report_double("a colour", node.name, node.name_place, *earlier, reading.report);
 }
 
 }

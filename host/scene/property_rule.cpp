@@ -12,6 +12,14 @@ bool has_property(const kdl::Node& node, std::string_view name)
     return std::ranges::find(node.properties, name, &kdl::Property::name) != node.properties.end();
 }
 
+Place property_place(const kdl::Node& node, std::string_view name)
+{
+    const auto property = std::ranges::find(node.properties, name, &kdl::Property::name);
+    if (property == node.properties.end())
+        return node.name_place;
+    return span(property->name_place, property->value.place);
+}
+
 bool report_unknown_property(const kdl::Node& node, const kdl::Property& property,
                              std::span<const std::string_view> known, Reading& reading)
 {

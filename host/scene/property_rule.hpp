@@ -15,14 +15,26 @@ namespace kfast::scene {
 /// misspelt name is compared with.
 template <class Target>
 struct PropertyRule {
-    std::string_view name;
+    std::string_view name = {};
     /// Whether the value was good; reports it if not.
-    bool (*read)(const kdl::Value& value, Target& target, Reading& reading);
+    bool (*read)(const kdl::Value& value, Target& target, Reading& reading) = nullptr;
     bool required = false;
     std::string_view needs = {}; ///< another property, without which this one does nothing
 };
 
+/// The rules of several tables in one.
+template <class Target, std::size_t... counts>
+constexpr auto joined(const std::array<PropertyRule<Target>, counts>&... tables)
+{
+    std::array<PropertyRule<Target>, (counts + ...)> all{};
+    auto end = all.begin();
+    ((end = std::ranges::copy(tables, end).out), ...);
+    return all;
+}
+
 bool has_property(const kdl::Node& node, std::string_view name);
+/// From the name to the end of the value; the node's own name when it has no such property.
+Place property_place(const kdl::Node& node, std::string_view name);
 bool report_unknown_property(const kdl::Node& node, const kdl::Property& property,
                              std::span<const std::string_view> known, Reading& reading);
 bool report_missing_property(const kdl::Node& node, std::string_view name, Reading& reading);

@@ -1,5 +1,7 @@
 #include "host/scene/reading.hpp"
 
+#include "host/text/glyph.hpp"
+
 #include <utility>
 
 namespace kfast::scene {
@@ -24,6 +26,18 @@ void Report::warning(Place place, std::string message, std::string remedy)
 std::string Report::line(Place place) const
 {
     return "line " + std::to_string(line_column(source_.text, place.offset).line);
+}
+
+bool add_name(NameTable& names, std::string_view noun, std::string_view name, Place place, Report& report)
+{
+    const auto earlier = names.add(name, place);
+    return !earlier || report_double(noun, name, place, *earlier, report);
+}
+
+bool report_double(std::string_view noun, std::string_view name, Place place, Place earlier, Report& report)
+{
+    return report.error(place, "there is " + std::string{noun} + ' ' + quoted(name) + " already, on " +
+                                   report.line(earlier));
 }
 
 }

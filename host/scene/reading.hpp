@@ -1,12 +1,19 @@
 #pragma once
 
+#include "core/time.hpp"
+#include "host/scene/font_shelf.hpp"
+#include "host/scene/name_table.hpp"
 #include "host/scene/palette.hpp"
+#include "host/scene/point_budget.hpp"
+#include "host/scene/symbol_table.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace kfast::scene {
 
@@ -38,8 +45,19 @@ private:
 struct Reading {
     Report report;
     Palette palette;
+    FontShelf fonts;
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
+    std::optional<Time> length = {};   ///< if the canvas gives one
+    Time last_key = {};                ///< of all that have been read
+    SymbolTable symbols = {};
+    NameTable object_names = {};
+    PointBudget points = {};
 };
+
+/// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is what to mark.
+bool add_name(NameTable& names, std::string_view noun, std::string_view name, Place place, Report& report);
+/// Always false.
+bool report_double(std::string_view noun, std::string_view name, Place place, Place earlier, Report& report);
 
 /// From the start of `first` to the end of `last`.
 constexpr Place span(Place first, Place last)

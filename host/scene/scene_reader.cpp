@@ -1,16 +1,25 @@
 #include "host/scene/scene_reader.hpp"
 
 #include "host/scene/canvas_reader.hpp"
+#include "host/scene/clip_reader.hpp"
+#include "host/scene/event_reader.hpp"
+#include "host/scene/group_reader.hpp"
+#include "host/scene/item_reader.hpp"
 #include "host/scene/limits.hpp"
+#include "host/scene/name_table.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/object_reader.hpp"
 #include "host/scene/palette_reader.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/symbol_reader.hpp"
+#include "host/scene/symbol_use.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
-#include <unordered_map>
+#include <algorithm>
+#include <string>
+#include <utility>
 
 namespace kfast::scene {
 namespace {
@@ -24,31 +33,26 @@ struct Parts {
     const kdl::Node* version = nullptr;
     const kdl::Node* canvas = nullptr;
     const kdl::Node* palette = nullptr;
-    std::vector<const kdl::Node*> objects;
+    std::vector<const kdl::Node*> symbols;
+    std::vector<const kdl::Node*> items;
+    std::vector<const kdl::Node*> clips;
+    std::vector<const kdl::Node*> events;
 };
-
-void take_once(const kdl::Node*& part, const kdl::Node& node, Reading& reading)
-{
-    if (part == nullptr)
-        part = &node;
-    else
-        reading.report.error(node.name_place, "there is a " + node.name + " already, on " +
-                                                  reading.report.line(part->name_place));
-}
 
 template <const kdl::Node* Parts::*part>
 void take_single(Parts& parts, const kdl::Node& node, Reading& reading)
 {
-    take_once(parts.*part, node, reading);
+    if (parts.*part == nullptr)
+        parts.*part = &node;
+    else
+        reading.report.error(node.name_place, "there is a " + node.name + " already, on " +
+                                                  reading.report.line((parts.*part)->name_place));
 }
 
-void take_object(Parts& parts, const kdl::Node& node, Reading& reading)
+template <std::vector<const kdl::Node*> Parts::*list>
+void take_each(Parts& parts, const kdl::Node& node, Reading&)
 {
-    if (parts.objects.size() < most_objects)
-        parts.objects.push_back(&node);
-    else
-        reading.report.error(node.name_place,
-                             "a scene holds at most " + std::to_string(most_objects) + " objects");
+    (parts.*list).push_back(&node);
 }
 
 struct PartRule {
@@ -57,10 +61,11 @@ struct PartRule {
 };
 
 constexpr std::array part_rules{
-    PartRule{"kfast", take_single<&Parts::version>},
-    PartRule{"canvas", take_single<&Parts::canvas>},
-    PartRule{"palette", take_single<&Parts::palette>},
-    PartRule{"object", take_object},
+    PartRule{"kfast", take_single<&Parts::version>},   PartRule{"canvas", take_single<&Parts::canvas>},
+    PartRule{"palette", take_single<&Parts::palette>}, PartRule{symbol_name, take_each<&Parts::symbols>},
+    PartRule{object_name, take_each<&Parts::items>},   PartRule{group_name, take_each<&Parts::items>},
+    PartRule{use_name, take_each<&Parts::items>},      PartRule{"clip", take_each<&Parts::clips>},
+    PartRule{"event", take_each<&Parts::events>},
 };
 
 void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
@@ -107,53 +112,37 @@ bool read_version(const kdl::Document& document, Reading& reading)
     return true;
 }
 
-std::optional<Time> read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene,
-                                Reading& reading)
+void read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene, Reading& reading)
 {
     if (parts.canvas != nullptr)
         return read_canvas(*parts.canvas, scene, reading);
     const Place place = document.nodes.empty() ? Place{} : document.nodes.front().name_place;
     reading.report.error(place, "this scene has no canvas", "add \"canvas 240 240\"");
-    return std::nullopt;
 }
 
-void read_objects(const Parts& parts, Scene& scene, Reading& reading)
+void read_items(const Parts& parts, Scene& scene, Reading& reading)
 {
-    std::unordered_map<std::string, Place> names;
-    for (const kdl::Node* node : parts.objects) {
-        if (reading.report.full())
-            return;
-        auto object = read_object(*node, reading);
-        if (!object)
-            continue;
-        const auto [entry, fresh] = names.try_emplace(object->name, object->place);
-        if (!fresh)
-            reading.report.error(object->place, "there is an object " + quoted(object->name) +
-                                                    " already, on " + reading.report.line(entry->second));
-        scene.objects.push_back(std::move(*object));
-    }
+    for (const kdl::Node* node : parts.symbols)
+        if (!reading.report.full())
+            add_symbol(*node, reading);
+    for (const kdl::Node* node : parts.items)
+        if (!reading.report.full())
+            read_item(*node, 0, scene.items, reading);
+    refuse_crowded_order(scene.items, reading);
 }
 
-/// The time of the last key, but one frame at least.
-Time natural_length(const Scene& scene)
+void read_marks(const Parts& parts, Scene& scene, Reading& reading)
 {
-    Time length = Time::frame(1);
-    for (const Object& object : scene.objects)
-        if (!object.keys.empty())
-            length = std::max(length, object.keys.back().time);
-    return length;
-}
-
-/// The way to a key is seen in part if it begins before the end.
-void warn_of_unseen_keys(const Scene& scene, Reading& reading)
-{
-    const auto begins_too_late = [&](const Key& key) { return key.time >= scene.length; };
-    for (const Object& object : scene.objects) {
-        const auto late = std::ranges::find_if(object.keys, begins_too_late);
-        if (object.keys.end() - late > 1)
-            reading.report.warning((late + 1)->place, "the scene ends before anything of this key is seen",
-                                   "make the scene longer with frames=… or remove the key");
-    }
+    NameTable clip_names;
+    for (const kdl::Node* node : parts.clips)
+        if (!reading.report.full())
+            if (auto clip = read_clip(*node, scene.length, clip_names, reading))
+                scene.clips.push_back(std::move(*clip));
+    for (const kdl::Node* node : parts.events)
+        if (!reading.report.full())
+            if (auto event = read_event(*node, scene, reading))
+                scene.events.push_back(std::move(*event));
+    std::ranges::stable_sort(scene.events, {}, &Event::time);
 }
 
 }
@@ -161,18 +150,22 @@ void warn_of_unseen_keys(const Scene& scene, Reading& reading)
 std::optional<Scene> read_scene(const kdl::Document& document, const SourceText& source,
                                 Diagnostics& diagnostics)
 {
-    Reading reading{.report = {source, diagnostics}, .palette = {}};
+    Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = FontShelf{source.folder}};
     if (!read_version(document, reading))
         return std::nullopt;
     const Parts parts = sort_out(document, reading);
     if (parts.palette != nullptr)
         read_palette(*parts.palette, reading);
     Scene scene;
-    const auto length = read_canvas(document, parts, scene, reading);
-    read_objects(parts, scene, reading);
-    scene.length = length.value_or(natural_length(scene));
-    warn_of_unseen_keys(scene, reading);
+    read_canvas(document, parts, scene, reading);
+    read_items(parts, scene, reading);
+    scene.length = reading.length.value_or(std::max(reading.last_key, Time::frame(1)));
+    read_marks(parts, scene, reading);
     scene.palette = reading.palette.used();
+    // Behind all that asks what has been read: what they hold is not part of the scene.
+    check_unused_symbols(reading);
+    if (!diagnostics.has_errors())
+        move_symbols(scene, reading);
     if (diagnostics.has_errors())
         return std::nullopt;
     return scene;

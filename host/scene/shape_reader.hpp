@@ -15,8 +15,8 @@ namespace kfast::scene {
 std::span<const std::string_view> shape_names();
 bool is_shape(std::string_view name);
 
-/// The outlines of `node`, for which is_shape() holds; none when it is wrong, which is reported. Only a path
-/// looks at `points_left`, and only paths are sure to be in_range().
+/// The outlines of `node`, for which is_shape() holds; none when it is wrong, which is reported. Only
+/// paths and texts look at `points_left`, and only paths are sure to be in_range().
 std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, Reading& reading);
 
 }

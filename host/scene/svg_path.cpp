@@ -241,7 +241,7 @@ void PathReader::add_cubic(Spot c1, Spot c2, Spot to)
 
 void PathReader::add_quadratic(Spot control, Spot to)
 {
-    add(cubic_to(current_ + 2.0 / 3 * (control - current_), to + 2.0 / 3 * (control - to), to));
+    add(quadratic_to(current_, control, to));
     control_ = control;
 }
 

@@ -3,6 +3,7 @@
 #include "host/scene/limits.hpp"
 #include "host/text/glyph.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -55,7 +56,15 @@ std::optional<double> ticks_per(const kdl::Value& value, Reading& reading)
     return std::nullopt;
 }
 
+bool is_control(char letter)
+{
+    const auto code = static_cast<unsigned char>(letter);
+    return code < 0x20 || code == 0x7F;
 }
+
+}
+
+std::string allowed(Range range) { return "allowed: " + text_of(range.low) + " to " + text_of(range.high); }
 
 std::optional<double> read_number(const kdl::Value& value, Range range, Reading& reading)
 {
@@ -64,9 +73,27 @@ std::optional<double> read_number(const kdl::Value& value, Range range, Reading&
         return std::nullopt;
     if (number->value >= range.low && number->value <= range.high)
         return number->value;
-    reading.report.error(value.place, "this number is out of range",
-                         "allowed: " + text_of(range.low) + " to " + text_of(range.high));
+    report_out_of_range(value, range, reading);
     return std::nullopt;
+}
+
+void report_out_of_range(const kdl::Value& value, Range range, Reading& reading)
+{
+    reading.report.error(value.place, "this number is out of range", allowed(range));
+}
+
+std::optional<std::vector<double>> read_numbers(std::span<const kdl::Value> values,
+                                                std::span<const Range> ranges, Reading& reading)
+{
+    std::vector<double> numbers;
+    for (const kdl::Value& value : values) {
+        const std::size_t place = std::min(numbers.size(), ranges.size() - 1);
+        const auto number = read_number(value, ranges[place], reading);
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
 }
 
 std::optional<int> read_whole_number(const kdl::Value& value, Range range, Reading& reading)
@@ -80,6 +107,16 @@ std::optional<int> read_whole_number(const kdl::Value& value, Range range, Readi
     return std::nullopt;
 }
 
+std::optional<bool> read_flag(const kdl::Value& value, Reading& reading)
+{
+    const bool* const flag = std::get_if<bool>(&value.data);
+    if (flag == nullptr)
+        reading.report.error(value.place, "#true or #false is expected here");
+    if (flag == nullptr || !without_type(value, reading))
+        return std::nullopt;
+    return *flag;
+}
+
 std::optional<std::string_view> read_text(const kdl::Value& value, Reading& reading)
 {
     const std::string* const text = value.string();
@@ -88,6 +125,23 @@ std::optional<std::string_view> read_text(const kdl::Value& value, Reading& read
     if (text == nullptr || !without_type(value, reading))
         return std::nullopt;
     return *text;
+}
+
+std::optional<std::string_view> read_name(const kdl::Value& value, Reading& reading)
+{
+    const auto name = read_text(value, reading);
+    if (!name)
+        return std::nullopt;
+    if (name->empty())
+        reading.report.error(value.place, "a name cannot be empty");
+    else if (name->size() > longest_name)
+        reading.report.error(value.place, "this name is too long",
+                             "a name has at most " + std::to_string(longest_name) + " bytes");
+    else if (std::ranges::any_of(*name, is_control)) // boards write names into lines of text
+        reading.report.error(value.place, "a name has no line ends or other control characters");
+    else
+        return name;
+    return std::nullopt;
 }
 
 std::optional<Time> read_time(const kdl::Value& value, Reading& reading)
@@ -106,6 +160,8 @@ std::optional<Time> read_time(const kdl::Value& value, Reading& reading)
                              "allowed: up to " + std::to_string(most_frames) + " frames");
     return std::nullopt;
 }
+
+std::string text_of(Time time) { return text_of(static_cast<double>(time.ticks) / Time::ticks_per_frame); }
 
 std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading)
 {
@@ -129,7 +185,8 @@ void report_unknown_colour(const kdl::Value& value, std::string_view text,
                            std::span<const std::string_view> known, Reading& reading)
 {
     if (text.starts_with('#'))
-        reading.report.error(value.place, quoted(text) + " is no colour", "write \"#rgb\" or \"#rrggbb\"");
+        reading.report.error(value.place, quoted(text) + " is no colour",
+                             "write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", \"#rrggbbaa\"");
     else
         reading.report.error(value.place, "unknown colour " + quoted(text), suggestion(text, known));
 }
@@ -138,6 +195,33 @@ void report_unknown_word(const kdl::Value& value, std::string_view name,
                          std::span<const std::string_view> known, Reading& reading)
 {
     reading.report.error(value.place, "unknown value " + quoted(name), suggestion(name, known));
+}
+
+std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading)
+{
+    constexpr std::array loops{
+        Word<Loop>{"once", Loop::once},
+        Word<Loop>{"repeat", Loop::repeat},
+        Word<Loop>{"ping-pong", Loop::ping_pong},
+    };
+    return read_word(value, loops, reading);
+}
+
+void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Reading& reading)
+{
+    Place place = value.place;
+    std::string message = finding.message;
+    if (value.text_offset) {
+        place = {*value.text_offset + finding.place.offset, finding.place.length};
+    } else {
+        const LineColumn at = line_column(*value.string(), finding.place.offset);
+        message += " (line " + std::to_string(at.line) + ", column " + std::to_string(at.column) +
+                   " of the " + std::string{what} + ")";
+    }
+    if (finding.severity == Severity::error)
+        reading.report.error(place, message, finding.remedy);
+    else
+        reading.report.warning(place, message, finding.remedy);
 }
 
 }

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Values of nodes and properties as what the language takes them for. Each function reports what is wrong
 /// and then returns nothing.
@@ -25,14 +26,29 @@ struct Range {
 inline constexpr Range coordinates{-coordinate_limit, coordinate_limit};
 /// Radii, widths and heights.
 inline constexpr Range extents{0, 2 * coordinate_limit};
+/// Degrees: ten turns either way.
+inline constexpr Range angles{-3600, 3600};
+
+/// The remedy for a number that is not inside: "allowed: 0 to 1".
+std::string allowed(Range range);
 
 std::optional<double> read_number(const kdl::Value& value, Range range, Reading& reading);
+void report_out_of_range(const kdl::Value& value, Range range, Reading& reading);
+/// The last of `ranges`, of which there is at least one, holds for all that follow.
+std::optional<std::vector<double>> read_numbers(std::span<const kdl::Value> values,
+                                                std::span<const Range> ranges, Reading& reading);
 std::optional<int> read_whole_number(const kdl::Value& value, Range range, Reading& reading);
+/// #true or #false.
+std::optional<bool> read_flag(const kdl::Value& value, Reading& reading);
 /// Points into `value`.
 std::optional<std::string_view> read_text(const kdl::Value& value, Reading& reading);
+/// What something is called: 1 to longest_name bytes.
+std::optional<std::string_view> read_name(const kdl::Value& value, Reading& reading);
 
 /// Frames, or (s) or (ms) by the scene's frame rate; rounded once to 1/1024 frame, halves away from zero.
 std::optional<Time> read_time(const kdl::Value& value, Reading& reading);
+/// In frames, exactly: "60", "7.5"
+std::string text_of(Time time);
 
 /// The index among the colours in use.
 std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading);
@@ -65,6 +81,14 @@ std::optional<Meaning> read_word(const kdl::Value& value, const std::array<Word<
     report_unknown_word(value, *name, known, reading);
     return std::nullopt;
 }
+
+/// once, repeat or ping-pong.
+std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading);
+
+/// Passes on a finding inside the text of `value` at its place in the source; where that is not known (the
+/// text has escapes or several lines), at the whole value with the place in words, in the text that `what`
+/// names.
+void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Reading& reading);
 
 /// Whether there was a value; then `target` has it.
 template <class T, class U>

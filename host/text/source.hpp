@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct Place {
 struct SourceText {
     std::string name;
     std::string text;
+    /// The path of where the files that the text names are looked for, "" for the current folder. Nothing: it
+    /// may name none.
+    std::optional<std::string> folder = std::nullopt;
 };
 
 /// Where a byte stands for a reader. Both count from 1; a column is a Unicode code point.

@@ -1,3 +1,4 @@
+#include "tests/host/scene/cubic.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>
@@ -8,33 +9,13 @@
 namespace kfast::test {
 namespace {
 
-struct Exact {
-    double x;
-    double y;
-};
-
 constexpr double sixteenth = 1.0 / 16;
-
-Exact exact(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
-
-Exact on_cubic(scene::Point from, const scene::Segment& s, double t)
-{
-    const double u = 1 - t;
-    const auto blend = [&](double a, double b, double c, double d) {
-        return u * u * u * a + 3 * u * u * t * b + 3 * u * t * t * c + t * t * t * d;
-    };
-    const Exact p = exact(from);
-    const Exact q = exact(s.c1);
-    const Exact r = exact(s.c2);
-    const Exact e = exact(s.to);
-    return {blend(p.x, q.x, r.x, e.x), blend(p.y, q.y, r.y, e.y)};
-}
 
 scene::Stroke stroke_of(const std::string& path)
 {
     const auto scene = read_on_canvas("object o fill=red { path \"" + path + "\" }").scene;
     REQUIRE(scene);
-    return scene->objects.at(0).keys.at(0).drawing.strokes.at(0);
+    return key_at(*scene).drawing.strokes.at(0);
 }
 
 /// The largest distance from the ellipse with that centre, those radii and that rotation, along the radius.

@@ -19,7 +19,7 @@ TEST_CASE("a canvas alone is a scene of one frame with the defaults")
     CHECK(scene->length == Time::frame(1));
     CHECK(scene->loop == Loop::repeat);
     CHECK(scene->palette == std::vector{Colour{0, 0, 0}});
-    CHECK(scene->objects.empty());
+    CHECK(scene->items.empty());
 }
 
 TEST_CASE("every property of a canvas is taken over")
@@ -81,21 +81,36 @@ TEST_CASE("a canvas of another form is refused")
     CHECK(canvas("9 9 frames=long").findings == "2:19 error: a number is expected here");
 }
 
+TEST_CASE("the background is opaque")
+{
+    CHECK(canvas("9 9 background=\"#123f\"").scene->palette == std::vector{Colour{0x11, 0x22, 0x33}});
+    CHECK(canvas("9 9 background=\"#123e\"").findings == "2:23 error: the background cannot be transparent "
+                                                         "(leave out the opacity of this colour)");
+    CHECK(canvas("9 9 background=\"#12345600\"").findings ==
+          "2:23 error: the background cannot be transparent "
+          "(leave out the opacity of this colour)");
+}
+
 TEST_CASE("without frames= a scene ends with its last key")
 {
-    CHECK(read_on_canvas("object a fill=red { key 0; key 7.5 }\nobject b fill=red { key 3 }").scene->length ==
-          Time{7'680});
-    CHECK(read_on_canvas("object a fill=red { key 0; key 0.25 }").scene->length == Time::frame(1));
+    CHECK(
+        read_on_canvas(
+            "object a fill=red { key 0 { empty }; key 7.5 { empty } }\nobject b fill=red { key 3 { empty } }")
+            .scene->length == Time{7'680});
+    CHECK(read_on_canvas("object a fill=red { key 0 { empty }; key 0.25 { empty } }").scene->length ==
+          Time::frame(1));
 }
 
 TEST_CASE("keys behind the end of the scene are warned of, once an object")
 {
-    const auto text = read("kfast 1\ncanvas 9 9 frames=10\nobject a fill=red {\n"
-                           "key 0\nkey 9\nkey 12\nkey 14\nkey 15\n}");
+    const auto text =
+        read("kfast 1\ncanvas 9 9 frames=10\nobject a fill=red {\n"
+             "key 0 { empty }\nkey 9 { empty }\nkey 12 { empty }\nkey 14 { empty }\nkey 15 { empty }\n}");
     CHECK(text.scene);
     CHECK(text.findings == "7:1 warning: the scene ends before anything of this key is seen "
                            "(make the scene longer with frames=… or remove the key)");
-    CHECK(read("kfast 1\ncanvas 9 9 frames=10\nobject a fill=red { key 0; key 10 }").findings == "");
+    CHECK(read("kfast 1\ncanvas 9 9 frames=10\nobject a fill=red { key 0 { empty }; key 10 { empty } }")
+              .findings == "");
 }
 
 }

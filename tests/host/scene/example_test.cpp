@@ -16,7 +16,8 @@ TEST_CASE("the first example has no mistakes and no seam")
     REQUIRE(scene);
     CHECK(findings == "");
     CHECK(scene->length == Time::frame(60));
-    for (const scene::Object& object : scene->objects) {
+    for (const scene::Item& item : scene->items) {
+        const auto& object = std::get<scene::Object>(item.content);
         CHECK((object.keys.size() == 1 || object.keys.back().time == scene->length));
         CHECK(object.keys.back().drawing == object.keys.front().drawing);
     }

@@ -36,8 +36,9 @@ TEST_CASE("unknown nodes are compared with the known ones")
 {
     CHECK(read_on_canvas("objekt a").findings ==
           "3:1 error: a scene has no node \"objekt\" (did you mean \"object\"?)");
-    CHECK(read_on_canvas("hologram").findings ==
-          "3:1 error: a scene has no node \"hologram\" (allowed: kfast, canvas, palette, object)");
+    CHECK(read_on_canvas("hologram").findings == "3:1 error: a scene has no node \"hologram\" (allowed: "
+                                                 "kfast, canvas, palette, symbol, object, group, "
+                                                 "use, clip, event)");
 }
 
 TEST_CASE("what may stand once names the line of the first")
@@ -50,12 +51,12 @@ TEST_CASE("what may stand once names the line of the first")
 TEST_CASE("nodes may come in any order after the version")
 {
     const auto [scene, findings] = read("kfast 1\n"
-                                        "object a fill=sky { key 0; key (s)1 }\n"
+                                        "object a fill=sky { key 0 { empty }; key (s)1 { empty } }\n"
                                         "palette { sky \"#8cf\" }\n"
                                         "canvas 9 9 background=sky fps=10");
     REQUIRE(scene);
     CHECK(scene->palette == std::vector{Colour{0x88, 0xCC, 0xFF}});
-    CHECK(scene->objects.at(0).fill == 0);
+    CHECK(object_at(*scene).fill == 0);
     CHECK(scene->length == Time::frame(10));
 }
 
@@ -69,7 +70,8 @@ TEST_CASE("one run finds errors in all parts, in the order of their places")
                            "(add fill=COLOUR or stroke=COLOUR)\n"
                            "5:6 error: a number is expected here\n"
                            "5:10 error: a key has no node \"disc\" "
-                           "(allowed: path, circle, ellipse, rect, polygon, line)");
+                           "(allowed: path, circle, ellipse, rect, arc, pie, "
+                           "polygon, regular, star, line, curve, text, use, empty)");
 }
 
 TEST_CASE("a scene with syntax errors is not read as good")
@@ -82,7 +84,8 @@ TEST_CASE("a scene with syntax errors is not read as good")
 TEST_CASE("places count code points, names are shown safely")
 {
     CHECK(read_on_canvas("/* äöü */ \"é\\u{1b}\"").findings ==
-          "3:11 error: a scene has no node \"é<U+001B>\" (allowed: kfast, canvas, palette, object)");
+          "3:11 error: a scene has no node \"é<U+001B>\" (allowed: kfast, canvas, palette, "
+          "symbol, object, group, use, clip, event)");
 }
 
 }

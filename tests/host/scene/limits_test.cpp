@@ -25,7 +25,7 @@ std::string colours(std::size_t count)
     std::string objects;
     for (std::size_t i = 1; i <= count; ++i) {
         const std::string number = std::to_string(100'000 + i);
-        objects += "object o" + number + " fill=\"#" + number + "\" { key 0 }\n";
+        objects += "object o" + number + " fill=\"#" + number + "\" { key 0 { empty } }\n";
     }
     return objects;
 }
@@ -38,7 +38,7 @@ TEST_CASE("a drawing holds 65535 points and no more")
 {
     const auto full = read_on_canvas("object o fill=red { path \"" + lines_to(65'534) + "\" }");
     REQUIRE(full.scene);
-    CHECK(full.scene->objects[0].keys[0].drawing.strokes[0].segments.size() == 65'534);
+    CHECK(key_at(*full.scene).drawing.strokes[0].segments.size() == 65'534);
     CHECK(path_drawn(lines_to(65'535)) == "1:229376 error: a drawing holds at most 65535 points");
     CHECK(read_on_canvas("object o fill=red { path \"" + lines_to(65'532) + "\"\n line 1 1 2 2 }").scene);
     CHECK(read_on_canvas("object o fill=red { path \"" + lines_to(65'533) + "\"\n line 1 1 2 2 }").findings ==
@@ -67,20 +67,52 @@ TEST_CASE("65535 keys and no more")
 {
     std::string keys;
     for (int i = 0; i < 65'535; ++i)
-        keys += "key " + std::to_string(i) + '\n';
+        keys += "key " + std::to_string(i) + " { empty }\n";
     CHECK(read_on_canvas("object o fill=red {\n" + keys + "}").scene);
-    CHECK(read_on_canvas("object o fill=red {\n" + keys + "key 65535\n}").findings ==
-          "65539:1 error: an object holds at most 65535 keys");
+    CHECK(read_on_canvas("object o fill=red {\n" + keys + "key 65535 { empty }\n}").findings ==
+          "65539:1 error: at most 65535 keys stand here");
 }
 
-TEST_CASE("65535 objects and no more")
+TEST_CASE("256 items beside one with an order, itself included, and no more")
 {
+    const auto with_others = [](std::size_t count) {
+        return read_on_canvas("group g order=1 { group { object o fill=red { circle 1 1 r=1 } } }\n" +
+                              repeat("group { use s }\n", count) +
+                              "symbol s { object p fill=red { circle 1 1 r=1 } }");
+    };
+    CHECK(with_others(255).findings == "");
+    CHECK(with_others(256).findings ==
+          "3:1 error: an item with an order lies among 257 items; the format holds 256 "
+          "(put it into a group, together with those that it passes)");
+}
+
+TEST_CASE("255 symbols of items in use, and no more")
+{
+    std::string text;
+    for (int i = 1; i <= 256; ++i) {
+        const std::string name = std::to_string(i);
+        text += "symbol s" + name + " { object o" + name + " fill=red { empty } }\n";
+        text += i < 256 ? "use s" + name + '\n' : "";
+    }
+    CHECK(read_on_canvas(text).scene->symbols.size() == 255);
+    CHECK(read_on_canvas(text + "use s256").findings ==
+          "513:1 error: a scene uses at most 255 symbols that hold items");
+}
+
+TEST_CASE("4194304 points in all drawings together, copies counted")
+{
+    const std::string symbol = "symbol s { path \"" + lines_to(65'534) + "\" }\n";
     std::string objects;
-    for (int i = 0; i < 65'535; ++i)
-        objects += "object o" + std::to_string(i) + " fill=red { key 0 }\n";
-    CHECK(read_on_canvas(objects).scene->objects.size() == 65'535);
-    CHECK(read_on_canvas(objects + "object last fill=red { key 0 }").findings ==
-          "65538:1 error: a scene holds at most 65535 objects");
+    for (int i = 1; i <= 64; ++i)
+        objects += "object o" + std::to_string(i) + " fill=red { use s }\n";
+    CHECK(read_on_canvas(symbol + objects).findings ==
+          "67:23 error: the drawings of a scene hold at most 4194304 points");
+    CHECK(read_on_canvas(symbol + objects.substr(0, objects.rfind("object"))).scene);
+    std::string keys;
+    for (int i = 1; i <= 64; ++i)
+        keys += "key " + std::to_string(i) + " { use s }\n";
+    CHECK(read_on_canvas("object o fill=red {\n" + keys + "}\n" + symbol).findings ==
+          "67:10 error: the drawings of a scene hold at most 4194304 points");
 }
 
 TEST_CASE("after 100 errors or warnings there is one last word")

@@ -8,18 +8,22 @@ namespace {
 /// The colour of an object's fill.
 Colour filled(const std::string& colour)
 {
-    const auto scene = read_on_canvas("object o fill=" + colour + " { key 0 }").scene;
+    const auto scene = read_on_canvas("object o fill=" + colour + " { key 0 { empty } }").scene;
     REQUIRE(scene);
-    return scene->palette.at(*scene->objects.at(0).fill);
+    return scene->palette.at(*object_at(*scene).fill);
 }
 
 }
 
-TEST_CASE("colours are hexadecimal in two lengths and either case")
+TEST_CASE("colours are hexadecimal in four lengths and either case")
 {
     CHECK(filled("\"#4cc9f0\"") == Colour{0x4C, 0xC9, 0xF0});
     CHECK(filled("\"#4CC9F0\"") == Colour{0x4C, 0xC9, 0xF0});
     CHECK(filled("\"#4cf\"") == Colour{0x44, 0xCC, 0xFF});
+    CHECK(filled("\"#4cc9f080\"") == Colour{0x4C, 0xC9, 0xF0, 0x80});
+    CHECK(filled("\"#4CC9F0FF\"") == Colour{0x4C, 0xC9, 0xF0});
+    CHECK(filled("\"#4cf0\"") == Colour{0x44, 0xCC, 0xFF, 0});
+    CHECK(filled("\"#4cf8\"") == Colour{0x44, 0xCC, 0xFF, 0x88});
 }
 
 TEST_CASE("the basic colours of CSS need no palette")
@@ -49,37 +53,46 @@ TEST_CASE("the scene holds the colours in use, each once, the background first")
         read("kfast 1\n"
              "canvas 9 9 background=navy\n"
              "palette { ink \"#f2f2f2\"; unused \"#123456\"; red \"#e04040\"; night navy }\n"
-             "object a fill=red stroke=ink { key 0 }\n"
-             "object b fill=night stroke=\"#f2f2f2\" { key 0 }");
+             "object a fill=red stroke=ink { key 0 { empty } }\n"
+             "object b fill=night stroke=\"#f2f2f2\" { key 0 { empty } }");
     REQUIRE(scene);
     CHECK(findings == "");
     CHECK(scene->palette == std::vector{Colour{0, 0, 128}, {0xE0, 0x40, 0x40}, {0xF2, 0xF2, 0xF2}});
-    CHECK(scene->objects[0].fill == 1);
-    CHECK(scene->objects[0].stroke->colour == 2);
-    CHECK(scene->objects[1].fill == 0);
-    CHECK(scene->objects[1].stroke->colour == 2);
+    CHECK(object_at(*scene).fill == 1);
+    CHECK(object_at(*scene).stroke->colour == 2);
+    CHECK(object_at(*scene, 1).fill == 0);
+    CHECK(object_at(*scene, 1).stroke->colour == 2);
 }
 
 TEST_CASE("a wrong colour is told from an unknown one")
 {
-    CHECK(read_on_canvas("palette { ink white }\nobject o fill=inc { key 0 }").findings ==
+    CHECK(read_on_canvas("palette { ink white }\nobject o fill=inc { key 0 { empty } }").findings ==
           "4:15 error: unknown colour \"inc\" (did you mean \"ink\"?)");
-    CHECK(read_on_canvas("object o fill=magenta { key 0 }").findings ==
+    CHECK(read_on_canvas("object o fill=magenta { key 0 { empty } }").findings ==
           "3:15 error: unknown colour \"magenta\" (allowed: black, silver, gray, grey, white, maroon, red, "
           "purple, fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua)");
-    for (const std::string wrong : {"#12345", "#", "#12345g", "#-12", "#1234567", "#+12"})
-        CHECK(read_on_canvas("object o fill=\"" + wrong + "\" { key 0 }").findings ==
-              "3:15 error: \"" + wrong + "\" is no colour (write \"#rgb\" or \"#rrggbb\")");
-    CHECK(read_on_canvas("object o fill=3 { key 0 }").findings ==
+    for (const std::string wrong : {"#12345", "#", "#12345g", "#123456789", "#-12", "#1234567", "#+12"})
+        CHECK(read_on_canvas("object o fill=\"" + wrong + "\" { key 0 { empty } }").findings ==
+              "3:15 error: \"" + wrong +
+                  "\" is no colour (write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", \"#rrggbbaa\")");
+    CHECK(read_on_canvas("object o fill=3 { key 0 { empty } }").findings ==
           "3:15 error: a word or a text in quotes is expected here");
     CHECK(read("kfast 1\ncanvas 9 9 background=vermilion-red-hot")
               .findings.starts_with("2:23 error: unknown colour \"vermilion-red-hot\""));
 }
 
+TEST_CASE("a name in the palette may stand for a transparent colour")
+{
+    const auto scene = read_on_canvas("palette { glass \"#ffff8080\" }\nobject o fill=glass { empty }").scene;
+    REQUIRE(scene);
+    CHECK(scene->palette.at(1) == Colour{255, 255, 128, 128});
+}
+
 TEST_CASE("a wrong colour in the palette is reported there, not again at its uses")
 {
-    CHECK(read_on_canvas("palette { ink \"#12345\" }\nobject o fill=ink { key 0 }").findings ==
-          "3:15 error: \"#12345\" is no colour (write \"#rgb\" or \"#rrggbb\")");
+    CHECK(read_on_canvas("palette { ink \"#12345\" }\nobject o fill=ink { key 0 { empty } }").findings ==
+          "3:15 error: \"#12345\" is no colour (write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", "
+          "\"#rrggbbaa\")");
 }
 
 TEST_CASE("a palette with mistakes")

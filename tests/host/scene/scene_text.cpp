@@ -3,7 +3,9 @@
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
 
+#include <array>
 #include <sstream>
+#include <variant>
 
 namespace kfast::test {
 namespace {
@@ -24,9 +26,9 @@ std::string findings_text(const Diagnostics& diagnostics, std::string_view text,
 }
 
 SceneText read_between(std::string before, std::string_view text, std::string_view after, std::size_t lines,
-                       std::size_t columns)
+                       std::size_t columns, const std::optional<std::string>& folder = std::nullopt)
 {
-    const SourceText source{"test.kfast", before.append(text).append(after)};
+    const SourceText source{"test.kfast", before.append(text).append(after), folder};
     Diagnostics diagnostics;
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     SceneText result;
@@ -39,11 +41,115 @@ void write(std::ostream& out, scene::Point point) { out << ' ' << point.x / 16.0
 
 std::string drawing_and_findings(const SceneText& text)
 {
-    const std::string drawing = text.scene ? text_of(text.scene->objects.at(0).keys.at(0).drawing) : "";
+    const std::string drawing = text.scene ? text_of(key_at(*text.scene).drawing) : "";
     const bool both = !drawing.empty() && !text.findings.empty();
     return drawing + (both ? "\n" : "") + text.findings;
 }
 
+constexpr std::array<std::string_view, property_count> property_names{
+    "x",       "y",     "rotation", "scale_x", "scale_y", "pivot_x", "pivot_y",
+    "opacity", "order", "visible",  "fill",    "stroke",  "width"};
+
+std::string text_of(const VelocityLaw& law)
+{
+    constexpr std::array<std::string_view, 7> names{
+        "constant", "accelerate", "decelerate", "accelerate-decelerate", "hold", "steps", "bezier"};
+    return std::string{names.at(static_cast<std::size_t>(law.kind))};
+}
+
+std::string frames_of(Time time)
+{
+    std::ostringstream out;
+    out << time.ticks / 1024.0;
+    return out.str();
+}
+
+std::string text_of(const scene::TrackKey& key)
+{
+    std::string text = frames_of(key.time) + ':' + std::to_string(key.value);
+    if (key.laws != LawPair{})
+        text += '(' + text_of(key.laws.x) + ',' + text_of(key.laws.y) + ')';
+    return text;
+}
+
+std::string text_of(const scene::Track& track)
+{
+    std::string text{property_names.at(static_cast<std::size_t>(track.property))};
+    text += '[';
+    if (track.keys.size() == 1 && track.keys[0].time == Time{})
+        return text + std::to_string(track.keys[0].value) + ']';
+    for (const scene::TrackKey& key : track.keys)
+        text.append(text.back() == '[' ? "" : " ").append(text_of(key));
+    return text + ']';
+}
+
+std::string key_times(const scene::Object& object)
+{
+    std::string text;
+    for (const scene::Key& key : object.keys)
+        text.append(text.empty() ? " @" : ",").append(frames_of(key.time));
+    return text;
+}
+
+class ItemsText {
+public:
+    explicit ItemsText(const scene::Scene& scene) : scene_{scene} {}
+
+    void write(const std::vector<scene::Item>& items, const std::string& indent)
+    {
+        for (const scene::Item& item : items)
+            write(item, indent);
+    }
+
+    std::string text;
+
+private:
+    void write(const scene::Item& item, const std::string& indent)
+    {
+        text.append(text.empty() ? "" : "\n").append(indent).append(head(item));
+        for (const scene::Track& track : item.tracks)
+            text += ' ' + text_of(track);
+        if (const auto* const group = std::get_if<scene::Group>(&item.content))
+            write(group->items, indent + "  ");
+    }
+
+    std::string head(const scene::Item& item) const
+    {
+        if (const auto* const object = std::get_if<scene::Object>(&item.content))
+            return "object " + item.name + key_times(*object);
+        if (const auto* const use = std::get_if<scene::Use>(&item.content))
+            return "use " + scene_.symbols.at(use->symbol).name;
+        return item.name.empty() ? "group" : "group " + item.name;
+    }
+
+    const scene::Scene& scene_;
+};
+
+}
+
+const scene::Object& object_at(const scene::Scene& scene, std::size_t index)
+{
+    return std::get<scene::Object>(scene.items.at(index).content);
+}
+
+const scene::Key& key_at(const scene::Scene& scene, std::size_t index)
+{
+    return object_at(scene).keys.at(index);
+}
+
+std::string text_of(const scene::Scene& scene, const std::vector<scene::Item>& items)
+{
+    ItemsText all{scene};
+    all.write(items, "");
+    return all.text;
+}
+
+std::string items_read(std::string_view text)
+{
+    const auto [scene, findings] = read_between("kfast 1\ncanvas 100 100\n", text, "", 2, 0);
+    const std::string items = scene ? text_of(*scene, scene->items) : "";
+    const bool both = !items.empty() && !findings.empty();
+    return items + (both ? "\n" : "") + findings;
 }
 
 SceneText read(std::string_view text) { return read_between("", text, "", 0, 0); }
@@ -72,10 +178,12 @@ std::string text_of(const scene::Drawing& drawing)
     return out.str();
 }
 
-std::string drawn(std::string_view shape)
+std::string drawn(std::string_view shape) { return drawn_in(std::nullopt, shape); }
+
+std::string drawn_in(const std::optional<std::string>& folder, std::string_view shape)
 {
     return drawing_and_findings(
-        read_between("kfast 1\ncanvas 100 100\nobject o fill=white {\n", shape, "\n}", 3, 0));
+        read_between("kfast 1\ncanvas 100 100\nobject o fill=white {\n", shape, "\n}", 3, 0, folder));
 }
 
 std::string path_drawn(std::string_view data)

@@ -89,9 +89,9 @@ TEST_CASE("shapes of another form are refused")
     CHECK(drawn("rect 1 2 3 4 corners=1") ==
           "1:14 error: rect has no property \"corners\" (did you mean \"corner\"?)");
     CHECK(drawn("polygon 1 2 3 4") == "1:1 error: polygon needs more values (write polygon X Y X Y X Y …)");
-    CHECK(drawn("polygon 1 2 3 4 5 6 7") == "1:21 error: this x has no y");
+    CHECK(drawn("polygon 1 2 3 4 5 6 7") == "1:21 error: this x has no y (add the y, or remove this x)");
     CHECK(drawn("line 1 2") == "1:1 error: line needs more values (write line X Y X Y …)");
-    CHECK(drawn("line 1 2 3 4 5") == "1:14 error: this x has no y");
+    CHECK(drawn("line 1 2 3 4 5") == "1:14 error: this x has no y (add the y, or remove this x)");
     CHECK(drawn("line 1 2 3 4 w=5") == "1:14 error: line has no property \"w\" (nothing is allowed here)");
     CHECK(drawn("path M L") == "1:8 error: this value is too many for path (write path \"M … L …\")");
     CHECK(drawn("path 5") == "1:6 error: a word or a text in quotes is expected here");

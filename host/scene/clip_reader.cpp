@@ -1,0 +1,68 @@
+#include "host/scene/clip_reader.hpp"
+
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/scene_end.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <string>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm clip_form{"clip", "clip NAME from=TIME to=TIME", 1, 1};
+
+bool read_begin(const kdl::Value& value, Clip& clip, Reading& reading)
+{
+    return assign(read_time(value, reading), clip.begin);
+}
+
+bool read_end(const kdl::Value& value, Clip& clip, Reading& reading)
+{
+    return assign(read_time(value, reading), clip.end);
+}
+
+bool read_clip_loop(const kdl::Value& value, Clip& clip, Reading& reading)
+{
+    return assign(read_loop(value, reading), clip.loop);
+}
+
+constexpr std::array clip_rules{
+    PropertyRule<Clip>{"from", read_begin, true},
+    PropertyRule<Clip>{"to", read_end, true},
+    PropertyRule<Clip>{"loop", read_clip_loop},
+};
+
+bool lies_in_scene(const Clip& clip, const kdl::Node& node, Time length, Reading& reading)
+{
+    const Place end = property_place(node, "to");
+    if (clip.end <= clip.begin)
+        return reading.report.error(end, "this clip ends before anything of it is shown",
+                                    "let to= be later than from=");
+    return clip.end <= length || report_beyond_end("this clip ends", end, length, reading);
+}
+
+}
+
+std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& names, Reading& reading)
+{
+    if (!fits(node, clip_form, reading))
+        return std::nullopt;
+    Clip clip;
+    const bool good =
+        read_properties(node, clip_rules, clip, reading) && lies_in_scene(clip, node, length, reading);
+    const kdl::Value& value = node.arguments.front();
+    const auto name = read_name(value, reading);
+    const Place place = span(node.name_place, value.place);
+    if (!name || !add_name(names, "a clip", *name, place, reading.report) || !good)
+        return std::nullopt;
+    if (names.size() > most_clips) {
+        reading.report.error(place, "a scene has at most " + std::to_string(most_clips) + " clips");
+        return std::nullopt;
+    }
+    clip.name = *name;
+    return clip;
+}
+
+}

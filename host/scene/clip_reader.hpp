@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/time.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/model.hpp"
+#include "host/scene/name_table.hpp"
+#include "host/scene/reading.hpp"
+
+#include <optional>
+
+namespace kfast::scene {
+
+/// Nothing when the node gives no usable clip of a scene of `length`; what is wrong is reported. `names` are
+/// those of the clips before it.
+std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& names, Reading& reading);
+
+}

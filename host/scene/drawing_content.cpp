@@ -1,0 +1,97 @@
+#include "host/scene/drawing_content.hpp"
+
+#include "host/scene/drawing_reader.hpp"
+#include "host/scene/item_reader.hpp"
+#include "host/scene/key_list.hpp"
+#include "host/scene/symbol_kind.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+class ContentReader {
+public:
+    ContentReader(KeyHolder holder, Reading& reading)
+        : holder_{holder}, noun_{holder == KeyHolder::object ? "an object" : "a symbol"}, reading_{reading},
+          keys_{holder, reading}
+    {
+    }
+
+    void read(const kdl::Node& node)
+    {
+        if (node.name == key_name)
+            read_key(node);
+        else if (is_drawn(node.name))
+            read_drawn(node);
+        else if (holder_ == KeyHolder::symbol && is_item(node.name))
+            report_mixed_kinds(node, reading_);
+        else
+            report_unknown(node);
+    }
+
+    DrawingContent take()
+    {
+        content_.keys = keys_.take();
+        return std::move(content_);
+    }
+
+private:
+    void read_key(const kdl::Node& node)
+    {
+        const bool has_drawing = !node.children.empty();
+        if (has_drawing && !content_.drawn.empty())
+            return report_mixture(node);
+        has_drawing_keys_ = has_drawing_keys_ || has_drawing;
+        content_.is_good = keys_.read(node) && content_.is_good;
+    }
+
+    void read_drawn(const kdl::Node& node)
+    {
+        if (has_drawing_keys_)
+            return report_mixture(node);
+        content_.drawn.push_back(&node);
+    }
+
+    void report_mixture(const kdl::Node& node)
+    {
+        if (!std::exchange(is_mixed_, true))
+            reading_.report.error(
+                node.name_place, std::string{noun_} + " has its drawings either in keys or without, not both",
+                "put the shapes into a key: key 0 { … }");
+    }
+
+    void report_unknown(const kdl::Node& node)
+    {
+        std::vector<std::string_view> known = drawn_names();
+        known.insert(known.begin(), key_name);
+        content_.is_good =
+            reading_.report.error(node.name_place, std::string{noun_} + " has no node " + quoted(node.name),
+                                  suggestion(node.name, known));
+    }
+
+    KeyHolder holder_;
+    std::string_view noun_;
+    Reading& reading_;
+    KeyList keys_;
+    DrawingContent content_;
+    bool has_drawing_keys_ = false;
+    bool is_mixed_ = false; ///< has been reported
+};
+
+}
+
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, Reading& reading)
+{
+    ContentReader content{holder, reading};
+    for (const kdl::Node& child : node.children)
+        if (!reading.report.full())
+            content.read(child);
+    return content.take();
+}
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/key_reader.hpp"
+#include "host/scene/reading.hpp"
+
+#include <vector>
+
+namespace kfast::scene {
+
+/// What stands inside an object, or inside a symbol that is a drawing. The drawings are either in keys or
+/// directly inside.
+struct DrawingContent {
+    std::vector<ItemKey> keys;
+    std::vector<const kdl::Node*> drawn; ///< directly inside: for these is_drawn() holds
+    bool is_good = true;                 ///< all nodes were known, all keys have their time
+};
+
+/// `holder` is not KeyHolder::group.
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, Reading& reading);
+
+}

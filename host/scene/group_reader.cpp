@@ -1,0 +1,81 @@
+#include "host/scene/group_reader.hpp"
+
+#include "host/scene/item_reader.hpp"
+#include "host/scene/item_values.hpp"
+#include "host/scene/key_list.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/track_builder.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm group_form{group_name, "group NAME { items }", 0, 1, true};
+
+struct GroupProperties {
+    ItemValues values;
+};
+
+constexpr auto group_rules =
+    joined(place_rules<GroupProperties>, show_rules<GroupProperties>, pivot_rules<GroupProperties>);
+
+std::string read_group_name(const kdl::Node& node, Reading& reading)
+{
+    if (node.arguments.empty())
+        return {};
+    return std::string{read_name(node.arguments.front(), reading).value_or("")};
+}
+
+void report_unknown(const kdl::Node& node, Reading& reading)
+{
+    std::vector<std::string_view> known{item_names().begin(), item_names().end()};
+    known.push_back(key_name);
+    reading.report.error(node.name_place, "a group has no node " + quoted(node.name),
+                         suggestion(node.name, known));
+}
+
+void read_inside(const kdl::Node& node, int depth, Group& group, KeyList& keys, Reading& reading)
+{
+    if (is_item(node.name))
+        read_item(node, depth, group.items, reading);
+    else if (node.name == key_name)
+        keys.read(node);
+    else
+        report_unknown(node, reading);
+}
+
+}
+
+std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& reading)
+{
+    if (!fits(node, group_form, reading))
+        return std::nullopt;
+    const Place place =
+        node.arguments.empty() ? node.name_place : span(node.name_place, node.arguments.front().place);
+    if (depth == deepest_item) {
+        reading.report.error(place, too_deep());
+        return std::nullopt;
+    }
+    GroupProperties properties;
+    read_properties(node, group_rules, properties, reading);
+    Group group;
+    KeyList keys{KeyHolder::group, reading};
+    for (const kdl::Node& child : node.children)
+        if (!reading.report.full())
+            read_inside(child, depth + 1, group, keys, reading);
+    refuse_crowded_order(group.items, reading);
+    if (std::ranges::all_of(node.children, [](const kdl::Node& child) { return child.name == key_name; }))
+        reading.report.error(place, "this group holds nothing", "add { object NAME … }");
+    auto tracks = build_tracks(node, properties.values, keys.take(), reading);
+    return Item{read_group_name(node, reading), std::move(tracks), std::move(group), place};
+}
+
+}

@@ -1,0 +1,71 @@
+#include "host/scene/item_values.hpp"
+
+#include "core/angle.hpp"
+#include "core/kfb_limits.hpp"
+#include "host/scene/limits.hpp"
+
+#include <cmath>
+
+namespace kfast::scene {
+namespace {
+
+/// What is written, and how much `units` of it are stored as.
+struct NumberForm {
+    Range range;
+    double stored;
+    double units;
+};
+
+constexpr NumberForm pixels{coordinates, 16, 1};
+constexpr NumberForm degrees{{-16 * 360, 16 * 360}, BinaryAngle::turn, 360};
+constexpr NumberForm scales{{-64, 64}, kfb::max_scale, 64};
+constexpr NumberForm opacities{{0, 1}, 255, 1};
+constexpr NumberForm widths{{0, widest_stroke}, 16, 1};
+constexpr Range orders{-32768, 32767};
+
+std::optional<std::int32_t> read_form(const NumberForm& form, const kdl::Value& value, Reading& reading)
+{
+    const auto number = read_number(value, form.range, reading);
+    if (!number)
+        return std::nullopt;
+    return static_cast<std::int32_t>(std::lround(*number * form.stored / form.units));
+}
+
+}
+
+std::optional<std::int32_t> ItemValues::get(Property property) const
+{
+    const auto& value = own[static_cast<std::size_t>(property)];
+    const bool is_scale = property == Property::scale_x || property == Property::scale_y;
+    return is_scale && !value ? scale : value;
+}
+
+std::optional<std::int32_t> read_item_value(Property property, const kdl::Value& value, Reading& reading)
+{
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::pivot_x:
+    case Property::pivot_y:
+        return read_form(pixels, value, reading);
+    case Property::rotation:
+        return read_form(degrees, value, reading);
+    case Property::scale_x:
+    case Property::scale_y:
+        return read_form(scales, value, reading);
+    case Property::opacity:
+        return read_form(opacities, value, reading);
+    case Property::order:
+        return read_whole_number(value, orders, reading);
+    case Property::visible:
+        return read_flag(value, reading);
+    case Property::fill:
+    case Property::stroke:
+        return read_colour(value, reading);
+    case Property::width:
+        return read_form(widths, value, reading);
+    }
+    return std::nullopt;
+}
+
+}

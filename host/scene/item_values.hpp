@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/property.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/reading.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace kfast::scene {
+
+/// What a node sets of the quantities of its item, in the units of core/property.hpp.
+struct ItemValues {
+    std::optional<std::int32_t>& operator[](Property property)
+    {
+        return own[static_cast<std::size_t>(property)];
+    }
+    /// That of one axis wins over `scale`.
+    std::optional<std::int32_t> get(Property property) const;
+
+    std::array<std::optional<std::int32_t>, property_count> own;
+    std::optional<std::int32_t> scale; ///< of both axes
+};
+
+/// In the unit of the property, rounded once, halves away from zero. `width` may be 0.
+std::optional<std::int32_t> read_item_value(Property property, const kdl::Value& value, Reading& reading);
+
+template <Property property, class Target>
+bool read_own_value(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_item_value(property, value, reading), target.values[property]);
+}
+
+template <class Target>
+bool read_scale(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_item_value(Property::scale_x, value, reading), target.values.scale);
+}
+
+// The properties that nodes of several kinds take; a Target has a member ItemValues `values`.
+
+template <class Target>
+inline constexpr std::array place_rules{
+    PropertyRule<Target>{"x", read_own_value<Property::x>},
+    PropertyRule<Target>{"y", read_own_value<Property::y>},
+    PropertyRule<Target>{"rotate", read_own_value<Property::rotation>},
+    PropertyRule<Target>{"scale", read_scale},
+    PropertyRule<Target>{"scale-x", read_own_value<Property::scale_x>},
+    PropertyRule<Target>{"scale-y", read_own_value<Property::scale_y>},
+};
+
+template <class Target>
+inline constexpr std::array pivot_rules{
+    PropertyRule<Target>{"pivot-x", read_own_value<Property::pivot_x>},
+    PropertyRule<Target>{"pivot-y", read_own_value<Property::pivot_y>},
+};
+
+template <class Target>
+inline constexpr std::array show_rules{
+    PropertyRule<Target>{"opacity", read_own_value<Property::opacity>},
+    PropertyRule<Target>{"order", read_own_value<Property::order>},
+    PropertyRule<Target>{"visible", read_own_value<Property::visible>},
+};
+
+}

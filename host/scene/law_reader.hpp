@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/velocity_law.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/reading.hpp"
+
+#include <optional>
+
+namespace kfast::scene {
+
+/// A velocity law: a word, or a text such as "steps(4)" or "bezier(0.42, 0, 0.58, 1)", whose numbers are
+/// rounded once to 1/8192. What is wrong is reported at its place inside the text.
+std::optional<VelocityLaw> read_law(const kdl::Value& value, Reading& reading);
+
+}

@@ -1,0 +1,98 @@
+#include "host/scene/object_properties.hpp"
+
+#include "host/scene/limits.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <cmath>
+
+namespace kfast::scene {
+namespace {
+
+using Target = ObjectProperties;
+
+constexpr std::array caps{Word<Cap>{"butt", Cap::butt}, Word<Cap>{"round", Cap::round},
+                          Word<Cap>{"square", Cap::square}};
+constexpr std::array joins{Word<Join>{"miter", Join::miter}, Word<Join>{"round", Join::round},
+                           Word<Join>{"bevel", Join::bevel}};
+constexpr std::array fill_rules{Word<FillRule>{"nonzero", FillRule::nonzero},
+                                Word<FillRule>{"even-odd", FillRule::even_odd}};
+constexpr Range widths{1.0 / 16, widest_stroke};
+constexpr Range miters{1, 31};
+
+/// Rounded once to 1/16 px, halves away from zero. Only keys make a width 0.
+bool read_width(const kdl::Value& value, Target& target, Reading& reading)
+{
+    const auto width = read_number(value, widths, reading);
+    if (width)
+        target.values[Property::width] = static_cast<std::int32_t>(std::lround(*width * 16));
+    return width.has_value();
+}
+
+bool read_cap(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_word(value, caps, reading), target.stroke.cap);
+}
+
+bool read_join(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_word(value, joins, reading), target.stroke.join);
+}
+
+/// Rounded once to 1/8 width, halves away from zero.
+bool read_miter(const kdl::Value& value, Target& target, Reading& reading)
+{
+    const auto limit = read_number(value, miters, reading);
+    if (limit)
+        target.stroke.miter_limit = static_cast<int>(std::lround(*limit * 8));
+    return limit.has_value();
+}
+
+bool read_fill_rule(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_word(value, fill_rules, reading), target.fill_rule);
+}
+
+constexpr std::array style_rules{
+    PropertyRule<Target>{"fill", read_own_value<Property::fill>},
+    PropertyRule<Target>{"stroke", read_own_value<Property::stroke>},
+    PropertyRule<Target>{"width", read_width, false, "stroke"},
+    PropertyRule<Target>{"cap", read_cap, false, "stroke"},
+    PropertyRule<Target>{"join", read_join, false, "stroke"},
+    PropertyRule<Target>{"miter", read_miter, false, "stroke"},
+    PropertyRule<Target>{"rule", read_fill_rule, false, "fill"},
+};
+
+constexpr auto object_rules =
+    joined(style_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>);
+
+}
+
+std::optional<std::size_t> ObjectProperties::fill_colour() const
+{
+    const auto colour = values.get(Property::fill);
+    return colour ? std::optional{static_cast<std::size_t>(*colour)} : std::nullopt;
+}
+
+std::optional<StrokeStyle> ObjectProperties::stroke_style() const
+{
+    const auto colour = values.get(Property::stroke);
+    if (!colour)
+        return std::nullopt;
+    StrokeStyle style = stroke;
+    style.colour = static_cast<std::size_t>(*colour);
+    style.width = values.get(Property::width).value_or(style.width);
+    return style;
+}
+
+ObjectProperties read_object_properties(const kdl::Node& node, Place place, Reading& reading)
+{
+    ObjectProperties properties;
+    read_properties(node, object_rules, properties, reading);
+    if (!has_property(node, "fill") && !has_property(node, "stroke"))
+        reading.report.error(place, "this object would not be seen: it has neither fill nor stroke",
+                             "add fill=COLOUR or stroke=COLOUR");
+    return properties;
+}
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/item_values.hpp"
+#include "host/scene/model.hpp"
+#include "host/scene/reading.hpp"
+
+#include <optional>
+
+namespace kfast::scene {
+
+/// What the node of an object says itself.
+struct ObjectProperties {
+    ItemValues values;
+    FillRule fill_rule = FillRule::nonzero;
+    StrokeStyle stroke; ///< but for colour and width, which are among `values`
+
+    std::optional<std::size_t> fill_colour() const;
+    std::optional<StrokeStyle> stroke_style() const;
+};
+
+/// Reports what is wrong; that there is neither fill nor stroke at `place`.
+ObjectProperties read_object_properties(const kdl::Node& node, Place place, Reading& reading);
+
+}

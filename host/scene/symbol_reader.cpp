@@ -1,0 +1,198 @@
+#include "host/scene/symbol_reader.hpp"
+
+#include "host/scene/drawing_content.hpp"
+#include "host/scene/drawing_reader.hpp"
+#include "host/scene/item_depth.hpp"
+#include "host/scene/item_reader.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/symbol_kind.hpp"
+#include "host/scene/track_builder.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm symbol_form{symbol_name, "symbol NAME { items, shapes or keys }", 1, 1, true};
+
+void report_no_item(const kdl::Node& node, Reading& reading)
+{
+    if (node.name == key_name || is_drawn(node.name))
+        report_mixed_kinds(node, reading);
+    else
+        reading.report.error(node.name_place, "a symbol has no node " + quoted(node.name),
+                             suggestion(node.name, item_names()));
+}
+
+void read_items(SymbolEntry& symbol, Reading& reading)
+{
+    for (const kdl::Node& node : symbol.node->children) {
+        if (reading.report.full())
+            break;
+        if (is_item(node.name))
+            read_item(node, 0, symbol.items, reading);
+        else
+            report_no_item(node, reading);
+    }
+    refuse_crowded_order(symbol.items, reading);
+    symbol.depth = depth_of(symbol.items, reading.symbols);
+}
+
+void read_still(const std::vector<const kdl::Node*>& nodes, SymbolEntry& symbol, Reading& reading)
+{
+    DrawingReader drawing{reading};
+    for (const kdl::Node* node : nodes)
+        if (!reading.report.full())
+            drawing.read(*node);
+    symbol.depth = drawing.depth();
+    symbol.still = drawing.take_outlines();
+    symbol.keys = {
+        Key{.time = {}, .laws = {}, .match = Match::count, .drawing = drawing.take(), .place = symbol.place}};
+}
+
+void read_drawing(SymbolEntry& symbol, Reading& reading)
+{
+    DrawingContent content = read_drawing_content(*symbol.node, KeyHolder::symbol, reading);
+    if (content.drawn.empty())
+        symbol.keys = take_drawings(content.keys);
+    else
+        read_still(content.drawn, symbol, reading);
+}
+
+void read_symbol(SymbolEntry& symbol, Reading& reading)
+{
+    symbol.state = SymbolEntry::State::in_progress;
+    reading.symbols.in_progress.push_back(&symbol);
+    symbol.kind = symbol_kind(symbol, reading.symbols);
+    if (symbol.kind == SymbolEntry::Kind::items)
+        read_items(symbol, reading);
+    else
+        read_drawing(symbol, reading);
+    reading.symbols.in_progress.pop_back();
+    symbol.state = SymbolEntry::State::good;
+    if (!symbol.node->children.empty())
+        return;
+    symbol.state = SymbolEntry::State::bad;
+    reading.report.error(symbol.place, "this symbol holds nothing", "add objects, or shapes");
+}
+
+/// "a → b → a"
+std::string chain(const SymbolEntry& symbol, const SymbolTable& symbols)
+{
+    const auto begin = std::ranges::find(symbols.in_progress, &symbol);
+    std::string names;
+    for (auto user = begin; user != symbols.in_progress.end(); ++user)
+        names += visible((*user)->name) + " → ";
+    return names + visible(symbol.name);
+}
+
+/// Once: the rest of a long chain will be read from somewhere else, and be too long as well.
+bool report_chain(Place use, Reading& reading)
+{
+    if (!std::exchange(reading.symbols.has_long_chain, true))
+        reading.report.error(use, too_deep());
+    return false;
+}
+
+/// Whether it may be used, as far as can be said without a look at its kind.
+bool make_ready(SymbolEntry& symbol, Place use, Reading& reading)
+{
+    if (symbol.state == SymbolEntry::State::in_progress)
+        return reading.report.error(use, "the symbol " + quoted(symbol.name) + " uses itself",
+                                    chain(symbol, reading.symbols));
+    if (symbol.state == SymbolEntry::State::unread) {
+        if (reading.symbols.in_progress.size() > std::size_t{deepest_item})
+            return report_chain(use, reading);
+        read_symbol(symbol, reading);
+    }
+    return symbol.state == SymbolEntry::State::good;
+}
+
+/// Depth first, so that each symbol comes behind those that it uses.
+class SymbolMover {
+public:
+    SymbolMover(Scene& scene, Reading& reading) : scene_{scene}, reading_{reading} {}
+
+    void move_used_by(std::vector<Item>& items)
+    {
+        for (Item& item : items)
+            if (Group* const group = std::get_if<Group>(&item.content))
+                move_used_by(group->items);
+            else if (Use* const use = std::get_if<Use>(&item.content))
+                use->symbol = index_of(reading_.symbols.entries[use->symbol]);
+    }
+
+private:
+    std::size_t index_of(SymbolEntry& symbol)
+    {
+        if (symbol.scene_index)
+            return *symbol.scene_index;
+        move_used_by(symbol.items);
+        if (scene_.symbols.size() == most_symbols)
+            reading_.report.error(symbol.place, "a scene uses at most " + std::to_string(most_symbols) +
+                                                    " symbols that hold items");
+        symbol.scene_index = scene_.symbols.size();
+        scene_.symbols.push_back({symbol.name, std::move(symbol.items)});
+        return *symbol.scene_index;
+    }
+
+    Scene& scene_;
+    Reading& reading_;
+};
+
+}
+
+void add_symbol(const kdl::Node& node, Reading& reading)
+{
+    if (!fits(node, symbol_form, reading) || !refuse_properties(node, reading))
+        return;
+    const kdl::Value& value = node.arguments.front();
+    const auto name = read_name(value, reading);
+    if (!name)
+        return;
+    SymbolEntry entry;
+    entry.node = &node;
+    entry.name = *name;
+    entry.place = span(node.name_place, value.place);
+    if (const auto earlier = reading.symbols.add(entry))
+        report_double("a symbol", *name, entry.place, *earlier, reading.report);
+}
+
+const SymbolEntry* find_symbol(const kdl::Value& name, Reading& reading)
+{
+    const auto text = read_name(name, reading);
+    if (!text)
+        return nullptr;
+    SymbolEntry* const symbol = reading.symbols.find(*text);
+    if (symbol == nullptr) {
+        const auto known = reading.symbols.names();
+        reading.report.error(name.place, "unknown symbol " + quoted(*text),
+                             known.empty() ? "write it on the outermost level: symbol NAME { … }"
+                                           : suggestion(*text, known));
+        return nullptr;
+    }
+    symbol->is_used = true;
+    return make_ready(*symbol, name.place, reading) ? symbol : nullptr;
+}
+
+void check_unused_symbols(Reading& reading)
+{
+    for (SymbolEntry& symbol : reading.symbols.entries)
+        if (symbol.state == SymbolEntry::State::unread && !reading.report.full())
+            read_symbol(symbol, reading);
+    for (const SymbolEntry& symbol : reading.symbols.entries)
+        if (!symbol.is_used && !reading.report.full())
+            reading.report.warning(symbol.place, "the symbol " + quoted(symbol.name) + " is not used",
+                                   "use it, or remove it");
+}
+
+void move_symbols(Scene& scene, Reading& reading) { SymbolMover{scene, reading}.move_used_by(scene.items); }
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/model.hpp"
+#include "host/scene/reading.hpp"
+#include "host/scene/symbol_table.hpp"
+
+#include <string_view>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view symbol_name = "symbol";
+
+/// Enters a symbol in `reading.symbols`, unread.
+void add_symbol(const kdl::Node& node, Reading& reading);
+
+/// The symbol that `name` names, read. Null when it cannot be used: there is none, it is broken, or it is
+/// being read just now and so uses itself. What is wrong is reported.
+const SymbolEntry* find_symbol(const kdl::Value& name, Reading& reading);
+
+/// Reads the symbols that have not been used, for their mistakes, and warns of them.
+void check_unused_symbols(Reading& reading);
+
+/// Moves the symbols that the items of `scene` use into it, each behind those that it uses.
+void move_symbols(Scene& scene, Reading& reading);
+
+}

@@ -1,0 +1,88 @@
+#include "host/scene/symbol_use.hpp"
+
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/symbol_reader.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm items_form{use_name, "use SYMBOL X Y", 1, 3, true};
+constexpr NodeForm drawing_form{use_name, "use SYMBOL X Y", 1, 3};
+
+constexpr std::array mirrors{Word<Mirror>{"x", {true, false}}, Word<Mirror>{"y", {false, true}},
+                             Word<Mirror>{"both", {true, true}}};
+
+bool read_mirror(const kdl::Value& value, SymbolUse& use, Reading& reading)
+{
+    return assign(read_word(value, mirrors, reading), use.mirror);
+}
+
+constexpr std::array mirror_rules{PropertyRule<SymbolUse>{"mirror", read_mirror}};
+constexpr auto drawing_rules = joined(place_rules<SymbolUse>, mirror_rules);
+constexpr auto items_rules = joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>);
+
+/// The place may stand behind the name of the symbol instead of in properties.
+void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_view name,
+                     std::optional<std::int32_t>& target, Reading& reading)
+{
+    if (has_property(node, name))
+        reading.report.error(property_place(node, name), std::string{name} + " is given twice",
+                             "leave out " + std::string{name} + "=… or the numbers behind the symbol");
+    else
+        assign(read_item_value(Property::x, node.arguments[argument], reading), target);
+}
+
+void read_place(const kdl::Node& node, ItemValues& values, Reading& reading)
+{
+    if (node.arguments.size() == 2)
+        reading.report.error(node.arguments.back().place, "this x has no y", "write use SYMBOL X Y");
+    if (node.arguments.size() != 3)
+        return;
+    read_coordinate(node, 1, "x", values[Property::x], reading);
+    read_coordinate(node, 2, "y", values[Property::y], reading);
+}
+
+bool is_of_kind(SymbolEntry::Kind kind, const SymbolUse& use, const kdl::Value& name, Reading& reading)
+{
+    const SymbolEntry& symbol = *use.symbol;
+    if (symbol.kind == kind)
+        return true;
+    if (kind == SymbolEntry::Kind::items)
+        return reading.report.error(name.place, "the symbol " + quoted(symbol.name) + " is a drawing",
+                                    "put its use into an object, which gives it a colour");
+    return reading.report.error(name.place, "the symbol " + quoted(symbol.name) + " holds items, no drawing",
+                                "use it beside objects, not inside one");
+}
+
+template <std::size_t count>
+std::optional<SymbolUse> read_use(const kdl::Node& node, SymbolEntry::Kind kind, const NodeForm& form,
+                                  const std::array<PropertyRule<SymbolUse>, count>& rules, Reading& reading)
+{
+    if (!fits(node, form, reading))
+        return std::nullopt;
+    SymbolUse use;
+    read_properties(node, rules, use, reading);
+    read_place(node, use.values, reading);
+    const kdl::Value& name = node.arguments.front();
+    use.symbol = find_symbol(name, reading);
+    if (use.symbol == nullptr || !is_of_kind(kind, use, name, reading))
+        return std::nullopt;
+    return use;
+}
+
+}
+
+std::optional<SymbolUse> read_items_use(const kdl::Node& node, Reading& reading)
+{
+    return read_use(node, SymbolEntry::Kind::items, items_form, items_rules, reading);
+}
+
+std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, Reading& reading)
+{
+    return read_use(node, SymbolEntry::Kind::drawing, drawing_form, drawing_rules, reading);
+}
+
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/item_values.hpp"
+#include "host/scene/mirror.hpp"
+#include "host/scene/reading.hpp"
+#include "host/scene/symbol_table.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view use_name = "use";
+
+/// A node `use`, its keys apart.
+struct SymbolUse {
+    const SymbolEntry* symbol = nullptr;
+    ItemValues values;
+    Mirror mirror;
+};
+
+/// A symbol of items, as an item. Nothing when there is no such symbol; what is wrong is reported.
+std::optional<SymbolUse> read_items_use(const kdl::Node& node, Reading& reading);
+
+/// A symbol that is a drawing, inside an object; `values` has its place, rotation and scale.
+std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, Reading& reading);
+
+}

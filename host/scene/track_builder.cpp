@@ -1,0 +1,115 @@
+#include "host/scene/track_builder.hpp"
+
+#include "host/scene/property_rule.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+/// Objects with a fill or a stroke say their colours themselves.
+std::int32_t ordinary_value(Property property)
+{
+    return property == Property::width ? StrokeStyle{}.width : value_without_track(property);
+}
+
+LawPair laws_for(Property property, const KeyLaws& laws)
+{
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::scale_x:
+    case Property::scale_y:
+        return laws.of_axes();
+    case Property::order:
+    case Property::visible:
+        return {};
+    default:
+        return laws.of_rest();
+    }
+}
+
+bool is_painted(Property property) { return property >= Property::fill; }
+
+bool is_pivot(Property property) { return property == Property::pivot_x || property == Property::pivot_y; }
+
+void warn_of_idle_pivot(const kdl::Node& node, Reading& reading)
+{
+    for (const char* const name : {"pivot-x", "pivot-y"})
+        if (has_property(node, name))
+            reading.report.warning(property_place(node, name),
+                                   std::string{name} + " does nothing where nothing turns or grows",
+                                   "add rotate=… or scale=…, or remove " + std::string{name});
+}
+
+/// The first key has a value of everything that any key sets. No way leads from the last one.
+std::vector<TrackKey> keys_of(Property property, std::int32_t first, std::span<const ItemKey> keys)
+{
+    std::vector<TrackKey> track;
+    for (const ItemKey& key : keys) {
+        const auto own = key.values.get(property);
+        if (!own && &key != keys.data())
+            continue;
+        track.push_back({key.time, laws_for(property, key.laws), own.value_or(first), key.place});
+    }
+    track.back().laws = {};
+    return track;
+}
+
+Track build_track(Property property, std::optional<std::int32_t> own, std::span<const ItemKey> keys)
+{
+    const auto sets_it = [&](const ItemKey& key) { return key.values.get(property).has_value(); };
+    const std::int32_t ordinary = ordinary_value(property);
+    const std::int32_t first = own.value_or(ordinary);
+    if (std::ranges::any_of(keys, sets_it))
+        return {property, keys_of(property, first, keys)};
+    if (is_painted(property) || first == ordinary)
+        return {property, {}};
+    return {property, {TrackKey{.time = {}, .laws = {}, .value = first}}};
+}
+
+bool turns_or_grows(const std::vector<Track>& tracks)
+{
+    return std::ranges::any_of(tracks, [](const Track& track) {
+        return track.property == Property::rotation || track.property == Property::scale_x ||
+               track.property == Property::scale_y;
+    });
+}
+
+}
+
+std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
+                                std::span<const ItemKey> keys, Reading& reading)
+{
+    std::vector<Track> tracks;
+    for (std::size_t i = 0; i < property_count; ++i) {
+        const auto property = static_cast<Property>(i);
+        if (is_pivot(property) && !turns_or_grows(tracks))
+            continue;
+        Track track = build_track(property, values.get(property), keys);
+        if (!track.keys.empty())
+            tracks.push_back(std::move(track));
+    }
+    if (!turns_or_grows(tracks))
+        warn_of_idle_pivot(node, reading);
+    return tracks;
+}
+
+std::vector<Key> take_drawings(std::span<ItemKey> keys)
+{
+    std::vector<Key> drawings;
+    for (ItemKey& key : keys)
+        if (key.drawing)
+            drawings.push_back({.time = key.time,
+                                .laws = key.laws.of_axes(),
+                                .match = key.match.value_or(Match::count),
+                                .drawing = std::move(*key.drawing),
+                                .place = key.place});
+    if (!drawings.empty())
+        drawings.back().laws = {};
+    return drawings;
+}
+
+}
