@@ -31,6 +31,19 @@ public:
         u8(value);
     }
 
+    /// 2 v for v >= 0, -2 v - 1 below. `value` is within ±2^30.
+    void signed_varint(std::int32_t value)
+    {
+        varint(static_cast<std::uint32_t>(value < 0 ? -2 * value - 1 : 2 * value));
+    }
+
+    /// A varint, the number of `bytes`, and these.
+    void block(std::span<const std::byte> bytes)
+    {
+        varint(static_cast<std::uint32_t>(bytes.size()));
+        append(bytes);
+    }
+
     void append(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
 
     std::size_t size() const { return bytes_.size(); }

@@ -12,39 +12,57 @@ namespace {
 
 constexpr double tolerance = 1.0 / 32;
 
-/// The larger second difference of the control points of one coordinate, in pixels. A line has none.
-double bend(const Segment& segment, Fixed Point::*axis)
+/// The second differences of the control points of one coordinate, in pixels. A line has none.
+struct Bend {
+    double first = 0;
+    double second = 0;
+};
+
+Bend bend(const Segment& segment, Fixed Point::*axis)
 {
     if (segment.kind == Segment::Kind::line)
-        return 0;
-    const auto second = [axis](Point a, Point b, Point c) {
-        return std::abs(static_cast<double>((a.*axis).raw()) - 2.0 * (b.*axis).raw() + (c.*axis).raw());
-    };
-    return std::max(second(segment.from, segment.c1, segment.c2),
-                    second(segment.c1, segment.c2, segment.to)) /
-           Fixed::one;
+        return {};
+    const auto pixels = [axis](Point at) { return static_cast<double>((at.*axis).raw()) / Fixed::one; };
+    const double c1 = pixels(segment.c1);
+    const double c2 = pixels(segment.c2);
+    return {pixels(segment.from) - 2 * c1 + c2, c1 - 2 * c2 + pixels(segment.to)};
 }
 
-/// On the way each coordinate is between its two ends, whatever the laws, and so is its bend.
-double bend_between(const Pair<Segment>& both)
+/// The larger second difference at a share of the way.
+double bend_at(Bend a, Bend b, Way way)
 {
-    return std::hypot(std::max(bend(both.a, &Point::x), bend(both.b, &Point::x)),
-                      std::max(bend(both.a, &Point::y), bend(both.b, &Point::y)));
+    const double share = static_cast<double>(way.raw) / Way::one;
+    return std::max(std::abs(std::lerp(a.first, b.first, share)),
+                    std::abs(std::lerp(a.second, b.second, share)));
 }
+
+/// Bends change evenly along the way, so that they are largest at one of its ends.
+double most_bend(const Pair<Segment>& both, Fixed Point::*axis, WayRange range)
+{
+    const Bend a = bend(both.a, axis);
+    const Bend b = bend(both.b, axis);
+    return std::max(bend_at(a, b, range.least), bend_at(a, b, range.most));
+}
+
+// Not std::hypot, which platforms round differently.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }
 
 // A piece over 1/n of the parameter stays within the second derivative / (8 n^2) of the curve; the second
 // derivative of a cubic is at most 6 times the bend of its control points.
-std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b)
+std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b, WayRange x, WayRange y,
+                           double scale)
 {
     double most = 0;
     EqualizedPair pair{ModelReader{a}, ModelReader{b}};
     while (const std::uint32_t segments = pair.next_stroke())
-        for (std::uint32_t i = 0; i < segments; ++i)
-            most = std::max(most, bend_between(pair.next_segment()));
-    const double pieces = std::ceil(std::sqrt(6 * most / (8 * tolerance)));
-    return std::clamp<std::uint32_t>(static_cast<std::uint32_t>(pieces), 1, kfb::max_curve_pieces);
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const Pair<Segment> both = pair.next_segment();
+            most = std::max(most, length(most_bend(both, &Point::x, x), most_bend(both, &Point::y, y)));
+        }
+    const double pieces = std::ceil(std::sqrt(6 * most * scale / (8 * tolerance)));
+    return static_cast<std::uint32_t>(std::clamp<double>(pieces, 1, kfb::max_curve_pieces));
 }
 
 }

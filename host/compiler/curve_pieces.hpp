@@ -1,13 +1,16 @@
 #pragma once
 
+#include "core/velocity_law.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstdint>
 
 namespace kfast {
 
-/// How many straight pieces stand for a curve anywhere on the way from `a` to `b`, so that none is more than
-/// 1/32 px away from its curve; at least 1, at most kfb::max_curve_pieces.
-std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b);
+/// How many straight pieces stand for a curve anywhere on the way from `a` to `b`, if it stays within `x` and
+/// `y` and is then enlarged by `scale`, so that none is more than 1/32 px away from its curve; at least 1, at
+/// most kfb::max_curve_pieces.
+std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b, WayRange x, WayRange y,
+                           double scale = 1);
 
 }

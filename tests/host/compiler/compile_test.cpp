@@ -41,15 +41,16 @@ TEST_CASE("a drawing that is shown again is stored once, also in another object"
     const auto twice = compiled(with_object("object a fill=white { key 0 " + shape + " }\n" +
                                             "object b fill=white { key 0 " + shape + " }"))
                            .size();
-    CHECK(twice == once + 3 + 4); // style, colour, length of the keys, one key
+    CHECK(twice == once + 4 + 4); // style, colour, edges, length of the keys; one key
 }
 
 TEST_CASE("times of every kind come back as they were written")
 {
-    const auto bytes = compiled("kfast 1\ncanvas 8 8 fps=25\nobject a fill=white { key 0.5 { rect 0 0 1 1 }; "
-                                "key (s)1 { rect 0 0 2 1 }; key (ms)1500 { rect 0 0 3 1 }; key 1000000 }");
+    const auto bytes =
+        compiled("kfast 1\ncanvas 8 8 fps=25\nobject a fill=white { key 0.5 { rect 0 0 1 1 }; "
+                 "key (s)1 { rect 0 0 2 1 }; key (ms)1500 { rect 0 0 3 1 }; key 1000000 { empty } }");
     const SceneView scene = *SceneView::parse(bytes);
-    KeyCursor keys = scene.objects().next().keys;
+    KeyCursor keys = scene.items().next().object.keys();
     CHECK(keys.next().time.ticks == 512);
     CHECK(keys.next().time == Time::frame(25));
     CHECK(keys.next().time.ticks == 37 * 1024 + 512);
@@ -61,7 +62,7 @@ TEST_CASE("whatever compiles can be parsed and played")
 {
     const auto bytes =
         compiled(with_object("object a stroke=white width=200 cap=round join=round { key 0 { path "
-                             "\"M -2047 -2047 C 2047 -2047 -2047 2047 2047 2047\" }; key 1 }"));
+                             "\"M -2047 -2047 C 2047 -2047 -2047 2047 2047 2047\" }; key 1 { empty } }"));
     const auto scene = SceneView::parse(bytes);
     REQUIRE(scene);
     std::vector<std::byte> block(Player::block_bytes(*scene, {4, 4}));

@@ -1,0 +1,123 @@
+#include "host/compiler/allowance.hpp"
+
+#include "core/kfb_limits.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+/// Uses of symbols within symbols multiply: beyond this figure the rest no longer counts.
+constexpr std::uint64_t beyond_all_limits = 1'000'000'000'000;
+
+/// What an item needs of something.
+struct Need {
+    const scene::Item* item;
+    std::uint64_t amount;
+};
+
+/// Something that the format limits, and how much of it the items of a scene need.
+struct Allowance {
+    std::string_view what;
+    std::string_view remedy;
+    std::uint64_t limit;
+    std::vector<Need> needs;
+};
+
+std::uint64_t total(const std::vector<Need>& needs)
+{
+    std::uint64_t sum = 0;
+    for (const Need& need : needs)
+        sum = std::min(sum + need.amount, beyond_all_limits);
+    return sum;
+}
+
+/// Calls visit(item) for `items` and all inside of their groups.
+template <class Visit>
+void each_item(const std::vector<scene::Item>& items, Visit visit)
+{
+    for (const scene::Item& item : items) {
+        visit(item);
+        if (const auto* group = std::get_if<scene::Group>(&item.content))
+            each_item(group->items, visit);
+    }
+}
+
+/// What each item needs by itself, a use also all that its symbol needs. A symbol is read once.
+template <class AmountOf>
+std::vector<Need> needs_with_uses(const scene::Scene& scene, AmountOf amount_of)
+{
+    std::vector<std::uint64_t> symbols;
+    const auto needs_of = [&](const std::vector<scene::Item>& items) {
+        std::vector<Need> needs;
+        each_item(items, [&](const scene::Item& item) {
+            const auto* use = std::get_if<scene::Use>(&item.content);
+            needs.push_back({&item, amount_of(item) + (use != nullptr ? symbols[use->symbol] : 0)});
+        });
+        return needs;
+    };
+    for (const scene::Symbol& symbol : scene.symbols)
+        symbols.push_back(total(needs_of(symbol.items)));
+    return needs_of(scene.items);
+}
+
+/// What each item needs that is stored, those of a symbol once.
+template <class AmountOf>
+std::vector<Need> stored_needs(const scene::Scene& scene, AmountOf amount_of)
+{
+    std::vector<Need> needs;
+    const auto add = [&](const scene::Item& item) { needs.push_back({&item, amount_of(item)}); };
+    for (const scene::Symbol& symbol : scene.symbols)
+        each_item(symbol.items, add);
+    each_item(scene.items, add);
+    return needs;
+}
+
+std::string name_of(const scene::Item& item, const scene::Scene& scene)
+{
+    if (const auto* use = std::get_if<scene::Use>(&item.content))
+        return "this use of symbol \"" + scene.symbols[use->symbol].name + "\"";
+    if (std::holds_alternative<scene::Group>(item.content))
+        return "this group";
+    return "object \"" + item.name + "\"";
+}
+
+void check(const Allowance& allowance, const scene::Scene& scene, Diagnostics& diagnostics)
+{
+    const std::uint64_t needed = total(allowance.needs);
+    if (needed <= allowance.limit)
+        return;
+    const auto most = std::ranges::max_element(allowance.needs, {}, &Need::amount);
+    diagnostics.error(most->item->place,
+                      "the scene needs " + std::to_string(needed) + " " + std::string{allowance.what} +
+                          ", the format holds " + std::to_string(allowance.limit) + "; " +
+                          name_of(*most->item, scene) + " alone needs " + std::to_string(most->amount),
+                      std::string{allowance.remedy});
+}
+
+}
+
+std::uint32_t check_allowances(const scene::Scene& scene, const NeedsOfObjects& needs,
+                               Diagnostics& diagnostics)
+{
+    const auto needs_of = [&needs](const scene::Item& item) {
+        const auto* object = std::get_if<scene::Object>(&item.content);
+        return object != nullptr ? needs.at(object) : ObjectNeeds{};
+    };
+    const auto edges_of = [&](const scene::Item& item) { return needs_of(item).edges; };
+    const auto points_of = [&](const scene::Item& item) { return needs_of(item).key_points; };
+    const auto one = [](const scene::Item&) { return std::uint64_t{1}; };
+    const std::string_view simpler = "draw it with fewer points, or with fewer or smaller curves";
+    const Allowance edges{"edges", simpler, kfb::max_edges, needs_with_uses(scene, edges_of)};
+    check(edges, scene, diagnostics);
+    check({"points in all keys together", simpler, kfb::max_key_points, stored_needs(scene, points_of)},
+          scene, diagnostics);
+    check({"items", "use symbols less often, or such that have fewer items", kfb::max_items,
+           needs_with_uses(scene, one)},
+          scene, diagnostics);
+    return static_cast<std::uint32_t>(total(edges.needs));
+}
+
+}

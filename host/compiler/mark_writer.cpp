@@ -1,0 +1,40 @@
+#include "host/compiler/mark_writer.hpp"
+
+#include "host/compiler/time_code.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+void write_name(std::string_view name, ByteWriter& bytes)
+{
+    bytes.u8(static_cast<std::uint32_t>(name.size()));
+    bytes.append(std::as_bytes(std::span{name}));
+}
+
+void write_clip(const scene::Clip& clip, ByteWriter& bytes)
+{
+    write_name(clip.name, bytes);
+    bytes.varint(time_code(clip.begin));
+    bytes.varint(time_code(clip.end - clip.begin));
+    bytes.u8(static_cast<std::uint32_t>(clip.loop));
+}
+
+}
+
+void write_marks(const scene::Scene& scene, ByteWriter& bytes)
+{
+    bytes.u8(static_cast<std::uint32_t>(scene.clips.size()));
+    for (const scene::Clip& clip : scene.clips)
+        write_clip(clip, bytes);
+    Time before;
+    for (const scene::Event& event : scene.events) {
+        bytes.varint(time_code(event.time - before));
+        write_name(event.name, bytes);
+        before = event.time;
+    }
+}
+
+}

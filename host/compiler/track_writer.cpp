@@ -1,0 +1,91 @@
+#include "host/compiler/track_writer.hpp"
+
+#include "host/compiler/time_code.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t fixed_bit = 1 << 7;
+
+bool is_fixed(const scene::Track& track) { return track.keys.size() == 1; }
+
+std::int32_t value_without(Property property, const scene::Item& item)
+{
+    switch (property) {
+    case Property::fill:
+        return static_cast<std::int32_t>(std::get<scene::Object>(item.content).fill.value());
+    case Property::stroke:
+        return static_cast<std::int32_t>(std::get<scene::Object>(item.content).stroke.value().colour);
+    case Property::width:
+        return std::get<scene::Object>(item.content).stroke.value().width;
+    default:
+        return value_without_track(property);
+    }
+}
+
+bool is_pivot(const scene::Track* track)
+{
+    return track->property == Property::pivot_x || track->property == Property::pivot_y;
+}
+
+bool turns_or_grows(const scene::Track* track)
+{
+    return track->property == Property::rotation || track->property == Property::scale_x ||
+           track->property == Property::scale_y;
+}
+
+/// Those that make a difference. A pivot makes none where nothing turns or grows.
+std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
+{
+    std::vector<const scene::Track*> tracks;
+    for (const scene::Track& track : item.tracks)
+        if (!is_fixed(track) || track.keys.front().value != value_without(track.property, item))
+            tracks.push_back(&track);
+    if (std::ranges::none_of(tracks, turns_or_grows))
+        std::erase_if(tracks, is_pivot);
+    return tracks;
+}
+
+std::vector<std::byte> packed_keys(const std::vector<scene::TrackKey>& keys, LawTable& laws)
+{
+    ByteWriter bytes;
+    Time before;
+    for (const scene::TrackKey& key : keys) {
+        const bool leads_on = &key != &keys.back();
+        bytes.varint(time_code(key.time - before));
+        bytes.u8(leads_on ? laws.number_of(key.laws, key.place) : 0);
+        bytes.signed_varint(key.value);
+        before = key.time;
+    }
+    return bytes.bytes();
+}
+
+void write_track(const scene::Track& track, LawTable& laws, ByteWriter& bytes)
+{
+    const auto property = static_cast<std::uint32_t>(track.property);
+    if (is_fixed(track)) {
+        bytes.u8(property | fixed_bit);
+        bytes.signed_varint(track.keys.front().value);
+    } else {
+        bytes.u8(property);
+        bytes.block(packed_keys(track.keys, laws));
+    }
+}
+
+}
+
+std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
+{
+    const std::vector<const scene::Track*> tracks = telling_tracks(item);
+    if (tracks.empty())
+        return {};
+    ByteWriter bytes;
+    bytes.u8(static_cast<std::uint32_t>(tracks.size()));
+    for (const scene::Track* track : tracks)
+        write_track(*track, laws, bytes);
+    return bytes.bytes();
+}
+
+}

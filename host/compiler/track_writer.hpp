@@ -1,0 +1,15 @@
+#pragma once
+
+#include "host/compiler/byte_writer.hpp"
+#include "host/compiler/law_table.hpp"
+#include "host/scene/model.hpp"
+
+#include <vector>
+
+namespace kfast {
+
+/// The tracks of `item` without those that change nothing (docs/format.md, "Tracks"), beginning with their
+/// number; no bytes if none is left.
+std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws);
+
+}

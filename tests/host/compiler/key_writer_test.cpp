@@ -1,0 +1,69 @@
+#include "host/compiler/key_writer.hpp"
+
+#include "core/item_view.hpp"
+#include "tests/host/compiler/scene_parts.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::test {
+namespace {
+
+PackedKeys packed(const scene::Object& object)
+{
+    LawTable laws;
+    DrawingPool drawings;
+    Diagnostics diagnostics;
+    return packed_keys(object, 1, laws, drawings, diagnostics);
+}
+
+std::uint32_t first_pieces(const scene::Object& object)
+{
+    const PackedKeys keys = packed(object);
+    return KeyCursor{ByteReader{keys.bytes}, has_arrivals(object)}.next().curve_pieces;
+}
+
+/// A line in `count` steps of 10 px, and one stroke.
+scene::Drawing steps(int count)
+{
+    scene::Stroke stroke;
+    for (int i = 1; i <= count; ++i)
+        stroke.segments.push_back(
+            {.cubic = false, .c1 = {}, .c2 = {}, .to = {static_cast<std::int16_t>(160 * i), 0}});
+    return {{stroke}};
+}
+
+}
+
+TEST_CASE("every drawing of every key counts with its points and one more, arrivals too")
+{
+    scene::Object object = filled({key(0, steps(4)), key(1, steps(4)), key(2, {})});
+    CHECK(packed(object).points == 6 + 6 + 1);
+    object.keys[0].match = scene::Match::length; // points meet already: nothing is added
+    CHECK(packed(object).points == 6 + 6 + 6 + 1 + 1 + 1);
+}
+
+TEST_CASE("a curve that is divided on its way has the pieces that it takes while it is whole")
+{
+    const scene::Drawing whole = curve({0, 0}, {0, 1600}, {1600, 1600}, {1600, 0});
+    const std::uint32_t alone = first_pieces(filled({key(0, whole)}));
+    CHECK(alone > 20);
+    CHECK(first_pieces(filled({key(0, whole), key(1, steps(16))})) == alone);
+    CHECK(first_pieces(filled({key(0, steps(16)), key(1, whole)})) < alone / 2);
+}
+
+TEST_CASE("a way by length that takes too many points is an error at its key")
+{
+    scene::Drawing parts = steps(200); // each part of the other stroke gets as many points as the largest
+    for (std::int16_t i = 0; i < 400; ++i)
+        parts.strokes.push_back(lines({{0, i}, {16, i}}).strokes.front());
+    scene::Object object = filled({key(0, steps(3)), key(1, parts)});
+    object.keys[0].match = scene::Match::length;
+    object.keys[0].place = {17, 3};
+    Diagnostics diagnostics;
+    CHECK(!write_scene(scene_of({item(object)}), diagnostics));
+    REQUIRE(diagnostics.sorted().size() == 1);
+    CHECK(diagnostics.sorted()[0].place.offset == 17);
+    CHECK(diagnostics.sorted()[0].message.find("more than 65535 points") != std::string::npos);
+}
+
+}

@@ -1,0 +1,173 @@
+#include "host/compiler/write_scene.hpp"
+
+#include "core/scene_view.hpp"
+#include "tests/bytes.hpp"
+#include "tests/host/compiler/scene_parts.hpp"
+
+#include <doctest/doctest.h>
+#include <span>
+
+namespace kfast::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Bytes behind(const Bytes& bytes, std::size_t offset)
+{
+    return {bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.end()};
+}
+
+constexpr std::size_t header_and_two_colours = 32 + 2 * 4;
+
+std::size_t size_of(std::vector<scene::Item> items) { return written(scene_of(std::move(items))).size(); }
+
+}
+
+TEST_CASE("a small scene, byte by byte")
+{
+    scene::Scene scene = scene_of({item(filled({key(0, lines({{16, 32}, {32, 32}, {16, 32}}))}))});
+    std::get<scene::Object>(scene.items[0].content).fill = 1;
+    scene.frame_rate = 25'000;
+    scene.loop = Loop::ping_pong;
+    scene.palette = {{0x10, 0x20, 0x30}, {0x4c, 0xc9, 0xf0, 0x80}};
+    CHECK(written(scene) ==
+          bytes({
+              'K',  'F',  'B',  1,    0x9A, 0x17, 0x3A, 0xBD,             // checksum: zlib's crc32
+              62,   0,    0,    0,                                        // size
+              4,    0,    0,    2,                                        // edges, pairs of laws, ping-pong
+              0x00, 0xA0, 0x00, 0x00,                                     // 40 frames
+              0xA8, 0x61, 0x00, 0x00,                                     // 25 frames a second
+              64,   0,    48,   0,    2,    0,    0,    0,                // canvas, colours, symbols
+              0x10, 0x20, 0x30, 0xFF, 0x4C, 0xC9, 0xF0, 0x80,             //
+              1,    0,                                                    // marks: no clips, no events
+              0,                                                          // symbols
+              8,    0x08, 1,    4,    4,    0,    0,    1,    0,          // filled, colour, edges, one key
+              1,    6,    2,    16,   0,    32,   0,    0x10, 0x00, 0x03, // 6 bits: 16, 0, -16, 0
+          }));
+}
+
+TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
+{
+    const LawPair soft{VelocityLaw::accelerate, VelocityLaw::decelerate};
+    const LawPair wild{VelocityLaw::in_steps(3), VelocityLaw::bezier(2048, -8192, 6144, 16384)};
+    scene::Object wheel = stroked(40, {key(0, {{{.from = {10, 11}, .segments = {}}}})});
+    wheel.stroke->colour = 1;
+    wheel.stroke->cap = Cap::round;
+    scene::Object spot = filled({key(0, lines({{0, 0}, {1, 0}}), wild), key(1, {})});
+    spot.keys[1].time = {1};
+    spot.fill_rule = FillRule::even_odd;
+    const scene::Item use = item(scene::Use{0}, {fixed(Property::scale_x, -8192)});
+    const scene::Track fade{
+        Property::opacity,
+        {{.time = {}, .laws = soft, .value = 255}, {.time = Time::frame(10), .laws = wild, .value = 0}}};
+    const scene::Item group = item(scene::Group{{use}}, {fixed(Property::rotation, 16384), fade});
+    scene::Scene scene = scene_of({group, item(spot)}, {{"wheel", {item(wheel)}}});
+    scene.clips = {{"go", Time::frame(10), {10 * 1024 + 5632}, Loop::repeat}};
+    scene.events = {{"a", Time::frame(3)}, {"é", Time::frame(3)}};
+
+    const Bytes all = written(scene);
+    CHECK(all[12] == std::byte{34 + 3}); // edges
+    CHECK(all[14] == std::byte{2});      // pairs of laws
+    CHECK(behind(all, header_and_two_colours) ==
+          bytes({
+              0x21,                                                          // accelerate, decelerate
+              0x65, 3,    0,    0x00, 0x08, 0x00, 0xE0, 0x00, 0x18, 0, 0x40, // steps, bezier
+              15,   1,                                                       // marks: one clip
+              2,    'g',  'o',  20,   0x81, 0x58, 1,                         // from frame 10, 5632 ticks long
+              6,    1,    'a',  0,    2,    0xC3, 0xA9,                      // events
+              13,   12,                                                      // one symbol
+              0x10, 1,    40,   1,    32,   11,   34,            // its arcs are for twice the width
+              4,    0,    0,    1,    0,                         //
+              34,                                                // items
+              0x05, 2,    0x82, 0x80, 0x80, 2,                   // group: a quarter turn,
+              7,    7,    0,    1,    0xFE, 3,    20,   0,    0, // opacity from 255 to 0
+              6,    0x06, 1,    0x83, 0xFF, 0x7F, 0,             // the use, mirrored
+              0x28, 0,    3,    8,    0,    2,    1,    7,    3,    0, 1,
+              15,                                             // even-odd; 1 tick to the second key
+              1,    0,    0,    10,   0,    11,   0,          // the single point
+              1,    2,    1,    0,    0,    0,    0,    0x01, // the line
+              0,                                              // the empty drawing
+          }));
+}
+
+TEST_CASE("tracks that change nothing are left out")
+{
+    const auto dot = filled({key(0, lines({{0, 0}, {16, 0}}))});
+    const auto wire = stroked(16, {key(0, lines({{0, 0}, {16, 0}}))});
+    const std::size_t plain = size_of({item(dot)});
+    const auto growth = [&](const scene::Object& object, std::vector<scene::Track> tracks) {
+        return size_of({item(object, std::move(tracks))}) - size_of({item(object)});
+    };
+    const scene::Track turning{
+        Property::rotation,
+        {{.time = {}, .laws = {}, .value = 0}, {.time = Time::frame(1), .laws = {}, .value = 0}}};
+    CHECK(plain > 0);
+    CHECK(growth(dot, {fixed(Property::x, 0), fixed(Property::rotation, 0), fixed(Property::scale_x, 4096),
+                       fixed(Property::scale_y, 4096), fixed(Property::opacity, 255),
+                       fixed(Property::order, 0), fixed(Property::visible, 1), fixed(Property::fill, 0)}) ==
+          0);
+    CHECK(growth(wire, {fixed(Property::stroke, 0), fixed(Property::width, 16)}) == 0);
+    CHECK(growth(dot, {fixed(Property::x, 1)}) == 3);
+    CHECK(growth(dot, {fixed(Property::fill, 1)}) == 3);
+    CHECK(growth(wire, {fixed(Property::width, 17)}) == 3);
+    CHECK(growth(dot, {fixed(Property::opacity, 0)}) == 3);
+    CHECK(growth(dot, {turning}) == 9); // it has keys
+    SUBCASE("a pivot counts only where something turns or grows")
+    {
+        const scene::Track pivot_x = fixed(Property::pivot_x, 5);
+        const scene::Track pivot_y = fixed(Property::pivot_y, 5);
+        CHECK(growth(dot, {fixed(Property::x, 1), pivot_x, pivot_y}) == 3);
+        CHECK(growth(dot, {fixed(Property::rotation, 0), pivot_x}) == 0);
+        CHECK(growth(dot, {fixed(Property::rotation, 1), pivot_x}) == 5);
+        CHECK(growth(dot, {fixed(Property::scale_y, 1), pivot_x, pivot_y}) == 7);
+        CHECK(growth(dot, {fixed(Property::scale_x, 1), pivot_y}) == 5);
+    }
+}
+
+TEST_CASE("a drawing is stored once, whoever shows it")
+{
+    const scene::Drawing shape = curve({0, 0}, {900, 0}, {0, 900}, {900, 900});
+    const auto shown = [&shape](int frame) { return key(frame, shape); };
+    const std::size_t once = size_of({item(filled({shown(0)}))});
+    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 4); // a key
+    CHECK(size_of({item(filled({shown(0)})), item(filled({shown(0)}))}) == once + 3 + 5);
+    const scene::Scene with_symbol =
+        scene_of({item(filled({shown(0)})), item(scene::Use{0})}, {{"again", {item(filled({shown(0)}))}}});
+    CHECK(written(with_symbol).size() == once + 1 + 8 + 2); // length of the symbol, its object, the use
+}
+
+TEST_CASE("keys that match by length have arrival drawings, the others of the object too")
+{
+    const scene::Drawing square = lines({{0, 0}, {160, 0}, {160, 160}, {0, 160}, {0, 0}});
+    const scene::Drawing triangle = lines({{400, 0}, {560, 160}, {240, 160}, {400, 0}});
+    scene::Object object = filled({key(0, square), key(1, triangle), key(2, square)});
+    const auto keys_of = [](const Bytes& bytes) {
+        const ObjectView view = SceneView::parse(bytes)->items().next().object;
+        KeyCursor keys = view.keys();
+        return std::vector{keys.next(), keys.next(), keys.next()};
+    };
+    SUBCASE("none")
+    {
+        object.keys[2].match = scene::Match::length; // leads nowhere
+        const Bytes bytes = written(scene_of({item(object)}));
+        CHECK(!SceneView::parse(bytes)->items().next().object.has_arrivals);
+    }
+    SUBCASE("one")
+    {
+        object.keys[1].match = scene::Match::length;
+        const Bytes bytes = written(scene_of({item(object)}));
+        const SceneView scene = *SceneView::parse(bytes);
+        REQUIRE(scene.items().next().object.has_arrivals);
+        const std::vector<Key> keys = keys_of(bytes);
+        CHECK(keys[0].arrival != keys[0].drawing);
+        CHECK(keys[1].arrival != keys[1].drawing);
+        CHECK(keys[2].arrival == keys[2].drawing);
+        CHECK(keys[0].drawing == keys[2].drawing);
+        PackedDrawing departure = scene.drawing(keys[1].drawing);
+        PackedDrawing arrival = scene.drawing(keys[1].arrival);
+        CHECK(scene.drawing(keys[0].arrival).next_stroke() == 3);
+        CHECK(departure.next_stroke() == arrival.next_stroke());
+    }
+}
+
+}
