@@ -3,13 +3,8 @@
 #include "firmware/run.hpp"
 #include "host/failure.hpp"
 
-#include <algorithm>
-#include <string>
-
 namespace kfast {
 namespace {
-
-constexpr int longest_scene = 10'000;
 
 std::vector<std::byte> packed(const std::vector<std::uint8_t>& levels)
 {
@@ -21,27 +16,20 @@ std::vector<std::byte> packed(const std::vector<std::uint8_t>& levels)
 
 }
 
-BoardSource::BoardSource(std::span<const std::byte> scene, const Timeline& timeline)
-    : timeline_{timeline}, board_{scene}, frame_{PixelFormat::grey4,
-                                                 {Ssd0323Model::width, Ssd0323Model::height},
-                                                 {}}
+BoardSource::BoardSource(std::span<const std::byte> scene)
+    : board_{scene, 1}, frame_{PixelFormat::grey4, {Ssd0323Model::width, Ssd0323Model::height}, {}}
 {
-    if (timeline.frame_count() > longest_scene)
-        throw Failure("a simulated board keeps every frame, at most " + std::to_string(longest_scene) +
-                      "; the scene has " + std::to_string(timeline.frame_count()) + ": leave out --panel");
+}
+
+const Frame& BoardSource::show(Time moment)
+{
+    board_.start_at(moment);
     run(board_);
     if (board_.error())
         throw Failure("the simulated board cannot play this scene");
     if (const auto mistake = board_.bus_error())
         throw Failure("the simulated panel was driven wrongly: " + *mistake);
-}
-
-const Frame& BoardSource::show(Time time)
-{
-    const Time shown = timeline_.shown_at(std::max(time.ticks, 0));
-    const auto& frames = board_.frames();
-    const auto later = std::ranges::upper_bound(frames, shown, {}, &ShownFrame::time);
-    frame_.pixels = packed(std::prev(later)->picture);
+    frame_.pixels = packed(board_.frames().front().picture);
     return frame_;
 }
 

@@ -5,13 +5,20 @@
 
 namespace kfast {
 
+/// When a picture changes while a scene plays.
+enum class Pace {
+    smooth,    ///< whenever it is asked
+    by_frames, ///< at the frames of the scene alone
+};
+
 /// Draws a scene on one panel. Which one is chosen at run time, hence virtual.
 class FrameSource {
 public:
     virtual ~FrameSource() = default;
 
-    /// The picture at `time` (wrapped by the scene's loop mode). Valid until the next call.
-    virtual const Frame& show(Time time) = 0;
+    /// The picture at a moment of the timeline, the scene's very end included. Valid until the next call.
+    virtual const Frame& show(Time moment) = 0;
+    virtual Pace pace() const { return Pace::smooth; }
 };
 
 }

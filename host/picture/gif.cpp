@@ -128,7 +128,7 @@ void write_gif(const std::filesystem::path& target, FrameSource& source, const T
     const std::optional<Palette> palette = shared_palette(source, moments);
     const ColourMap colours = palette ? colour_map(palette->colours()) : ColourMap{nullptr, GifFreeMapObject};
     GifEncoder encoder{source.show(moments.front().time).size};
-    encoder.begin(colours.get(), timeline.loop != Loop::once);
+    encoder.begin(colours.get(), timeline.stretch.loop != Loop::once);
     for (const auto& [time, centiseconds] : moments) {
         const Picture picture = widen(source.show(time));
         if (palette)

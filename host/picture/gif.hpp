@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// Writes one period of the scene as an animated GIF that loops as the scene does.
+/// Writes one period of what is played as an animated GIF that loops as the scene or clip does.
 ///
 /// Colours are exact when there are at most 256 in all or in a frame; a frame with more is quantized, without
 /// dither. Throws Failure when the file cannot be written; then there is none.

@@ -45,7 +45,7 @@ std::vector<GifMoment> gif_moments(const Timeline& timeline)
         moments.push_back(moment(timeline, start, end));
         start = end;
     }
-    if (timeline.loop == Loop::once)
+    if (timeline.stretch.loop == Loop::once)
         moments.push_back(moment(timeline, period, period + Time::ticks_per_frame));
     return moments;
 }

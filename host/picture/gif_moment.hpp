@@ -12,8 +12,8 @@ struct GifMoment {
     int centiseconds = 0;
 };
 
-/// One period of the scene, frame by frame. The delays follow the scene's clock without drift (30 fps: 3, 3,
-/// 4). Browsers show delays of 1 as 10, so scenes above 50 fps are drawn 50 times a second.
+/// One period of what is played, frame by frame. The delays follow the scene's clock without drift (30 fps:
+/// 3, 3, 4). Browsers show delays of 1 as 10, so scenes above 50 fps are drawn 50 times a second.
 std::vector<GifMoment> gif_moments(const Timeline& timeline);
 
 }

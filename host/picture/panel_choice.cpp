@@ -7,9 +7,9 @@
 namespace kfast {
 namespace {
 
-std::unique_ptr<FrameSource> open_ssd0323(std::span<const std::byte> scene, const Timeline& timeline)
+std::unique_ptr<FrameSource> open_ssd0323(std::span<const std::byte> scene)
 {
-    return std::make_unique<BoardSource>(scene, timeline);
+    return std::make_unique<BoardSource>(scene);
 }
 
 constexpr std::array choices{

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "host/picture/frame_source.hpp"
-#include "host/picture/timeline.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -15,7 +14,7 @@ struct PanelChoice {
     std::string_view name;
     Size size;
     /// `scene` is a checked scene and must outlive the source.
-    std::unique_ptr<FrameSource> (*open)(std::span<const std::byte> scene, const Timeline& timeline);
+    std::unique_ptr<FrameSource> (*open)(std::span<const std::byte> scene);
 };
 
 std::span<const PanelChoice> panel_choices();

@@ -1,27 +1,27 @@
 #include "host/picture/picture.hpp"
 
+#include "core/pixel_row.hpp"
+
 namespace kfast {
 namespace {
 
-constexpr std::uint8_t widened(int value, int max)
+constexpr std::uint8_t widened(std::uint32_t value, std::uint32_t max)
 {
-    return static_cast<std::uint8_t>((value * 255 + max / 2) / max);
+    return static_cast<std::uint8_t>(widen_channel(value, max));
 }
 
-constexpr Colour grey(int value, int max)
+constexpr Colour grey(std::uint32_t value, std::uint32_t max)
 {
     const std::uint8_t level = widened(value, max);
     return {level, level, level};
 }
 
-static_assert(widened(31, 31) == 255 && widened(63, 63) == 255 && widened(15, 15) == 255);
-
 Colour pixel(PixelFormat format, const std::byte* row, int x)
 {
-    const auto byte = [row](int index) { return std::to_integer<int>(row[index]); };
+    const auto byte = [row](int index) { return std::to_integer<std::uint32_t>(row[index]); };
     switch (format) {
     case PixelFormat::rgb565: {
-        const int word = byte(2 * x) | byte(2 * x + 1) << 8;
+        const std::uint32_t word = byte(2 * x) | byte(2 * x + 1) << 8;
         return {widened(word >> 11, 31), widened((word >> 5) & 63, 63), widened(word & 31, 31)};
     }
     case PixelFormat::grey4:

@@ -35,9 +35,9 @@ PlayerSource::PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFor
 {
 }
 
-const Frame& PlayerSource::show(Time time)
+const Frame& PlayerSource::show(Time moment)
 {
-    player_.show(time);
+    player_.show_moment(moment);
     draw(player_, frame_);
     return frame_;
 }

@@ -13,7 +13,7 @@ public:
     /// `scene`'s bytes must outlive the source.
     PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFormat format);
 
-    const Frame& show(Time time) override;
+    const Frame& show(Time moment) override;
 
 private:
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4

@@ -1,32 +1,50 @@
 #include "host/picture/timeline.hpp"
 
-#include <algorithm>
+#include <cstdlib>
 
 namespace kfast {
+namespace {
+
+std::int64_t quotient_up(std::int64_t dividend, std::int64_t divisor)
+{
+    return (dividend + divisor - 1) / divisor;
+}
+
+/// What the scene's clock counts while `passes` from one end to the other are played.
+std::int64_t ticks_of(const Timeline& timeline, int passes)
+{
+    const std::int64_t way = std::int64_t{timeline.stretch.length().ticks} * passes;
+    return quotient_up(way * Playhead::as_authored, std::abs(timeline.speed));
+}
+
+}
+
+Playhead Timeline::playhead(EventCursor events) const
+{
+    Playhead playhead{stretch, events};
+    playhead.set_speed(speed);
+    playhead.seek(speed < 0 ? stretch.end : stretch.begin);
+    return playhead;
+}
 
 int Timeline::frame_count() const
 {
-    const std::int64_t begun =
-        (std::int64_t{length.ticks} + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
-    return static_cast<int>(begun) + (loop == Loop::once ? 1 : 0);
+    const std::int64_t begun = quotient_up(ticks_of(*this, 1), Time::ticks_per_frame);
+    return static_cast<int>(begun) + (stretch.loop == Loop::once ? 1 : 0);
 }
 
-Time Timeline::frame_time(int frame) const
-{
-    const std::int64_t ticks = std::int64_t{frame} * Time::ticks_per_frame;
-    return {static_cast<std::int32_t>(std::min<std::int64_t>(ticks, length.ticks))};
-}
+Time Timeline::frame_time(int frame) const { return shown_at(std::int64_t{frame} * Time::ticks_per_frame); }
 
 std::int64_t Timeline::period_ticks() const
 {
-    return std::int64_t{length.ticks} * (loop == Loop::ping_pong ? 2 : 1);
+    return ticks_of(*this, stretch.loop == Loop::ping_pong ? 2 : 1);
 }
 
 Time Timeline::shown_at(std::int64_t ticks) const
 {
-    const std::int64_t period = period_ticks();
-    const std::int64_t place = loop == Loop::once ? std::min(ticks, period) : ticks % period;
-    return {static_cast<std::int32_t>(place > length.ticks ? period - place : place)};
+    Playhead head = playhead();
+    head.advance(ticks);
+    return head.moment();
 }
 
 double Timeline::seconds(std::int64_t ticks) const
@@ -34,6 +52,6 @@ double Timeline::seconds(std::int64_t ticks) const
     return static_cast<double>(ticks) * 1000 / (static_cast<double>(frame_rate) * Time::ticks_per_frame);
 }
 
-Timeline timeline_of(const SceneView& scene) { return {scene.frame_rate(), scene.length(), scene.loop()}; }
+Timeline timeline_of(const SceneView& scene) { return {scene.frame_rate(), stretch_of(scene)}; }
 
 }

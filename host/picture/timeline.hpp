@@ -1,21 +1,24 @@
 #pragma once
 
-#include "core/scene_view.hpp"
+#include "core/playhead.hpp"
 
 namespace kfast {
 
-/// How long a scene is, and which frames it has: 0 ... L-1, for `once` also L, its end.
+/// What is played of a scene and how fast, and which frames that has: 0 ... L-1, for `once` also L, its end.
+/// "Ticks" are those of the scene's clock since playing began: 1024 for a frame, whatever the speed.
 struct Timeline {
     std::uint32_t frame_rate = 30000; ///< frames in 1000 seconds
-    Time length = Time::frame(1);
-    Loop loop = Loop::repeat;
+    Stretch stretch{Time{0}, Time::frame(1), Loop::repeat};
+    std::int32_t speed = Playhead::as_authored; ///< as Playhead's, not 0
 
+    /// Put down where playing begins: backwards at the end.
+    Playhead playhead(EventCursor events = EventCursor{ByteReader{}}) const;
+    /// Of one pass, from one end to the other.
     int frame_count() const;
     /// The end of `once` may lie between frames: its last frame stands at exactly L.
     Time frame_time(int frame) const;
-    /// Until everything begins again: L, for ping-pong there and back.
+    /// Until everything begins again, for ping-pong there and back; rounded up.
     std::int64_t period_ticks() const;
-    /// What is shown `ticks` (at least 0) after the start of playing.
     Time shown_at(std::int64_t ticks) const;
     double seconds(std::int64_t ticks) const;
 };

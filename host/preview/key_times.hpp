@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// When any object of the scene has a key: in order, each time once.
+/// When any drawing or track of the scene has a key, in groups and symbols too: in order, each time once.
 std::vector<Time> key_times(const SceneView& scene);
 
 }

@@ -1,42 +1,31 @@
 #include "host/preview/playback.hpp"
 
+#include "host/text/glyph.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <utility>
 
 namespace kfast {
 namespace {
 
 constexpr std::int64_t frame_ticks = Time::ticks_per_frame;
-
-/// The stops of n and p: the keys as they are shown, or the beginning where there are none.
-std::vector<std::int32_t> stops(const Timeline& timeline, const std::vector<Time>& keys)
-{
-    std::vector<std::int32_t> ticks(std::max<std::size_t>(keys.size(), 1));
-    std::ranges::transform(keys, ticks.begin(),
-                           [&](Time key) { return timeline.shown_at(std::max(key.ticks, 0)).ticks; });
-    std::ranges::sort(ticks);
-    ticks.erase(std::unique(ticks.begin(), ticks.end()), ticks.end());
-    return ticks;
-}
-
-std::int64_t ticks_of(const Timeline& timeline, int loops)
-{
-    return timeline.period_ticks() * (timeline.loop == Loop::once ? 1 : loops);
-}
+constexpr std::int32_t slowest = Playhead::as_authored / 16;
 
 }
 
-Playback::Playback(const Timeline& timeline, const std::vector<Time>& keys, Seconds now,
-                   std::optional<int> loops)
-    : timeline_{timeline}, keys_{stops(timeline, keys)}, anchor_{now}
+Playback::Playback(Programme programme, Pace pace, Seconds now, std::optional<int> loops)
+    : programme_{std::move(programme)}, pace_{pace}, loops_{loops}, part_{programme_.first},
+      speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now}
 {
-    if (loops)
-        quits_at_ = ticks_of(timeline, *loops);
+    start_part(part_, now);
 }
 
 void Playback::press(PreviewKey key, Seconds now)
 {
+    const std::size_t parts = programme_.parts.size();
     advance_to(now);
     help_open_ = key == PreviewKey::help && !help_open_;
     switch (key) {
@@ -50,6 +39,16 @@ void Playback::press(PreviewKey key, Seconds now)
         return step_frame(1);
     case PreviewKey::previous_frame:
         return step_frame(-1);
+    case PreviewKey::faster:
+        return set_speed(2 * std::clamp(speed_, -Playhead::fastest / 2, Playhead::fastest / 2));
+    case PreviewKey::slower:
+        return set_speed(std::abs(speed_) < 2 * slowest ? speed_ : speed_ / 2);
+    case PreviewKey::reverse:
+        return set_speed(-speed_);
+    case PreviewKey::next_clip:
+        return start_part((part_ + 1) % parts, now);
+    case PreviewKey::previous_clip:
+        return start_part((part_ + parts - 1) % parts, now);
     case PreviewKey::help:
         return;
     case PreviewKey::quit:
@@ -62,68 +61,137 @@ void Playback::advance_to(Seconds now)
 {
     if (!playing_)
         return;
-    play_to(anchor_position_ + std::llround((now - anchor_).count() / timeline_.seconds(1)));
+    std::int64_t ticks = std::llround((now - anchor_).count() / timeline().seconds(1));
+    if (pace_ == Pace::by_frames)
+        ticks -= ticks % frame_ticks;
+    if (ticks < played_)
+        return;
+    play(ticks - std::exchange(played_, ticks));
 }
 
-void Playback::play_to(std::int64_t ticks)
+void Playback::play(std::int64_t ticks)
 {
-    wants_to_quit_ = wants_to_quit_ || (quits_at_ && ticks >= *quits_at_);
-    if (timeline_.loop == Loop::once && ticks >= timeline_.period_ticks())
-        stop_at(timeline_.period_ticks());
-    else if (!wants_to_quit_)
-        position_ = ticks;
+    playhead_.advance(before_the_end(ticks), [this](const EventView& event) {
+        passed_.push_back(event);
+        latest_event_ = event.name;
+    });
+    if (!wants_to_quit_)
+        shown_ = playhead_.moment();
+    if (playhead_.finished()) {
+        playing_ = false;
+        wants_to_quit_ = wants_to_quit_ || loops_;
+    }
+}
+
+/// As many of `ticks` as the last loop still has, without the end, where the pass after would begin.
+std::int64_t Playback::before_the_end(std::int64_t ticks)
+{
+    if (!way_left_)
+        return ticks;
+    const std::int64_t speed = std::abs(speed_);
+    const std::int64_t most = (*way_left_ - 1) / speed;
+    wants_to_quit_ = wants_to_quit_ || ticks > most;
+    const std::int64_t taken = std::min(ticks, most);
+    *way_left_ -= taken * speed;
+    return taken;
 }
 
 Playback::Seconds Playback::next_frame_at() const
 {
-    const std::int64_t next = (position_ / frame_ticks + 1) * frame_ticks;
-    return anchor_ + Seconds{timeline_.seconds(next - anchor_position_)};
+    return anchor_ + Seconds{timeline().seconds((played_ / frame_ticks + 1) * frame_ticks)};
 }
+
+std::vector<EventView> Playback::take_passed() { return std::exchange(passed_, {}); }
 
 std::string Playback::status() const
 {
-    char text[64];
-    std::snprintf(text, sizeof text, "frame %d  %.3f s  %s", frame(), timeline_.seconds(time().ticks),
+    char text[96];
+    std::snprintf(text, sizeof text, "frame %d  %.3f s  %s", frame(), timeline().seconds(shown_.ticks),
                   playing_ ? "playing" : "paused");
-    return text;
+    std::string status = text;
+    if (!latest_event_.empty())
+        status += "  event " + visible(latest_event_);
+    std::snprintf(text, sizeof text, "  speed %g", static_cast<double>(speed_) / Playhead::as_authored);
+    if (speed_ != Playhead::as_authored)
+        status += text;
+    if (part_ != 0)
+        status += "  clip " + visible(programme_.parts[part_].name);
+    return status;
+}
+
+void Playback::start_part(std::size_t part, Seconds now)
+{
+    part_ = part;
+    playhead_ = timeline().playhead(programme_.events);
+    stop_at(playhead_.moment());
+    playing_ = true;
+    anchor_ = now;
+    played_ = 0;
 }
 
 void Playback::toggle_playing(Seconds now)
 {
+    if (!playing_ && playhead_.finished())
+        return start_part(part_, now);
     playing_ = !playing_;
-    const bool at_the_end = timeline_.loop == Loop::once && position_ >= timeline_.period_ticks();
-    anchor_position_ = at_the_end ? 0 : position_;
     anchor_ = now;
-    advance_to(now);
+    played_ = 0;
 }
 
-void Playback::stop_at(std::int64_t ticks)
+void Playback::set_speed(std::int32_t speed)
 {
-    position_ = ticks;
-    playing_ = false;
+    speed_ = speed;
+    playhead_.set_speed(speed);
 }
 
-/// Where stepping back from the beginning leads.
-std::int64_t Playback::last_step() const { return timeline_.frame_time(timeline_.frame_count() - 1).ticks; }
+void Playback::stop_at(Time moment)
+{
+    playhead_.seek(moment);
+    shown_ = moment;
+    playing_ = false;
+    latest_event_ = {};
+    way_left_.reset();
+    if (loops_ && stretch().loop != Loop::once) {
+        const std::int64_t passes = stretch().loop == Loop::ping_pong ? 2 * *loops_ : *loops_;
+        way_left_ = std::int64_t{stretch().length().ticks} * Playhead::as_authored * passes;
+    }
+}
 
 void Playback::step_frame(int direction)
 {
-    const std::int64_t shown = time().ticks;
-    const std::int64_t last = last_step();
+    const Timeline steps{programme_.frame_rate, stretch()};
+    const int last = steps.frame_count() - 1;
+    const int here = (shown_ - stretch().begin).ticks / Time::ticks_per_frame;
     if (direction > 0)
-        return stop_at(shown >= last ? 0 : std::min((shown / frame_ticks + 1) * frame_ticks, last));
-    stop_at(shown == 0 ? last : (shown - 1) / frame_ticks * frame_ticks);
+        return stop_at(steps.frame_time(shown_ < steps.frame_time(last) ? here + 1 : 0));
+    if (shown_ == stretch().begin)
+        return stop_at(steps.frame_time(last));
+    stop_at(steps.frame_time(steps.frame_time(here) < shown_ ? here : here - 1));
+}
+
+/// The keys as they are shown, or the beginning where there are none.
+std::vector<Time> Playback::stops() const
+{
+    const auto [begin, end, loop] = stretch();
+    std::vector<Time> stops;
+    for (const Time key : programme_.keys)
+        if (key >= begin && key <= end)
+            stops.push_back(loop == Loop::repeat && key == end ? begin : key);
+    if (stops.empty())
+        stops.push_back(begin);
+    std::ranges::sort(stops);
+    return stops;
 }
 
 void Playback::step_key(int direction)
 {
-    const std::int32_t shown = time().ticks;
+    const std::vector<Time> keys = stops();
     if (direction > 0) {
-        const auto next = std::ranges::upper_bound(keys_, shown);
-        return stop_at(next == keys_.end() ? keys_.front() : *next);
+        const auto next = std::ranges::upper_bound(keys, shown_);
+        return stop_at(next == keys.end() ? keys.front() : *next);
     }
-    const auto here = std::ranges::lower_bound(keys_, shown);
-    stop_at(here == keys_.begin() ? keys_.back() : *std::prev(here));
+    const auto here = std::ranges::lower_bound(keys, shown_);
+    stop_at(here == keys.begin() ? keys.back() : *std::prev(here));
 }
 
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/preview_key.hpp"
+#include "host/preview/programme.hpp"
 
 #include <chrono>
 #include <optional>
@@ -10,47 +12,62 @@
 
 namespace kfast {
 
-/// Where a preview stands, apart from how it is shown. Starts playing, at the beginning, with the help open.
+/// Where a preview stands, apart from how it is shown. Starts playing, at the beginning (backwards: at the
+/// end), with the help open.
 ///
 /// The caller brings the clock: `now` is any steady time. Playing follows it without adding up small steps,
-/// so a slow front drops pictures instead of falling behind.
+/// so a slow front drops pictures instead of falling behind; it passes the events all the same.
 class Playback {
 public:
     using Seconds = std::chrono::duration<double>;
 
-    /// With `loops`, quits once it has played so often (a scene that plays once: one time), and shows nothing
-    /// of the pass after. A stepping key begins the first pass anew.
-    Playback(const Timeline& timeline, const std::vector<Time>& keys, Seconds now,
-             std::optional<int> loops = std::nullopt);
+    /// With `loops`, quits once it has played so often (what plays once: one time), and shows nothing of the
+    /// pass after. Stepping, and another clip, let the count begin anew.
+    Playback(Programme programme, Pace pace, Seconds now, std::optional<int> loops = std::nullopt);
 
-    /// Stepping keys also pause, and every key but `help` closes the help.
+    /// Stepping keys also pause, another clip plays, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
     void advance_to(Seconds now);
 
-    Time time() const { return timeline_.shown_at(position_); }
-    int frame() const { return time().ticks / Time::ticks_per_frame; }
+    /// What is to be shown.
+    Time time() const { return shown_; }
+    int frame() const { return shown_.ticks / Time::ticks_per_frame; }
     bool playing() const { return playing_; }
     bool help_open() const { return help_open_; }
     bool wants_to_quit() const { return wants_to_quit_; }
     /// When the next frame begins, while playing.
     Seconds next_frame_at() const;
-    /// "frame 12  0.400 s  playing"
+    /// The events passed since the last call, in order.
+    std::vector<EventView> take_passed();
+    /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed -0.5"
+    /// and "  clip blink".
     std::string status() const;
 
 private:
-    void play_to(std::int64_t ticks);
+    Stretch stretch() const { return programme_.parts[part_].stretch; }
+    Timeline timeline() const { return {programme_.frame_rate, stretch(), speed_}; }
+    std::vector<Time> stops() const;
+    void start_part(std::size_t part, Seconds now);
+    std::int64_t before_the_end(std::int64_t ticks);
+    void play(std::int64_t ticks);
     void toggle_playing(Seconds now);
-    void stop_at(std::int64_t ticks);
+    void set_speed(std::int32_t speed);
+    void stop_at(Time moment);
     void step_frame(int direction);
     void step_key(int direction);
-    std::int64_t last_step() const;
 
-    Timeline timeline_;
-    std::vector<std::int32_t> keys_; // ticks of all stops of n and p, in order, as shown
-    std::int64_t position_ = 0;      // ticks since the beginning of the first pass
-    std::int64_t anchor_position_ = 0;
-    Seconds anchor_;                       // when playing passed anchor_position_
-    std::optional<std::int64_t> quits_at_; // ticks, as position_
+    Programme programme_;
+    Pace pace_;
+    std::optional<int> loops_;
+    std::size_t part_;
+    std::int32_t speed_;
+    Playhead playhead_;
+    Time shown_;
+    Seconds anchor_;                       // when playing began or went on
+    std::int64_t played_ = 0;              // ticks of the scene's clock since then
+    std::optional<std::int64_t> way_left_; // to the end of the last loop: ticks of the timeline, Q16
+    std::vector<EventView> passed_;
+    std::string_view latest_event_;
     bool playing_ = true;
     bool help_open_ = true;
     bool wants_to_quit_ = false;

@@ -8,9 +8,22 @@
 namespace kfast {
 
 /// What a user can ask of a preview with one key.
-enum class PreviewKey { play_pause, next_key, previous_key, next_frame, previous_frame, help, quit };
+enum class PreviewKey {
+    play_pause,
+    next_key,
+    previous_key,
+    next_frame,
+    previous_frame,
+    faster,
+    slower,
+    reverse,
+    next_clip,
+    previous_clip,
+    help,
+    quit
+};
 
-/// `name` as in a list of keys: space n p right left h q escape.
+/// `name` as in a list of keys: space n p right left up down r c b h q escape.
 std::optional<PreviewKey> preview_key(std::string_view name);
 
 /// One line per key, for the help of the window and of the command.

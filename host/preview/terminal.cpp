@@ -3,16 +3,20 @@
 #include "host/failure.hpp"
 #include "host/preview/half_blocks.hpp"
 #include "host/preview/steady_now.hpp"
+#include "host/preview/typed_keys.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <poll.h>
 #include <string>
 #include <string_view>
 #include <sys/ioctl.h>
+#include <termios.h>
 #include <thread>
 #include <unistd.h>
 
@@ -34,6 +38,47 @@ void write_all(std::string_view text)
         text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }
 }
+
+/// Lets single keys be read from standard input while it lives, where that is a terminal which is ours to
+/// change: a job in the background would be stopped for it.
+class Keyboard {
+public:
+    Keyboard() : works_{::tcgetpgrp(STDIN_FILENO) == ::getpgrp() && ::tcgetattr(STDIN_FILENO, &before_) == 0}
+    {
+        if (!works_)
+            return;
+        termios by_keys = before_;
+        by_keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+        by_keys.c_cc[VMIN] = 0;
+        by_keys.c_cc[VTIME] = 0;
+        ::tcsetattr(STDIN_FILENO, TCSANOW, &by_keys);
+    }
+    ~Keyboard()
+    {
+        if (works_)
+            ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
+    }
+    Keyboard(const Keyboard&) = delete;
+    Keyboard& operator=(const Keyboard&) = delete;
+
+    /// Those pressed since the last call; waits for some, but not longer than `patience`.
+    std::vector<PreviewKey> pressed(Seconds patience) const
+    {
+        if (!works_) {
+            std::this_thread::sleep_for(patience);
+            return {};
+        }
+        std::array<char, 64> bytes{};
+        pollfd input{STDIN_FILENO, POLLIN, 0};
+        const bool any = ::poll(&input, 1, static_cast<int>(std::ceil(patience.count() * 1000))) > 0;
+        const ssize_t count = any ? ::read(STDIN_FILENO, bytes.data(), bytes.size()) : 0;
+        return typed_keys({bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))});
+    }
+
+private:
+    termios before_{};
+    bool works_;
+};
 
 /// Hides the cursor while it lives. A signal that would end the program is only remembered, and raised again
 /// once the terminal is as it was.
@@ -84,12 +129,16 @@ std::string picture_text(const Frame& frame)
     return half_blocks(widen(frame), {terminal.width, std::max(1, terminal.height - 2)}, terminal_colours());
 }
 
-/// Short sleeps, for a signal does not end one.
-void sleep_until(Seconds moment)
+/// Short waits, for a signal does not end one. While paused there is no next frame to wait for.
+void take_keys_until(Seconds moment, const Keyboard& keyboard, Playback& playback)
 {
     constexpr Seconds longest{0.05};
-    for (Seconds now = steady_now(); now < moment && signal_seen == 0; now = steady_now())
-        std::this_thread::sleep_for(std::min(moment - now, longest));
+    bool any = false;
+    for (Seconds now = steady_now(); !any && now < moment && signal_seen == 0; now = steady_now())
+        for (const PreviewKey key : keyboard.pressed(std::min(moment - now, longest))) {
+            playback.press(key, steady_now());
+            any = true;
+        }
 }
 
 std::string up(std::ptrdiff_t lines) { return "\x1b[" + std::to_string(lines) + 'A'; }
@@ -102,6 +151,8 @@ std::string status_line(const Playback& playback)
 
 void play(FrameSource& source, Playback& playback)
 {
+    constexpr Seconds pause{1};
+    const Keyboard keyboard;
     std::string rewind;
     while (!playback.wants_to_quit() && signal_seen == 0) {
         playback.advance_to(steady_now());
@@ -109,18 +160,19 @@ void play(FrameSource& source, Playback& playback)
         write_all(rewind + picture + status_line(playback));
         rewind = up(std::ranges::count(picture, '\n') + 1);
         if (!playback.wants_to_quit())
-            sleep_until(playback.next_frame_at());
+            take_keys_until(playback.playing() ? playback.next_frame_at() : steady_now() + pause, keyboard,
+                            playback);
     }
 }
 
 }
 
-void play_in_terminal(FrameSource& source, const Timeline& timeline, int loops)
+void play_in_terminal(FrameSource& source, const Programme& programme, int loops)
 {
     if (::isatty(STDOUT_FILENO) == 0)
         return write_all(picture_text(source.show(Time{0})));
     const BorrowedTerminal terminal;
-    Playback playback{timeline, {}, steady_now(), loops};
+    Playback playback{programme, source.pace(), steady_now(), loops};
     play(source, playback);
 }
 

@@ -20,6 +20,7 @@ using Seconds = Playback::Seconds;
 
 constexpr int letter = 8; // pixels of a character of SDL2_gfx's font, in both directions
 constexpr int status_height = 2 * letter;
+constexpr int pixel_bytes = sizeof(Colour);
 constexpr Size smallest_window{384, 240};
 constexpr double redraws_per_second = 60;
 
@@ -86,6 +87,16 @@ std::optional<PreviewKey> pressed(SDL_Keycode code)
         return PreviewKey::next_frame;
     case SDLK_LEFT:
         return PreviewKey::previous_frame;
+    case SDLK_UP:
+        return PreviewKey::faster;
+    case SDLK_DOWN:
+        return PreviewKey::slower;
+    case SDLK_r:
+        return PreviewKey::reverse;
+    case SDLK_c:
+        return PreviewKey::next_clip;
+    case SDLK_b:
+        return PreviewKey::previous_clip;
     case SDLK_h:
         return PreviewKey::help;
     case SDLK_q:
@@ -109,7 +120,7 @@ public:
         : window_{owned(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                          window.width, window.height, SDL_WINDOW_RESIZABLE))},
           renderer_{owned(SDL_CreateRenderer(window_.get(), -1, 0))},
-          texture_{owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB24,
+          texture_{owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
                                            SDL_TEXTUREACCESS_STREAMING, picture.width, picture.height))},
           picture_{picture}
     {
@@ -137,7 +148,7 @@ private:
     void draw_picture(const Frame& frame)
     {
         const Picture picture = widen(frame);
-        SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels.data(), picture_.width * 3);
+        SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels.data(), picture_.width * pixel_bytes);
         const Size space{size().width, std::max(1, size().height - status_height)};
         const Rect place = placement(picture_, space);
         const bool whole = place.width >= picture_.width;
@@ -206,15 +217,15 @@ void play(Window& window, FrameSource& source, Playback& playback)
 
 }
 
-bool play_in_window(FrameSource& source, const Timeline& timeline, const std::vector<Time>& keys,
-                    const std::string& title, std::optional<int> loops)
+bool play_in_window(FrameSource& source, const Programme& programme, const std::string& title,
+                    std::optional<int> loops)
 {
     const Video video;
     if (!video.works())
         return false;
     const Size picture = source.show(Time{0}).size;
     Window window{title, picture, first_window_size(picture)};
-    Playback playback{timeline, keys, steady_now(), loops};
+    Playback playback{programme, source.pace(), steady_now(), loops};
     play(window, source, playback);
     return true;
 }

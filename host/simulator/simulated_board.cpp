@@ -2,9 +2,12 @@
 
 #include "core/player.hpp"
 
+#include <utility>
+
 namespace kfast {
 
-SimulatedBoard::SimulatedBoard(std::span<const std::byte> scene) : scene_{scene}
+SimulatedBoard::SimulatedBoard(std::span<const std::byte> scene, std::size_t frames)
+    : scene_{scene}, frames_wanted_{frames}
 {
     if (const auto view = SceneView::parse(scene))
         block_.resize(Player::block_bytes(*view, panel_.size()));
@@ -12,17 +15,26 @@ SimulatedBoard::SimulatedBoard(std::span<const std::byte> scene) : scene_{scene}
         band.resize(band_rows * row_bytes(PixelFormat::grey4, Ssd0323Model::width));
 }
 
-void SimulatedBoard::scene_started(const SceneView& scene)
+void SimulatedBoard::start_at(Time moment)
 {
-    const int length = scene.length().ticks;
-    const int frames_begun = (length - 1) / Time::ticks_per_frame + 1;
-    frames_wanted_ = static_cast<std::size_t>(scene.loop() == Loop::once ? frames_begun + 1 : frames_begun);
+    start_ = moment;
+    frames_.clear();
+}
+
+Playhead SimulatedBoard::playhead(const SceneView& scene) const
+{
+    if (!start_)
+        return Playhead{scene};
+    Playhead playhead{{Time{0}, scene.length(), Loop::once}, scene.events()};
+    playhead.seek(*start_);
+    return playhead;
 }
 
 void SimulatedBoard::frame_shown(FrameReport report)
 {
     const auto picture = model_.picture();
-    frames_.push_back({report.time, picture_.value(), {picture.begin(), picture.end()}});
+    frames_.push_back(
+        {report.time, std::exchange(passed_, {}), picture_.value(), {picture.begin(), picture.end()}});
     picture_ = {};
 }
 

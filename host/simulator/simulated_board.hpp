@@ -19,6 +19,7 @@ namespace kfast {
 /// A frame as the panel showed it.
 struct ShownFrame {
     Time time;
+    std::vector<std::string> events;   ///< passed since the frame before
     std::uint32_t hash = 0;            ///< CRC-32 of the bytes of a full redraw, in the panel's format
     std::vector<std::uint8_t> picture; ///< grey levels 0..15, row by row, decoded from the bus
 };
@@ -27,9 +28,12 @@ struct ShownFrame {
 /// Its clock stands still while a frame is drawn, so that no frame is ever late.
 class SimulatedBoard {
 public:
-    /// Shows every frame of one pass of the scene, whose bytes must outlive the board.
-    explicit SimulatedBoard(std::span<const std::byte> scene);
+    /// Runs for so many frames. `scene`'s bytes must outlive the board.
+    SimulatedBoard(std::span<const std::byte> scene, std::size_t frames);
     SimulatedBoard(const SimulatedBoard&) = delete;
+
+    /// Lets the next run begin at any moment of the timeline, without loop, and forgets the frames before.
+    void start_at(Time moment);
 
     const std::vector<ShownFrame>& frames() const { return frames_; }
     /// Why the scene cannot be played.
@@ -46,7 +50,9 @@ public:
     std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
 
     bool running() const { return frames_.size() < frames_wanted_; }
-    void scene_started(const SceneView& scene);
+    void scene_started(const SceneView&) {}
+    Playhead playhead(const SceneView& scene) const;
+    void event_passed(const EventView& event) { passed_.emplace_back(event.name); }
     void watch(std::span<const std::byte> pixels) { picture_.add(pixels); }
     void frame_shown(FrameReport report);
     void fault(Error error) { error_ = error; }
@@ -62,7 +68,9 @@ private:
     Ssd0323<SimulatedBus<Ssd0323Model>> panel_{bus_};
     Microseconds now_;
     Crc32 picture_;
-    std::size_t frames_wanted_ = 0;
+    std::size_t frames_wanted_;
+    std::optional<Time> start_;
+    std::vector<std::string> passed_;
     std::vector<ShownFrame> frames_;
     std::optional<Error> error_;
 };

@@ -86,7 +86,7 @@ int largest_error(const Picture& a, const Picture& b)
 TEST_CASE("a GIF of few colours gives every pixel back, with its delays")
 {
     PaintedSource source{{7, 5}, [](int frame, int x, int y) { return (frame + x) * 977 + y * 5; }};
-    const ReadGif gif = written(source, {30000, Time::frame(4), Loop::repeat});
+    const ReadGif gif = written(source, {30000, {{}, Time::frame(4), Loop::repeat}});
     REQUIRE(gif.frames.size() == 4);
     for (int i = 0; i < 4; ++i)
         CHECK(gif.frames[static_cast<std::size_t>(i)].picture.pixels == picture_of(source, i).pixels);
@@ -97,7 +97,7 @@ TEST_CASE("a GIF of few colours gives every pixel back, with its delays")
 TEST_CASE("frames of 256 colours are exact even when all together have more")
 {
     PaintedSource source{{16, 16}, [](int frame, int x, int y) { return frame * 256 + 16 * y + x; }};
-    const ReadGif gif = written(source, {10000, Time::frame(3), Loop::repeat});
+    const ReadGif gif = written(source, {10000, {{}, Time::frame(3), Loop::repeat}});
     for (int i = 0; i < 3; ++i)
         CHECK(gif.frames[static_cast<std::size_t>(i)].picture.pixels == picture_of(source, i).pixels);
 }
@@ -105,28 +105,28 @@ TEST_CASE("frames of 256 colours are exact even when all together have more")
 TEST_CASE("a frame of more colours comes within an eighth of the range")
 {
     PaintedSource source{{64, 32}, [](int, int x, int y) { return (x / 2) << 11 | y; }};
-    const ReadGif gif = written(source, {10000, Time::frame(1), Loop::repeat});
+    const ReadGif gif = written(source, {10000, {{}, Time::frame(1), Loop::repeat}});
     CHECK(largest_error(gif.frames[0].picture, picture_of(source, 0)) < 256 / 8);
 }
 
 TEST_CASE("one colour makes a GIF too")
 {
     PaintedSource source{{3, 3}, [](int, int, int) { return 0xFFFF; }};
-    CHECK(written(source, {30000, Time::frame(1), Loop::once}).frames[1].picture.at(2, 2).green == 255);
+    CHECK(written(source, {30000, {{}, Time::frame(1), Loop::once}}).frames[1].picture.at(2, 2).green == 255);
 }
 
 TEST_CASE("a GIF loops as its scene does")
 {
     PaintedSource source{{2, 2}, [](int frame, int, int) { return frame; }};
-    CHECK(written(source, {30000, Time::frame(2), Loop::repeat}).endless);
-    CHECK(written(source, {30000, Time::frame(2), Loop::ping_pong}).endless);
-    CHECK_FALSE(written(source, {30000, Time::frame(2), Loop::once}).endless);
+    CHECK(written(source, {30000, {{}, Time::frame(2), Loop::repeat}}).endless);
+    CHECK(written(source, {30000, {{}, Time::frame(2), Loop::ping_pong}}).endless);
+    CHECK_FALSE(written(source, {30000, {{}, Time::frame(2), Loop::once}}).endless);
 }
 
 TEST_CASE("a GIF that cannot be written is a failure")
 {
     PaintedSource source{{2, 2}, [](int frame, int, int) { return frame; }};
-    CHECK_THROWS_AS(write_gif("/dev/full", source, {30000, Time::frame(2), Loop::once}), Failure);
+    CHECK_THROWS_AS(write_gif("/dev/full", source, {30000, {{}, Time::frame(2), Loop::once}}), Failure);
 }
 
 }

@@ -14,7 +14,7 @@ Picture read_png(const std::filesystem::path& path)
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     REQUIRE(png_image_begin_read_from_file(&image, path.c_str()) != 0);
-    image.format = PNG_FORMAT_RGB;
+    image.format = PNG_FORMAT_RGBA;
     Picture picture{{static_cast<int>(image.width), static_cast<int>(image.height)}, {}};
     picture.pixels.resize(std::size_t{image.width} * image.height);
     REQUIRE(png_image_finish_read(&image, nullptr, picture.pixels.data(), 0, nullptr) != 0);

@@ -1,5 +1,6 @@
 #include "host/preview/headless.hpp"
 
+#include "tests/event_bytes.hpp"
 #include "tests/host/picture/painted_source.hpp"
 
 #include <doctest/doctest.h>
@@ -9,7 +10,15 @@
 namespace kfast::test {
 namespace {
 
-const std::vector<Time> keys{Time::frame(0), Time::frame(4)};
+Programme programme(std::uint32_t rate, const Stretch& stretch)
+{
+    static const std::vector<std::byte> events =
+        event_bytes({{"begin", Time{0}}, {"late\n", {9 * 1024 + 512}}});
+    return {.frame_rate = rate,
+            .parts = {{"", stretch}},
+            .keys = {Time::frame(0), Time::frame(4)},
+            .events = EventCursor{ByteReader{events}}};
+}
 
 PaintedSource numbered(std::vector<int>& shown)
 {
@@ -24,9 +33,9 @@ TEST_CASE("without keys every frame is shown once, at any frame rate")
         std::vector<int> shown;
         PaintedSource source = numbered(shown);
         std::ostringstream out;
-        play_headless(source, {rate, Time::frame(5), Loop::once}, keys, out);
+        play_headless(source, programme(rate, {{}, Time::frame(5), Loop::once}), out);
         CHECK(shown == std::vector{0, 1, 2, 3, 4, 5});
-        CHECK(out.str() == "6 frames, hash a2b3bb90\n");
+        CHECK(out.str() == "event 0 begin\n6 frames, hash a2b3bb90\n");
     }
 }
 
@@ -37,11 +46,31 @@ TEST_CASE("a script shows what each key leads to and stops at a quit")
     std::ostringstream out;
     const std::vector script{PreviewKey::next_key, PreviewKey::next_frame, PreviewKey::play_pause,
                              PreviewKey::help,     PreviewKey::quit,       PreviewKey::next_key};
-    play_script(source, {30000, Time::frame(10), Loop::repeat}, keys, script, out);
+    play_script(source, programme(30000, {{}, Time::frame(10), Loop::repeat}), script, out);
     CHECK(shown == std::vector{4, 5, 5, 6});
-    CHECK(out.str().starts_with("frame 4  0.133 s  paused  "));
+    CHECK(out.str().starts_with("event 0 begin\nframe 4  0.133 s  paused  "));
     CHECK(out.str().find("frame 6  0.200 s  playing  ") != std::string::npos);
     CHECK(out.str().find("\n4 frames, hash ") != std::string::npos);
+}
+
+TEST_CASE("events behind the last frame are passed as well, and written so that they cannot disturb")
+{
+    std::vector<int> shown;
+    PaintedSource source = numbered(shown);
+    std::ostringstream out;
+    play_headless(source, programme(30000, {{}, Time::frame(10), Loop::repeat}), out);
+    CHECK(out.str().starts_with("event 0 begin\nevent 9.5 late<U+000A>\n10 frames, "));
+}
+
+TEST_CASE("a speed changes how many frames there are")
+{
+    std::vector<int> shown;
+    PaintedSource source = numbered(shown);
+    std::ostringstream out;
+    Programme fast = programme(30000, {{}, Time::frame(5), Loop::once});
+    fast.speed = -2 * Playhead::as_authored;
+    play_headless(source, fast, out);
+    CHECK(shown == std::vector{5, 3, 1, 0});
 }
 
 }

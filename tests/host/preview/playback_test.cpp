@@ -1,5 +1,7 @@
 #include "host/preview/playback.hpp"
 
+#include "tests/event_bytes.hpp"
+
 #include <doctest/doctest.h>
 
 namespace kfast::test {
@@ -9,11 +11,39 @@ using Seconds = Playback::Seconds;
 
 constexpr Seconds start{1000};
 
-/// 10 fps and 10 frames; keys at 0, 3, 6.5 and at the end.
+/// 10 fps and 10 frames; keys at 0, 3, 6.5 and at the end; a clip "slow", frames 4 to 8, repeated, and one
+/// that plays once, frames 2.5 to 4. Events stand at 0, 5 and 5.25 frames.
+Programme programme(Loop loop)
+{
+    static const std::vector<std::byte> events =
+        event_bytes({{"begin", Time{0}}, {"step", Time::frame(5)}, {"echo\x1b", {5 * 1024 + 256}}});
+    return {.frame_rate = 10000,
+            .parts = {{"", {Time{0}, Time::frame(10), loop}},
+                      {"slow", {Time::frame(4), Time::frame(8), Loop::repeat}},
+                      {"short", {{2 * 1024 + 512}, Time::frame(4), Loop::once}}},
+            .keys = {Time::frame(0), Time::frame(3), {6 * 1024 + 512}, Time::frame(10)},
+            .events = EventCursor{ByteReader{events}}};
+}
+
+/// The same without events.
+Programme silent(Loop loop)
+{
+    Programme silent = programme(loop);
+    silent.events = EventCursor{ByteReader{}};
+    return silent;
+}
+
 Playback playback(Loop loop, std::optional<int> loops = std::nullopt)
 {
-    const std::vector<Time> keys{Time::frame(0), Time::frame(3), {6 * 1024 + 512}, Time::frame(10)};
-    return {{10000, Time::frame(10), loop}, keys, start, loops};
+    return {silent(loop), Pace::smooth, start, loops};
+}
+
+std::string passed(Playback& playback)
+{
+    std::string names;
+    for (const EventView& event : playback.take_passed())
+        names.append(event.name).append(" ");
+    return names;
 }
 
 Seconds after(double seconds) { return start + Seconds{seconds}; }
@@ -121,6 +151,18 @@ TEST_CASE("once has one loop, however many are wanted, and ends on its last pict
     CHECK(state.time() == Time::frame(10));
 }
 
+TEST_CASE("a clip that plays once is not cut short by the loop before it")
+{
+    Playback state = playback(Loop::repeat, 1);
+    state.press(PreviewKey::previous_clip, after(0.9));
+    CHECK(state.time().ticks == 2 * 1024 + 512);
+    state.advance_to(after(1.04));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(1.05));
+    CHECK(state.time() == Time::frame(4));
+    CHECK(state.wants_to_quit());
+}
+
 TEST_CASE("a pause or a step does not end a preview, whatever the number of loops")
 {
     Playback state = playback(Loop::once, 1);
@@ -150,7 +192,9 @@ TEST_CASE("n and p go from key to key and around, and pause")
 
 TEST_CASE("without keys n and p go to the beginning")
 {
-    Playback state{{10000, Time::frame(10), Loop::repeat}, {}, start};
+    Programme keyless = silent(Loop::repeat);
+    keyless.keys.clear();
+    Playback state{keyless, Pace::smooth, start};
     state.press(PreviewKey::next_key, after(0.4));
     CHECK(state.time() == Time{0});
 }
@@ -184,6 +228,138 @@ TEST_CASE("h opens and closes the help, any other key closes it, q quits")
     CHECK_FALSE(state.wants_to_quit());
     state.press(PreviewKey::quit, start);
     CHECK(state.wants_to_quit());
+}
+
+TEST_CASE("speed goes by doubles, within 1/16 and 16, and backwards; what is shown does not jump")
+{
+    Playback state = playback(Loop::repeat);
+    state.press(PreviewKey::slower, after(0.4));
+    CHECK(state.time() == Time::frame(4));
+    state.advance_to(after(0.8));
+    CHECK(state.status() == "frame 6  0.600 s  playing  speed 0.5");
+    state.press(PreviewKey::reverse, after(0.8));
+    state.advance_to(after(1.2));
+    CHECK(state.status() == "frame 4  0.400 s  playing  speed -0.5");
+    for (int i = 0; i < 9; ++i)
+        state.press(PreviewKey::faster, after(1.2));
+    CHECK(state.status() == "frame 4  0.400 s  playing  speed -16");
+    state.press(PreviewKey::reverse, after(1.2));
+    for (int i = 0; i < 9; ++i)
+        state.press(PreviewKey::slower, after(1.2));
+    CHECK(state.status() == "frame 4  0.400 s  playing  speed 0.0625");
+}
+
+TEST_CASE("backwards begins at the end; once ends at its beginning and starts anew at its end")
+{
+    Programme backwards = silent(Loop::once);
+    backwards.speed = -Playhead::as_authored;
+    Playback state{backwards, Pace::smooth, start, 1};
+    CHECK(state.time() == Time::frame(10));
+    state.advance_to(after(0.9));
+    CHECK(state.time() == Time::frame(1));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(1));
+    CHECK(state.time() == Time::frame(0));
+    CHECK(state.wants_to_quit());
+    Playback endless{backwards, Pace::smooth, start};
+    endless.advance_to(after(2));
+    endless.press(PreviewKey::play_pause, after(5));
+    endless.advance_to(after(5.1));
+    CHECK(endless.time() == Time::frame(9));
+}
+
+TEST_CASE("loops last as long as the speed asks for")
+{
+    Programme fast = silent(Loop::repeat);
+    fast.speed = 2 * Playhead::as_authored;
+    Playback state{fast, Pace::smooth, start, 2};
+    state.advance_to(after(0.9));
+    CHECK(state.time() == Time::frame(8));
+    state.advance_to(after(0.99));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(1));
+    CHECK(state.wants_to_quit());
+    CHECK(state.frame() == 9);
+}
+
+TEST_CASE("c and b go through the scene and its clips, each with its own loop mode")
+{
+    Playback state = playback(Loop::repeat);
+    state.press(PreviewKey::next_clip, after(0.1));
+    CHECK(state.status() == "frame 4  0.400 s  playing  clip slow");
+    state.advance_to(after(0.55));
+    CHECK(state.time().ticks == 4 * 1024 + 512);
+    state.press(PreviewKey::next_clip, after(1));
+    CHECK(state.time().ticks == 2 * 1024 + 512);
+    state.advance_to(after(9));
+    CHECK(state.status() == "frame 4  0.400 s  paused  clip short");
+    state.press(PreviewKey::next_clip, after(9));
+    CHECK(state.status() == "frame 0  0.000 s  playing");
+    state.press(PreviewKey::previous_clip, after(9));
+    state.press(PreviewKey::previous_clip, after(9));
+    CHECK(state.status() == "frame 4  0.400 s  playing  clip slow");
+}
+
+TEST_CASE("in a clip, keys and arrows stay within it")
+{
+    Playback state = playback(Loop::repeat);
+    state.press(PreviewKey::next_clip, start);
+    CHECK(pressed(state, PreviewKey::next_key, 2) == std::vector<double>{6.5, 6.5});
+    CHECK(pressed(state, PreviewKey::next_frame, 4) == std::vector<double>{5, 6, 7, 4});
+    CHECK(pressed(state, PreviewKey::previous_frame, 2) == std::vector<double>{7, 6});
+    state.press(PreviewKey::next_clip, start);
+    CHECK(pressed(state, PreviewKey::next_frame, 3) == std::vector<double>{3.5, 4, 2.5});
+    CHECK(pressed(state, PreviewKey::previous_frame, 3) == std::vector<double>{4, 3.5, 2.5});
+}
+
+TEST_CASE("events are passed in order, none left out, and the status names the latest")
+{
+    Playback state{programme(Loop::repeat), Pace::smooth, start};
+    CHECK(passed(state) == "");
+    state.advance_to(after(0));
+    CHECK(passed(state) == "begin ");
+    CHECK(state.status() == "frame 0  0.000 s  playing  event begin");
+    state.advance_to(after(0.51));
+    CHECK(passed(state) == "step ");
+    state.advance_to(after(2.9));
+    CHECK(passed(state) == "echo\x1b begin step echo\x1b begin step echo\x1b ");
+    CHECK(state.status() == "frame 9  0.900 s  playing  event echo<U+001B>");
+    CHECK(passed(state) == "");
+}
+
+TEST_CASE("stepping passes nothing and forgets the latest event; playing on begins with what is there")
+{
+    Playback state{programme(Loop::repeat), Pace::smooth, start};
+    state.advance_to(after(0.45));
+    passed(state);
+    state.press(PreviewKey::next_frame, after(0.45));
+    CHECK(state.status() == "frame 5  0.500 s  paused");
+    CHECK(passed(state) == "");
+    state.press(PreviewKey::play_pause, after(1));
+    state.advance_to(after(1.01));
+    CHECK(passed(state) == "step ");
+}
+
+TEST_CASE("the last loop passes its last events, though it shows no more")
+{
+    Playback state{programme(Loop::repeat), Pace::smooth, start, 1};
+    state.advance_to(after(0.4));
+    state.advance_to(after(7));
+    CHECK(state.wants_to_quit());
+    CHECK(state.frame() == 4);
+    CHECK(passed(state) == "begin step echo\x1b ");
+}
+
+TEST_CASE("a board changes its picture at the frames alone")
+{
+    Programme slow = silent(Loop::repeat);
+    slow.speed = Playhead::as_authored / 2;
+    Playback state{slow, Pace::by_frames, start};
+    state.advance_to(after(0.39));
+    CHECK(state.time().ticks == 1536);
+    CHECK((state.next_frame_at() - start).count() == doctest::Approx(0.4));
+    state.advance_to(after(0.4));
+    CHECK(state.time() == Time::frame(2));
 }
 
 TEST_CASE("keys have names")

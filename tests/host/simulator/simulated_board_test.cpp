@@ -2,11 +2,13 @@
 
 #include "firmware/run.hpp"
 #include "tests/bytes.hpp"
+#include "tests/event_bytes.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 namespace kfast::test {
@@ -26,28 +28,35 @@ std::vector<std::byte> joined(std::initializer_list<std::vector<std::byte>> part
     return result;
 }
 
-/// 30 fps, 128 x 64, no objects, on a grey ground of level 9.
-std::vector<std::byte> empty_scene(Time length, Loop loop)
+/// 30 fps, 128 x 64, nothing but a grey ground of level 9, and events.
+std::vector<std::byte> empty_scene(Time length, Loop loop, const std::vector<EventView>& events = {})
 {
-    const auto size_and_edges = joined({little_endian(36), little_endian(0)});
     const auto timing =
         joined({little_endian(static_cast<std::uint32_t>(length.ticks)), little_endian(30'000)});
-    const auto counts = bytes({128, 0, 64, 0, 0, 0, 1, static_cast<int>(loop)});
-    const auto checked = joined({size_and_edges, timing, counts, bytes({9 * 17, 9 * 17, 9 * 17, 0})});
+    const auto counts = bytes({128, 0, 64, 0, 1, 0, 0, 0});
+    const auto palette = bytes({9 * 17, 9 * 17, 9 * 17, 255});
+    const auto marks = joined({bytes({0}), event_bytes(events)});
+    const auto sections = joined({bytes({static_cast<int>(marks.size())}), marks, bytes({0, 0})});
+    const auto rest = joined({bytes({0, 0, 0, static_cast<int>(loop)}), timing, counts, palette, sections});
+    const auto checked = joined({little_endian(static_cast<std::uint32_t>(12 + rest.size())), rest});
     Crc32 checksum;
     checksum.add(checked);
     return joined({bytes({'K', 'F', 'B', 1}), little_endian(checksum.value()), checked});
 }
 
-std::vector<int> times_shown(Time length, Loop loop)
+std::vector<ShownFrame> played(std::span<const std::byte> scene, std::size_t frames)
 {
-    const auto scene = empty_scene(length, loop);
-    SimulatedBoard board{scene};
+    SimulatedBoard board{scene, frames};
     run(board);
     CHECK_FALSE(board.error().has_value());
     CHECK_FALSE(board.bus_error().has_value());
+    return board.frames();
+}
+
+std::vector<int> times_shown(Time length, Loop loop, std::size_t frames)
+{
     std::vector<int> times;
-    for (const ShownFrame& frame : board.frames())
+    for (const ShownFrame& frame : played(empty_scene(length, loop), frames))
         times.push_back(frame.time.ticks);
     return times;
 }
@@ -55,13 +64,15 @@ std::vector<int> times_shown(Time length, Loop loop)
 }
 
 static_assert(WatchingBoard<SimulatedBoard>);
+static_assert(EventBoard<SimulatedBoard>);
+static_assert(ChoosingBoard<SimulatedBoard>);
 
 TEST_CASE("the simulated board says why a scene cannot be played")
 {
     const auto text = bytes({'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.',
                              'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.',
                              'n', 'o', ' ', 's', 'c', 'e', 'n', 'e', ' ', 'a', 't', ' ', 'a', 'l', 'l', '.'});
-    SimulatedBoard board{text};
+    SimulatedBoard board{text, 1};
     run(board);
     CHECK(board.error() == Error::bad_magic);
     CHECK(board.frames().empty());
@@ -69,44 +80,66 @@ TEST_CASE("the simulated board says why a scene cannot be played")
 
 TEST_CASE("a shown frame has its time, the hash of what was sent and the picture that it made")
 {
-    SimulatedBoard board{{}};
+    SimulatedBoard board{{}, 1};
     board.panel().begin([](Microseconds) {});
     const std::vector<std::byte> pixels(128 * 64 / 2, std::byte{0x7C});
     board.watch(pixels);
     board.panel().start({.x = 0, .y = 0, .width = 128, .height = 64}, pixels);
     while (board.panel().busy()) {
     }
+    board.event_passed({"step", Time::frame(3)});
     board.frame_shown({.time = Time::frame(3), .skipped = 0});
 
     CHECK_FALSE(board.bus_error().has_value());
     REQUIRE(board.frames().size() == 1);
     const ShownFrame& frame = board.frames().front();
     CHECK(frame.time == Time::frame(3));
+    CHECK(frame.events == std::vector<std::string>{"step"});
     CHECK(frame.hash == 0x7FE5'EB9F);
     CHECK(frame.picture.size() == 128 * 64);
     CHECK(frame.picture[0] == 7);
     CHECK(frame.picture[1] == 12);
 }
 
-TEST_CASE("one pass of a scene is all frames before its end, and the end where it holds")
+TEST_CASE("the board plays a scene by its loop mode, as many frames as it is told")
 {
-    CHECK(times_shown(Time::frame(3), Loop::repeat) == std::vector{0, 1024, 2048});
-    CHECK(times_shown(Time::frame(3), Loop::ping_pong) == std::vector{0, 1024, 2048});
-    CHECK(times_shown(Time::frame(3), Loop::once) == std::vector{0, 1024, 2048, 3072});
-    CHECK(times_shown({1500}, Loop::repeat) == std::vector{0, 1024});
-    CHECK(times_shown({1500}, Loop::once) == std::vector{0, 1024, 1500});
+    CHECK(times_shown(Time::frame(2), Loop::repeat, 4) == std::vector{0, 1024, 0, 1024});
+    CHECK(times_shown(Time::frame(2), Loop::ping_pong, 4) == std::vector{0, 1024, 2048, 1024});
+    CHECK(times_shown({1500}, Loop::once, 4) == std::vector{0, 1024, 1500, 1500});
+}
+
+TEST_CASE("the board tells the events with the frame that they come before")
+{
+    const auto scene = empty_scene(Time::frame(2), Loop::repeat,
+                                   {{"a", Time{0}}, {"b", Time{1}}, {"c", Time{1024}}, {"d", Time{1025}}});
+    std::vector<std::vector<std::string>> events;
+    for (const ShownFrame& frame : played(scene, 4))
+        events.push_back(frame.events);
+    CHECK(events == std::vector<std::vector<std::string>>{{"a"}, {"b", "c"}, {"d", "a"}, {"b", "c"}});
+}
+
+TEST_CASE("a run may begin anywhere, at the end of a repeating scene as well")
+{
+    const auto scene = empty_scene(Time::frame(2), Loop::repeat);
+    SimulatedBoard board{scene, 1};
+    for (const Time moment : {Time{5}, Time::frame(2), Time{0}}) {
+        board.start_at(moment);
+        run(board);
+        REQUIRE(board.frames().size() == 1);
+        CHECK(board.frames().front().time == moment);
+    }
+    CHECK_FALSE(board.bus_error().has_value());
 }
 
 TEST_CASE("loop, player, driver and model together show the background of a scene")
 {
     const auto scene = empty_scene(Time::frame(1), Loop::repeat);
-    SimulatedBoard board{scene};
-    run(board);
-    REQUIRE(board.frames().size() == 1);
-    CHECK(board.frames()[0].picture == std::vector<std::uint8_t>(128 * 64, 9));
+    const std::vector<ShownFrame> frames = played(scene, 1);
+    REQUIRE(frames.size() == 1);
+    CHECK(frames[0].picture == std::vector<std::uint8_t>(128 * 64, 9));
     Crc32 hash;
     hash.add(std::vector<std::byte>(128 * 64 / 2, std::byte{0x99}));
-    CHECK(board.frames()[0].hash == hash.value());
+    CHECK(frames[0].hash == hash.value());
 }
 
 }

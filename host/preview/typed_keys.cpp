@@ -1,0 +1,43 @@
+#include "host/preview/typed_keys.hpp"
+
+#include <array>
+
+namespace kfast {
+namespace {
+
+/// What is sent for keys that are no letters, the longer first.
+struct Sent {
+    std::string_view bytes;
+    std::string_view name;
+};
+
+constexpr std::array sent{
+    Sent{"\x1b[A", "up"},    Sent{"\x1b[B", "down"}, Sent{"\x1b[C", "right"},
+    Sent{"\x1b[D", "left"},  Sent{"\x1bOA", "up"},   Sent{"\x1bOB", "down"},
+    Sent{"\x1bOC", "right"}, Sent{"\x1bOD", "left"}, Sent{" ", "space"},
+};
+
+Sent first_key(std::string_view bytes)
+{
+    for (const Sent& key : sent)
+        if (bytes.starts_with(key.bytes))
+            return key;
+    const std::string_view letter = bytes.substr(0, 1);
+    return {letter, bytes == "\x1b" ? "escape" : letter};
+}
+
+}
+
+std::vector<PreviewKey> typed_keys(std::string_view bytes)
+{
+    std::vector<PreviewKey> keys;
+    while (!bytes.empty()) {
+        const Sent first = first_key(bytes);
+        if (const auto key = preview_key(first.name))
+            keys.push_back(*key);
+        bytes.remove_prefix(first.bytes.size());
+    }
+    return keys;
+}
+
+}
