@@ -62,7 +62,7 @@ SceneFile from_text(const fs::path& path, std::string text)
         refuse(path, "neither a scene nor a compiled scene: name a .kfast or .kfb file");
     if (text.size() > text_limit)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
-    CompiledText compiled = compile_and_report({path.string(), std::move(text)});
+    CompiledText compiled = compile_and_report({path.string(), std::move(text), path.parent_path().string()});
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));
     return checked(path, std::move(*compiled.bytes), true, compiled.warnings);
@@ -72,7 +72,7 @@ SceneFile from_text(const fs::path& path, std::string text)
 
 SceneFile load_scene(const fs::path& path)
 {
-    std::string content = read_input(path);
+    std::string content = read_input(path, scene_input);
     if (!content.starts_with(magic))
         return from_text(path, std::move(content));
     const auto bytes = std::as_bytes(std::span{content});

@@ -14,6 +14,7 @@ struct Command {
     void (*declare)(CLI::App& app);
 };
 
+extern const Command new_command;
 extern const Command compile_command;
 extern const Command check_command;
 extern const Command info_command;

@@ -1,6 +1,6 @@
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
-#include "host/picture/timeline.hpp"
+#include "host/commands/play_options.hpp"
 #include "host/scene_file.hpp"
 
 #include <cstdio>
@@ -11,6 +11,7 @@ namespace {
 
 struct HashOptions {
     std::string file;
+    PlayOptions play;
     PictureOptions picture;
 };
 
@@ -24,7 +25,7 @@ std::string line(int frame, std::uint32_t hash)
 void print_hashes(const HashOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
-    const Timeline timeline = timeline_of(scene.view);
+    const Timeline timeline = chosen_timeline(options.play, scene.view);
     const auto source = open_source(options.picture, scene);
     for (int frame = 0; frame < timeline.frame_count(); ++frame)
         std::cout << line(frame, hash(source->show(timeline.frame_time(frame))));
@@ -34,6 +35,7 @@ void declare(CLI::App& app)
 {
     const auto options = std::make_shared<HashOptions>();
     app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
     app.callback([options] { print_hashes(*options); });
 }

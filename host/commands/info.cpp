@@ -1,9 +1,12 @@
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/every_item.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/scene_file.hpp"
+#include "host/text/glyph.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +44,36 @@ Json keys_of(const SceneView& scene)
     return keys;
 }
 
+std::size_t item_count(const SceneView& scene)
+{
+    std::size_t count = 0;
+    every_item(scene, [&count](const ItemView&) { ++count; });
+    return count;
+}
+
+Json clips_of(const SceneView& scene)
+{
+    Json clips = Json::array();
+    for (ClipCursor cursor = scene.clips(); !cursor.at_end();) {
+        const ClipView clip = cursor.next();
+        clips.push_back({{"name", clip.name},
+                         {"from", frames(clip.begin)},
+                         {"to", frames(clip.end)},
+                         {"loop", name_of(clip.loop)}});
+    }
+    return clips;
+}
+
+Json events_of(const SceneView& scene)
+{
+    Json events = Json::array();
+    for (EventCursor cursor = scene.events(); !cursor.at_end();) {
+        const EventView event = cursor.next();
+        events.push_back({{"name", event.name}, {"at", frames(event.time)}});
+    }
+    return events;
+}
+
 Json facts(const InfoOptions& options, const SceneFile& scene)
 {
     const Timeline timeline = timeline_of(scene.view);
@@ -51,11 +84,15 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"bytes", scene.bytes.size()},
         {"canvas", {{"width", canvas.width}, {"height", canvas.height}}},
         {"fps", timeline.frame_rate / 1000.0},
-        {"frames", frames(timeline.length)},
-        {"seconds", timeline.seconds(timeline.length.ticks)},
-        {"loop", name_of(timeline.loop)},
-        {"objects", scene.view.object_count()},
+        {"frames", frames(timeline.stretch.end)},
+        {"seconds", timeline.seconds(timeline.stretch.end.ticks)},
+        {"loop", name_of(timeline.stretch.loop)},
+        {"objects", object_count(scene.view)},
+        {"items", item_count(scene.view)},
+        {"symbols", scene.view.symbol_count()},
         {"keys", keys_of(scene.view)},
+        {"clips", clips_of(scene.view)},
+        {"events", events_of(scene.view)},
         {"memory",
          {{"bytes", Player::block_bytes(scene.view, panel)},
           {"width", panel.width},
@@ -77,6 +114,19 @@ std::string key_text(const Json& keys)
     return text.str();
 }
 
+void print_clip(const Json& clip)
+{
+    std::cout << "  clip        " << visible(clip["name"].get<std::string>()) << ": frames "
+              << clip["from"].get<double>() << " to " << clip["to"].get<double>() << ", "
+              << clip["loop"].get<std::string>() << '\n';
+}
+
+void print_event(const Json& event)
+{
+    std::cout << "  event       " << visible(event["name"].get<std::string>()) << ": frame "
+              << event["at"].get<double>() << '\n';
+}
+
 void print_text(const Json& facts)
 {
     std::cout << facts["file"].get<std::string>() << '\n'
@@ -87,9 +137,13 @@ void print_text(const Json& facts)
               << facts["seconds"].get<double>() << " s\n"
               << "  loop        " << facts["loop"].get<std::string>() << '\n'
               << "  objects     " << facts["objects"] << '\n'
+              << "  items       " << facts["items"] << '\n'
+              << "  symbols     " << facts["symbols"] << '\n'
               << "  keys        " << key_text(facts["keys"]) << '\n'
               << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
               << size_text(facts["memory"]) << '\n';
+    std::ranges::for_each(facts["clips"], print_clip);
+    std::ranges::for_each(facts["events"], print_event);
 }
 
 void print_json(const Json& facts)
@@ -115,7 +169,8 @@ void declare(CLI::App& app)
 
 }
 
-const Command info_command{"info", "Tell size, length, loop, objects, keys and memory of a scene",
+const Command info_command{"info",
+                           "Tell size, length, loop, objects, keys, clips, events and memory of a scene",
                            "kfast info eyes.kfb --panel ssd0323", declare};
 
 }

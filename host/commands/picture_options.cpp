@@ -130,7 +130,7 @@ Size panel_size(const PictureOptions& options, const SceneView& scene)
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
     if (options.panel != nullptr)
-        return options.panel->open(scene.bytes, timeline_of(scene.view));
+        return options.panel->open(scene.bytes);
     const Size size = panel_size(options, scene.view);
     return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
 }

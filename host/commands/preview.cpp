@@ -1,12 +1,12 @@
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
-#include "host/picture/timeline.hpp"
+#include "host/commands/play_options.hpp"
 #include "host/preview/headless.hpp"
-#include "host/preview/key_times.hpp"
 #include "host/preview/terminal.hpp"
 #include "host/preview/window.hpp"
 #include "host/scene_file.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -19,6 +19,7 @@ struct PreviewOptions {
     bool headless = false;
     std::optional<int> loops;
     std::optional<std::vector<PreviewKey>> script;
+    PlayOptions play;
     PictureOptions picture;
 };
 
@@ -36,34 +37,40 @@ std::vector<PreviewKey> read_script(const std::string& text)
     return script;
 }
 
-void preview_headless(const PreviewOptions& options, FrameSource& source, const SceneView& scene)
+Programme chosen_programme(const PlayOptions& options, const SceneView& scene)
 {
-    const Timeline timeline = timeline_of(scene);
-    const std::vector<Time> keys = key_times(scene);
+    Programme programme = programme_of(scene);
+    programme.speed = chosen_timeline(options, scene).speed;
+    const auto first = std::ranges::find(programme.parts, options.clip.value_or(""), &Part::name);
+    programme.first = static_cast<std::size_t>(first - programme.parts.begin());
+    return programme;
+}
+
+void preview_headless(const PreviewOptions& options, FrameSource& source, const Programme& programme)
+{
     if (options.script)
-        play_script(source, timeline, keys, *options.script, std::cout);
+        play_script(source, programme, *options.script, std::cout);
     else
-        play_headless(source, timeline, keys, std::cout);
+        play_headless(source, programme, std::cout);
 }
 
 void preview(const PreviewOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
-    const Timeline timeline = timeline_of(scene.view);
+    const Programme programme = chosen_programme(options.play, scene.view);
     const auto source = open_source(options.picture, scene);
     if (options.headless)
-        return preview_headless(options, *source, scene.view);
-    if (!options.terminal &&
-        play_in_window(*source, timeline, key_times(scene.view), options.file, options.loops))
+        return preview_headless(options, *source, programme);
+    if (!options.terminal && play_in_window(*source, programme, options.file, options.loops))
         return;
     if (!options.terminal)
         std::cerr << "kfast: there is no display for a window, so this plays in the terminal\n";
-    play_in_terminal(*source, timeline, options.loops.value_or(1));
+    play_in_terminal(*source, programme, options.loops.value_or(1));
 }
 
 std::string key_list()
 {
-    std::string text = "Keys of the window and of --keys:";
+    std::string text = "Keys of the window, the terminal and --keys:";
     for (const std::string& line : preview_key_help())
         text += "\n  " + line;
     return text;
@@ -80,13 +87,15 @@ void declare(CLI::App& app)
                        "Ends after so many plays (default: a window stays, the terminal plays once)")
             ->type_name("N")
             ->check(CLI::Range(1, 1000000));
-    CLI::Option* headless = app.add_flag("--headless", options->headless, "Show nothing; print a summary");
+    CLI::Option* headless =
+        app.add_flag("--headless", options->headless, "Show nothing; print the events and a summary");
     headless->excludes(terminal)->excludes(loops);
     app.add_option_function<std::string>(
            "--keys", [options](const std::string& text) { options->script = read_script(text); },
            "With --headless: press these keys, print what each shows")
         ->type_name("LIST")
         ->needs(headless);
+    declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
     app.footer(app.get_footer() + "\n\n" + key_list());
     app.callback([options] { preview(*options); });

@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/commands/play_options.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/failure.hpp"
 #include "host/picture/gif.hpp"
@@ -21,6 +22,7 @@ struct RenderOptions {
     std::optional<int> frame;
     std::string time;
     bool all = false;
+    PlayOptions play;
     PictureOptions picture;
 };
 
@@ -29,7 +31,7 @@ Time frame_time(int frame, const Timeline& timeline)
     const int last = timeline.frame_count() - 1;
     if (frame < 0 || frame > last)
         throw CLI::ValidationError("--frame", std::to_string(frame) +
-                                                  " is not in the scene: it has frames 0 to " +
+                                                  " is not played: there are frames 0 to " +
                                                   std::to_string(last));
     return timeline.frame_time(frame);
 }
@@ -42,7 +44,7 @@ Time chosen_time(const RenderOptions& options, const Timeline& timeline)
     if (!time)
         throw CLI::ValidationError("--time", "'" + options.time +
                                                  "' is no time: write it like 1.5s, 500ms or 12.5 (frames)");
-    return *time;
+    return timeline.shown_at(time->ticks);
 }
 
 void make_folder(const fs::path& folder)
@@ -82,7 +84,7 @@ void render_scene(const RenderOptions& options)
 {
     require_fitting_name(options);
     const SceneFile scene = load_scene(options.file);
-    const Timeline timeline = timeline_of(scene.view);
+    const Timeline timeline = chosen_timeline(options.play, scene.view);
     const auto source = open_source(options.picture, scene);
     const fs::path output = output_path(options.output, options.file);
     if (!options.all)
@@ -102,9 +104,13 @@ void declare(CLI::App& app)
         ->required();
     CLI::Option_group* moment = app.add_option_group("What to draw (one of these)");
     moment->add_option("--frame", options->frame, "The frame with this number, from 0")->type_name("N");
-    moment->add_option("--time", options->time, "A moment: 1.5s, 500ms or 12.5 (frames)")->type_name("T");
-    moment->add_flag("--all", options->all, "Every frame; a GIF goes there and back for ping-pong scenes");
+    moment
+        ->add_option("--time", options->time,
+                     "What is shown that long after the start: 1.5s, 500ms or 12.5 (frames)")
+        ->type_name("T");
+    moment->add_flag("--all", options->all, "Every frame; a GIF goes there and back for ping-pong");
     moment->require_option(1);
+    declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
     app.callback([options] { render_scene(*options); });
 }
@@ -113,7 +119,8 @@ void declare(CLI::App& app)
 
 const Command render_command{"render", "Draw a frame as a PNG, or all of them as PNGs or an animated GIF",
                              "kfast render eyes.kfast --time 1.5s -o eyes.png\n"
-                             "  kfast render eyes.kfast --all -o eyes.gif",
+                             "  kfast render eyes.kfast --all -o eyes.gif\n"
+                             "  kfast render eyes.kfast --clip blink --speed 0.5 --all -o blink.gif",
                              declare};
 
 }

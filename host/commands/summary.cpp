@@ -2,6 +2,7 @@
 
 #include "core/player.hpp"
 #include "host/counted.hpp"
+#include "host/every_item.hpp"
 #include "host/picture/timeline.hpp"
 
 namespace kfast {
@@ -11,7 +12,7 @@ std::string summary(const SceneFile& scene)
     const Size canvas = scene.view.canvas();
     const auto frames = static_cast<std::size_t>(timeline_of(scene.view).frame_count());
     return counted(scene.bytes.size(), "byte") + ", " + counted(frames, "frame") + ", " +
-           counted(scene.view.object_count(), "object") + ", " +
+           counted(object_count(scene.view), "object") + ", " +
            counted(Player::block_bytes(scene.view, canvas), "byte") + " of memory at " +
            std::to_string(canvas.width) + 'x' + std::to_string(canvas.height);
 }

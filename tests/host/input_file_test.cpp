@@ -10,10 +10,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string failure(const fs::path& path)
+std::string failure(const fs::path& path, const InputKind& kind = scene_input)
 {
     try {
-        read_input(path);
+        read_input(path, kind);
     } catch (const Failure& caught) {
         return caught.what();
     }
@@ -32,7 +32,7 @@ TEST_CASE("a file is read whole up to the limit of 16 MB")
 {
     const TemporaryFolder folder;
     create(folder / "largest", input_limit);
-    CHECK(read_input(folder / "largest").size() == input_limit);
+    CHECK(read_input(folder / "largest", scene_input).size() == input_limit);
     create(folder / "larger", input_limit + 1);
     CHECK(failure(folder / "larger").find("larger than 16 MB") != std::string::npos);
 }
@@ -45,6 +45,17 @@ TEST_CASE("what cannot be read is named with the remedy")
     CHECK(failure(folder / "none").find("there is no such file") != std::string::npos);
     CHECK(failure(folder / "empty/x").find("there is no such file") != std::string::npos);
     CHECK(failure(folder / ".").find("this is a folder") != std::string::npos);
+}
+
+TEST_CASE("the remedy fits what the file is to be")
+{
+    const TemporaryFolder folder;
+    create(folder / "empty", 0);
+    create(folder / "larger", input_limit + 1);
+    CHECK(failure(folder / ".").ends_with("this is a folder: name a .kfast or .kfb file in it"));
+    CHECK(failure(folder / ".", font_input).ends_with("this is a folder: name a .ttf or .otf file in it"));
+    CHECK(failure(folder / "empty", font_input).ends_with("the file is empty: copy it again"));
+    CHECK(failure(folder / "larger", font_input).find("more than any font needs") != std::string::npos);
 }
 
 }

@@ -20,6 +20,22 @@ object dot fill="#f2f2f2" {{
 }}
 """
 
+# Clips and events; the dot is somewhere else at every moment.
+MARKED = """kfast 1
+canvas 60 40 fps=30 loop=repeat
+object dot fill="#f2f2f2" {
+    key 0 { rect 1 1 14 14 }
+    key 10 { rect 41 21 14 14 }
+}
+clip blink from=2 to=6
+clip sway from=4 to=10 loop=ping-pong
+event 0 begin
+event 2.5 "lid down"
+event 4 shut
+event 4 shut2
+event 9.5 late
+"""
+
 
 def kfast(*arguments, folder, environment=None, limit=None):
     def restrict():
@@ -37,6 +53,7 @@ class CommandTest(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
         for loop in ("repeat", "once", "ping-pong"):
             (self.folder / f"{loop}.kfast").write_text(SCENE.format(loop=loop))
+        (self.folder / "marked.kfast").write_text(MARKED)
 
     def run_kfast(self, *arguments, status=0, **more):
         result = kfast(*arguments, folder=self.folder, **more)

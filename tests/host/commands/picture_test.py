@@ -37,10 +37,36 @@ class HashTest(CommandTest):
             drawn = self.hashes(f"{loop}.kfast", "--size", "128x64", "--format", "grey4")
             self.assertEqual(self.hashes(f"{loop}.kfast", "--panel", "ssd0323"), drawn)
 
-    def test_a_simulated_board_refuses_what_it_cannot_keep(self):
-        (self.folder / "long.kfast").write_text(
-            "kfast 1\ncanvas 8 8 frames=10001\nobject a fill=white { rect 1 1 2 2 }\n")
-        self.refuse("hash", "long.kfast", "--panel", "ssd0323", status=1, says="at most 10000")
+    def moments(self, *arguments):
+        """The frames of the whole scene that the hashes of a clip are found at."""
+        known = [line.split()[1] for line in self.hashes("marked.kfast", "--speed", "0.5")]
+        end = self.hashes("marked.kfast", "--clip", "sway", "--speed", "-1")[0].split()[1]
+        return [(known + [end]).index(line.split()[1]) / 2 for line in self.hashes("marked.kfast", *arguments)]
+
+    def test_a_clip_has_its_own_frames_and_its_own_loop(self):
+        self.assertEqual(self.moments("--clip", "blink"), [2, 3, 4, 5, 6])
+        self.assertEqual(self.moments("--clip", "sway"), [4, 5, 6, 7, 8, 9])
+
+    def test_a_speed_changes_the_frames(self):
+        self.assertEqual(self.moments("--speed", "3"), [0, 3, 6, 9])
+        self.assertEqual(self.moments("--speed", "-2"), [0, 8, 6, 4, 2])
+        self.assertEqual(self.moments("--clip", "blink", "--speed", "0.5"), [2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6])
+        self.assertEqual(self.moments("--clip", "blink", "--speed", "-1"), [6, 5, 4, 3, 2])
+        self.assertEqual(self.moments("--clip", "sway", "--speed", "-1"), [10, 9, 8, 7, 6, 5])
+
+    def test_a_panel_plays_clips_at_any_speed(self):
+        for arguments in (("--clip", "blink", "--speed", "0.5"), ("--clip", "sway", "--speed", "-1")):
+            drawn = self.hashes("marked.kfast", *arguments, "--size", "128x64", "--format", "grey4")
+            self.assertEqual(self.hashes("marked.kfast", *arguments, "--panel", "ssd0323"), drawn)
+
+    def test_wrong_clips_and_speeds(self):
+        for command in (["hash"], ["render", "--all", "-o", "a.gif"], ["preview", "--headless"]):
+            self.refuse(*command, "marked.kfast", "--clip", "blnk", status=2, says='did you mean "blink"?')
+            self.refuse(*command, "marked.kfast", "--clip", "", status=2, says="there is no clip ''")
+            self.refuse(*command, "marked.kfast", "--clip", "x", status=2, says="blink, sway")
+            self.refuse(*command, "repeat.kfast", "--clip", "blink", status=2, says="the scene has none")
+            for speed in ("0", "0.001", "17", "-17", "fast", "1x", "nan"):
+                self.refuse(*command, "marked.kfast", f"--speed={speed}", status=2, says="is no speed")
 
     def test_size_and_fit_change_the_picture(self):
         sizes = [self.hashes("repeat.kfast", "--size", "64x64", "--fit", fit)[1] for fit in ("contain", "cover", "none")]
@@ -94,13 +120,35 @@ class RenderTest(CommandTest):
             shown = gif.convert("RGB").tobytes()
         self.assertEqual(shown, self.picture("repeat.kfast", "--frame", "7")[1])
 
+    def test_clips(self):
+        clip = ["marked.kfast", "--clip", "blink"]
+        self.assertEqual(self.picture(*clip, "--frame", "1"), self.picture("marked.kfast", "--frame", "3"))
+        self.assertEqual(self.picture(*clip, "--time", "1.5"), self.picture("marked.kfast", "--time", "3.5"))
+        self.assertEqual(self.picture(*clip, "--time", "99s"), self.picture("marked.kfast", "--frame", "6"))
+        self.assertEqual(self.picture(*clip, "--speed", "2", "--time", "1"), self.picture("marked.kfast", "--frame", "4"))
+        self.assertEqual(self.picture(*clip, "--speed", "-1", "--frame", "1"), self.picture("marked.kfast", "--frame", "5"))
+        self.refuse("render", *clip, "--frame", "5", "-o", "a.png", status=2, says="there are frames 0 to 4")
+
+    def test_a_clip_as_a_gif(self):
+        for options, count, repeats, duration in ((["blink"], 5, None, 160), (["sway"], 12, 0, 400),
+                                                  (["sway", "--speed", "0.5"], 24, 0, 800),
+                                                  (["sway", "--speed", "-2"], 6, 0, 200)):
+            self.run_kfast("render", "marked.kfast", "--all", "-o", "out.gif", "--clip", *options)
+            with Image.open(self.folder / "out.gif") as gif:
+                self.assertEqual((gif.n_frames, gif.info.get("loop")), (count, repeats))
+                durations = []
+                for index in range(count):
+                    gif.seek(index)
+                    durations.append(gif.info["duration"])
+            self.assertEqual(sum(durations), duration)
+
     def test_wrong_usage(self):
         render = ["render", "repeat.kfast"]
         self.refuse(*render, "--frame", "1", status=2, says="--output is required")
         self.refuse(*render, "-o", "a.png", status=2, says="--frame")
         self.refuse(*render, "-o", "a.png", "--frame", "1", "--all", status=2, says="--frame")
-        self.refuse(*render, "-o", "a.png", "--frame", "10", status=2, says="it has frames 0 to 9")
-        self.refuse(*render, "-o", "a.png", "--frame", "-1", status=2, says="it has frames 0 to 9")
+        self.refuse(*render, "-o", "a.png", "--frame", "10", status=2, says="there are frames 0 to 9")
+        self.refuse(*render, "-o", "a.png", "--frame", "-1", status=2, says="there are frames 0 to 9")
         self.refuse(*render, "-o", "a.png", "--time", "1h", status=2, says="'1h' is no time")
         self.refuse(*render, "-o", "a.png", "--all", status=2, says="makes a folder or a .gif")
         self.refuse(*render, "-o", "a.gif", "--frame", "1", status=2, says="add --all for a .gif")
@@ -133,6 +181,34 @@ class PreviewTest(CommandTest):
         hashes = [line.split()[1] for line in self.run_kfast("hash", "repeat.kfast").stdout.splitlines()]
         self.assertEqual([line.split()[-1] for line in out.splitlines()[:-1]], [hashes[i] for i in shown])
 
+    def test_events_are_told(self):
+        def events(*arguments):
+            lines = self.run_kfast("preview", "marked.kfast", "--headless", *arguments).stdout.splitlines()
+            return [line.removeprefix("event ") for line in lines if line.startswith("event ")]
+
+        every = ["0 begin", "2.5 lid down", "4 shut", "4 shut2", "9.5 late"]
+        self.assertEqual(events(), every)
+        self.assertEqual(events("--panel", "ssd0323"), every)
+        self.assertEqual(events("--speed", "16"), every)
+        self.assertEqual(events("--speed", "-3"), ["0 begin", "9.5 late", "4 shut2", "4 shut", "2.5 lid down"])
+        self.assertEqual(events("--clip", "blink", "--speed", "-1"), ["4 shut2", "4 shut", "2.5 lid down"])
+        self.assertEqual(events("--clip", "sway"), ["4 shut", "4 shut2", "9.5 late"])
+
+    def test_keys_change_speed_and_clip(self):
+        out = self.run_kfast("preview", "marked.kfast", "--headless", "--keys", "right up r space c space c b b").stdout
+        states = [line.rsplit("  ", 1)[0] for line in out.splitlines() if line.startswith("frame")]
+        self.assertEqual(states, [
+            "frame 2  0.067 s  paused",
+            "frame 2  0.067 s  paused  speed 2",
+            "frame 2  0.067 s  paused  speed -2",
+            "frame 2  0.067 s  playing  speed -2",
+            "frame 6  0.200 s  playing  speed -2  clip blink",
+            "frame 4  0.133 s  paused  event shut  speed -2  clip blink",
+            "frame 10  0.333 s  playing  speed -2  clip sway",
+            "frame 6  0.200 s  playing  speed -2  clip blink",
+            "frame 0  0.000 s  playing  speed -2",
+        ])
+
     def test_terminal_in_a_pipe_is_one_picture(self):
         out = self.run_kfast("preview", "repeat.kfast", "--terminal", environment={"COLORTERM": "truecolor"}).stdout
         self.assertEqual(out.count("\n"), 20)
@@ -141,11 +217,20 @@ class PreviewTest(CommandTest):
         out = self.run_kfast("preview", "repeat.kfast", "--terminal", environment={"COLORTERM": ""}).stdout
         self.assertIn("38;5;", out)
 
-    def on_a_terminal(self, *arguments, interrupt):
-        """What is written to a terminal of 40 x 12 characters, and how the program ends."""
+    def on_a_terminal(self, *arguments, interrupt=False, typed=()):
+        """What is written to a terminal of 40 (80, to type) x 12 characters, and how the program ends.
+
+        Of `typed`, pairs, the second is typed when the first has been written."""
+        waiting = list(typed)
         master, slave = pty.openpty()
-        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 12, 40, 0, 0))
-        player = subprocess.Popen([KFAST, "preview", "--terminal", *arguments], cwd=self.folder, stdout=slave)
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 12, 80 if typed else 40, 0, 0))
+        def take_terminal():  # as a shell does for a job in the foreground
+            os.setsid()
+            fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
+
+        player = subprocess.Popen([KFAST, "preview", "--terminal", *arguments], cwd=self.folder, stdout=slave,
+                                  stdin=slave if typed else subprocess.DEVNULL,
+                                  preexec_fn=take_terminal if typed else None)
         os.close(slave)
         written = b""
         while True:
@@ -156,6 +241,8 @@ class PreviewTest(CommandTest):
             written += block
             if interrupt and b"frame 2" in written:
                 player.send_signal(signal.SIGINT)
+            if waiting and waiting[0][0] in written:
+                os.write(master, waiting.pop(0)[1])
         os.close(master)
         return written.decode(), player.wait(timeout=60)
 
@@ -167,6 +254,19 @@ class PreviewTest(CommandTest):
             frames = [int(number) for number in re.findall(r"frame (\d+)", written)]
             self.assertEqual((frames, frames[0], frames[-1]), (sorted(frames), 0, last))
             self.assertLessEqual(max(picture.count("\n") for picture in written.split("\x1b[J")), 12)
+
+    def test_a_terminal_tells_events_and_plays_clips(self):
+        written, status = self.on_a_terminal("marked.kfast", "--clip", "blink", interrupt=False)
+        self.assertEqual(status, 0)
+        frames = [int(number) for number in re.findall(r"frame (\d+)", written)]
+        self.assertEqual((frames[0], frames[-1]), (2, 6))
+        self.assertRegex(written, r"event (shut2|lid)")
+
+    def test_a_terminal_takes_keys(self):
+        written, status = self.on_a_terminal("marked.kfast", "--loops", "1000", typed=(
+            (b"frame 2", b"\x1b[B"), (b"speed 0.5", b"cc"), (b"clip sway", b" "), (b"paused", b"q")))
+        self.assertEqual(status, 0)
+        self.assertTrue(written.endswith("\x1b[0m\x1b[?25h"))
 
     def test_control_c_gives_the_cursor_back(self):
         written, status = self.on_a_terminal("repeat.kfast", "--loops", "1000", interrupt=True)

@@ -2,18 +2,20 @@
 
 import json
 import os
+import shutil
 import unittest
 import zlib
 
-from command_case import SCENE, CommandTest, kfast
+from command_case import ROOT, SCENE, CommandTest, kfast
 
 
 class CompileTest(CommandTest):
     def test_writes_beside_the_scene_and_says_what(self):
+        before = len(list(self.folder.iterdir()))
         line = self.run_kfast("compile", "repeat.kfast").stdout
         size = (self.folder / "repeat.kfb").stat().st_size
         self.assertRegex(line, rf"^repeat.kfb: {size} bytes, 10 frames, 1 object, \d+ bytes of memory at 60x40\n$")
-        self.assertEqual(len(list(self.folder.iterdir())), 4)
+        self.assertEqual(len(list(self.folder.iterdir())), before + 1)
 
     def test_writes_where_told(self):
         self.run_kfast("compile", "repeat.kfast", "-o", "other.bin")
@@ -25,6 +27,17 @@ class CompileTest(CommandTest):
         self.refuse("compile", "repeat.kfast", "-o", "./repeat.kfast", status=1, says="overwrite the scene itself")
         os.rename(self.folder / "repeat.kfast", self.folder / "text.kfb")
         self.refuse("compile", "text.kfb", status=1, says="overwrite the scene itself")
+
+    def test_looks_for_fonts_beside_the_scene(self):
+        inner = self.folder / "inner"
+        inner.mkdir()
+        shutil.copy("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", inner / "Sans.ttf")
+        text = 'kfast 1\ncanvas 9 9\nobject o fill=red { text I at="1,8" size=8 font="Sans.ttf" }\n'
+        for scene in (inner / "beside.kfast", self.folder / "above.kfast"):
+            scene.write_text(text)
+        self.run_kfast("check", "inner/beside.kfast")
+        self.assertEqual(kfast("check", "beside.kfast", folder=inner).returncode, 0)
+        self.refuse("check", "above.kfast", status=1, says="error: Sans.ttf: there is no such file")
 
     def test_takes_no_compiled_scene(self):
         self.compiled()
@@ -136,14 +149,50 @@ class InfoTest(CommandTest):
         memory = facts.pop("memory")
         self.assertEqual(facts, {
             "file": "repeat.kfast", "bytes": len(self.compiled()), "canvas": {"width": 60, "height": 40}, "fps": 30,
-            "frames": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "keys": [0, 4, 10]})
+            "frames": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "items": 1, "symbols": 0,
+            "keys": [0, 4, 10], "clips": [], "events": []})
         self.assertEqual((memory["width"], memory["height"]), (60, 40))
+
+    def test_symbols_clips_and_events(self):
+        scene = ROOT / "examples" / "robot-eyes.kfast"
+        facts = json.loads(self.run_kfast("info", scene, "--json").stdout)
+        self.assertEqual((facts["objects"], facts["items"], facts["symbols"]), (1, 4, 1))
+        self.assertEqual(facts["clips"][0], {"name": "blink", "from": 8, "to": 18, "loop": "once"})
+        self.assertEqual([clip["name"] for clip in facts["clips"]], ["blink", "look", "happy", "angry"])
+        self.assertEqual(facts["events"], [{"name": "blinked", "at": 13}])
+        self.assertIn(20, facts["keys"], "the keys of a group count too")
+        text = self.run_kfast("info", scene).stdout
+        self.assertRegex(text, r"clip +angry: frames 85 to 146, once\n")
+        self.assertRegex(text, r"event +blinked: frame 13\n")
 
     def test_text(self):
         text = self.run_kfast("info", "ping-pong.kfast", "--panel", "ssd0323").stdout
         self.assertRegex(text, r"loop +ping-pong\n")
         self.assertRegex(text, r"keys +3, at frames 0 4 10\n")
         self.assertRegex(text, r"memory +\d+ bytes for a panel of 128x64\n")
+
+    def with_marks(self):
+        (self.folder / "marks.kfast").write_text("""kfast 1
+canvas 60 40 fps=30 frames=40
+symbol wheel { object rim stroke=white { circle 0 0 r=9; key 3 rotate=0; key 7 rotate=90 } }
+group car { use wheel 10 10; use wheel 40 10 { key 0 x=40; key 12.5 x=50 } }
+clip go from=2.5 to=30 loop=ping-pong
+event 5 "a b"
+event 5 stop
+""")
+        return "marks.kfast"
+
+    def test_json_of_symbols_and_marks(self):
+        facts = json.loads(self.run_kfast("info", self.with_marks(), "--json").stdout)
+        self.assertEqual((facts["objects"], facts["items"], facts["symbols"]), (1, 4, 1))
+        self.assertEqual(facts["keys"], [0, 3, 7, 12.5])
+        self.assertEqual(facts["clips"], [{"name": "go", "from": 2.5, "to": 30, "loop": "ping-pong"}])
+        self.assertEqual(facts["events"], [{"name": "a b", "at": 5}, {"name": "stop", "at": 5}])
+
+    def test_text_of_symbols_and_marks(self):
+        text = self.run_kfast("info", self.with_marks()).stdout
+        self.assertRegex(text, r"objects +1\n +items +4\n +symbols +1\n")
+        self.assertRegex(text, r"clip +go: frames 2.5 to 30, ping-pong\n +event +a b: frame 5\n +event +stop: frame 5\n")
 
 
 if __name__ == "__main__":
