@@ -1,0 +1,94 @@
+"""Holds what kfast draws against the definition of coverage and against an independent renderer; see README.md:
+
+    accuracy_test.py <kfast> <scene.kfast> <motion.json> <folder of frames NAME-NN.png>
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from PIL import Image, ImageChops, ImageColor
+
+from comparison import Comparison, blended, on_panel
+from motion import Motion
+from true_area import coarse_polygon, coverage, true_polygon
+
+FRAMES = 60
+STEP = 5
+
+# What kfast is held to. docs/design.md, "Accuracy", says why the independent renderer is further away.
+CLOSE_TO_TRUE = 0.99
+FARTHEST_FROM_TRUE = 32
+CLOSE_TO_INDEPENDENT = {"eyes": 0.78, "morph": 0.86}
+FARTHEST_FROM_INDEPENDENT = 64
+
+# More are no edges: a colour is wrong.
+MOST_EDGES = 0.02
+
+# The independent renderer halves curves until their control points lie this close to the chord, in pixels.
+INDEPENDENT_TOLERANCE = 1 / 6
+CLOSE_TO_COARSE = 0.98
+
+
+def render_all(kfast, scene, folder):
+    subprocess.run([kfast, "render", scene, "--all", "-o", folder], check=True, stdout=subprocess.PIPE, timeout=120)
+    return [on_panel(Image.open(pathlib.Path(folder) / f"{frame:04}.png")) for frame in range(FRAMES)]
+
+
+def by_definition(motion, frame, size, polygon):
+    """Objects that do not overlap, on black."""
+    covered = Image.new("L", size)
+    for outline in motion.outlines(frame):
+        covered = ImageChops.lighter(covered, coverage(polygon(outline), size))
+    return blended(covered, ImageColor.getrgb(motion.fill))
+
+
+def compared(pairs, motion):
+    result = Comparison(["#000000", motion.fill])
+    for one, other in pairs:
+        result.add(one, other)
+    return result
+
+
+def failures(what, result, least_close, farthest):
+    print(f"{what:35} {result}")
+    if result.close < least_close:
+        yield f"{what}: fewer than {least_close:.0%} are close"
+    if result.farthest > farthest:
+        yield f"{what}: a pixel is more than {farthest} away"
+    if result.edge_share > MOST_EDGES:
+        yield f"{what}: {result.edge_share:.0%} of all pixels are not plain"
+    if result.wrong_plain:
+        yield f"{what}: plain pixels differ"
+
+
+def test(kfast, scene, motion_file, references):
+    name = pathlib.Path(scene).stem
+    motion = Motion(pathlib.Path(motion_file))
+    with tempfile.TemporaryDirectory() as folder:
+        drawn = render_all(kfast, scene, folder)
+    size = drawn[0].size
+    true = [by_definition(motion, frame, size, true_polygon) for frame in range(FRAMES)]
+    sampled = range(0, FRAMES, STEP)
+    independent = [on_panel(Image.open(pathlib.Path(references) / f"{name}-{frame:02}.png")) for frame in sampled]
+    coarse = [by_definition(motion, frame, size, lambda outline: coarse_polygon(outline, INDEPENDENT_TOLERANCE))
+              for frame in sampled]
+
+    yield from failures(f"{name}: kfast, true area", compared(zip(drawn, true), motion),
+                        CLOSE_TO_TRUE, FARTHEST_FROM_TRUE)
+    yield from failures(f"{name}: kfast, independent", compared(zip(drawn[::STEP], independent), motion),
+                        CLOSE_TO_INDEPENDENT[name], FARTHEST_FROM_INDEPENDENT)
+    print(f"{name + ': true area, independent':35} {compared(zip(true[::STEP], independent), motion)}")
+    yield from failures(f"{name}: coarse chords, independent", compared(zip(coarse, independent), motion),
+                        CLOSE_TO_COARSE, FARTHEST_FROM_INDEPENDENT)
+
+
+def main(*arguments):
+    found = list(test(*arguments))
+    print("\n".join(found) if found else "as accurate as it was")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
