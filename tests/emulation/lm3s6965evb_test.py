@@ -3,7 +3,8 @@
     lm3s6965evb_test.py <lm3s6965evb-cortex-….elf> <scene.kfb> <kfast> [--linked]
 
 The scene is put into the board's flash; with --linked it is part of the image already (KFAST_SCENE).
-Every frame must have the hash that `kfast hash` gives, and screenshots of the emulated display must equal the
+Every frame must have the hash that `kfast hash` gives, the events must be those that `kfast preview --headless` tells,
+each with the frame that it was passed before, and screenshots of the emulated display must equal the
 pictures of `kfast render` in every pixel."""
 
 import pathlib
@@ -40,6 +41,13 @@ def expected_hashes(program, scene):
     return [value for _, value in lines]
 
 
+def expected_events(program, scene):
+    """When which events are passed, in frames."""
+    told = kfast(program, "preview", scene, "--headless").splitlines()
+    lines = [line.split(" ", 2) for line in told if line.startswith("event ")]
+    return [(float(moment), name) for _, moment, name in lines]
+
+
 def cpu_of(image):
     return re.search(r"cortex-m\d+", pathlib.Path(image).name).group()
 
@@ -62,9 +70,19 @@ def wait_for(qemu, start):
 
 
 def frame(qemu):
-    match = re.fullmatch(r"F (\d+) ([0-9a-f]{8})", line := qemu.line())
+    """Time and hash of the next frame, and the events before it."""
+    events = []
+    while (line := qemu.line()).startswith("EVENT "):
+        events.append(line.removeprefix("EVENT "))
+    match = re.fullmatch(r"F (\d+) ([0-9a-f]{8})", line)
     expect(match, f"a frame was to come, not {line!r}")
-    return int(match[1]), match[2]
+    return int(match[1]), match[2], events
+
+
+def expect_events(told, events, after, until):
+    """`told` must be those later than `after` ticks and not later than `until`."""
+    due = [name for moment, name in events if after < moment * 1024 <= until]
+    expect(told == due, f"until time {until}/1024 the board tells {told}, the preview {due}")
 
 
 def expect_quiet(qemu):
@@ -79,12 +97,15 @@ def compare_picture(shown, expected, index):
     expect(difference is None, f"frame {index}: screenshot and preview differ within {difference}")
 
 
-def check_frames(qemu, hashes, pictures, folder):
+def check_frames(qemu, hashes, events, pictures, folder):
     """Steps through the scene; returns the number of screenshots."""
     last = len(hashes) - 1
     moments = {round(i * last / (SCREENSHOTS - 1)) for i in range(SCREENSHOTS)}
+    before = -1
     for index, expected in enumerate(hashes):
-        ticks, shown = frame(qemu)
+        ticks, shown, told = frame(qemu)
+        expect_events(told, events, before, ticks)
+        before = ticks
         expect(-(-ticks // 1024) == index, f"frame {index} was shown for time {ticks}/1024")
         expect(shown == expected, f"frame {index}: hash {shown} on the board, {expected} in the preview")
         if index in moments:
@@ -96,7 +117,7 @@ def check_frames(qemu, hashes, pictures, folder):
     return len(moments)
 
 
-def check_stepped(qemu_board, scene, hashes, pictures, folder):
+def check_stepped(qemu_board, scene, hashes, events, pictures, folder):
     with qemu_board as qemu:
         banner = qemu.line()
         expect(re.fullmatch(r"KFAST \S+ lm3s6965evb ssd0323 128x64 grey4", banner), f"banner: {banner!r}")
@@ -105,7 +126,7 @@ def check_stepped(qemu_board, scene, hashes, pictures, folder):
         data = pathlib.Path(scene).read_bytes()
         announced = qemu.line()
         expect(announced == f"SCENE {len(data)} {zlib.crc32(data):08x}", f"the board plays another scene: {announced}")
-        return check_frames(qemu, hashes, pictures, folder)
+        return check_frames(qemu, hashes, events, pictures, folder)
 
 
 def rising(times):
@@ -114,14 +135,16 @@ def rising(times):
     return times[:next(falls, len(times))]
 
 
-def check_free_running(qemu_board, hashes):
+def check_free_running(qemu_board, hashes, events):
     with qemu_board as qemu:
         wait_for(qemu, "SCENE")
         frames = [frame(qemu) for _ in range(FREE_FRAMES)]
         expect_quiet(qemu)
-    times = [ticks for ticks, _ in frames]
+    times = [ticks for ticks, _, _ in frames]
     expect(times[0] == 0 and len(rising(times)) >= 3, f"times do not ascend: {times}")
-    for ticks, shown in frames:
+    for before, (ticks, _, told) in zip([-1] + times, frames[:len(rising(times))]):
+        expect_events(told, events, before, ticks)  # also those of frames that were left out
+    for ticks, shown, _ in frames:
         if ticks % 1024 == 0 and ticks // 1024 < len(hashes):
             expect(shown == hashes[ticks // 1024], f"free-running, time {ticks}/1024: hash {shown}")
 
@@ -147,10 +170,11 @@ def main(image, scene, program, *options):
         folder = pathlib.Path(name)
         pictures = folder / "preview"
         hashes = expected_hashes(program, scene)
+        events = expected_events(program, scene)
         kfast(program, "render", scene, "--panel", "ssd0323", "--all", "-o", pictures)
         in_flash = None if is_linked else scene
-        screenshots = check_stepped(board(image, folder, in_flash), scene, hashes, pictures, folder)
-        check_free_running(board(image, folder, in_flash), hashes)
+        screenshots = check_stepped(board(image, folder, in_flash), scene, hashes, events, pictures, folder)
+        check_free_running(board(image, folder, in_flash), hashes, events)
         check_damaged(image, scene, folder)
         if not is_linked:
             check_error(image, None, "bad_magic", folder)

@@ -1,11 +1,16 @@
+#include "core/kfb_limits.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 using namespace kfast;
 
@@ -36,17 +41,112 @@ void check_stroke(const scene::Stroke& stroke)
     }
 }
 
+/// What keys of drawings and of tracks have in common.
+template <class Key>
+void check_keys(const std::vector<Key>& keys)
+{
+    demand(!keys.empty() && keys.front().time >= Time{0} && keys.back().time.ticks <= kfb::max_time);
+    demand(std::ranges::adjacent_find(keys, std::greater_equal{}, &Key::time) == keys.end());
+    demand(std::ranges::all_of(keys,
+                               [](const Key& key) { return is_valid(key.laws.x) && is_valid(key.laws.y); }));
+}
+
 void check_object(const scene::Object& object, std::size_t colours)
 {
     demand(object.fill || object.stroke);
     demand(!object.fill || *object.fill < colours);
-    demand(!object.stroke || (object.stroke->colour < colours && object.stroke->width >= 1));
-    demand(!object.keys.empty() && object.keys.front().time >= Time{0});
-    demand(std::ranges::adjacent_find(object.keys, std::greater_equal{}, &scene::Key::time) ==
-           object.keys.end());
+    if (object.stroke) {
+        demand(object.stroke->colour < colours);
+        demand(object.stroke->width >= 1 && object.stroke->width <= kfb::max_width);
+        demand(object.stroke->miter_limit >= 8 && object.stroke->miter_limit <= 255);
+    }
+    check_keys(object.keys);
     for (const scene::Key& key : object.keys)
         for (const scene::Stroke& stroke : key.drawing.strokes)
             check_stroke(stroke);
+}
+
+struct Range {
+    std::int32_t low;
+    std::int32_t high;
+};
+
+Range range_of(Property property, std::size_t colours)
+{
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::pivot_x:
+    case Property::pivot_y:
+    case Property::order:
+        return {-32768, 32767};
+    case Property::rotation:
+        return {-kfb::max_turn, kfb::max_turn};
+    case Property::scale_x:
+    case Property::scale_y:
+        return {-kfb::max_scale, kfb::max_scale};
+    case Property::opacity:
+        return {0, 255};
+    case Property::visible:
+        return {0, 1};
+    case Property::fill:
+    case Property::stroke:
+        return {0, static_cast<std::int32_t>(colours) - 1};
+    case Property::width:
+        return {0, kfb::max_width};
+    }
+    std::abort();
+}
+
+void check_tracks(const scene::Item& item, std::size_t colours)
+{
+    demand(std::ranges::adjacent_find(item.tracks, std::greater_equal{}, &scene::Track::property) ==
+           item.tracks.end());
+    for (const scene::Track& track : item.tracks) {
+        check_keys(track.keys);
+        const Range range = range_of(track.property, colours);
+        for (const scene::TrackKey& key : track.keys)
+            demand(key.value >= range.low && key.value <= range.high);
+        const auto* const object = std::get_if<scene::Object>(&item.content);
+        if (track.property == Property::fill)
+            demand(object != nullptr && object->fill);
+        if (track.property == Property::stroke || track.property == Property::width)
+            demand(object != nullptr && object->stroke);
+    }
+}
+
+/// `known` symbols may be used, and `depth` groups and uses lie around. Returns the number of items.
+std::size_t check_items(const scene::Scene& scene, const std::vector<scene::Item>& items, std::size_t known,
+                        int depth)
+{
+    demand(depth <= static_cast<int>(kfb::max_depth));
+    std::size_t count = items.size();
+    for (const scene::Item& item : items) {
+        check_tracks(item, scene.palette.size());
+        if (const auto* const object = std::get_if<scene::Object>(&item.content))
+            check_object(*object, scene.palette.size());
+        else if (const auto* const group = std::get_if<scene::Group>(&item.content))
+            count += check_items(scene, group->items, known, depth + 1);
+        else {
+            const std::size_t symbol = std::get<scene::Use>(item.content).symbol;
+            demand(symbol < known);
+            count += check_items(scene, scene.symbols[symbol].items, symbol, depth + 1);
+        }
+    }
+    return count;
+}
+
+bool is_name(std::string_view name) { return !name.empty() && name.size() <= kfb::max_name_bytes; }
+
+void check_marks(const scene::Scene& scene)
+{
+    demand(scene.clips.size() <= kfb::max_clips);
+    for (const scene::Clip& clip : scene.clips)
+        demand(is_name(clip.name) && clip.begin >= Time{0} && clip.begin < clip.end &&
+               clip.end <= scene.length);
+    demand(std::ranges::is_sorted(scene.events, {}, &scene::Event::time));
+    for (const scene::Event& event : scene.events)
+        demand(is_name(event.name) && event.time >= Time{0} && event.time <= scene.length);
 }
 
 }
@@ -62,8 +162,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     demand(scene.has_value() != diagnostics.has_errors());
     if (!scene)
         return 0;
-    demand(scene->length >= Time::frame(1) && !scene->palette.empty());
-    for (const scene::Object& object : scene->objects)
-        check_object(object, scene->palette.size());
+    demand(scene->length >= Time::frame(1) && !scene->palette.empty() && scene->palette[0].opacity == 255);
+    demand(scene->symbols.size() <= kfb::max_symbols);
+    demand(check_items(*scene, scene->items, scene->symbols.size(), 0) <= kfb::max_items);
+    check_marks(*scene);
     return 0;
 }

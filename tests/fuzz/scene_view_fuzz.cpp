@@ -1,5 +1,6 @@
 #include "core/crc32.hpp"
 #include "core/player.hpp"
+#include "host/every_item.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,24 +12,103 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr Size panel{24, 17};
+constexpr std::size_t most_drawn_edges = 1000; ///< more take too long for a fuzzer
 
-/// Any scene that is not refused can be shown at every frame and between them, within the memory it asks for.
+void demand(bool holds)
+{
+    if (!holds)
+        std::abort();
+}
+
+/// Names and times of marks are what parse() promises.
+void read_marks(const SceneView& scene)
+{
+    for (ClipCursor clips = scene.clips(); !clips.at_end();) {
+        const ClipView clip = clips.next();
+        demand(scene.clip(clip.name).has_value() && clip.begin < clip.end && clip.end <= scene.length());
+    }
+    Time before;
+    for (EventCursor events = scene.events(); !events.at_end();) {
+        const EventView event = events.next();
+        demand(!event.name.empty() && event.time >= before && event.time <= scene.length());
+        before = event.time;
+    }
+}
+
+void read_tracks(const SceneView& scene, TrackCursor tracks)
+{
+    while (!tracks.at_end()) {
+        TrackKeyCursor keys = tracks.next().keys;
+        while (!keys.at_end())
+            demand(is_valid(scene.laws(keys.next().laws).y));
+    }
+}
+
+void read_drawing(PackedDrawing drawing)
+{
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
+        for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
+            drawing.next_segment();
+    demand(drawing.is_sound());
+}
+
+void read_keys(const SceneView& scene, const ObjectView& object)
+{
+    for (KeyCursor keys = object.keys(); !keys.at_end();) {
+        const Key key = keys.next();
+        demand(is_valid(scene.laws(key.laws).x));
+        read_drawing(scene.drawing(key.drawing));
+        if (object.has_arrivals)
+            read_drawing(scene.drawing(key.arrival));
+    }
+}
+
+/// Everything that a scene stores, items that are hidden or used nowhere too.
+void read(const SceneView& scene)
+{
+    read_marks(scene);
+    every_item(scene, [&scene](const ItemView& item) {
+        read_tracks(scene, item.tracks);
+        if (item.kind == ItemKind::object)
+            read_keys(scene, item.object);
+    });
+}
+
+template <PixelFormat format>
+void draw(Player& player)
+{
+    Bytes pixels(row_bytes(format, panel.width) * panel.height);
+    player.draw_rows<format>(panel.height, pixels);
+}
+
+void draw(Player& player, int format)
+{
+    if (format == 0)
+        draw<PixelFormat::rgb565>(player);
+    else if (format == 1)
+        draw<PixelFormat::grey4>(player);
+    else
+        draw<PixelFormat::mono1>(player);
+}
+
+/// Any scene that is not refused can be read, and shown at every frame and between them, within the memory it
+/// asks for.
 void play(std::span<const std::byte> bytes)
 {
     const auto scene = SceneView::parse(bytes);
     if (!scene)
         return;
+    read(*scene);
     Bytes block(Player::block_bytes(*scene, panel));
     auto player = Player::create(*scene, panel, Fit::contain, block);
-    if (!player)
-        std::abort();
-    Bytes pixels(row_bytes(PixelFormat::rgb565, panel.width) * panel.height);
+    demand(static_cast<bool>(player));
     const std::int32_t step = std::max(Time::ticks_per_frame / 2, scene->length().ticks / 50);
+    int format = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
         player->show(time);
-        if (player->edge_count() > scene->max_edges())
-            std::abort();
-        player->draw_rows<PixelFormat::rgb565>(panel.height, pixels);
+        demand(player->edge_count() <= scene->max_edges() && player->step_count() <= scene->paint_steps());
+        if (player->edge_count() <= most_drawn_edges)
+            draw(*player, format++ % 3);
     }
 }
 

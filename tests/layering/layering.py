@@ -10,6 +10,7 @@ MAY_INCLUDE = {
     "firmware": {"firmware", "core"},
     "boards": {"boards", "firmware", "core"},
     "host": {"host", "firmware", "core"},
+    "examples": {"core"},
     "tests": {"tests", "host", "boards", "firmware", "core"},
 }
 
@@ -17,12 +18,15 @@ MAY_INCLUDE = {
 # device_symbols.py.
 FREESTANDING = {
     "algorithm", "array", "bit", "compare", "concepts", "cstddef", "cstdint", "cstdlib", "limits", "optional", "span",
-    "type_traits", "utility",
+    "string_view", "type_traits", "utility",
 }
 FREESTANDING_FOLDERS = {"core", "firmware"}
 
 # Libraries that one file each hides from the rest.
-HIDDEN = {"SDL": r"SDL.*", "hidapi": r"hidapi.*", "libusb": r"libusb.*", "libgpiod": r"gpiod.*"}
+HIDDEN = {
+    "SDL": r"SDL.*", "hidapi": r"hidapi.*", "libusb": r"libusb.*", "libgpiod": r"gpiod.*",
+    "FreeType": r"freetype\.h|ft\w+\.h",
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
