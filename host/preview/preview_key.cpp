@@ -23,7 +23,7 @@ constexpr std::array names{
     Named{"r", PreviewKey::reverse, "backwards, forwards"},
     Named{"c", PreviewKey::next_clip, "next clip"},
     Named{"b", PreviewKey::previous_clip, "clip before"},
-    Named{"h", PreviewKey::help, "this help"},
+    Named{"h", PreviewKey::help, "this help, in the window"},
     Named{"q", PreviewKey::quit, "quit"},
     Named{"escape", PreviewKey::quit, "quit"},
 };

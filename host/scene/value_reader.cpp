@@ -184,9 +184,14 @@ std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading
 void report_unknown_colour(const kdl::Value& value, std::string_view text,
                            std::span<const std::string_view> known, Reading& reading)
 {
+    std::string hexadecimal{'#'};
+    hexadecimal += text;
     if (text.starts_with('#'))
         reading.report.error(value.place, quoted(text) + " is no colour",
                              "write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", \"#rrggbbaa\"");
+    else if (text.size() >= 6 && hex_colour(hexadecimal))
+        reading.report.error(value.place, quoted(text) + " is no colour",
+                             "write " + quoted(hexadecimal) + ", with the quotes");
     else
         reading.report.error(value.place, "unknown colour " + quoted(text), suggestion(text, known));
 }

@@ -192,7 +192,8 @@ TEST_CASE("pieces keep within 1/32 px of their curve as it is seen, whatever mov
 TEST_CASE("exactly on its time a key is drawn undivided, however finely the way divides its curves")
 {
     const scene::Drawing bow = curve({0, 0}, {0, 4000}, {4000, 4000}, {4000, 0});
-    const scene::Drawing line = lines({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {7, 0}, {8, 0}});
+    const scene::Drawing line =
+        lines({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {7, 0}, {8, 0}});
     const auto pieces = [](std::vector<scene::Key> keys) {
         const std::vector<std::byte> bytes = written(scene_of({item(filled(std::move(keys)))}));
         return SceneView::parse(bytes)->items().next().object.keys().next().curve_pieces;

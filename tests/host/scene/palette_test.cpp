@@ -68,6 +68,8 @@ TEST_CASE("a wrong colour is told from an unknown one")
 {
     CHECK(read_on_canvas("palette { ink white }\nobject o fill=inc { key 0 { empty } }").findings ==
           "4:15 error: unknown colour \"inc\" (did you mean \"ink\"?)");
+    CHECK(read_on_canvas("object o fill=ff0000 { key 0 { empty } }").findings ==
+          "3:15 error: \"ff0000\" is no colour (write \"#ff0000\", with the quotes)");
     CHECK(read_on_canvas("object o fill=magenta { key 0 { empty } }").findings ==
           "3:15 error: unknown colour \"magenta\" (allowed: black, silver, gray, grey, white, maroon, red, "
           "purple, fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua)");
