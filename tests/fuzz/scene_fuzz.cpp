@@ -66,47 +66,18 @@ void check_object(const scene::Object& object, std::size_t colours)
             check_stroke(stroke);
 }
 
-struct Range {
-    std::int32_t low;
-    std::int32_t high;
-};
-
-Range range_of(Property property, std::size_t colours)
-{
-    switch (property) {
-    case Property::x:
-    case Property::y:
-    case Property::pivot_x:
-    case Property::pivot_y:
-    case Property::order:
-        return {-32768, 32767};
-    case Property::rotation:
-        return {-kfb::max_turn, kfb::max_turn};
-    case Property::scale_x:
-    case Property::scale_y:
-        return {-kfb::max_scale, kfb::max_scale};
-    case Property::opacity:
-        return {0, 255};
-    case Property::visible:
-        return {0, 1};
-    case Property::fill:
-    case Property::stroke:
-        return {0, static_cast<std::int32_t>(colours) - 1};
-    case Property::width:
-        return {0, kfb::max_width};
-    }
-    std::abort();
-}
-
 void check_tracks(const scene::Item& item, std::size_t colours)
 {
     demand(std::ranges::adjacent_find(item.tracks, std::greater_equal{}, &scene::Track::property) ==
            item.tracks.end());
     for (const scene::Track& track : item.tracks) {
         check_keys(track.keys);
-        const Range range = range_of(track.property, colours);
-        for (const scene::TrackKey& key : track.keys)
-            demand(key.value >= range.low && key.value <= range.high);
+        const ValueRange range = value_range(track.property);
+        const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
+        for (const scene::TrackKey& key : track.keys) {
+            demand(key.value >= range.least && key.value <= range.most);
+            demand(!is_colour || static_cast<std::size_t>(key.value) < colours);
+        }
         const auto* const object = std::get_if<scene::Object>(&item.content);
         if (track.property == Property::fill)
             demand(object != nullptr && object->fill);
