@@ -1,6 +1,7 @@
 #include "host/compiler/track_writer.hpp"
 
 #include "host/compiler/time_code.hpp"
+#include "host/scene/pivot.hpp"
 
 #include <algorithm>
 
@@ -25,17 +26,6 @@ std::int32_t value_without(Property property, const scene::Item& item)
     }
 }
 
-bool is_pivot(const scene::Track* track)
-{
-    return track->property == Property::pivot_x || track->property == Property::pivot_y;
-}
-
-bool turns_or_grows(const scene::Track* track)
-{
-    return track->property == Property::rotation || track->property == Property::scale_x ||
-           track->property == Property::scale_y;
-}
-
 /// Those that make a difference. A pivot makes none where nothing turns or grows.
 std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
 {
@@ -43,8 +33,9 @@ std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
     for (const scene::Track& track : item.tracks)
         if (!is_fixed(track) || track.keys.front().value != value_without(track.property, item))
             tracks.push_back(&track);
-    if (std::ranges::none_of(tracks, turns_or_grows))
-        std::erase_if(tracks, is_pivot);
+    const auto pointed_to = [](const scene::Track* track) -> const scene::Track& { return *track; };
+    if (std::ranges::none_of(tracks, scene::turns_or_grows, pointed_to))
+        std::erase_if(tracks, [](const scene::Track* track) { return scene::is_pivot(*track); });
     return tracks;
 }
 

@@ -53,6 +53,13 @@ void DrawingReader::read_empty(const kdl::Node& node)
         refuse_properties(node, reading_);
 }
 
+void DrawingReader::read(std::span<const kdl::Node* const> nodes)
+{
+    for (const kdl::Node* node : nodes)
+        if (!reading_.report.full())
+            read(*node);
+}
+
 void DrawingReader::read_strokes(const kdl::Node& node)
 {
     has_strokes_ = true;

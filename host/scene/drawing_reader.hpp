@@ -6,6 +6,7 @@
 #include "host/scene/reading.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -26,6 +27,8 @@ public:
 
     /// Adds the strokes of `node`, for which is_drawn() holds; reports it when it is wrong.
     void read(const kdl::Node& node);
+    /// Likewise for all of `nodes`, until there are too many errors.
+    void read(std::span<const kdl::Node* const> nodes);
     Drawing take() { return std::move(drawing_); }
     /// What take() gives, before rounding.
     std::vector<Outline> take_outlines() { return std::move(outlines_); }

@@ -94,9 +94,7 @@ private:
     std::vector<Key> read_still(const std::vector<const kdl::Node*>& nodes)
     {
         DrawingReader drawing{reading_};
-        for (const kdl::Node* node : nodes)
-            if (!reading_.report.full())
-                drawing.read(*node);
+        drawing.read(nodes);
         return {
             Key{.time = {}, .laws = {}, .match = Match::count, .drawing = drawing.take(), .place = place_}};
     }

@@ -48,9 +48,7 @@ void read_items(SymbolEntry& symbol, Reading& reading)
 void read_still(const std::vector<const kdl::Node*>& nodes, SymbolEntry& symbol, Reading& reading)
 {
     DrawingReader drawing{reading};
-    for (const kdl::Node* node : nodes)
-        if (!reading.report.full())
-            drawing.read(*node);
+    drawing.read(nodes);
     symbol.depth = drawing.depth();
     symbol.still = drawing.take_outlines();
     symbol.keys = {

@@ -1,5 +1,6 @@
 #include "host/scene/track_builder.hpp"
 
+#include "host/scene/pivot.hpp"
 #include "host/scene/property_rule.hpp"
 
 #include <algorithm>
@@ -32,8 +33,6 @@ LawPair laws_for(Property property, const KeyLaws& laws)
 }
 
 bool is_painted(Property property) { return property >= Property::fill; }
-
-bool is_pivot(Property property) { return property == Property::pivot_x || property == Property::pivot_y; }
 
 void warn_of_idle_pivot(const kdl::Node& node, Reading& reading)
 {
@@ -70,14 +69,6 @@ Track build_track(Property property, std::optional<std::int32_t> own, std::span<
     return {property, {TrackKey{.time = {}, .laws = {}, .value = first}}};
 }
 
-bool turns_or_grows(const std::vector<Track>& tracks)
-{
-    return std::ranges::any_of(tracks, [](const Track& track) {
-        return track.property == Property::rotation || track.property == Property::scale_x ||
-               track.property == Property::scale_y;
-    });
-}
-
 }
 
 std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
@@ -86,14 +77,14 @@ std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
     std::vector<Track> tracks;
     for (std::size_t i = 0; i < property_count; ++i) {
         const auto property = static_cast<Property>(i);
-        if (is_pivot(property) && !turns_or_grows(tracks))
-            continue;
         Track track = build_track(property, values.get(property), keys);
         if (!track.keys.empty())
             tracks.push_back(std::move(track));
     }
-    if (!turns_or_grows(tracks))
+    if (std::ranges::none_of(tracks, turns_or_grows)) {
+        std::erase_if(tracks, is_pivot);
         warn_of_idle_pivot(node, reading);
+    }
     return tracks;
 }
 
