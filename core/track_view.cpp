@@ -5,6 +5,8 @@
 namespace kfast {
 namespace {
 
+constexpr std::uint32_t property_bits = 0x3F;
+constexpr std::uint32_t smooth_bit = 0x40;
 constexpr std::uint32_t fixed_bit = 0x80;
 
 /// 2 v for v >= 0, -2 v - 1 below.
@@ -19,7 +21,7 @@ std::int32_t read_signed(ByteReader& bytes)
 TrackKey TrackKeyCursor::next()
 {
     time_ = time_ + read_time_code(bytes_);
-    const std::uint32_t laws = bytes_.u8();
+    const std::uint32_t laws = is_smooth_ ? 0 : bytes_.u8();
     return {.time = time_, .laws = laws, .value = read_signed(bytes_)};
 }
 
@@ -28,12 +30,13 @@ TrackView TrackCursor::next()
     --left_;
     const std::uint32_t head = bytes_.u8();
     TrackView track;
-    track.property = static_cast<Property>(head & ~fixed_bit);
+    track.property = static_cast<Property>(head & property_bits);
+    track.is_smooth = (head & smooth_bit) != 0;
     if ((head & fixed_bit) != 0) {
         track.is_fixed = true;
         track.value = read_signed(bytes_);
     } else {
-        track.keys = TrackKeyCursor{bytes_.take(bytes_.varint())};
+        track.keys = TrackKeyCursor{bytes_.take(bytes_.varint()), track.is_smooth};
     }
     return track;
 }

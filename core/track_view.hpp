@@ -11,7 +11,7 @@ namespace kfast {
 /// One key of a track, and the way from it to the next.
 struct TrackKey {
     Time time;
-    std::uint32_t laws = 0; ///< number of the pair of laws
+    std::uint32_t laws = 0; ///< number of the pair of laws; 0 in a smooth track
     std::int32_t value = 0; ///< in the unit of the property
 };
 
@@ -19,7 +19,9 @@ struct TrackKey {
 class TrackKeyCursor {
 public:
     TrackKeyCursor() = default;
-    explicit TrackKeyCursor(ByteReader bytes) : bytes_{bytes} {}
+    explicit TrackKeyCursor(ByteReader bytes, bool is_smooth = false) : bytes_{bytes}, is_smooth_{is_smooth}
+    {
+    }
 
     bool at_end() const { return bytes_.left() == 0; }
     /// Only when not at the end.
@@ -28,6 +30,7 @@ public:
 
 private:
     ByteReader bytes_;
+    bool is_smooth_ = false;
     Time time_;
 };
 
@@ -35,6 +38,7 @@ private:
 struct TrackView {
     Property property = Property::x;
     bool is_fixed = false;
+    bool is_smooth = false; ///< between its keys runs a cubic Hermite curve; not of a fixed track
     std::int32_t value = 0; ///< only of a fixed track
     TrackKeyCursor keys;    ///< only of a track that is not fixed
 };

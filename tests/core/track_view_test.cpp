@@ -9,8 +9,8 @@ namespace kfast::test {
 
 TEST_CASE("tracks are read in their order, fixed ones and those with keys, and what follows is left")
 {
-    const auto tracks = bytes({0x82, 0x80, 0x80, 2,                   // rotation, a quarter turn
-                               7, 8, 0, 1, 0xFE, 3, 0x81, 0x58, 2, 0, // opacity from 255 to 0
+    const auto tracks = bytes({0x85, 0x80, 0x80, 2,                    // rotation, a quarter turn
+                               11, 8, 0, 1, 0xFE, 3, 0x81, 0x58, 2, 0, // opacity from 255 to 0
                                99});
     TrackCursor cursor{ByteReader{tracks}, 2};
     const TrackView rotation = cursor.next();
@@ -22,6 +22,7 @@ TEST_CASE("tracks are read in their order, fixed ones and those with keys, and w
     CHECK(cursor.at_end());
     CHECK(opacity.property == Property::opacity);
     CHECK_FALSE(opacity.is_fixed);
+    CHECK_FALSE(opacity.is_smooth);
     TrackKeyCursor keys = opacity.keys;
     const TrackKey first = keys.next();
     CHECK(first.time == Time{});
@@ -34,6 +35,27 @@ TEST_CASE("tracks are read in their order, fixed ones and those with keys, and w
     CHECK(keys.at_end());
     CHECK_FALSE(keys.overrun());
     CHECK(cursor.rest().left() == 1);
+}
+
+TEST_CASE("keys of a smooth track have no laws")
+{
+    const auto tracks = bytes({0x42, 5, 0, 0x80, 1, 4, 3, 0x80, 2}); // z; then a fixed x
+    TrackCursor cursor{ByteReader{tracks}, 2};
+    const TrackView z = cursor.next();
+    CHECK(z.property == Property::z);
+    CHECK(z.is_smooth);
+    CHECK_FALSE(z.is_fixed);
+    TrackKeyCursor keys = z.keys;
+    const TrackKey first = keys.next();
+    CHECK(first.time == Time{});
+    CHECK(first.laws == 0);
+    CHECK(first.value == 64);
+    const TrackKey second = keys.next();
+    CHECK(second.time == Time::frame(2));
+    CHECK(second.value == -2);
+    CHECK(keys.at_end());
+    CHECK_FALSE(keys.overrun());
+    CHECK_FALSE(cursor.next().is_smooth);
 }
 
 TEST_CASE("values are signed: even codes from 0 up, odd ones from -1 down")

@@ -32,6 +32,12 @@ class Library(unittest.TestCase):
     def test_morph_writes_the_strip_next_to_it(self):
         self.assertEqual(run(PROGRAMS / "morph").stdout, (EXAMPLES / "library/morph.svg").read_text())
 
+    def test_track_passes_its_key_times(self):
+        heights = dict(map(float, line.split()) for line in run(PROGRAMS / "track").stdout.splitlines())
+        self.assertEqual(list(heights), [*range(25)])
+        self.assertEqual([heights[frame] for frame in (0, 6, 12, 18, 24)], [0, 135, 180, 135, 0])
+        self.assertEqual(heights[3], 56.25)
+
     def test_play_draws_what_the_command_draws(self):
         scene, picture = self.folder / "scene.kfb", self.folder / "picture.png"
         run(KFAST, "compile", EXAMPLES / "first-light.kfast", "-o", scene)

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/hermite.hpp"
+#include "core/key_interval.hpp"
+#include "core/scene_view.hpp"
+#include "core/track_view.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Two values of keys, and how far the way from one to the other has come.
+struct Passage {
+    std::int32_t from;
+    std::int32_t to;
+    Way way;
+};
+
+/// Which of the two laws of a key governs.
+enum class LawAxis : std::uint8_t { x, y };
+
+/// `keys` has at least one.
+Passage passage_at(const SceneView& scene, TrackKeyCursor keys, LawAxis axis, Time time);
+
+/// Rounded to nearest, halves up, in 1/256 of the unit of the values.
+constexpr std::int32_t fine_value(const Passage& passage)
+{
+    return passage.from * (1 << fine_bits) +
+           multiply(passage.to - passage.from, passage.way.raw, 16 - fine_bits);
+}
+
+}
