@@ -2,6 +2,7 @@
 
 #include "core/point.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace kfast {
@@ -25,6 +26,11 @@ struct Affine {
 
     friend bool operator==(const Affine&, const Affine&) = default;
 };
+
+constexpr std::int32_t held_factor(std::int64_t value)
+{
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, -Affine::steepest, Affine::steepest));
+}
 
 /// First `inner`, then `outer`; rounded to the units of both. The shift of `inner` is within 65536 px. What
 /// would grow beyond Affine::steepest is held there.

@@ -33,6 +33,12 @@ std::int32_t arctangent(std::int32_t ratio)
     return multiply(ratio, polynomial(arctangent_terms, ratio * ratio), 29);
 }
 
+/// sin(at * 90 degrees) in Q30 for `at` in Q30, 0 … 1.
+std::int32_t quarter_sine(std::int32_t at)
+{
+    return multiply(at, polynomial(sine_terms, static_cast<std::int32_t>((std::int64_t{at} * at) >> 30)), 30);
+}
+
 /// smaller / larger in Q15 for 0 <= smaller <= larger, larger > 0.
 std::int32_t ratio_q15(std::uint32_t smaller, std::uint32_t larger)
 {
@@ -44,24 +50,18 @@ std::int32_t ratio_q15(std::uint32_t smaller, std::uint32_t larger)
 
 }
 
-std::int32_t quarter_sine(Share share)
+std::int32_t quarter_sine(Share share) { return quarter_sine(static_cast<std::int32_t>(share.raw << 14)); }
+
+std::int32_t sine(FineAngle angle)
 {
-    const auto at = static_cast<std::int32_t>(share.raw << 14);
-    return multiply(at, polynomial(sine_terms, static_cast<std::int32_t>((std::int64_t{at} * at) >> 30)), 30);
+    constexpr std::uint32_t half_turn = 1U << 31;
+    const std::uint32_t within_half = angle.raw & (half_turn - 1);
+    const std::uint32_t size = std::min(within_half, half_turn - within_half);
+    const std::int32_t quarter = quarter_sine(static_cast<std::int32_t>(size));
+    return angle.raw < half_turn ? quarter : -quarter;
 }
 
-std::int32_t sine(BinaryAngle angle)
-{
-    const std::uint32_t within_half = angle.raw & (BinaryAngle::half_turn - 1);
-    const std::uint32_t from_end = static_cast<std::uint32_t>(BinaryAngle::half_turn) - within_half;
-    const std::int32_t size = quarter_sine({std::min(within_half, from_end) * 4});
-    return angle.raw < BinaryAngle::half_turn ? size : -size;
-}
-
-std::int32_t cosine(BinaryAngle angle)
-{
-    return sine(BinaryAngle::from_raw(angle.raw + BinaryAngle::quarter_turn));
-}
+std::int32_t cosine(FineAngle angle) { return sine(FineAngle{angle.raw + (1U << 30)}); }
 
 BinaryAngle direction(std::int32_t x, std::int32_t y)
 {

@@ -20,6 +20,21 @@ struct BinaryAngle {
     friend constexpr bool operator==(BinaryAngle, BinaryAngle) = default;
 };
 
+/// A direction in 1/2^32 turn, clockwise on the screen. Sums wrap.
+struct FineAngle {
+    std::uint32_t raw = 0;
+
+    static constexpr FineAngle of(BinaryAngle angle) { return {std::uint32_t{angle.raw} << 16}; }
+    /// `turns` is in 1/2^24 turn, as the angles of tracks are computed (1/256 of 1/65536).
+    static constexpr FineAngle of_fine(std::int32_t turns)
+    {
+        return {static_cast<std::uint32_t>(turns) << 8};
+    }
+
+    friend constexpr bool operator==(FineAngle, FineAngle) = default;
+    friend constexpr FineAngle operator+(FineAngle a, FineAngle b) { return {a.raw + b.raw}; }
+};
+
 /// The shortest way from `from` to `to` in 1/65536 turn, -32768 … 32767, positive clockwise.
 constexpr std::int32_t shortest_turn(BinaryAngle from, BinaryAngle to)
 {
@@ -33,8 +48,10 @@ inline constexpr std::int32_t one_q30 = 1 << 30;
 std::int32_t quarter_sine(Share share);
 
 /// In Q30, within 16 units of the exact value.
-std::int32_t sine(BinaryAngle angle);
-std::int32_t cosine(BinaryAngle angle);
+std::int32_t sine(FineAngle angle);
+std::int32_t cosine(FineAngle angle);
+inline std::int32_t sine(BinaryAngle angle) { return sine(FineAngle::of(angle)); }
+inline std::int32_t cosine(BinaryAngle angle) { return cosine(FineAngle::of(angle)); }
 
 /// The direction of the vector (x, y), within 1 unit of the exact value; 0 for the vector (0, 0).
 /// |x| and |y| are less than 2^31.

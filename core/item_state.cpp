@@ -1,21 +1,12 @@
 #include "core/item_state.hpp"
 
-#include "core/angle.hpp"
-#include "core/key_interval.hpp"
+#include "core/hermite.hpp"
+#include "core/passage.hpp"
 
 #include <algorithm>
 
 namespace kfast {
 namespace {
-
-constexpr int fine_bits = 8; ///< ItemState keeps values in 1/256
-
-/// Two values of a track, and how far the way from one to the other has come.
-struct Passage {
-    std::int32_t from;
-    std::int32_t to;
-    Way way;
-};
 
 bool tweens(Property property) { return property != Property::order && property != Property::visible; }
 
@@ -23,18 +14,10 @@ Passage passage_at(const SceneView& scene, const TrackView& track, Time time)
 {
     if (track.is_fixed)
         return {track.value, track.value, {}};
-    const auto [from, to] = interval_at(track.keys, time);
-    if (from.value == to.value || !tweens(track.property))
-        return {from.value, from.value, {}};
-    const LawPair laws = scene.laws(from.laws);
-    const Progress progress = progress_between(from.time, to.time, time, laws);
-    return {from.value, to.value, goes_by_y(track.property) ? progress.y : progress.x};
-}
-
-/// Rounded to nearest, halves up.
-std::int32_t fine_value(const Passage& passage)
-{
-    return (passage.from << fine_bits) + multiply(passage.to - passage.from, passage.way.raw, 16 - fine_bits);
+    if (tweens(track.property))
+        return passage_at(scene, track.keys, goes_by_y(track.property) ? LawAxis::y : LawAxis::x, time);
+    const std::int32_t value = interval_at(track.keys, time).from.value;
+    return {value, value, {}};
 }
 
 std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Way way)
@@ -61,6 +44,19 @@ std::int32_t scaled_component(std::int32_t component, std::int32_t scale)
     return multiply(component, scale, 34);
 }
 
+/// A unit vector's component in Q30, in Q16.
+std::int32_t component(std::int32_t q30) { return (q30 + (1 << 13)) >> 14; }
+
+/// Of two components of unit vectors.
+std::int32_t product(std::int32_t a, std::int32_t b) { return multiply(a, b, 30); }
+
+struct Direction {
+    explicit Direction(FineAngle angle) : cosine{kfast::cosine(angle)}, sine{kfast::sine(angle)} {}
+
+    std::int32_t cosine; ///< Q30
+    std::int32_t sine;
+};
+
 std::int64_t within_shift(std::int64_t shift)
 {
     constexpr std::int64_t furthest = std::int64_t{65536} * Fixed::one;
@@ -81,10 +77,16 @@ ItemState::ItemState(const SceneView& scene, const ItemView& item, Time time) : 
         stroke_ = scene.colour(style.stroke);
     for (TrackCursor tracks = item.tracks; !tracks.at_end();)
         read(scene, tracks.next(), time);
+    if (item.path.is_known)
+        follow(item.path, scene.drawing(item.path.drawing));
 }
 
 void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
 {
+    if (track.is_smooth) {
+        fine_[static_cast<std::size_t>(track.property)] = hermite(hermite_span_at(track.keys, time), time);
+        return;
+    }
     const Passage passage = passage_at(scene, track, time);
     if (track.property == Property::fill)
         fill_ = colour_of(scene, passage);
@@ -101,25 +103,54 @@ std::uint32_t ItemState::opacity() const
     return static_cast<std::uint32_t>(std::clamp<std::int32_t>(whole(Property::opacity), 0, 255));
 }
 
-Affine ItemState::placement() const
+/// Puts the pivot onto the path.
+void ItemState::follow(const PathView& path, const PackedDrawing& stroke)
 {
-    const std::int32_t scale_x = fine(Property::scale_x);
-    const std::int32_t scale_y = fine(Property::scale_y);
-    const BinaryAngle angle = BinaryAngle::from_raw(whole(Property::rotation));
-    const std::int32_t along = cosine(angle);
-    const std::int32_t across = sine(angle);
+    const PathPlace place = place_on(path, stroke, fine(Property::along));
+    position_ = place.at - Point{pixels(Property::pivot_x), pixels(Property::pivot_y)};
+    if (path.turns)
+        turned_ = FineAngle::of(place.direction);
+}
+
+Space ItemState::placement() const
+{
+    const Space turned = turning();
     const Fixed pivot_x = pixels(Property::pivot_x);
     const Fixed pivot_y = pixels(Property::pivot_y);
-    const Affine turned{.xx = scaled_component(along, scale_x),
-                        .xy = scaled_component(-across, scale_y),
-                        .yx = scaled_component(across, scale_x),
-                        .yy = scaled_component(along, scale_y),
-                        .x0 = std::int64_t{pixels(Property::x).raw()} + pivot_x.raw(),
-                        .y0 = std::int64_t{pixels(Property::y).raw()} + pivot_y.raw()};
-    Affine placed = turned * Affine{.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()};
-    placed.x0 = within_shift(placed.x0);
-    placed.y0 = within_shift(placed.y0);
+    Space placed = turned * Space{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
+    const auto shift = [](std::int64_t from_pivot, Fixed position, Fixed along_path, Fixed pivot) {
+        return within_shift(from_pivot + position.raw() + along_path.raw() + pivot.raw());
+    };
+    placed.plane.x0 = shift(placed.plane.x0, pixels(Property::x), position_.x, pivot_x);
+    placed.plane.y0 = shift(placed.plane.y0, pixels(Property::y), position_.y, pivot_y);
+    placed.z0 = shift(placed.z0, pixels(Property::z), {}, {});
     return placed;
+}
+
+/// Scale, then turn about z, y and x; every factor is rounded to Q16 once.
+Space ItemState::turning() const
+{
+    const Direction z{angle(Property::rotation) + turned_};
+    const std::int32_t scale_x = fine(Property::scale_x);
+    const std::int32_t scale_y = fine(Property::scale_y);
+    if (angle(Property::rotation_x) == FineAngle{} && angle(Property::rotation_y) == FineAngle{})
+        return {.plane = {.xx = scaled_component(z.cosine, scale_x),
+                          .xy = scaled_component(-z.sine, scale_y),
+                          .yx = scaled_component(z.sine, scale_x),
+                          .yy = scaled_component(z.cosine, scale_y)}};
+    const Direction x{angle(Property::rotation_x)};
+    const Direction y{angle(Property::rotation_y)};
+    const std::int32_t deep_x = -product(y.sine, z.cosine); // where turns about z and y take x and y in z
+    const std::int32_t deep_y = product(y.sine, z.sine);
+    return {.plane = {.xx = scaled_component(product(y.cosine, z.cosine), scale_x),
+                      .xy = scaled_component(-product(y.cosine, z.sine), scale_y),
+                      .yx = scaled_component(product(x.cosine, z.sine) - product(x.sine, deep_x), scale_x),
+                      .yy = scaled_component(product(x.cosine, z.cosine) - product(x.sine, deep_y), scale_y)},
+            .xz = component(y.sine),
+            .yz = component(-product(x.sine, y.cosine)),
+            .zx = scaled_component(product(x.sine, z.sine) + product(x.cosine, deep_x), scale_x),
+            .zy = scaled_component(product(x.sine, z.cosine) + product(x.cosine, deep_y), scale_y),
+            .zz = component(product(x.cosine, y.cosine))};
 }
 
 Fixed ItemState::width() const { return std::max(pixels(Property::width), Fixed{}); }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/affine.hpp"
+#include "core/angle.hpp"
 #include "core/colour.hpp"
 #include "core/item_view.hpp"
 #include "core/scene_view.hpp"
+#include "core/space.hpp"
 #include "core/time.hpp"
 
 #include <array>
@@ -18,8 +19,8 @@ public:
 
     /// 0 … 255; 0 if the item is not to be seen at all.
     std::uint32_t opacity() const;
-    /// From the item's own plane to the plane of what it lies in.
-    Affine placement() const;
+    /// From the item's own space to that of what it lies in.
+    Space placement() const;
     /// Only of a filled object.
     Colour fill() const { return fill_; }
     /// Only of a stroked object.
@@ -32,8 +33,13 @@ private:
     std::int32_t fine(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
     std::int32_t whole(Property property) const;
     Fixed pixels(Property property) const;
+    FineAngle angle(Property property) const { return FineAngle::of_fine(fine(property)); }
+    void follow(const PathView& path, const PackedDrawing& stroke);
+    Space turning() const;
 
     std::array<std::int32_t, property_count> fine_; ///< in 1/256 of the unit of the property
+    Point position_;                                ///< that a path gives it
+    FineAngle turned_;                              ///< by a path
     Colour fill_;
     Colour stroke_;
 };

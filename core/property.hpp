@@ -9,26 +9,40 @@ namespace kfast {
 
 /// What a track of an item moves; the values are those of the scene format.
 ///
-/// An item turns and grows about its pivot, then moves: p' = position + pivot + rotation (scale (p - pivot)).
+/// An item turns and grows about its pivot, then moves: p' = position + pivot + Rx (Ry (Rz (scale (p -
+/// pivot)))). z points at the viewer. Rz turns x towards y, Rx turns y towards z, Ry turns z towards x (as in
+/// CSS): a rotation about x takes the upper edge away from the viewer, one about y the right edge.
 enum class Property : std::uint8_t {
-    x,        ///< of the position, in 1/16 px
-    y,        ///< of the position, in 1/16 px
-    rotation, ///< clockwise, in 1/65536 turn; may be several turns
-    scale_x,  ///< in 1/4096; negative mirrors
-    scale_y,  ///< in 1/4096; negative mirrors
-    pivot_x,  ///< in 1/16 px
-    pivot_y,  ///< in 1/16 px
-    opacity,  ///< 0 … 255
-    order,    ///< among the items beside it, -32768 … 32767; the lowest is painted first. Does not tween
-    visible,  ///< 0 or 1; does not tween
-    fill,     ///< index of the palette; only of filled objects
-    stroke,   ///< index of the palette; only of stroked objects
-    width,    ///< of the stroke, in 1/16 px; only of stroked objects
+    x,          ///< of the position, in 1/16 px
+    y,          ///< of the position, in 1/16 px
+    z,          ///< of the position, in 1/16 px
+    rotation_x, ///< in 1/65536 turn; may be several turns
+    rotation_y, ///< likewise
+    rotation,   ///< about z, clockwise, likewise
+    scale_x,    ///< in 1/4096; negative mirrors
+    scale_y,    ///< in 1/4096; negative mirrors
+    pivot_x,    ///< in 1/16 px
+    pivot_y,    ///< in 1/16 px
+    along,      ///< share of the item's path that the pivot has come, in 1/65536; only of items with a path
+    opacity,    ///< 0 … 255
+    order,      ///< among the items beside it, -32768 … 32767; the lowest is painted first. Does not tween
+    visible,    ///< 0 or 1; does not tween
+    fill,       ///< index of the palette; only of filled objects. Not in smooth tracks, as the two before
+    stroke,     ///< index of the palette; only of stroked objects. Likewise
+    width,      ///< of the stroke, in 1/16 px; only of stroked objects
 };
 
-inline constexpr std::size_t property_count = 13;
+inline constexpr std::size_t property_count = 17;
 
-inline constexpr std::int32_t scale_one = 4096; ///< a scale that changes nothing
+inline constexpr std::int32_t scale_one = 4096;   ///< a scale that changes nothing
+inline constexpr std::int32_t path_whole = 65536; ///< the end of a path
+
+/// Whether a track of it may be smooth: its values are amounts.
+constexpr bool may_be_smooth(Property property)
+{
+    return property != Property::order && property != Property::visible && property != Property::fill &&
+           property != Property::stroke;
+}
 
 /// Whether a way goes by the law for y; all others go by that for x.
 constexpr bool goes_by_y(Property property)
@@ -63,15 +77,20 @@ constexpr ValueRange value_range(Property property)
     switch (property) {
     case Property::x:
     case Property::y:
+    case Property::z:
     case Property::pivot_x:
     case Property::pivot_y:
     case Property::order:
         return {-32768, 32767};
+    case Property::rotation_x:
+    case Property::rotation_y:
     case Property::rotation:
         return {-kfb::max_turn, kfb::max_turn};
     case Property::scale_x:
     case Property::scale_y:
         return {-kfb::max_scale, kfb::max_scale};
+    case Property::along:
+        return {0, path_whole};
     case Property::opacity:
     case Property::fill:
     case Property::stroke:

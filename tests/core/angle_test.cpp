@@ -22,6 +22,51 @@ TEST_CASE("sine and cosine are within 16 units of Q30 over the whole turn")
     CHECK(worst <= 16);
 }
 
+TEST_CASE("of any fine angle, sine and cosine are within 16 units")
+{
+    constexpr double fine_radians = radians / 65536;
+    std::mt19937 random{5};
+    double worst = 0;
+    for (int round = 0; round < 400'000; ++round) {
+        const auto raw = static_cast<std::uint32_t>(random());
+        const auto error = [](FineAngle angle) {
+            return std::max(std::abs(sine(angle) - std::sin(angle.raw * fine_radians) * one_q30),
+                            std::abs(cosine(angle) - std::cos(angle.raw * fine_radians) * one_q30));
+        };
+        worst = std::max(worst, error({raw}));
+    }
+    CHECK(worst <= 16);
+}
+
+TEST_CASE(
+    "the sine of a fine angle hardly ever falls in the first quarter turn, nor does it jump at its ends")
+{
+    std::int32_t before = -1;
+    std::int32_t deepest = 0;
+    for (std::uint32_t raw = 0; raw <= 1U << 30; raw += 1U << 11) {
+        deepest = std::max(deepest, before - sine(FineAngle{raw}));
+        before = sine(FineAngle{raw});
+    }
+    CHECK(deepest <= 4);
+    for (const std::uint32_t quarter : {0U, 1U, 2U, 3U})
+        for (const auto function : {static_cast<std::int32_t (*)(FineAngle)>(sine),
+                                    static_cast<std::int32_t (*)(FineAngle)>(cosine)}) {
+            const std::int32_t at = function(FineAngle{quarter << 30});
+            CHECK((at == 0 || std::abs(at) == one_q30));
+            for (const std::uint32_t near : {(quarter << 30) - 1, (quarter << 30) + 1})
+                CHECK(std::abs(function(FineAngle{near}) - at) <= 4);
+        }
+}
+
+TEST_CASE("fine angles of tracks and of directions are the same turns, and sums wrap")
+{
+    CHECK(FineAngle::of({16384}).raw == 1U << 30);
+    CHECK(FineAngle::of_fine(16384 * 256) == FineAngle::of({16384}));
+    CHECK(FineAngle::of_fine(-16384 * 256) == FineAngle::of({49152}));
+    CHECK(FineAngle::of_fine(5 * 65536 * 256 + 77) == FineAngle::of_fine(77));
+    CHECK(FineAngle::of({49152}) + FineAngle::of({32768}) == FineAngle::of({16384}));
+}
+
 TEST_CASE("the quarter sine never falls and is exact at its ends")
 {
     int falls = 0;

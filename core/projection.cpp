@@ -1,0 +1,82 @@
+#include "core/projection.hpp"
+
+#include "core/held_point.hpp"
+#include "core/sum_of_products.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace kfast {
+namespace {
+
+constexpr int nearness_bits = 24;
+constexpr int widest_dividend = 62;
+
+/// Bits that the distance has too many for a dividend.
+int excess_bits(std::int64_t distance)
+{
+    const auto bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(distance)));
+    return std::max(0, bits + nearness_bits - widest_dividend);
+}
+
+/// Farther from the middle, points are held: projected, they are out of sight, or too far away to matter.
+std::int64_t within_reach(std::int64_t distance)
+{
+    constexpr std::int64_t farthest = std::int64_t{1} << 34;
+    return std::clamp(distance, -farthest, farthest);
+}
+
+std::int64_t times(std::int64_t value, std::int64_t nearness)
+{
+    constexpr std::int64_t half = 1 << (nearness_bits - 1);
+    return (value * nearness + half) >> nearness_bits;
+}
+
+}
+
+Projection::Projection(const Space& space, const Camera& camera)
+    : space_{space}, camera_{camera}, shift_{excess_bits(camera.distance)}
+{
+    space_.plane.x0 -= camera.x;
+    space_.plane.y0 -= camera.y;
+}
+
+Point Projection::operator()(Point point) const
+{
+    const Affine& plane = space_.plane;
+    const std::int64_t x = sum_of_products(plane.xx, point.x.raw(), plane.xy, point.y.raw()) + plane.x0;
+    const std::int64_t y = sum_of_products(plane.yx, point.x.raw(), plane.yy, point.y.raw()) + plane.y0;
+    const std::int64_t near = nearness(point);
+    return held_point(camera_.x + times(within_reach(x), near), camera_.y + times(within_reach(y), near));
+}
+
+/// d / (d - z) in Q24, 0 … 16.
+std::int64_t Projection::nearness(Point point) const
+{
+    const std::int64_t z = sum_of_products(space_.zx, point.x.raw(), space_.zy, point.y.raw()) + space_.z0;
+    const std::int64_t least = std::max<std::int64_t>(camera_.distance >> 4, 1);
+    const std::int64_t left = std::max(camera_.distance - z, least);
+    const std::int64_t divisor = std::max<std::int64_t>(left >> shift_, 1);
+    return ((camera_.distance >> shift_ << nearness_bits) + divisor / 2) / divisor;
+}
+
+// With n = d / (d - z), a point x is seen at n x, and n changes by n^2 / d for each step in z: the seen x
+// changes by n (dx + n x / d dz).
+std::int32_t Projection::growth_at(Point point) const
+{
+    const std::int64_t near = nearness(point);
+    const Point seen = (*this)(point);
+    const auto seen_x = static_cast<std::int64_t>(seen.x.raw()) - camera_.x;
+    const auto seen_y = static_cast<std::int64_t>(seen.y.raw()) - camera_.y;
+    const auto grown = [&](std::int32_t own, std::int64_t at, std::int32_t depth) {
+        return held_factor(times(own + within_reach(at * depth / camera_.distance), near));
+    };
+    const Affine& plane = space_.plane;
+    return Affine{.xx = grown(plane.xx, seen_x, space_.zx),
+                  .xy = grown(plane.xy, seen_x, space_.zy),
+                  .yx = grown(plane.yx, seen_y, space_.zx),
+                  .yy = grown(plane.yy, seen_y, space_.zy)}
+        .growth();
+}
+
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/point.hpp"
+#include "core/size.hpp"
+#include "core/space.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Where the viewer is: in front of the middle of the panel.
+struct Camera {
+    std::int64_t x; ///< in 1/65536 px of the panel, as the others
+    std::int64_t y;
+    std::int64_t distance; ///< at least 1, less than 2^44
+};
+
+/// How the viewer sees the plane of an item: c + ((x, y) - c) d / (d - z), where c is opposite to the viewer
+/// and d the distance. d - z is held at d / 16 or more.
+class Projection {
+public:
+    Projection(const Space& space, const Camera& camera);
+
+    /// To the panel, within 1/64 px for points that are seen less than 512 px from its middle.
+    Point operator()(Point point) const;
+    /// By what lengths around `point` grow, in Q16: the square root of what areas grow by, rounded down.
+    std::int32_t growth_at(Point point) const;
+
+private:
+    std::int64_t nearness(Point point) const;
+
+    Space space_;
+    Camera camera_;
+    int shift_; ///< of the distance, so that it can be divided
+};
+
+}
