@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/scene_view.hpp"
+
+namespace kfast {
+
+/// Whether nothing is wrong with the scene's skeletons of bones; `laws` pairs of laws are stored.
+bool bones_are_sound(const SceneView& scene, std::uint32_t laws);
+
+}

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/drawing_reader.hpp"
+#include "core/live_bones.hpp"
+#include "core/packed_drawing.hpp"
+#include "core/skin_reader.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// A key drawing as bones carry it at one moment, or, without a skin, as it was drawn.
+///
+/// A point moves as it would at rest, and keeps its distance from there: p + (bones(r) - r). Control points
+/// go with the vertex that they belong to. Held within ±4095 px, so that drawings can be tweened.
+class CarriedDrawing {
+public:
+    explicit CarriedDrawing(const PackedDrawing& drawing) : drawing_{drawing}, at_rest_{drawing} {}
+    /// `bones` are those of the skin's skeleton, posed; they must outlive this. `at_rest` is the skin's, or
+    /// `drawing` again.
+    CarriedDrawing(const PackedDrawing& drawing, const PackedDrawing& at_rest, const SkinReader& skin,
+                   std::span<const LiveBone> bones)
+        : drawing_{drawing}, at_rest_{at_rest}, skin_{skin}, bones_{bones}
+    {
+    }
+
+    std::uint32_t strokes() const { return drawing_.strokes(); }
+    std::uint32_t next_stroke();
+    Point start() const { return start_; }
+    Segment next_segment();
+
+private:
+    bool is_carried() const { return !bones_.empty(); }
+    Point carried(Point point, Point at_rest, const Binding& binding) const;
+
+    PackedDrawing drawing_;
+    PackedDrawing at_rest_; ///< read in step with the other if there is one
+    SkinReader skin_;
+    std::span<const LiveBone> bones_;
+    Binding binding_; ///< of the vertex read last
+    Point start_;
+    Point at_; ///< that vertex as it is carried
+};
+
+static_assert(DrawingReader<CarriedDrawing>);
+
+}
