@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/backbone_view.hpp"
+#include "core/key_interval.hpp"
+#include "core/packed_drawing.hpp"
+#include "core/segment.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// A node of a backbone and the points of its outline, on the canvas; or the gap between two backbones.
+struct BackboneNode {
+    Point middle;
+    Point left;
+    Point right;
+    std::int32_t backbone = -1; ///< its number; -1 for a gap
+};
+
+/// Nodes and gaps for backbones as `drawing` has them: three strokes each.
+std::size_t backbone_node_count(PackedDrawing drawing);
+
+/// The backbones of an object at one moment, and the map from relative coordinates to the canvas.
+///
+/// The node at a place lies at that place in the list, so that relative coordinates (docs/format.md,
+/// "Backbones") lead to it without a search.
+class LiveBackbones {
+public:
+    /// `nodes` has room for as many as backbone_node_count() says and must outlive this. `from` and `to` are
+    /// two drawings of the backbones, on whose way `way` has come.
+    LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
+                  PackedDrawing to, Progress way);
+
+    /// To the canvas, held within ±4095 px; rounded to 1/65536 px three times.
+    Point place(Point relative) const;
+    /// Between two points in relative coordinates: through these where both belong to one backbone, which a
+    /// way that swings far does not leave either; else straight from one place to the other. Within ±16380
+    /// px.
+    Point between(Point a, Point b, Progress way) const;
+    /// Likewise for the points of two segments; a line paired with a curve becomes a curve.
+    Segment between(const Segment& a, const Segment& b, Progress way) const;
+
+private:
+    /// Where on which segment.
+    struct Cell {
+        std::int32_t node;  ///< the first of two
+        std::int32_t along; ///< Q16, 0 … 1, further at the ends of a backbone: -1 … 2
+    };
+
+    void take_stroke(PackedDrawing& from, PackedDrawing& to, Progress way, Point BackboneNode::*side,
+                     std::size_t first, std::int32_t backbone);
+    Cell cell_at(Fixed along) const;
+    Cell end_of(std::int32_t backbone, bool is_beginning) const;
+    Point place(Cell cell, Fixed across) const;
+    bool is_node(std::int32_t index) const;
+    std::int32_t backbone_of(Cell cell) const { return nodes_[static_cast<std::size_t>(cell.node)].backbone; }
+
+    std::span<BackboneNode> nodes_;
+    std::uint32_t unit_bits_;
+};
+
+}
