@@ -17,7 +17,7 @@ namespace kfast {
 template <DrawingReader R>
 class BrokenDrawing {
 public:
-    BrokenDrawing(R drawing, std::uint32_t partner_strokes)
+    BrokenDrawing(const R& drawing, std::uint32_t partner_strokes)
         : reader_{drawing}, strokes_{drawing.strokes()}, parts_{std::max(partner_strokes, strokes_),
                                                                 std::max<std::uint32_t>(strokes_, 1)}
     {
@@ -143,7 +143,7 @@ struct Pair {
 template <DrawingReader R>
 class EqualizedPair {
 public:
-    EqualizedPair(R a, R b)
+    EqualizedPair(const R& a, const R& b)
         : a_{a.strokes() != 0 ? a : b, b.strokes()}, b_{b.strokes() != 0 ? b : a, a.strokes()},
           a_is_empty_{a.strokes() == 0}, b_is_empty_{b.strokes() == 0}, outline_{a_is_empty_ ? b : a},
           strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}

@@ -14,24 +14,40 @@ constexpr std::uint32_t filled_bit = 1 << 3;
 constexpr std::uint32_t stroked_bit = 1 << 4;
 constexpr std::uint32_t even_odd_bit = 1 << 5;
 constexpr std::uint32_t arrivals_bit = 1 << 6;
-constexpr std::uint32_t unused_bit = 1 << 7;
+constexpr std::uint32_t carried_bit = 1 << 7;
 
 bool is_known(std::uint32_t head, ItemKind kind)
 {
-    const std::uint32_t object_bits = filled_bit | stroked_bit | even_odd_bit | arrivals_bit;
-    return (head & unused_bit) == 0 && kind <= ItemKind::use &&
-           (kind == ItemKind::object || (head & object_bits) == 0);
+    const std::uint32_t object_bits = filled_bit | stroked_bit | even_odd_bit | arrivals_bit | carried_bit;
+    return kind <= ItemKind::use && (kind == ItemKind::object || (head & object_bits) == 0);
 }
 
-TrackCursor take_tracks(ByteReader& bytes)
+void take_tracks(ByteReader& bytes, ItemView& item)
 {
     const std::uint32_t count = bytes.u8();
-    TrackCursor tracks{bytes, count};
-    TrackCursor cursor = tracks;
+    item.tracks = TrackCursor{bytes, count};
+    item.is_known = item.is_known && count != 0;
+    bool has_path = false;
+    TrackCursor cursor = item.tracks;
     while (!cursor.at_end())
-        cursor.next();
+        has_path = cursor.next().property == Property::along || has_path;
     bytes = cursor.rest();
-    return tracks;
+    if (!has_path)
+        return;
+    item.path = PathView::take(bytes);
+    item.is_known = item.is_known && item.path.is_known;
+}
+
+void read_carrier(ByteReader& bytes, ObjectView& object)
+{
+    const std::uint32_t number = bytes.u8();
+    object.carrier = number == 0 ? Carrier::backbones : Carrier::bones;
+    if (number != 0) {
+        object.skeleton = number - 1;
+    } else {
+        object.backbones.unit_bits = bytes.u8();
+        object.backbones.key_bytes = bytes.take(bytes.varint());
+    }
 }
 
 void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
@@ -58,6 +74,8 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head)
         style.fill = static_cast<std::uint8_t>(bytes.u8());
     if (style.is_stroked)
         read_stroke_style(bytes, style);
+    if ((head & carried_bit) != 0)
+        read_carrier(bytes, object);
     object.max_edges = bytes.varint();
     object.key_bytes = bytes.take(bytes.varint());
     return object;
@@ -74,6 +92,8 @@ Key KeyCursor::next()
     key.drawing = bytes_.varint();
     if (has_arrivals_)
         key.arrival = bytes_.varint();
+    if (has_skins_)
+        key.skin = bytes_.varint();
     return key;
 }
 
@@ -83,10 +103,8 @@ ItemView ItemCursor::next()
     ItemView item;
     item.kind = static_cast<ItemKind>(head & kind_bits);
     item.is_known = is_known(head, item.kind);
-    if ((head & tracks_bit) != 0) {
-        item.tracks = take_tracks(bytes_);
-        item.is_known = item.is_known && !item.tracks.at_end();
-    }
+    if ((head & tracks_bit) != 0)
+        take_tracks(bytes_, item);
     if (item.kind == ItemKind::object)
         item.object = take_object(bytes_, head);
     else if (item.kind == ItemKind::group)

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/backbone_view.hpp"
 #include "core/byte_reader.hpp"
 #include "core/fill_rule.hpp"
+#include "core/path_view.hpp"
 #include "core/stroke_style.hpp"
 #include "core/time.hpp"
 #include "core/track_view.hpp"
@@ -31,12 +33,16 @@ struct Key {
     std::uint32_t curve_pieces = 1; ///< straight pieces that stand for a curve
     std::uint32_t drawing = 0;      ///< offset in the section of drawings
     std::uint32_t arrival = 0;      ///< offset of what the way leads to; only if the object has such drawings
+    std::uint32_t skin = 0;         ///< offset of the drawing's skin there; only if bones carry the object
 };
 
 /// Reads the keys of an object in the order of their times.
 class KeyCursor {
 public:
-    KeyCursor(ByteReader bytes, bool has_arrivals) : bytes_{bytes}, has_arrivals_{has_arrivals} {}
+    KeyCursor(ByteReader bytes, bool has_arrivals, bool has_skins)
+        : bytes_{bytes}, has_arrivals_{has_arrivals}, has_skins_{has_skins}
+    {
+    }
 
     bool at_end() const { return bytes_.left() == 0; }
     /// Only when not at the end.
@@ -46,17 +52,24 @@ public:
 private:
     ByteReader bytes_;
     bool has_arrivals_;
+    bool has_skins_;
     Time time_;
 };
+
+/// What moves the points of an object besides its drawings.
+enum class Carrier : std::uint8_t { none, backbones, bones };
 
 /// What an object is besides its tracks; borrows the scene's bytes.
 struct ObjectView {
     ObjectStyle style;
-    std::uint32_t max_edges = 0; ///< that any moment of the object needs
-    bool has_arrivals = false;   ///< see Key::arrival
+    Carrier carrier = Carrier::none;
+    std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
+    BackbonesView backbones = {}; ///< only if backbones carry it
+    std::uint32_t max_edges = 0;  ///< that any moment of the object needs
+    bool has_arrivals = false;    ///< see Key::arrival
     ByteReader key_bytes;
 
-    KeyCursor keys() const { return {key_bytes, has_arrivals}; }
+    KeyCursor keys() const { return {key_bytes, has_arrivals, carrier == Carrier::bones}; }
 };
 
 enum class ItemKind : std::uint8_t { object, group, use };
@@ -66,6 +79,7 @@ struct ItemView {
     ItemKind kind = ItemKind::object;
     bool is_known = false; ///< no bit is set without a meaning
     TrackCursor tracks;
+    PathView path;            ///< only if there is a track of Property::along
     ObjectView object;        ///< only of an object
     ByteReader items;         ///< inside; only of a group
     std::uint32_t symbol = 0; ///< only of a use

@@ -30,6 +30,16 @@ inline constexpr std::uint32_t max_items = 65535;
 inline constexpr std::uint32_t max_ordered_items = 256;
 inline constexpr std::int32_t max_scale = 64 * 4096; ///< in 1/4096, in each direction
 inline constexpr std::int32_t max_turn = 16 * 65536; ///< of a rotation, in 1/65536 turn, in each direction
+inline constexpr std::int32_t min_camera = 16;       ///< pixels
+inline constexpr std::int32_t max_camera = 32767;
+inline constexpr std::uint32_t max_path = 8'388'607; ///< length in 1/16 px
+inline constexpr std::uint32_t max_bones = 255;      ///< of one skeleton, and skeletons
+inline constexpr std::uint32_t max_bones_together = 1024;
+inline constexpr std::int32_t max_bone_turn =
+    16 * 65536; ///< of angles that tween as written, in 1/65536 turn
+inline constexpr std::uint32_t max_bones_at_point = 4;
+inline constexpr std::uint32_t max_backbones = 32;          ///< of one object
+inline constexpr std::uint32_t max_backbone_segments = 255; ///< of one object
 /// Points of the drawings of all keys together: what parse() has to walk through at the start.
 inline constexpr std::uint32_t max_key_points = 1U << 22;
 

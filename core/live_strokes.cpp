@@ -37,7 +37,9 @@ void LiveStrokes::trace_stroke(std::uint32_t segments, ObjectOutline& outline)
 
 Segment LiveStrokes::live(const Pair<Segment>& both) const
 {
-    return placed(tween(both.a, both.b, way_.x, way_.y), placement_);
+    return placed(backbones_ == nullptr ? tween(both.a, both.b, way_.x, way_.y)
+                                        : backbones_->between(both.a, both.b, way_),
+                  placement_);
 }
 
 }

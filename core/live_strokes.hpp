@@ -1,21 +1,23 @@
 #pragma once
 
 #include "core/affine.hpp"
+#include "core/carried_drawing.hpp"
 #include "core/equalize.hpp"
 #include "core/key_interval.hpp"
+#include "core/live_backbones.hpp"
 #include "core/object_outline.hpp"
-#include "core/packed_drawing.hpp"
 
 #include <cstdint>
 
 namespace kfast {
 
-/// The strokes between two drawings at one moment of their way, on the panel.
+/// The strokes between two drawings at one moment of their way, placed.
 class LiveStrokes {
 public:
-    /// `placement` must outlive the strokes.
-    LiveStrokes(const PackedDrawing& from, const PackedDrawing& to, Progress way, const Affine& placement)
-        : pair_{from, to}, way_{way}, placement_{placement}
+    /// `backbones`, which may be null, carry the drawings; they and `placement` must outlive the strokes.
+    LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
+                const LiveBackbones* backbones, const Affine& placement)
+        : pair_{from, to}, way_{way}, backbones_{backbones}, placement_{placement}
     {
     }
 
@@ -25,8 +27,9 @@ private:
     void trace_stroke(std::uint32_t segments, ObjectOutline& outline);
     Segment live(const Pair<Segment>& both) const;
 
-    EqualizedPair<PackedDrawing> pair_;
+    EqualizedPair<CarriedDrawing> pair_;
     Progress way_;
+    const LiveBackbones* backbones_;
     const Affine& placement_;
 };
 

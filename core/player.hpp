@@ -1,12 +1,17 @@
 #pragma once
 
-#include "core/affine.hpp"
 #include "core/canvas_map.hpp"
+#include "core/carried_drawing.hpp"
 #include "core/coverage_row.hpp"
 #include "core/edge_list.hpp"
 #include "core/item_state.hpp"
+#include "core/key_interval.hpp"
+#include "core/live_backbones.hpp"
+#include "core/live_bones.hpp"
+#include "core/object_outline.hpp"
 #include "core/paint_step.hpp"
 #include "core/pixel_format.hpp"
+#include "core/projection.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
@@ -24,7 +29,7 @@ namespace kfast {
 /// The picture depends on scene, time, fit and panel size alone: not on earlier pictures, nor on how its rows
 /// are divided into bands.
 ///
-/// Besides the block it takes up to 6.5 KB of stack (docs/design.md, "The bound on memory").
+/// Besides the block it takes up to 8.5 KB of stack (docs/design.md, "The bound on memory").
 class Player {
 public:
     /// The sides of a panel are 1 … max_panel pixels long.
@@ -57,11 +62,16 @@ public:
 private:
     Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
-    void trace(ItemCursor items, const Affine& plane);
-    void trace(const ItemView& item, const Affine& plane);
-    void trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Affine& plane);
+    void trace(ItemCursor items, const Space& space);
+    void trace(const ItemView& item, const Space& space);
+    void trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Space& space);
     void trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
-                      const Affine& plane);
+                      const Space& placement);
+    void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
+                       ObjectOutline& outline);
+    CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const;
+    LiveBackbones backbones_of(const ObjectView& object) const;
+    Point first_point(const ObjectView& object, const Key& key) const;
     PaintStep& add_step(PaintStep::Kind kind);
     Layer& add_layer(Colour colour, std::uint32_t opacity, FillRule rule);
 
@@ -73,8 +83,11 @@ private:
 
     SceneView scene_;
     Size panel_;
-    Affine canvas_; ///< from the canvas to the panel
+    Space canvas_; ///< from the canvas to the panel
+    Camera camera_;
     Time moment_;
+    std::span<LiveBone> bones_; ///< of all skeletons
+    std::span<BackboneNode> backbone_nodes_;
     std::span<PaintStep> steps_;
     std::size_t step_count_ = 0;
     EdgeList edges_;

@@ -18,4 +18,7 @@ struct Point {
 /// As lerp() of Fixed, for x and y alike.
 constexpr Point lerp(Point a, Point b, Share share) { return {lerp(a.x, b.x, share), lerp(a.y, b.y, share)}; }
 
+/// With separate ways for x and y.
+constexpr Point lerp(Point a, Point b, Way x, Way y) { return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)}; }
+
 }

@@ -1,27 +1,93 @@
 #include "core/scene_check.hpp"
 
 #include "core/blending.hpp"
+#include "core/bone_check.hpp"
 #include "core/edge_budget.hpp"
 #include "core/kfb_limits.hpp"
+#include "core/live_backbones.hpp"
 #include "core/paint_order.hpp"
 
 #include <algorithm>
 
 namespace kfast {
+namespace {
+
+/// How many bones the skeleton has that carries `object`; 0 if there is none.
+std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
+{
+    if (object.carrier != Carrier::bones)
+        return 0;
+    BonesCursor skeletons = scene.skeletons();
+    for (std::uint32_t number = 0; !skeletons.at_end(); ++number) {
+        const BonesView bones = skeletons.next();
+        if (number == object.skeleton)
+            return bones.count();
+    }
+    return 0;
+}
+
+bool is_sound(const Binding& binding, std::uint32_t bones)
+{
+    bool sound = true;
+    binding.each([&](BoneShare share) { sound = sound && share.bone < bones && share.weight >= 1; });
+    return sound;
+}
+
+/// Of two drawings that have been checked: as many strokes, with the same segments of the same kinds.
+bool is_built_alike(PackedDrawing a, PackedDrawing b)
+{
+    if (a.strokes() != b.strokes())
+        return false;
+    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
+        const std::uint32_t segments = a.next_stroke();
+        if (b.next_stroke() != segments)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (a.next_segment().kind != b.next_segment().kind)
+                return false;
+    }
+    return true;
+}
+
+/// Three strokes of lines for each backbone, with as many points, at least two.
+bool are_backbones(PackedDrawing drawing)
+{
+    std::uint32_t all = 0;
+    std::uint32_t nodes = 0;
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        if (stroke % 3 == 0) {
+            nodes = segments;
+            all += segments;
+        }
+        if (segments == 0 || segments != nodes)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (drawing.next_segment().kind != Segment::Kind::line)
+                return false;
+    }
+    return drawing.strokes() != 0 && drawing.strokes() % 3 == 0 &&
+           drawing.strokes() <= 3 * kfb::max_backbones && all <= kfb::max_backbone_segments;
+}
+
+}
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && check_clips() && check_events() && check_symbols() &&
-           check_items(scene_.items(), scene_.symbol_count_, 0) && count_items(scene_.items(), 0, 0);
+    return check_header() && check_laws() && check_clips() && check_events() && check_bones() &&
+           check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
+           count_items(scene_.items(), 0, 0);
 }
 
 bool SceneCheck::check_header() const
 {
     const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= kfb::max_canvas; };
-    return is_side(scene_.canvas_.width) && is_side(scene_.canvas_.height) && scene_.frame_rate_ >= 1 &&
-           scene_.frame_rate_ <= kfb::max_frame_rate && scene_.length_.ticks >= Time::ticks_per_frame &&
-           scene_.length_.ticks <= kfb::max_time && scene_.loop_ <= Loop::ping_pong &&
-           !scene_.palette_.empty() && scene_.colour(0).opacity == 255 && scene_.max_edges_ <= kfb::max_edges;
+    return is_side(scene_.canvas_.width) && is_side(scene_.canvas_.height) &&
+           scene_.camera_ >= kfb::min_camera && scene_.camera_ <= kfb::max_camera &&
+           scene_.frame_rate_ >= 1 && scene_.frame_rate_ <= kfb::max_frame_rate &&
+           scene_.length_.ticks >= Time::ticks_per_frame && scene_.length_.ticks <= kfb::max_time &&
+           scene_.loop_ <= Loop::ping_pong && !scene_.palette_.empty() && scene_.colour(0).opacity == 255 &&
+           scene_.max_edges_ <= kfb::max_edges;
 }
 
 bool SceneCheck::check_laws() const
@@ -57,6 +123,15 @@ bool SceneCheck::check_events() const
     return true;
 }
 
+bool SceneCheck::check_bones()
+{
+    if (!bones_are_sound(scene_, scene_.law_count_))
+        return false;
+    for (BonesCursor cursor = scene_.skeletons(); !cursor.at_end();)
+        scene_.bone_count_ += cursor.next().count();
+    return scene_.bone_count_ <= kfb::max_bones_together;
+}
+
 bool SceneCheck::check_symbols()
 {
     ByteReader symbols = scene_.symbols_;
@@ -81,7 +156,7 @@ bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std
 
 bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, std::uint32_t depth)
 {
-    if (!item.is_known || !check_tracks(item))
+    if (!item.is_known || !check_tracks(item) || (item.path.is_known && !check_path(item)))
         return false;
     switch (item.kind) {
     case ItemKind::object:
@@ -114,6 +189,8 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) c
         return false;
     if ((track.property == Property::stroke || track.property == Property::width) && !style.is_stroked)
         return false;
+    if (track.is_smooth && (track.is_fixed || !may_be_smooth(track.property)))
+        return false;
     if (track.is_fixed)
         return check_value(track, track.value);
     TrackKeyCursor keys = track.keys;
@@ -139,8 +216,8 @@ bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
 
 bool SceneCheck::check_object(const ObjectView& object)
 {
-    return check_style(object.style) && check_keys(object) && object.max_edges <= kfb::max_edges &&
-           object_edges(object, scene_.drawings_) <= object.max_edges;
+    return check_style(object.style) && check_carrier(object) && check_keys(object) &&
+           object.max_edges <= kfb::max_edges && object_edges(object, scene_.drawings_) <= object.max_edges;
 }
 
 bool SceneCheck::check_style(const ObjectStyle& style) const
@@ -159,12 +236,15 @@ bool SceneCheck::check_keys(const ObjectView& object)
     KeyCursor keys = object.keys();
     if (keys.at_end())
         return false;
+    const std::uint32_t bones = bones_of(scene_, object);
     for (Time before{-1}; !keys.at_end();) {
         const Key key = keys.next();
         if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
             key.curve_pieces < 1 || key.curve_pieces > kfb::max_curve_pieces || !check_drawing(key.drawing))
             return false;
         if (object.has_arrivals && !check_drawing(key.arrival))
+            return false;
+        if (object.carrier == Carrier::bones && !check_skin(key, bones))
             return false;
         before = key.time;
     }
@@ -192,6 +272,82 @@ bool SceneCheck::check_drawing(std::uint32_t offset)
     }
     key_points_ += points + 1;
     return reader.is_sound() && key_points_ <= kfb::max_key_points;
+}
+
+bool SceneCheck::check_path(const ItemView& item) const
+{
+    if (item.path.drawing >= scene_.drawings_.size())
+        return false;
+    PackedDrawing reader = scene_.drawing(item.path.drawing);
+    const std::uint32_t segments = reader.strokes() == 1 ? reader.next_stroke() : 0;
+    if (!reader.is_sound())
+        return false;
+    ByteReader lengths = item.path.lengths;
+    std::uint32_t total = 0;
+    for (std::uint32_t i = 0; i < segments; ++i) {
+        reader.next_segment();
+        const std::uint32_t length = lengths.varint();
+        if (length == 0 || length > kfb::max_path || !reader.is_sound() || lengths.overrun())
+            return false;
+        total += length;
+        if (total > kfb::max_path)
+            return false;
+    }
+    return segments != 0 && lengths.left() == 0;
+}
+
+bool SceneCheck::check_carrier(const ObjectView& object)
+{
+    switch (object.carrier) {
+    case Carrier::none:
+        return true;
+    case Carrier::backbones:
+        return check_backbones(object.backbones);
+    case Carrier::bones:
+        return !object.has_arrivals && bones_of(scene_, object) != 0;
+    }
+    return false;
+}
+
+bool SceneCheck::check_backbones(const BackbonesView& backbones)
+{
+    BackboneKeyCursor keys = backbones.keys();
+    if (keys.at_end() || backbones.unit_bits < 4 || backbones.unit_bits > 15)
+        return false;
+    const std::uint32_t first = backbones.keys().next().drawing;
+    for (Time before{-1}; !keys.at_end();) {
+        const BackboneKey key = keys.next();
+        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+            !check_drawing(key.drawing) || !are_backbones(scene_.drawing(key.drawing)) ||
+            !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(first)))
+            return false;
+        before = key.time;
+    }
+    scene_.backbone_nodes_ = std::max(scene_.backbone_nodes_, backbone_node_count(scene_.drawing(first)));
+    return true;
+}
+
+/// Of a key whose drawing has been checked.
+bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
+{
+    if (key.skin >= scene_.drawings_.size())
+        return false;
+    SkinReader skin = scene_.skin(key.skin);
+    if (skin.has_drawing_at_rest() &&
+        (!check_drawing(skin.drawing_at_rest()) ||
+         !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(skin.drawing_at_rest()))))
+        return false;
+    PackedDrawing drawing = scene_.drawing(key.drawing);
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        for (std::uint32_t i = 0; i <= segments; ++i) {
+            if (!is_sound(skin.next(), bones) || !skin.is_sound())
+                return false;
+            if (i != segments)
+                drawing.next_segment();
+        }
+    }
+    return skin.run_is_over() && skin.is_sound();
 }
 
 bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)

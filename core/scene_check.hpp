@@ -18,6 +18,7 @@ private:
     bool check_laws() const;
     bool check_clips() const;
     bool check_events() const;
+    bool check_bones();
     bool check_symbols();
     bool check_items(ItemCursor items, std::uint32_t usable_symbols, std::uint32_t depth);
     bool check_item(const ItemView& item, std::uint32_t usable_symbols, std::uint32_t depth);
@@ -28,6 +29,10 @@ private:
     bool check_style(const ObjectStyle& style) const;
     bool check_keys(const ObjectView& object);
     bool check_drawing(std::uint32_t offset);
+    bool check_path(const ItemView& item) const;
+    bool check_carrier(const ObjectView& object);
+    bool check_backbones(const BackbonesView& backbones);
+    bool check_skin(const Key& key, std::uint32_t bones);
     bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }
 
     bool count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended);

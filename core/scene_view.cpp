@@ -49,16 +49,17 @@ bool SceneView::read_sections(std::span<const std::byte> bytes)
     canvas_.height = static_cast<int>(reader.u16());
     const std::size_t colours = reader.u8();
     symbol_count_ = reader.u8();
-    const bool is_padded = reader.u16() == 0;
+    camera_ = static_cast<std::int32_t>(reader.u16());
     palette_ = reader.take(colours * colour_bytes).rest();
     laws_ = reader;
     for (std::uint32_t pair = 0; pair < law_count_; ++pair)
         read_law_pair(reader);
     marks_ = reader.take(reader.varint());
+    bones_ = reader.take(reader.varint());
     symbols_ = reader.take(reader.varint());
     items_ = reader.take(reader.varint());
     drawings_ = reader.rest();
-    return is_padded && !reader.overrun();
+    return !reader.overrun();
 }
 
 Colour SceneView::colour(std::size_t index) const
@@ -75,6 +76,14 @@ LawPair SceneView::laws(std::uint32_t number) const
     for (ByteReader reader = laws_; number > 0; --number)
         laws = read_law_pair(reader);
     return laws;
+}
+
+std::size_t SceneView::first_bone(std::uint32_t skeleton) const
+{
+    std::size_t first = 0;
+    for (BonesCursor cursor = skeletons(); skeleton > 0; --skeleton)
+        first += cursor.next().count();
+    return first;
 }
 
 ItemCursor SceneView::symbol(std::uint32_t number) const

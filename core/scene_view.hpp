@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bone_view.hpp"
 #include "core/byte_reader.hpp"
 #include "core/colour.hpp"
 #include "core/item_view.hpp"
@@ -8,6 +9,7 @@
 #include "core/packed_drawing.hpp"
 #include "core/result.hpp"
 #include "core/size.hpp"
+#include "core/skin_reader.hpp"
 #include "core/time.hpp"
 
 #include <cstddef>
@@ -31,6 +33,8 @@ public:
     /// The bytes of the scene itself.
     std::size_t size() const { return size_; }
     Size canvas() const { return canvas_; }
+    /// Distance of the viewer from the canvas, in pixels.
+    std::int32_t camera() const { return camera_; }
     /// Frames in 1000 seconds: 30 fps is 30000.
     std::uint32_t frame_rate() const { return frame_rate_; }
     /// At least one frame.
@@ -49,6 +53,14 @@ public:
     std::size_t palette_size() const { return palette_.size() / colour_bytes; }
     /// `number` is that of a key.
     LawPair laws(std::uint32_t number) const;
+    /// The skeletons of bones.
+    BonesCursor skeletons() const { return BonesCursor{bones_}; }
+    /// Of all skeletons together.
+    std::uint32_t bone_count() const { return bone_count_; }
+    /// How many bones the skeletons before `skeleton` have.
+    std::size_t first_bone(std::uint32_t skeleton) const;
+    /// How many nodes and gaps the backbones of any object have at most (core/live_backbones.hpp).
+    std::size_t backbone_nodes() const { return backbone_nodes_; }
     /// The outermost items.
     ItemCursor items() const { return ItemCursor{items_}; }
     /// `number` is less than symbol_count().
@@ -56,6 +68,8 @@ public:
     std::uint32_t symbol_count() const { return symbol_count_; }
     /// `offset` is that of a key.
     PackedDrawing drawing(std::uint32_t offset) const { return drawing_at(drawings_, offset); }
+    /// `offset` is that of a key.
+    SkinReader skin(std::uint32_t offset) const { return SkinReader{ByteReader{drawings_.subspan(offset)}}; }
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
     ClipCursor clips() const;
@@ -74,17 +88,21 @@ private:
 
     std::size_t size_ = 0;
     Size canvas_;
+    std::int32_t camera_ = 0;
     std::uint32_t frame_rate_ = 0;
     Time length_;
     Loop loop_ = Loop::repeat;
     std::uint32_t max_edges_ = 0;
     std::uint32_t paint_steps_ = 0;
     std::uint32_t blended_depth_ = 0;
+    std::uint32_t bone_count_ = 0;
+    std::size_t backbone_nodes_ = 0;
     std::uint32_t law_count_ = 0;
     std::uint32_t symbol_count_ = 0;
     std::span<const std::byte> palette_;
     ByteReader laws_;
     ByteReader marks_;
+    ByteReader bones_;
     ByteReader symbols_;
     ByteReader items_;
     std::span<const std::byte> drawings_;

@@ -12,6 +12,8 @@ Point blossom(const Segment& cubic, Share r, Share s, Share t)
     return lerp(lerp(a, b, s), lerp(b, c, s), t);
 }
 
+}
+
 Segment as_cubic(const Segment& segment)
 {
     if (segment.kind == Segment::Kind::cubic)
@@ -22,10 +24,6 @@ Segment as_cubic(const Segment& segment)
             .c1 = lerp(segment.from, segment.to, third),
             .c2 = lerp(segment.to, segment.from, third),
             .to = segment.to};
-}
-
-Point tween(Point a, Point b, Way x, Way y) { return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)}; }
-
 }
 
 Point point_at(const Segment& segment, Share share)
@@ -49,10 +47,10 @@ Segment tween(const Segment& a, const Segment& b, Way x, Way y)
 {
     if (a.kind != b.kind)
         return tween(as_cubic(a), as_cubic(b), x, y);
-    Segment live{.kind = a.kind, .from = tween(a.from, b.from, x, y), .to = tween(a.to, b.to, x, y)};
+    Segment live{.kind = a.kind, .from = lerp(a.from, b.from, x, y), .to = lerp(a.to, b.to, x, y)};
     if (a.kind == Segment::Kind::cubic) {
-        live.c1 = tween(a.c1, b.c1, x, y);
-        live.c2 = tween(a.c2, b.c2, x, y);
+        live.c1 = lerp(a.c1, b.c1, x, y);
+        live.c2 = lerp(a.c2, b.c2, x, y);
     }
     return live;
 }

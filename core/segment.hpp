@@ -26,6 +26,9 @@ struct Segment {
 /// A segment that stays at one point.
 constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 
+/// A line as a curve, its control points at the thirds to 1/65536 of its length.
+Segment as_cubic(const Segment& segment);
+
 /// The stretch of `whole` between two shares of its parameter; curves by de Casteljau's construction, each
 /// point within 2/65536 px. Two stretches that share an end share its very bits.
 Segment stretch(const Segment& whole, Share begin, Share end);
@@ -34,8 +37,7 @@ Segment stretch(const Segment& whole, Share begin, Share end);
 Point point_at(const Segment& segment, Share share);
 
 /// Between two segments, with separate ways for x and y, which may lead beyond either; rounded once, each end
-/// exact. A line paired with a curve becomes a curve, its control points at the thirds to 1/65536 of its
-/// length.
+/// exact. A line paired with a curve becomes a curve: as_cubic().
 Segment tween(const Segment& a, const Segment& b, Way x, Way y);
 
 }

@@ -56,6 +56,7 @@ void StrokeOutline::line_to(Point to)
 
 void StrokeOutline::end(bool is_closed)
 {
+    spare_pieces_ = unlimited;
     if (is_closed)
         line_to(first_);
     if (!has_segment_) {
@@ -147,8 +148,10 @@ void StrokeOutline::outer_join(Point at, Point from, Point to, BinaryAngle from_
 
 void StrokeOutline::arc(Point centre, Point from, Point to, BinaryAngle from_angle, std::int32_t turn)
 {
-    const std::int32_t pieces =
+    const std::int32_t wanted =
         (std::abs(turn) * pen_.arc_pieces + BinaryAngle::half_turn - 1) / BinaryAngle::half_turn;
+    const std::int32_t pieces = std::min(wanted - 1, spare_pieces_) + 1;
+    spare_pieces_ -= pieces - 1;
     Point last = centre + from;
     for (std::int32_t piece = 1; piece < pieces; ++piece) {
         const BinaryAngle angle = BinaryAngle::from_raw(from_angle.raw + turn * piece / pieces);

@@ -4,6 +4,9 @@
 #include "core/edge_list.hpp"
 #include "core/stroke_style.hpp"
 
+#include <cstdint>
+#include <limits>
+
 namespace kfast {
 
 /// The tool that draws a stroke.
@@ -23,12 +26,17 @@ public:
     StrokeOutline(EdgeList& edges, Layer& layer, const Pen& pen) : edges_{edges}, layer_{layer}, pen_{pen} {}
 
     void begin(Point at);
+    /// The arcs of joins up to the next call, or to the end, have no more than `pieces` pieces besides one
+    /// each.
+    void limit_arcs(std::int32_t pieces) { spare_pieces_ = pieces; }
     /// Points closer than 1/256 px to the one before are passed over: their direction would be noise.
     void line_to(Point to);
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed);
 
 private:
+    static constexpr std::int32_t unlimited = std::numeric_limits<std::int32_t>::max();
+
     /// A direction, exact to the precision of the outline.
     struct Heading {
         std::int32_t x = 0; ///< unit vector in Q15
@@ -55,6 +63,7 @@ private:
     Heading first_heading_;
     Heading last_heading_;
     bool has_segment_ = false;
+    std::int32_t spare_pieces_ = unlimited;
 };
 
 }

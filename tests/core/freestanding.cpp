@@ -2,7 +2,10 @@
 #include "core/equalize.hpp"
 #include "core/flatten.hpp"
 #include "core/player.hpp"
+#include "core/track.hpp"
 #include "core/velocity_law.hpp"
+
+#include <array>
 
 static_assert(__STDC_HOSTED__ == 0, "compiled with -ffreestanding");
 
@@ -20,6 +23,14 @@ std::uint32_t points_between(DrawingView from, DrawingView to, Share time)
             flatten(tween(both.a, both.b, way, way), 8, [&points](Point) { ++points; });
         }
     return points;
+}
+
+std::int32_t height_at(Time time)
+{
+    std::array<KeyTime, 4> storage;
+    Track track{storage};
+    track.add(Time::frame(3), 7);
+    return track.value_at(time) >> fine_bits;
 }
 
 }

@@ -77,34 +77,96 @@ TEST_CASE("keys count their times from the key before, and may have arrival draw
     CHECK(keys.at_end());
 }
 
+TEST_CASE("an object may be carried by bones, each key with a skin")
+{
+    const auto items = bytes({0x88, 1, 3, 4, 10, 4, 2, 3, 10, 20, 7, 0, 1, 30, 40});
+    const ObjectView object = ItemCursor{ByteReader{items}}.next().object;
+    CHECK(object.carrier == Carrier::bones);
+    CHECK(object.skeleton == 2);
+    KeyCursor keys = object.keys();
+    CHECK(keys.next().skin == 20);
+    const Key second = keys.next();
+    CHECK(second.drawing == 30);
+    CHECK(second.skin == 40);
+    CHECK(keys.at_end());
+}
+
+TEST_CASE("an object may be carried by backbones, which have keys of their own")
+{
+    const auto items = bytes({0xC8, 1, 0, 9, 7, 4, 2, 10, 7, 0, 0x81, 1, 4, 5, 0, 0, 1, 30, 40});
+    const ObjectView object = ItemCursor{ByteReader{items}}.next().object;
+    CHECK(object.carrier == Carrier::backbones);
+    CHECK(object.backbones.unit_bits == 9);
+    BackboneKeyCursor backbones = object.backbones.keys();
+    const BackboneKey first = backbones.next();
+    CHECK(first.time == Time::frame(2));
+    CHECK(first.laws == 2);
+    CHECK(first.drawing == 10);
+    const BackboneKey second = backbones.next();
+    CHECK(second.time == Time{2 * 1024 + 3});
+    CHECK(second.drawing == 129);
+    CHECK(backbones.at_end());
+    CHECK_FALSE(backbones.overrun());
+    CHECK(object.max_edges == 4);
+    CHECK(object.keys().next().arrival == 40);
+}
+
+TEST_CASE("a path follows the tracks where one of them leads along it, whatever the item is")
+{
+    const auto items =
+        bytes({0x05, 2, 0x80, 2, 0x8A, 4, 4, 1,  9, 20, 30, 0,            // a group
+               0x06, 1, 0x4A, 2, 0,    0, 3, 0,  9, 20, 7,                // a use
+               0x0C, 1, 0x80, 2, 1,    4, 4, 0,  0, 1,  0,                // an object without a path
+               0x0C, 1, 0x8A, 2, 3,    2, 9, 20, 1, 4,  4,  0, 0, 1, 0}); // bits without a meaning
+    ItemCursor cursor{ByteReader{items}};
+    const ItemView group = cursor.next();
+    CHECK(group.is_known);
+    CHECK(group.path.is_known);
+    CHECK(group.path.turns);
+    CHECK(group.path.drawing == 9);
+    ByteReader lengths = group.path.lengths;
+    CHECK(lengths.varint() == 20);
+    CHECK(lengths.varint() == 30);
+    CHECK(lengths.left() == 0);
+    const ItemView use = cursor.next();
+    CHECK(use.path.is_known);
+    CHECK_FALSE(use.path.turns);
+    CHECK(use.symbol == 7);
+    CHECK_FALSE(cursor.next().path.is_known);
+    CHECK_FALSE(cursor.next().is_known);
+    CHECK(cursor.at_end());
+    CHECK_FALSE(cursor.overrun());
+}
+
 TEST_CASE("bits that only objects have are known in objects alone")
 {
     const auto is_known = [](int head) {
         const auto item = bytes({head, 1, 0x80, 2, 0, 0, 0, 0, 0, 0}); // one track, for those that have any
         return ItemCursor{ByteReader{item}}.next().is_known;
     };
-    CHECK(is_known(0x7C));
+    CHECK(is_known(0xFC));
     CHECK(is_known(0x05));
     CHECK(is_known(0x06));
     CHECK_FALSE(is_known(0x03));
-    for (const int bit : {0x08, 0x10, 0x20, 0x40}) {
+    for (const int bit : {0x08, 0x10, 0x20, 0x40, 0x80}) {
         CHECK(is_known(bit));
         CHECK_FALSE(is_known(1 | bit));
         CHECK_FALSE(is_known(2 | bit));
     }
-    for (const int kind : {0, 1, 2})
-        CHECK_FALSE(is_known(0x80 | kind));
 }
 
 TEST_CASE("an item that breaks off anywhere is noticed")
 {
-    const auto whole = bytes({0x3C, 1, 0x80, 2, 1, 2, 16, 0x00, 12, 4, 9, 4, 0, 0, 1, 0});
-    for (std::size_t count = 1; count < whole.size(); ++count) {
-        ItemCursor cursor{ByteReader{std::span{whole}.first(count)}};
-        cursor.next();
-        CHECK(cursor.overrun());
-        CHECK(cursor.at_end());
-    }
+    const auto styled = bytes({0x3C, 1, 0x80, 2, 1, 2, 16, 0x00, 12, 4, 9, 4, 0, 0, 1, 0});
+    const auto following = bytes({0x0C, 1, 0x8A, 2, 3, 1, 9, 20, 1, 4, 4, 0, 0, 1, 0});
+    const auto on_backbones = bytes({0x88, 1, 0, 9, 3, 4, 2, 10, 4, 4, 0, 0, 1, 0});
+    for (const auto& whole : {styled, following, on_backbones})
+        for (std::size_t count = 1; count < whole.size(); ++count) {
+            ItemCursor cursor{ByteReader{std::span{whole}.first(count)}};
+            cursor.next();
+            CHECK(cursor.overrun());
+            CHECK(cursor.at_end());
+        }
 }
 
 }

@@ -22,7 +22,8 @@ inline Bytes joined(std::initializer_list<Bytes> parts)
 {
     Bytes all;
     for (const Bytes& part : parts)
-        all.insert(all.end(), part.begin(), part.end());
+        for (const std::byte byte : part)
+            all.push_back(byte);
     return all;
 }
 
@@ -84,16 +85,38 @@ struct RawTrackKey {
     std::int32_t value;
 };
 
-inline Bytes moving_track(Property property, std::initializer_list<RawTrackKey> list)
+enum class Smoothness : bool { by_laws, smooth };
+
+inline Bytes track_keys(const std::vector<RawTrackKey>& list, Smoothness smoothness = Smoothness::by_laws)
 {
     Bytes keys;
     Time before;
     for (const RawTrackKey& key : list) {
-        keys =
-            joined({keys, varint(time_code(key.time - before)), bytes({key.laws}), signed_varint(key.value)});
+        keys = joined({keys, varint(time_code(key.time - before)),
+                       smoothness == Smoothness::smooth ? Bytes{} : bytes({key.laws}),
+                       signed_varint(key.value)});
         before = key.time;
     }
-    return joined({bytes({static_cast<int>(property)}), block(keys)});
+    return keys;
+}
+
+inline Bytes moving_track(Property property, const std::vector<RawTrackKey>& list)
+{
+    return joined({bytes({static_cast<int>(property)}), block(track_keys(list))});
+}
+
+inline Bytes smooth_track(Property property, const std::vector<RawTrackKey>& list)
+{
+    return joined({bytes({0x40 | static_cast<int>(property)}), block(track_keys(list, Smoothness::smooth))});
+}
+
+/// Behind the tracks of an item, one of which leads along it.
+inline Bytes path_bytes(bool turns, std::uint32_t drawing, const std::vector<std::uint32_t>& lengths)
+{
+    Bytes path = joined({bytes({turns ? 1 : 0}), varint(drawing)});
+    for (const std::uint32_t length : lengths)
+        path = joined({path, varint(length)});
+    return block(path);
 }
 
 /// 16 x 16 px, 10 frames, a black background, white, and red; one triangle.
@@ -105,10 +128,11 @@ struct RawScene {
     std::uint32_t frame_rate = 30'000;
     std::uint32_t width = 16;
     std::uint32_t height = 16;
-    std::uint32_t padding = 0;
+    std::uint32_t camera = 32;
     Bytes palette = bytes({0, 0, 0, 255, 255, 255, 255, 255, 255, 0, 0, 128});
     Bytes laws;
     Bytes marks;
+    Bytes bones; ///< each skeleton a block
     std::uint32_t symbol_count = 0;
     Bytes symbols; ///< each a block
     Bytes items = triangle();
@@ -134,10 +158,10 @@ struct RawScene {
         body.u16(height);
         body.u8(static_cast<std::uint32_t>(palette.size() / 4));
         body.u8(symbol_count);
-        body.u16(padding);
+        body.u16(camera);
         body.append(palette);
         body.append(laws);
-        for (const Bytes* section : {&marks, &symbols, &items})
+        for (const Bytes* section : {&marks, &bones, &symbols, &items})
             body.block(*section);
         body.append(drawings);
         return sealed(body);

@@ -1,22 +1,14 @@
 #include "core/scene_check.hpp"
 
 #include "core/kfb_limits.hpp"
-#include "tests/core/raw_scene.hpp"
+#include "tests/core/acceptance.hpp"
+#include "tests/core/raw_drawing.hpp"
 
 #include <doctest/doctest.h>
 #include <initializer_list>
 
 namespace kfast::test {
 namespace {
-
-bool is_accepted(const RawScene& scene)
-{
-    const Bytes file = scene.file();
-    const auto view = SceneView::parse(file);
-    if (!view)
-        CHECK(view.error() == Error::bad_scene);
-    return static_cast<bool>(view);
-}
 
 bool takes_items(const Bytes& items)
 {
@@ -56,6 +48,13 @@ bool takes_keys(const Bytes& keys, const Bytes& laws = {}, int law_count = 0)
 bool takes_stroke(const Bytes& style)
 {
     return takes_items(joined({bytes({0x10}), style, varint(900), bytes({4, 0, 0, 1, 0})}));
+}
+
+/// On an object that is filled and stroked.
+bool takes_stroked_track(const Bytes& track)
+{
+    return takes_items(
+        joined({bytes({0x1C, 1}), track, bytes({1, 1, 16, 8, 16}), varint(900), bytes({4, 0, 0, 1, 0})}));
 }
 
 bool takes_marks(const Bytes& marks)
@@ -138,8 +137,10 @@ TEST_CASE("values of the header have ranges")
     CHECK_FALSE(with(&RawScene::frame_rate, 1'000'001));
     CHECK(with(&RawScene::loop, 2));
     CHECK_FALSE(with(&RawScene::loop, 3));
-    CHECK_FALSE(with(&RawScene::padding, 1));
-    CHECK_FALSE(with(&RawScene::padding, 0x100));
+    CHECK_FALSE(with(&RawScene::camera, 15));
+    CHECK(with(&RawScene::camera, 16));
+    CHECK(with(&RawScene::camera, 32767));
+    CHECK_FALSE(with(&RawScene::camera, 32768));
     CHECK(with(&RawScene::edges, 65534));
     CHECK_FALSE(with(&RawScene::edges, 65535));
 }
@@ -252,14 +253,14 @@ TEST_CASE("items end where their section ends")
     CHECK_FALSE(takes_items(bytes({0x0C})));
 }
 
-TEST_CASE("tracks rise by their properties, of which there are thirteen")
+TEST_CASE("tracks rise by their properties, of which there are seventeen")
 {
     const Bytes x = bytes({0x80, 2});
     const Bytes y = bytes({0x81, 2});
     CHECK(takes_tracks(2, joined({x, y})));
     CHECK_FALSE(takes_tracks(2, joined({y, x})));
     CHECK_FALSE(takes_tracks(2, joined({x, x})));
-    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 13, 2})));
+    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 17, 2})));
     CHECK_FALSE(takes_tracks(1, bytes({0xFF, 2})));
     CHECK_FALSE(takes_tracks(3, joined({x, y})));
 }
@@ -274,9 +275,10 @@ TEST_CASE("values of tracks have ranges")
         CHECK_FALSE(takes_value(property, most + 1));
     };
     for (const Property place :
-         {Property::x, Property::y, Property::pivot_x, Property::pivot_y, Property::order})
+         {Property::x, Property::y, Property::z, Property::pivot_x, Property::pivot_y, Property::order})
         check_range(place, -32768, 32767);
-    check_range(Property::rotation, -1'048'576, 1'048'576);
+    for (const Property turn : {Property::rotation_x, Property::rotation_y, Property::rotation})
+        check_range(turn, -1'048'576, 1'048'576);
     check_range(Property::scale_x, -262'144, 262'144);
     check_range(Property::scale_y, -262'144, 262'144);
     check_range(Property::opacity, 0, 255);
@@ -287,9 +289,9 @@ TEST_CASE("values of tracks have ranges")
 
 TEST_CASE("tracks of colours and widths need what they colour")
 {
-    const Bytes fill = bytes({1, 0x8A, 2});
-    const Bytes stroke = bytes({1, 0x8B, 2});
-    const Bytes width = bytes({1, 0x8C, 2});
+    const Bytes fill = bytes({1, 0x8E, 2});
+    const Bytes stroke = bytes({1, 0x8F, 2});
+    const Bytes width = bytes({1, 0x90, 2});
     const auto on_filled = [](const Bytes& tracks) {
         return takes_items(joined({bytes({0x0C}), tracks, bytes({1, 4, 4, 0, 0, 1, 0})}));
     };
@@ -303,10 +305,10 @@ TEST_CASE("tracks of colours and widths need what they colour")
     CHECK_FALSE(on_stroked(fill));
     CHECK(on_stroked(stroke));
     CHECK(on_stroked(width));
-    CHECK(on_stroked(joined({bytes({1, 0x8C}), signed_varint(65535)})));
-    CHECK_FALSE(on_stroked(joined({bytes({1, 0x8C}), signed_varint(65536)})));
-    CHECK_FALSE(on_stroked(bytes({1, 0x8C, 1}))); // -1
-    CHECK_FALSE(on_stroked(bytes({1, 0x8B, 6}))); // the fourth colour of three
+    CHECK(on_stroked(joined({bytes({1, 0x90}), signed_varint(65535)})));
+    CHECK_FALSE(on_stroked(joined({bytes({1, 0x90}), signed_varint(65536)})));
+    CHECK_FALSE(on_stroked(bytes({1, 0x90, 1}))); // -1
+    CHECK_FALSE(on_stroked(bytes({1, 0x8F, 6}))); // the fourth colour of three
     for (const Bytes& tracks : {fill, stroke, width}) {
         CHECK_FALSE(takes_items(joined({bytes({5}), tracks, bytes({0})})));
         RawScene scene;
@@ -328,6 +330,96 @@ TEST_CASE("keys of tracks rise in time and have known laws")
     CHECK_FALSE(takes_track_keys(joined({varint(2 * 1'000'000), bytes({0, 2, 3, 0, 2})})));
     CHECK_FALSE(takes_track_keys(joined({bytes({0, 0}), signed_varint(32768)})));
     CHECK_FALSE(takes_track_keys(joined({bytes({0, 0, 2, 4, 0}), signed_varint(-32769)})));
+}
+
+TEST_CASE("only amounts may be smooth, and nothing that is fixed")
+{
+    for (int number = 0; number < static_cast<int>(property_count); ++number) {
+        const auto property = static_cast<Property>(number);
+        if (property == Property::along)
+            continue; // has a path
+        const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}});
+        CAPTURE(number);
+        const bool is_amount = property < Property::order || property == Property::width;
+        CHECK(takes_stroked_track(smooth) == is_amount);
+        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}})));
+        CHECK_FALSE(takes_stroked_track(bytes({0xC0 | number, 2})));
+    }
+    SUBCASE("keys of smooth tracks rise in time and have values in their ranges")
+    {
+        const auto takes = [](const std::vector<RawTrackKey>& list) {
+            return takes_tracks(1, smooth_track(Property::opacity, list));
+        };
+        CHECK(takes({{{}, 0, 255}, {{1}, 0, 0}}));
+        CHECK_FALSE(takes({{{}, 0, 256}}));
+        CHECK_FALSE(takes({{{}, 0, -1}}));
+        CHECK_FALSE(takes({{{5}, 0, 1}, {{5}, 0, 2}}));
+        CHECK_FALSE(takes({}));
+        CHECK(takes_tracks(1, joined({bytes({0x4B}), block(bytes({0, 2}))})));
+        CHECK_FALSE(takes_tracks(1, joined({bytes({0x4B}), block(bytes({0, 2, 4}))}))); // breaks off
+    }
+}
+
+TEST_CASE("a path is one stroke with an extent, and each of its segments has a length")
+{
+    const auto takes_path = [](const scene::Drawing& drawing, const Bytes& path) {
+        RawScene scene;
+        scene.drawings = joined({scene.drawings, packed(drawing)});
+        scene.items =
+            joined({bytes({0x0C, 1}), fixed_track(Property::along, 7), path, bytes({1, 4, 4, 0, 0, 1, 0})});
+        return is_accepted(scene);
+    };
+    constexpr std::uint32_t offset = 11;
+    const scene::Drawing corner{{polyline_of({{0, 0}, {160, 0}, {160, 160}})}};
+    const scene::Drawing two{{corner.strokes[0], corner.strokes[0]}};
+    const scene::Drawing point{{polyline_of({{0, 0}})}};
+    CHECK(takes_path(corner, path_bytes(false, offset, {160, 160})));
+    CHECK(takes_path(corner, path_bytes(true, offset, {1, 8'388'606})));
+    CHECK_FALSE(takes_path(two, path_bytes(false, offset, {160, 160})));
+    CHECK_FALSE(takes_path(two, path_bytes(false, offset, {160, 160, 160, 160})));
+    CHECK_FALSE(takes_path(point, path_bytes(false, offset, {})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, 10, {}))); // the empty drawing
+    CHECK_FALSE(takes_path(corner, path_bytes(false, offset, {160})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, offset, {160, 160, 1})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, offset, {160, 0})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, offset, {1, 8'388'607})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, offset, {1, 0xFFFFFFFF})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, 10'000, {160, 160})));
+    CHECK_FALSE(takes_path(corner, path_bytes(false, 0xFFFFFFFF, {160, 160})));
+    CHECK_FALSE(takes_path(corner, block(joined({bytes({2}), varint(offset), varint(160), varint(160)}))));
+    CHECK_FALSE(takes_path(corner, {}));
+    SUBCASE("whose drawing is whole")
+    {
+        Bytes cut = packed(corner);
+        cut.pop_back();
+        const Bytes too_wide = joined({bytes({1, 31, 2, 0, 0, 0, 0}), repeated(bytes({0xFF}), 20)});
+        for (const Bytes& drawing : {cut, too_wide}) {
+            RawScene scene;
+            scene.drawings = joined({scene.drawings, drawing});
+            scene.items = joined({bytes({0x0C, 1}), fixed_track(Property::along, 7),
+                                  path_bytes(false, offset, {160, 160}), bytes({1, 4, 4, 0, 0, 1, 0})});
+            CHECK_FALSE(is_accepted(scene));
+        }
+    }
+}
+
+TEST_CASE("groups and uses may follow a path, too, and a share of it is 0 to 1")
+{
+    const Bytes path = path_bytes(true, 0, {20, 20}); // along the triangle
+    const auto takes_share = [&path](std::int32_t share) {
+        return takes_items(joined({bytes({0x05, 1}), fixed_track(Property::along, share), path, block({})}));
+    };
+    CHECK(takes_share(0));
+    CHECK(takes_share(65536));
+    CHECK_FALSE(takes_share(-1));
+    CHECK_FALSE(takes_share(65537));
+    RawScene scene;
+    scene.add_symbol(triangle());
+    scene.items = joined({bytes({0x06, 1}), fixed_track(Property::along, 1), path, bytes({0})});
+    CHECK(is_accepted(scene));
+    scene.items =
+        joined({bytes({0x06, 1}), fixed_track(Property::along, 1), path_bytes(true, 0, {20}), bytes({0})});
+    CHECK_FALSE(is_accepted(scene));
 }
 
 TEST_CASE("keys of objects rise in time, have known laws and pieces, and drawings that are there")

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kfast::test {
@@ -20,8 +21,10 @@ struct Stage {
     Bytes block;
     Player player;
 
-    Stage(std::string_view text, Size panel, Fit fit = Fit::contain)
-        : bytes{compiled(text)}, scene{*SceneView::parse(bytes)},
+    Stage(std::string_view text, Size panel, Fit fit = Fit::contain) : Stage{compiled(text), panel, fit} {}
+
+    Stage(Bytes file, Size panel, Fit fit = Fit::contain)
+        : bytes{std::move(file)}, scene{*SceneView::parse(bytes)},
           block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
     {
     }

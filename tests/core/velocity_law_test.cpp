@@ -1,5 +1,7 @@
 #include "core/velocity_law.hpp"
 
+#include "tests/core/exact_law.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,22 +20,6 @@ static_assert(VelocityLaw{} == VelocityLaw::constant);
 
 constexpr std::array smooth_laws{VelocityLaw::constant, VelocityLaw::accelerate, VelocityLaw::decelerate,
                                  VelocityLaw::accelerate_decelerate};
-
-/// Of a smooth law.
-double exact(const VelocityLaw& law, double time)
-{
-    using std::numbers::pi;
-    switch (law.kind) {
-    case Kind::accelerate:
-        return 1 - std::cos(pi * time / 2);
-    case Kind::decelerate:
-        return std::sin(pi * time / 2);
-    case Kind::accelerate_decelerate:
-        return (1 - std::cos(pi * time)) / 2;
-    default:
-        return time;
-    }
-}
 
 VelocityLaw bezier(double x1, double y1, double x2, double y2)
 {
@@ -139,7 +125,7 @@ TEST_CASE("every smooth law is within 0.51 units in the last place of the exact 
     for (const VelocityLaw& law : smooth_laws) {
         double worst = 0;
         for (std::uint32_t time = 0; time <= Share::one; ++time) {
-            const double error = progress(law, {time}).raw - exact(law, time / 65536.0) * 65536;
+            const double error = progress(law, {time}).raw - exact_way(law, time / 65536.0) * 65536;
             worst = std::max(worst, std::abs(error));
         }
         CAPTURE(static_cast<int>(law.kind));

@@ -1,0 +1,155 @@
+#include "core/player.hpp"
+
+#include "core/crc32.hpp"
+#include "core/edge_budget.hpp"
+#include "host/every_item.hpp"
+#include "tests/core/moving_scenes.hpp"
+#include "tests/core/stage.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <random>
+#include <set>
+#include <vector>
+
+/// Players of scenes that bones, backbones, paths and turns in space move.
+namespace kfast::test {
+namespace {
+
+constexpr Size canvas{60, 40};
+
+/// Of all objects, none of which is painted twice.
+std::size_t edges_needed(const SceneView& scene)
+{
+    std::uint64_t edges = 0;
+    every_item(scene, [&](const ItemView& item) {
+        if (item.kind == ItemKind::object)
+            edges += object_edges(item.object, scene.drawings());
+    });
+    return edges;
+}
+
+std::vector<Time> some_times()
+{
+    std::vector<Time> times;
+    for (int ticks = 0; ticks < 30 * 1024; ticks += 1300)
+        times.push_back({ticks});
+    return times;
+}
+
+std::vector<Bytes> pictures_of(const RawScene& scene, const std::vector<Time>& times)
+{
+    std::vector<Bytes> pictures;
+    for (const Time time : times)
+        pictures.push_back(Stage{scene.file(), canvas}.picture(time));
+    return pictures;
+}
+
+}
+
+TEST_CASE("what moves the scenes changes their pictures nearly all the time")
+{
+    for (const RawScene& scene : moving_scenes()) {
+        std::set<std::uint32_t> different;
+        for (const Bytes& picture : pictures_of(scene, some_times())) {
+            Crc32 crc;
+            crc.add(picture);
+            different.insert(crc.value());
+        }
+        CHECK(different.size() + 4 >= some_times().size()); // the last key may come before the end
+    }
+}
+
+TEST_CASE("a picture is the same whether it is reached forwards, backwards or by a leap")
+{
+    std::mt19937 random{106};
+    const std::vector<Time> times = some_times();
+    for (const RawScene& scene : moving_scenes()) {
+        const std::vector<Bytes> pictures = pictures_of(scene, times);
+        Stage stage{scene.file(), canvas};
+        for (std::size_t i = 0; i < times.size(); ++i)
+            REQUIRE(stage.picture(times[i]) == pictures[i]);
+        for (std::size_t i = times.size(); i-- > 0;)
+            REQUIRE(stage.picture(times[i]) == pictures[i]);
+        for (int round = 0; round < 60; ++round) {
+            const std::size_t i = random() % times.size();
+            if (round % 3 == 0) { // rows that are left undrawn do not matter either
+                stage.player.show({static_cast<std::int32_t>(random())});
+                Bytes few_rows(60 * 2 * 7);
+                stage.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
+            }
+            REQUIRE(stage.picture(times[i]) == pictures[i]);
+        }
+    }
+}
+
+TEST_CASE("the picture of what moves in space or is carried does not depend on the height of the bands")
+{
+    for (const RawScene& scene : moving_scenes()) {
+        Stage stage{scene.file(), {61, 33}};
+        for (const int frame : {0, 7, 13, 22, 27}) {
+            const Bytes whole = stage.picture<PixelFormat::grey4>(Time::frame(frame));
+            for (const int band_rows : {1, 3, 8, 32})
+                CHECK(stage.picture<PixelFormat::grey4>(Time::frame(frame), band_rows) == whole);
+        }
+    }
+}
+
+TEST_CASE("no moment of what is carried or turned needs more edges or steps than can be told beforehand")
+{
+    std::mt19937 random{107};
+    for (const RawScene& scene : moving_scenes())
+        for (const Size panel : {canvas, Size{7, 5}, Size{480, 320}}) {
+            Stage stage{scene.file(), panel};
+            const std::size_t bound = edges_needed(stage.scene);
+            std::size_t most = 0;
+            for (int round = 0; round < 1000; ++round) {
+                stage.player.show({static_cast<std::int32_t>(random())});
+                most = std::max(most, stage.player.edge_count());
+                CHECK(stage.player.step_count() <= stage.scene.paint_steps());
+            }
+            CHECK(most <= bound);
+            CHECK(most > bound / 8); // the bound is not a guess far off
+        }
+}
+
+TEST_CASE("a player of what is carried or turned writes to its block alone")
+{
+    constexpr std::size_t guard = 64;
+    constexpr std::byte mark{0xA5};
+    for (const RawScene& raw : moving_scenes()) {
+        const Bytes file = raw.file();
+        const SceneView scene = *SceneView::parse(file);
+        const std::size_t size = Player::block_bytes(scene, canvas);
+        Bytes memory(size + 2 * guard, mark);
+        auto player = Player::create(scene, canvas, Fit::cover, std::span{memory}.subspan(guard, size));
+        REQUIRE(player);
+        Bytes pixels(row_bytes(PixelFormat::rgb565, canvas.width) * static_cast<std::size_t>(canvas.height));
+        for (int frame = 0; frame < 30; ++frame) {
+            player->show(Time::frame(frame));
+            player->draw_rows<PixelFormat::rgb565>(canvas.height, pixels);
+        }
+        const auto is_untouched = [](std::span<const std::byte> part) {
+            return std::ranges::all_of(part, [](std::byte byte) { return byte == mark; });
+        };
+        CHECK(is_untouched(std::span{memory}.first(guard)));
+        CHECK(is_untouched(std::span{memory}.last(guard)));
+    }
+}
+
+TEST_CASE("a block has room for all bones, and for the nodes and gaps of one object's backbones")
+{
+    const auto extra_bytes = [](const RawScene& raw) {
+        const Bytes file = raw.file();
+        const SceneView scene = *SceneView::parse(file);
+        const std::size_t plain = std::size_t{scene.max_edges()} * 24 +
+                                  CoverageRow::cells_for(20) * sizeof(std::int32_t) +
+                                  scene.paint_steps() * sizeof(PaintStep) + scene.blended_depth() * 20 * 2;
+        return Player::block_bytes(scene, {20, 10}) - plain;
+    };
+    CHECK(extra_bytes(space_scene()) == 0);
+    CHECK(extra_bytes(bones_scene()) == 5 * sizeof(LiveBone));
+    CHECK(extra_bytes(backbones_scene()) == 7 * sizeof(BackboneNode));
+}
+
+}
