@@ -1,11 +1,14 @@
 #include "host/scene/canvas_reader.hpp"
 
+#include "core/kfb_limits.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace kfast::scene {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 constexpr NodeForm canvas_form{"canvas", "canvas WIDTH HEIGHT fps=30", 2, 2};
 constexpr Range sizes{1, widest_canvas};
 constexpr Range frame_rates{1, fastest};
+constexpr Range camera_distances{kfb::min_camera, kfb::max_camera};
 
 /// A length in seconds has to wait for the frame rate, which may stand behind it.
 struct Canvas {
@@ -20,6 +24,7 @@ struct Canvas {
     Loop loop = Loop::repeat;
     bool has_background = false;
     const kdl::Value* length = nullptr;
+    std::optional<int> camera;
 };
 
 bool read_rate(const kdl::Value& value, Canvas& canvas, Reading& reading)
@@ -48,11 +53,19 @@ bool keep_length(const kdl::Value& value, Canvas& canvas, Reading&)
     return true;
 }
 
+bool read_camera(const kdl::Value& value, Canvas& canvas, Reading& reading)
+{
+    canvas.camera = read_whole_number(value, camera_distances, reading);
+    return canvas.camera.has_value();
+}
+
+/// Twice the longer side: from there the canvas is seen within 28 degrees.
+int usual_camera(Size canvas) { return std::max(kfb::min_camera, 2 * std::max(canvas.width, canvas.height)); }
+
 constexpr std::array canvas_rules{
-    PropertyRule<Canvas>{"fps", read_rate},
-    PropertyRule<Canvas>{"background", read_background},
-    PropertyRule<Canvas>{"loop", read_loop},
-    PropertyRule<Canvas>{"frames", keep_length},
+    PropertyRule<Canvas>{"fps", read_rate},      PropertyRule<Canvas>{"background", read_background},
+    PropertyRule<Canvas>{"loop", read_loop},     PropertyRule<Canvas>{"frames", keep_length},
+    PropertyRule<Canvas>{"camera", read_camera},
 };
 
 std::optional<Time> read_length(const kdl::Value& value, Reading& reading)
@@ -80,6 +93,7 @@ void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
     reading.frame_rate = static_cast<std::uint32_t>(std::lround(canvas.frames_per_second * 1000));
     scene.frame_rate = reading.frame_rate;
     scene.loop = canvas.loop;
+    scene.camera = canvas.camera.value_or(usual_camera(scene.canvas));
     if (canvas.length != nullptr)
         reading.length = read_length(*canvas.length, reading);
 }

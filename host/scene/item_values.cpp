@@ -19,6 +19,7 @@ struct NumberForm {
 constexpr NumberForm pixels{coordinates, 16, 1};
 constexpr NumberForm degrees{{-16 * 360, 16 * 360}, BinaryAngle::turn, 360};
 constexpr NumberForm scales{{-64, 64}, kfb::max_scale, 64};
+constexpr NumberForm shares{{0, 1}, path_whole, 1};
 constexpr NumberForm opacities{{0, 1}, 255, 1};
 constexpr NumberForm widths{{0, widest_stroke}, 16, 1};
 constexpr Range orders{-32768, 32767};
@@ -45,14 +46,19 @@ std::optional<std::int32_t> read_item_value(Property property, const kdl::Value&
     switch (property) {
     case Property::x:
     case Property::y:
+    case Property::z:
     case Property::pivot_x:
     case Property::pivot_y:
         return read_form(pixels, value, reading);
+    case Property::rotation_x:
+    case Property::rotation_y:
     case Property::rotation:
         return read_form(degrees, value, reading);
     case Property::scale_x:
     case Property::scale_y:
         return read_form(scales, value, reading);
+    case Property::along:
+        return read_form(shares, value, reading);
     case Property::opacity:
         return read_form(opacities, value, reading);
     case Property::order:
@@ -66,6 +72,14 @@ std::optional<std::int32_t> read_item_value(Property property, const kdl::Value&
         return read_form(widths, value, reading);
     }
     return std::nullopt;
+}
+
+bool read_rotation(const kdl::Value& value, std::optional<std::int32_t>& rotation, Reading& reading)
+{
+    if (rotation)
+        return reading.report.error(value.place, "rotate and rotate-z are the same and both given",
+                                    "leave out one of them");
+    return assign(read_item_value(Property::rotation, value, reading), rotation);
 }
 
 }

@@ -35,6 +35,15 @@ bool read_own_value(const kdl::Value& value, Target& target, Reading& reading)
     return assign(read_item_value(property, value, reading), target.values[property]);
 }
 
+/// "rotate" and "rotate-z" are two names of one rotation. False if `rotation` is given already.
+bool read_rotation(const kdl::Value& value, std::optional<std::int32_t>& rotation, Reading& reading);
+
+template <class Target>
+bool read_rotation(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return read_rotation(value, target.values[Property::rotation], reading);
+}
+
 template <class Target>
 bool read_scale(const kdl::Value& value, Target& target, Reading& reading)
 {
@@ -47,7 +56,11 @@ template <class Target>
 inline constexpr std::array place_rules{
     PropertyRule<Target>{"x", read_own_value<Property::x>},
     PropertyRule<Target>{"y", read_own_value<Property::y>},
-    PropertyRule<Target>{"rotate", read_own_value<Property::rotation>},
+    PropertyRule<Target>{"z", read_own_value<Property::z>},
+    PropertyRule<Target>{"rotate", read_rotation<Target>},
+    PropertyRule<Target>{"rotate-x", read_own_value<Property::rotation_x>},
+    PropertyRule<Target>{"rotate-y", read_own_value<Property::rotation_y>},
+    PropertyRule<Target>{"rotate-z", read_rotation<Target>},
     PropertyRule<Target>{"scale", read_scale},
     PropertyRule<Target>{"scale-x", read_own_value<Property::scale_x>},
     PropertyRule<Target>{"scale-y", read_own_value<Property::scale_y>},

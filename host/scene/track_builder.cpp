@@ -1,5 +1,6 @@
 #include "host/scene/track_builder.hpp"
 
+#include "host/property_name.hpp"
 #include "host/scene/pivot.hpp"
 #include "host/scene/property_rule.hpp"
 
@@ -34,13 +35,22 @@ LawPair laws_for(Property property, const KeyLaws& laws)
 
 bool is_painted(Property property) { return property >= Property::fill; }
 
-void warn_of_idle_pivot(const kdl::Node& node, Reading& reading)
+void warn_of_idle_pivot(std::string_view name, Place place, Reading& reading)
 {
-    for (const char* const name : {"pivot-x", "pivot-y"})
+    reading.report.warning(place, std::string{name} + " does nothing where nothing turns or grows",
+                           "add rotate=… or scale=…, or remove " + std::string{name});
+}
+
+void warn_of_idle_pivots(const kdl::Node& node, std::span<const TimedQuantity> timed, Reading& reading)
+{
+    for (const Property pivot : {Property::pivot_x, Property::pivot_y}) {
+        const std::string_view name = property_name(pivot);
         if (has_property(node, name))
-            reading.report.warning(property_place(node, name),
-                                   std::string{name} + " does nothing where nothing turns or grows",
-                                   "add rotate=… or scale=…, or remove " + std::string{name});
+            warn_of_idle_pivot(name, property_place(node, name), reading);
+        for (const TimedQuantity& quantity : timed)
+            if (gives(quantity, pivot))
+                warn_of_idle_pivot(name, quantity.place, reading);
+    }
 }
 
 /// The first key has a value of everything that any key sets. No way leads from the last one.
@@ -72,18 +82,20 @@ Track build_track(Property property, std::optional<std::int32_t> own, std::span<
 }
 
 std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
-                                std::span<const ItemKey> keys, Reading& reading)
+                                std::span<const ItemKey> keys, std::span<TimedQuantity> timed,
+                                Reading& reading)
 {
     std::vector<Track> tracks;
     for (std::size_t i = 0; i < property_count; ++i) {
         const auto property = static_cast<Property>(i);
-        Track track = build_track(property, values.get(property), keys);
+        Track* const by_times = find_track(timed, property);
+        Track track = by_times != nullptr ? *by_times : build_track(property, values.get(property), keys);
         if (!track.keys.empty())
             tracks.push_back(std::move(track));
     }
-    if (std::ranges::none_of(tracks, turns_or_grows)) {
+    if (std::ranges::none_of(tracks, needs_pivot)) {
         std::erase_if(tracks, is_pivot);
-        warn_of_idle_pivot(node, reading);
+        warn_of_idle_pivots(node, timed, reading);
     }
     return tracks;
 }

@@ -5,6 +5,7 @@
 #include "host/scene/key_reader.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/timed_quantity.hpp"
 
 #include <span>
 #include <vector>
@@ -13,9 +14,10 @@ namespace kfast::scene {
 
 /// What of the item `node` is not the ordinary or changes. `values` are those of the item itself, its pivot
 /// included; of fill, stroke and width there are tracks only where keys set them, of the pivot only where the
-/// item turns or grows about it.
+/// item turns or grows about it. `timed` wins over `values`.
 std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
-                                std::span<const ItemKey> keys, Reading& reading);
+                                std::span<const ItemKey> keys, std::span<TimedQuantity> timed,
+                                Reading& reading);
 
 /// The drawings of `keys`, with the laws of their ways; `keys` have none afterwards.
 std::vector<Key> take_drawings(std::span<ItemKey> keys);

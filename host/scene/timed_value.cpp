@@ -1,0 +1,79 @@
+#include "host/scene/timed_value.hpp"
+
+#include "host/scene/item_values.hpp"
+#include "host/scene/key_order.hpp"
+#include "host/scene/law_reader.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm at_form{at_name, "at TIME VALUE", 2, 2};
+
+bool read_law_of_way(const kdl::Value& value, TimedValue& timed, Reading& reading)
+{
+    return assign(read_law(value, reading), timed.law);
+}
+
+constexpr std::array at_rules{PropertyRule<TimedValue>{"law", read_law_of_way}};
+
+std::optional<TimedValue> read_at(const kdl::Node& node, Property property, Reading& reading)
+{
+    if (node.name != at_name) {
+        reading.report.error(node.name_place, "a track has no node " + quoted(node.name),
+                             suggestion(node.name, std::array{at_name}));
+        return std::nullopt;
+    }
+    if (!fits(node, at_form, reading))
+        return std::nullopt;
+    TimedValue timed;
+    timed.node = &node;
+    timed.place = span(node.name_place, node.arguments.back().place);
+    read_properties(node, at_rules, timed, reading);
+    const auto time = read_time(node.arguments.front(), reading);
+    const auto value = read_item_value(property, node.arguments.back(), reading);
+    const bool is_good = assign(time, timed.time) && assign(value, timed.value);
+    return is_good ? std::optional{timed} : std::nullopt;
+}
+
+/// Keeps the first of those that have the same time. `values` are in the order of their times, and those of
+/// one time as they are written.
+void refuse_double_times(std::vector<TimedValue>& values, Reading& reading)
+{
+    const auto is_again = [&reading](const TimedValue& first, const TimedValue& second) {
+        return !comes_later("value", {first.time, first.place}, {second.time, second.place}, reading);
+    };
+    values.erase(std::unique(values.begin(), values.end(), is_again), values.end());
+}
+
+}
+
+std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, Reading& reading)
+{
+    std::vector<TimedValue> values;
+    for (const kdl::Node& node : track.children) {
+        if (reading.report.full())
+            break;
+        if (values.size() == most_keys) {
+            reading.report.error(node.name_place,
+                                 "at most " + std::to_string(most_keys) + " times stand here");
+            break;
+        }
+        if (auto timed = read_at(node, property, reading))
+            values.push_back(*timed);
+    }
+    std::ranges::stable_sort(values, {}, &TimedValue::time);
+    refuse_double_times(values, reading);
+    return values;
+}
+
+}

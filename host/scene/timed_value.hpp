@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/property.hpp"
+#include "core/time.hpp"
+#include "core/velocity_law.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/reading.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view at_name = "at";
+
+/// A node `at` of a track: a value, and the law of the way to the next.
+struct TimedValue {
+    const kdl::Node* node = nullptr;
+    Time time;
+    std::int32_t value = 0; ///< in the unit of its property
+    std::optional<VelocityLaw> law;
+    Place place; ///< of the node's name and both values
+};
+
+/// Those that stand in `track`, in the order of their times, which all differ; without those that are wrong,
+/// which are reported.
+std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, Reading& reading);
+
+}
