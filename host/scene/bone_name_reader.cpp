@@ -1,0 +1,18 @@
+#include "host/scene/bone_name_reader.hpp"
+
+#include "host/scene/skeleton_table.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+namespace kfast::scene {
+
+std::optional<std::size_t> read_bone_name(std::string_view name, Place place, const std::vector<Bone>& bones,
+                                          Reading& reading)
+{
+    const auto bone = find_bone(bones, name);
+    if (!bone)
+        reading.report.error(place, "unknown bone " + quoted(name), suggestion(name, names_of(bones)));
+    return bone;
+}
+
+}

@@ -1,0 +1,216 @@
+#include "host/scene/pose_reader.hpp"
+
+#include "host/scene/bone_name_reader.hpp"
+#include "host/scene/key_order.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/unseen_keys.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm timed_form{pose_name, "pose TIME NAME law=LAW { BONE turn=DEGREES }", 1, 2, true};
+constexpr NodeForm definition_form{pose_name, "pose NAME { BONE turn=DEGREES }", 1, 1, true};
+
+/// All bones as they are set up.
+constexpr std::string_view rest_name = "rest";
+
+/// Fifteen turns: with the angle as set up, this stays within what the format holds.
+constexpr Range turns{-5400, 5400};
+constexpr Range lengths{0, longest_bone / 16};
+
+template <std::optional<double> PosedBone::*quantity, const Range& range>
+bool read_quantity(const kdl::Value& value, PosedBone& bone, Reading& reading)
+{
+    return assign(read_number(value, range, reading), bone.*quantity);
+}
+
+constexpr std::array bone_rules{
+    PropertyRule<PosedBone>{"turn", read_quantity<&PosedBone::turn, turns>},
+    PropertyRule<PosedBone>{"x", read_quantity<&PosedBone::x, coordinates>},
+    PropertyRule<PosedBone>{"y", read_quantity<&PosedBone::y, coordinates>},
+    PropertyRule<PosedBone>{"length", read_quantity<&PosedBone::length, lengths>},
+};
+
+/// `name` is that of a bone.
+NodeForm bone_form(std::string_view name) { return {name, "BONE turn=DEGREES x=X y=Y length=LENGTH"}; }
+
+std::vector<PosedBone> all_as_set_up(std::size_t count, Place place)
+{
+    std::vector<PosedBone> bones(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        bones[i].bone = i;
+        bones[i].place = place;
+    }
+    return bones;
+}
+
+bool shares_a_bone(const Pose& pose, const std::vector<bool>& bones)
+{
+    return std::ranges::any_of(pose.bones, [&](const PosedBone& posed) { return bones[posed.bone]; });
+}
+
+}
+
+void PoseReader::read(const kdl::Node& node)
+{
+    if (!fits(node, timed_form, reading_))
+        return;
+    if (node.arguments.front().string() != nullptr)
+        read_definition(node);
+    else
+        read_timed(node);
+}
+
+void PoseReader::read_definition(const kdl::Node& node)
+{
+    if (!fits(node, definition_form, reading_) || !refuse_properties(node, reading_))
+        return;
+    const kdl::Value& name = node.arguments.front();
+    const Place place = span(node.name_place, name.place);
+    if (node.children.empty())
+        reading_.report.error(place, "this pose has neither a time nor bones",
+                              "write pose TIME " + visible(*name.string()) +
+                                  ", or add { BONE turn=DEGREES }");
+    else
+        define(name, place, read_bones(node), false);
+}
+
+void PoseReader::read_timed(const kdl::Node& node)
+{
+    const kdl::Value& moment = node.arguments.front();
+    Pose pose;
+    pose.node = &node;
+    pose.place = span(node.name_place, moment.place);
+    read_properties(node, law_rules<Pose>, pose, reading_);
+    const kdl::Value* const name = node.arguments.size() > 1 ? &node.arguments.back() : nullptr;
+    if (!node.children.empty())
+        pose.bones = read_bones(node);
+    if (!node.children.empty() && name != nullptr)
+        define(*name, pose.place, pose.bones, true);
+    if (node.children.empty() && name == nullptr)
+        reading_.report.error(pose.place, "this pose sets no bones",
+                              "add { BONE turn=DEGREES }, or the name of a pose such as rest");
+    const auto time = read_time(moment, reading_);
+    pose.time = time.value_or(Time{});
+    if (!time || !in_order(pose))
+        return;
+    if (node.children.empty() && name != nullptr)
+        mentions_.push_back({poses_.size(), name});
+    poses_.push_back(std::move(pose));
+}
+
+bool PoseReader::in_order(const Pose& pose)
+{
+    if (poses_.size() == most_keys)
+        return reading_.report.error(pose.place,
+                                     "at most " + std::to_string(most_keys) + " poses stand here");
+    return poses_.empty() || comes_later(pose_name, {poses_.back().time, poses_.back().place},
+                                         {pose.time, pose.place}, reading_);
+}
+
+void PoseReader::define(const kdl::Value& name, Place place, const std::vector<PosedBone>& bones,
+                        bool is_used)
+{
+    const auto text = read_name(name, reading_);
+    if (!text)
+        return;
+    if (*text == rest_name)
+        reading_.report.error(name.place, "\"rest\" is the pose of all bones as they are set up",
+                              "choose another name");
+    else if (add_name(names_, "a pose", *text, place, reading_.report))
+        definitions_.push_back({std::string{*text}, place, bones, is_used});
+}
+
+std::vector<PosedBone> PoseReader::read_bones(const kdl::Node& node)
+{
+    std::vector<PosedBone> bones;
+    for (const kdl::Node& child : node.children) {
+        const auto bone = reading_.report.full() ? std::nullopt : read_bone(child);
+        if (!bone)
+            continue;
+        const auto earlier = std::ranges::find(bones, bone->bone, &PosedBone::bone);
+        if (earlier == bones.end())
+            bones.push_back(*bone);
+        else
+            reading_.report.error(bone->place, "this pose sets " + quoted(child.name) + " already, on " +
+                                                   reading_.report.line(earlier->place));
+    }
+    return bones;
+}
+
+std::optional<PosedBone> PoseReader::read_bone(const kdl::Node& node)
+{
+    if (!fits(node, bone_form(node.name), reading_))
+        return std::nullopt;
+    const auto index = read_bone_name(node.name, node.name_place, bones_, reading_);
+    if (!index)
+        return std::nullopt;
+    PosedBone bone;
+    bone.bone = *index;
+    bone.place = node.name_place;
+    read_properties(node, bone_rules, bone, reading_);
+    return bone;
+}
+
+std::vector<Pose> PoseReader::take()
+{
+    for (const Mention& mention : mentions_)
+        look_up(mention);
+    for (const Definition& definition : definitions_)
+        if (!definition.is_used)
+            reading_.report.warning(definition.place, "the pose " + quoted(definition.name) + " is not used",
+                                    "use it: pose TIME " + visible(definition.name) + ", or remove it");
+    warn_of_idle_laws();
+    // The way to a pose is seen in part if it begins before the end.
+    warn_of_unseen_keys(poses_, 1, pose_name, reading_);
+    if (!poses_.empty())
+        reading_.last_key = std::max(reading_.last_key, poses_.back().time);
+    return std::move(poses_);
+}
+
+void PoseReader::look_up(const Mention& mention)
+{
+    const auto name = read_name(*mention.name, reading_);
+    if (!name)
+        return;
+    Pose& pose = poses_[mention.pose];
+    const auto definition = std::ranges::find(definitions_, *name, &Definition::name);
+    if (definition != definitions_.end()) {
+        definition->is_used = true;
+        pose.bones = definition->bones;
+    } else if (*name == rest_name) {
+        pose.bones = all_as_set_up(bones_.size(), pose.place);
+    } else {
+        std::vector<std::string_view> known{rest_name};
+        for (const Definition& other : definitions_)
+            known.push_back(other.name);
+        reading_.report.error(mention.name->place, "unknown pose " + quoted(*name), suggestion(*name, known));
+    }
+}
+
+/// Those that have no way to govern: no later pose sets one of the bones.
+void PoseReader::warn_of_idle_laws()
+{
+    std::vector<bool> later(bones_.size());
+    for (std::size_t i = poses_.size(); i-- > 0;) {
+        const Pose& pose = poses_[i];
+        if (!shares_a_bone(pose, later))
+            for (const auto& rule : law_rules<Pose>)
+                if (const std::string name{rule.name}; has_property(*pose.node, name))
+                    reading_.report.warning(property_place(*pose.node, name),
+                                            "this " + name + " governs nothing",
+                                            "remove it, or let a later pose set one of these bones");
+        for (const PosedBone& posed : pose.bones)
+            later[posed.bone] = true;
+    }
+}
+
+}

@@ -1,0 +1,171 @@
+#include "host/scene/reach_reader.hpp"
+
+#include "core/key_interval.hpp"
+#include "host/scene/bone_frames.hpp"
+#include "host/scene/bone_name_reader.hpp"
+#include "host/scene/key_laws.hpp"
+#include "host/scene/key_order.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/timed_value.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm reach_form{reach_name, "reach BONE { at TIME X Y }", 1, 1, true};
+constexpr NodeForm at_form{at_name, "at TIME X Y law=LAW", 3, 3};
+
+constexpr std::array bends{Word<Bend>{"left", Bend::left}, Word<Bend>{"right", Bend::right}};
+
+/// A joint that is nearer to the line than this does not say to which side it bends.
+constexpr double straight = 1.0 / 16;
+
+struct ReachProperties {
+    std::optional<Bend> bend;
+};
+
+bool read_bend(const kdl::Value& value, ReachProperties& reach, Reading& reading)
+{
+    return assign(read_word(value, bends, reading), reach.bend);
+}
+
+constexpr std::array reach_rules{PropertyRule<ReachProperties>{"bend", read_bend}};
+
+struct AtProperties {
+    KeyLaws laws;
+};
+
+constexpr std::array at_rules{PropertyRule<AtProperties>{"law", read_key_law<&KeyLaws::both>}};
+
+struct WrittenTarget {
+    const kdl::Node* node;
+    ReachTarget target;
+};
+
+std::optional<std::size_t> read_bone(const kdl::Value& value, const std::vector<Bone>& bones,
+                                     Reading& reading)
+{
+    const auto name = read_name(value, reading);
+    if (!name)
+        return std::nullopt;
+    return read_bone_name(*name, value.place, bones, reading);
+}
+
+bool check_chain(const Bone& bone, const std::vector<Bone>& bones, Place place, Reading& reading)
+{
+    if (!bone.parent)
+        return reading.report.error(place,
+                                    "to reach takes two bones, and " + quoted(bone.name) + " has no parent",
+                                    "name the last bone of an arm or a leg");
+    const std::string parent = quoted(bones[*bone.parent].name);
+    return bone.is_at_tip ||
+           reading.report.error(place, quoted(bone.name) + " does not begin at the tip of " + parent,
+                                "let it begin exactly where " + parent + " ends");
+}
+
+/// As set up.
+std::optional<Bend> bend_of(const std::vector<Bone>& bones, std::size_t bone)
+{
+    const std::vector<BoneFrame> frames = frames_as_set_up(bones);
+    const Spot origin = frames[*bones[bone].parent].origin;
+    const Spot tip = frames[bone].tip();
+    const double side = cross(tip - origin, frames[bone].origin - origin);
+    if (std::abs(side) <= straight * distance(origin, tip))
+        return std::nullopt;
+    return side > 0 ? Bend::right : Bend::left;
+}
+
+std::optional<WrittenTarget> read_target(const kdl::Node& node, Reading& reading)
+{
+    if (node.name != at_form.name) {
+        reading.report.error(node.name_place, "a reach has no node " + quoted(node.name),
+                             suggestion(node.name, std::array{at_form.name}));
+        return std::nullopt;
+    }
+    if (!fits(node, at_form, reading))
+        return std::nullopt;
+    AtProperties properties;
+    const bool good = read_properties(node, at_rules, properties, reading);
+    const auto time = read_time(node.arguments.front(), reading);
+    const std::span<const kdl::Value> values{node.arguments};
+    const auto spot = read_numbers(values.subspan(1), std::array{coordinates}, reading);
+    if (!good || !time || !spot)
+        return std::nullopt;
+    return WrittenTarget{&node,
+                         {.time = *time,
+                          .spot = {(*spot)[0], (*spot)[1]},
+                          .law = properties.laws.of_rest().x,
+                          .place = span(node.name_place, node.arguments.front().place)}};
+}
+
+Moment moment_of(const WrittenTarget& at) { return {at.target.time, at.target.place}; }
+
+/// In any order, as those of tracks.
+std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, Reading& reading)
+{
+    std::vector<WrittenTarget> written;
+    bool good = true;
+    for (const kdl::Node& child : node.children) {
+        const auto target = reading.report.full() ? std::nullopt : read_target(child, reading);
+        good = target && good;
+        if (target)
+            written.push_back(*target);
+    }
+    std::ranges::stable_sort(written, {}, [](const WrittenTarget& at) { return at.target.time; });
+    for (std::size_t i = 1; i < written.size(); ++i)
+        good = comes_later("target", moment_of(written[i - 1]), moment_of(written[i]), reading) && good;
+    if (node.children.empty())
+        good = reading.report.error(node.name_place, "this reach has no target", "add { at TIME X Y }");
+    if (!good)
+        return std::nullopt;
+    if (has_property(*written.back().node, "law"))
+        reading.report.warning(property_place(*written.back().node, "law"), "this law governs nothing",
+                               "remove it, or add a later target");
+    std::vector<ReachTarget> targets;
+    for (const WrittenTarget& at : written)
+        targets.push_back(at.target);
+    return targets;
+}
+
+}
+
+Spot target_at(const Reach& reach, Time time)
+{
+    const auto to = std::ranges::upper_bound(reach.targets, time, {}, &ReachTarget::time);
+    const ReachTarget& from = *(to - 1);
+    if (to == reach.targets.end())
+        return from.spot;
+    const Way way = progress_between(from.time, to->time, time, {from.law, from.law}).x;
+    return from.spot + static_cast<double>(way.raw) / Way::one * (to->spot - from.spot);
+}
+
+std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, Reading& reading)
+{
+    if (!fits(node, reach_form, reading))
+        return std::nullopt;
+    const kdl::Value& name = node.arguments.front();
+    ReachProperties properties;
+    const bool good = read_properties(node, reach_rules, properties, reading);
+    auto targets = read_targets(node, reading);
+    const auto bone = read_bone(name, bones, reading);
+    if (!bone || !check_chain(bones[*bone], bones, name.place, reading) || !targets || !good)
+        return std::nullopt;
+    const auto bend = properties.bend ? properties.bend : bend_of(bones, *bone);
+    const Place place = span(node.name_place, name.place);
+    if (!bend) {
+        reading.report.error(place, "the bones are set up in a straight line, which tells no side to bend to",
+                             "add bend=left or bend=right");
+        return std::nullopt;
+    }
+    reading.last_key = std::max(reading.last_key, targets->back().time);
+    return Reach{*bone, *bend, std::move(*targets), place};
+}
+
+}
