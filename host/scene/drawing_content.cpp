@@ -4,6 +4,8 @@
 #include "host/scene/item_reader.hpp"
 #include "host/scene/key_list.hpp"
 #include "host/scene/symbol_kind.hpp"
+#include "host/scene/track_reader.hpp"
+#include "host/scene/weights_reader.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -28,6 +30,10 @@ public:
             read_key(node);
         else if (is_drawn(node.name))
             read_drawn(node);
+        else if (holder_ == KeyHolder::object && node.name == track_name)
+            read_timed(node);
+        else if (holder_ == KeyHolder::object && node.name == weights_name)
+            read_weights(node);
         else if (holder_ == KeyHolder::symbol && is_item(node.name))
             report_mixed_kinds(node, reading_);
         else
@@ -43,7 +49,7 @@ public:
 private:
     void read_key(const kdl::Node& node)
     {
-        const bool has_drawing = !node.children.empty();
+        const bool has_drawing = holds_drawing(node);
         if (has_drawing && !content_.drawn.empty())
             return report_mixture(node);
         has_drawing_keys_ = has_drawing_keys_ || has_drawing;
@@ -57,6 +63,21 @@ private:
         content_.drawn.push_back(&node);
     }
 
+    void read_weights(const kdl::Node& node)
+    {
+        if (content_.weights == nullptr)
+            content_.weights = &node;
+        else
+            reading_.report.error(node.name_place, "this object has weights already, on " +
+                                                       reading_.report.line(content_.weights->name_place));
+    }
+
+    void read_timed(const kdl::Node& node)
+    {
+        if (auto quantity = read_track(node, holder_, reading_))
+            content_.timed.push_back(std::move(*quantity));
+    }
+
     void report_mixture(const kdl::Node& node)
     {
         if (!std::exchange(is_mixed_, true))
@@ -67,11 +88,23 @@ private:
 
     void report_unknown(const kdl::Node& node)
     {
+        if (node.name == skeleton_name)
+            return report_skeleton(node);
         std::vector<std::string_view> known = drawn_names();
         known.insert(known.begin(), key_name);
+        if (holder_ == KeyHolder::object) {
+            known.insert(known.begin() + 1, track_name);
+            known.push_back(weights_name);
+        }
         content_.is_good =
             reading_.report.error(node.name_place, std::string{noun_} + " has no node " + quoted(node.name),
                                   suggestion(node.name, known));
+    }
+
+    void report_skeleton(const kdl::Node& node)
+    {
+        content_.is_good = reading_.report.error(node.name_place, "a skeleton stands in a key of an object",
+                                                 "write key 0 { skeleton { … } }");
     }
 
     KeyHolder holder_;

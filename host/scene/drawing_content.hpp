@@ -3,6 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/key_reader.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/timed_quantity.hpp"
 
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace kfast::scene {
 /// directly inside.
 struct DrawingContent {
     std::vector<ItemKey> keys;
+    std::vector<TimedQuantity> timed;    ///< of objects
     std::vector<const kdl::Node*> drawn; ///< directly inside: for these is_drawn() holds
+    const kdl::Node* weights = nullptr;  ///< only of an object
     bool is_good = true;                 ///< all nodes were known, all keys have their time
 };
 

@@ -1,5 +1,6 @@
 #include "host/scene/drawing_reader.hpp"
 
+#include "host/property_name.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/placement.hpp"
@@ -15,6 +16,18 @@ namespace kfast::scene {
 namespace {
 
 constexpr NodeForm empty_form{"empty", "key TIME { empty }"};
+
+/// Whether a copy of a symbol stays in the plane of its drawing, as it must; reports it if not.
+bool lies_flat(const kdl::Node& use, const ItemValues& values, Reading& reading)
+{
+    for (const Property property : {Property::z, Property::rotation_x, Property::rotation_y})
+        if (values.get(property))
+            return reading.report.error(
+                property_place(use, property_name(property)),
+                "among shapes a use is a copy, which lies in the plane of its drawing",
+                "let the use be all that an object draws, or turn the object");
+    return true;
+}
 
 }
 
@@ -78,8 +91,9 @@ void DrawingReader::copy(const kdl::Node& node)
     const SymbolEntry& symbol = *use->symbol;
     const Place name = node.arguments.front().place;
     if (!symbol.still) {
-        reading_.report.error(name, "the symbol " + quoted(symbol.name) + " has keys, which do not fit here",
-                              "let its use be all that an object draws, or use one without keys");
+        reading_.report.error(
+            name, "the symbol " + quoted(symbol.name) + " has keys, which do not fit here",
+            "let its use be all that an object without skin draws, or use one without keys");
         return;
     }
     depth_ = std::max(depth_, symbol.depth + 1);
@@ -87,8 +101,10 @@ void DrawingReader::copy(const kdl::Node& node)
         reading_.report.error(name, too_deep());
         return;
     }
+    if (!lies_flat(node, use->values, reading_))
+        return;
     ItemValues values = use->values;
-    mirror(use->mirror, values, {});
+    mirror(use->mirror, values, {}, {});
     const Placement placement{values};
     for (const Outline& outline : *symbol.still)
         if (!add(placement.of(outline), node))

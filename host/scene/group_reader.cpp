@@ -1,5 +1,6 @@
 #include "host/scene/group_reader.hpp"
 
+#include "host/scene/double_quantity.hpp"
 #include "host/scene/item_reader.hpp"
 #include "host/scene/item_values.hpp"
 #include "host/scene/key_list.hpp"
@@ -7,6 +8,7 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/track_builder.hpp"
+#include "host/scene/track_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -38,19 +40,37 @@ void report_unknown(const kdl::Node& node, Reading& reading)
 {
     std::vector<std::string_view> known{item_names().begin(), item_names().end()};
     known.push_back(key_name);
+    known.push_back(track_name);
     reading.report.error(node.name_place, "a group has no node " + quoted(node.name),
                          suggestion(node.name, known));
 }
 
-void read_inside(const kdl::Node& node, int depth, Group& group, KeyList& keys, Reading& reading)
+/// What stands inside of a group.
+struct GroupContent {
+    Group group;
+    KeyList keys;
+    std::vector<TimedQuantity> timed;
+};
+
+void read_timed(const kdl::Node& node, GroupContent& content, Reading& reading)
+{
+    if (auto quantity = read_track(node, KeyHolder::group, reading))
+        content.timed.push_back(std::move(*quantity));
+}
+
+void read_inside(const kdl::Node& node, int depth, GroupContent& content, Reading& reading)
 {
     if (is_item(node.name))
-        read_item(node, depth, group.items, reading);
+        read_item(node, depth, content.group.items, reading);
     else if (node.name == key_name)
-        keys.read(node);
+        content.keys.read(node);
+    else if (node.name == track_name)
+        read_timed(node, content, reading);
     else
         report_unknown(node, reading);
 }
+
+bool is_change(const kdl::Node& node) { return node.name == key_name || node.name == track_name; }
 
 }
 
@@ -66,16 +86,18 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& readin
     }
     GroupProperties properties;
     read_properties(node, group_rules, properties, reading);
-    Group group;
-    KeyList keys{KeyHolder::group, reading};
+    GroupContent content{{}, {KeyHolder::group, reading}, {}};
     for (const kdl::Node& child : node.children)
         if (!reading.report.full())
-            read_inside(child, depth + 1, group, keys, reading);
-    refuse_crowded_order(group.items, reading);
-    if (std::ranges::all_of(node.children, [](const kdl::Node& child) { return child.name == key_name; }))
+            read_inside(child, depth + 1, content, reading);
+    refuse_crowded_order(content.group.items, reading);
+    if (std::ranges::all_of(node.children, is_change))
         reading.report.error(place, "this group holds nothing", "add { object NAME … }");
-    auto tracks = build_tracks(node, properties.values, keys.take(), reading);
-    return Item{read_group_name(node, reading), std::move(tracks), std::move(group), place};
+    const std::vector<ItemKey> keys = content.keys.take();
+    refuse_double_quantities(content.timed, properties.values, keys, reading);
+    auto tracks = build_tracks(node, properties.values, keys, content.timed, reading);
+    return Item{read_group_name(node, reading), std::move(tracks), std::move(content.group), place,
+                take_path(content.timed)};
 }
 
 }

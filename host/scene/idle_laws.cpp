@@ -10,7 +10,7 @@
 namespace kfast::scene {
 namespace {
 
-/// What keys set, a bit for each Property, and for drawings one for each axis.
+/// What keys set, a bit for each Property, and for drawings and skeletons one for each axis.
 using Things = std::uint32_t;
 
 constexpr Things bit(Property property) { return Things{1} << static_cast<unsigned>(property); }
@@ -18,14 +18,17 @@ constexpr Things bit(Property property) { return Things{1} << static_cast<unsign
 constexpr Things drawing_x = Things{1} << property_count;
 constexpr Things drawing_y = drawing_x << 1;
 constexpr Things drawing = drawing_x | drawing_y;
+constexpr Things skeleton_x = drawing_y << 1;
+constexpr Things skeleton_y = skeleton_x << 1;
+constexpr Things skeleton = skeleton_x | skeleton_y;
 constexpr Things all_properties = drawing_x - 1;
-constexpr Things of_x = bit(Property::x) | bit(Property::scale_x) | drawing_x;
-constexpr Things of_y = bit(Property::y) | bit(Property::scale_y) | drawing_y;
+constexpr Things of_x = bit(Property::x) | bit(Property::scale_x) | drawing_x | skeleton_x;
+constexpr Things of_y = bit(Property::y) | bit(Property::scale_y) | drawing_y | skeleton_y;
 constexpr Things without_way = bit(Property::order) | bit(Property::visible);
 
 Things set_by(const ItemKey& key)
 {
-    Things things = key.drawing ? drawing : 0;
+    Things things = (key.drawing ? drawing : 0) | (key.skeleton != nullptr ? skeleton : 0);
     for (std::size_t i = 0; i < property_count; ++i)
         if (key.values.get(static_cast<Property>(i)))
             things |= Things{1} << i;

@@ -20,8 +20,6 @@ public:
 
 private:
     bool in_order(const ItemKey& key);
-    bool report_order(const ItemKey& key, const ItemKey& before);
-    void warn_of_unseen_keys();
 
     KeyHolder holder_;
     Reading& reading_;

@@ -8,6 +8,7 @@
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace kfast::scene {
 namespace {
@@ -67,7 +68,18 @@ bool report_idle_key(const ItemKey& key, KeyHolder holder, Reading& reading)
     return false;
 }
 
-Drawing read_drawing(const kdl::Node& key, Reading& reading)
+bool is_skeleton(const kdl::Node& node) { return node.name == skeleton_name; }
+
+void report_unknown(const kdl::Node& node, KeyHolder holder, Reading& reading)
+{
+    std::vector<std::string_view> known = drawn_names();
+    if (holder == KeyHolder::object)
+        known.push_back(skeleton_name);
+    reading.report.error(node.name_place, "a key has no node " + quoted(node.name),
+                         suggestion(node.name, known));
+}
+
+Drawing read_drawing(const kdl::Node& key, KeyHolder holder, Reading& reading)
 {
     DrawingReader drawing{reading};
     for (const kdl::Node& node : key.children) {
@@ -75,15 +87,31 @@ Drawing read_drawing(const kdl::Node& key, Reading& reading)
             break;
         if (is_drawn(node.name))
             drawing.read(node);
-        else
-            reading.report.error(node.name_place, "a key has no node " + quoted(node.name),
-                                 suggestion(node.name, drawn_names()));
+        else if (!is_skeleton(node))
+            report_unknown(node, holder, reading);
     }
     take_points(1, key.name_place, reading);
     return drawing.take();
 }
 
+const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, Reading& reading)
+{
+    const auto skeleton = std::ranges::find_if(key.children, is_skeleton);
+    if (skeleton == key.children.end())
+        return nullptr;
+    if (holder == KeyHolder::symbol)
+        reading.report.error(skeleton->name_place, "the key of a symbol has no skeleton",
+                             "put it into a key of the object that uses the symbol");
+    const auto second = std::find_if(skeleton + 1, key.children.end(), is_skeleton);
+    if (second != key.children.end())
+        reading.report.error(second->name_place, "this key has a skeleton already",
+                             "put all backbones into one skeleton");
+    return &*skeleton;
 }
+
+}
+
+bool holds_drawing(const kdl::Node& key) { return !std::ranges::all_of(key.children, is_skeleton); }
 
 std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading& reading)
 {
@@ -94,9 +122,10 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading
     key.node = &node;
     key.place = span(node.name_place, moment.place);
     read_key_properties(node, holder, key, reading);
-    if (!node.children.empty())
-        key.drawing = read_drawing(node, reading);
-    else if (std::ranges::none_of(node.properties, is_setting))
+    key.skeleton = find_skeleton(node, holder, reading);
+    if (holds_drawing(node))
+        key.drawing = read_drawing(node, holder, reading);
+    else if (key.skeleton == nullptr && std::ranges::none_of(node.properties, is_setting))
         report_idle_key(key, holder, reading);
     const auto time = read_time(moment, reading);
     if (!time)

@@ -14,6 +14,7 @@
 namespace kfast::scene {
 
 inline constexpr std::string_view key_name = "key";
+inline constexpr std::string_view skeleton_name = "skeleton";
 
 /// What the key stands in; it decides what the key may set.
 enum class KeyHolder : std::uint8_t {
@@ -31,7 +32,11 @@ struct ItemKey {
     KeyLaws laws;
     std::optional<Match> match;
     std::optional<Drawing> drawing;
+    const kdl::Node* skeleton = nullptr; ///< not yet read
 };
+
+/// Whether anything in `key` is a drawing, or would be one.
+bool holds_drawing(const kdl::Node& key);
 
 /// Nothing when it cannot be said when the key is, which is reported like everything else. The key points
 /// to `node`.

@@ -2,6 +2,7 @@
 
 #include "host/scene/item_values.hpp"
 #include "host/scene/key_reader.hpp"
+#include "host/scene/timed_quantity.hpp"
 
 #include <span>
 
@@ -13,14 +14,18 @@ struct Mirror {
     bool y = false;
 };
 
-/// Mirrors what an item is and what its keys make of it.
-inline void mirror(const Mirror& axes, ItemValues& item, std::span<ItemKey> keys)
+/// Mirrors what an item is and what its keys and tracks make of it.
+inline void mirror(const Mirror& axes, ItemValues& item, std::span<ItemKey> keys,
+                   std::span<TimedQuantity> timed)
 {
     const auto mirror_axis = [&](Property scale) {
         item[scale] = -item.get(scale).value_or(scale_one);
         for (ItemKey& key : keys)
             if (const auto own = key.values.get(scale))
                 key.values[scale] = -*own;
+        if (Track* const track = find_track(timed, scale))
+            for (TrackKey& key : track->keys)
+                key.value = -key.value;
     };
     if (axes.x)
         mirror_axis(Property::scale_x);

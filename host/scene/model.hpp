@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bone_quantity.hpp"
 #include "core/colour.hpp"
 #include "core/fill_rule.hpp"
 #include "core/law_pair.hpp"
@@ -9,6 +10,7 @@
 #include "core/time.hpp"
 #include "host/text/source.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -86,6 +88,71 @@ struct TrackKey {
 struct Track {
     Property property = Property::x;
     std::vector<TrackKey> keys;
+    bool is_smooth = false; ///< by cubic Hermite curves (core/hermite.hpp) instead of laws
+};
+
+/// What an item with a track of Property::along follows: its pivot moves on the stroke.
+struct Path {
+    Stroke stroke;      ///< has an extent
+    bool turns = false; ///< the item turns as the stroke does
+};
+
+/// A bone as set up and what moves it, in the frame of its parent: the origin at the parent's origin, x along
+/// the parent. The frame of a root is the canvas.
+struct Bone {
+    std::string name;
+    std::optional<std::size_t> parent; ///< index of an earlier bone
+    /// By BoneQuantity, in its units; the length is at least 1.
+    std::array<std::int32_t, bone_quantity_count> set_up = {};
+    /// Of each quantity; none where it stays as set up. Times rise.
+    std::array<std::vector<TrackKey>, bone_quantity_count> keys = {};
+    bool is_at_tip = false;        ///< the origin moves with the length of the parent
+    bool turns_as_written = false; ///< angles tween as numbers, instead of by the shortest way
+    Place place = {};
+};
+
+/// A tree of bones, or several: roots first, then their children, then theirs.
+struct Bones {
+    std::string name;
+    std::vector<Bone> bones; ///< at least one
+    Place place;
+};
+
+/// How far a point follows a bone.
+struct BoneWeight {
+    std::size_t bone = 0; ///< index into Bones::bones
+    int weight = 0;       ///< in 1/256, at least 1
+    friend bool operator==(const BoneWeight&, const BoneWeight&) = default;
+};
+
+/// One to four bones, their weights adding up to 256; the heaviest first.
+using Binding = std::vector<BoneWeight>;
+
+/// What bones carry an object.
+struct Skin {
+    std::size_t bones = 0; ///< index into Scene::bones
+    /// For each point of the object's first drawing that is not empty (each stroke's first point and the ends
+    /// of its segments).
+    std::vector<Binding> bindings;
+    Place place;
+    bool turns_changes = false; ///< what the drawings change turns and grows with the bones
+};
+
+/// A line of nodes with an outline point on either side of each: cells between them carry the points of a
+/// drawing.
+struct Backbone {
+    std::vector<Point> nodes; ///< at least two
+    std::vector<Point> left;  ///< one for each node; on the left as seen along the nodes, y down
+    std::vector<Point> right;
+    friend bool operator==(const Backbone&, const Backbone&) = default;
+};
+
+/// The backbones of an object at a moment; the laws govern the way to the next.
+struct BackboneKey {
+    Time time;
+    LawPair laws;
+    std::vector<Backbone> backbones; ///< at least one; of the same form in all keys of the object
+    Place place;
 };
 
 using kfast::Cap;
@@ -106,6 +173,8 @@ struct Object {
     FillRule fill_rule = FillRule::nonzero;
     std::optional<StrokeStyle> stroke;
     std::vector<Key> keys;
+    std::optional<Skin> skin = {};               ///< then no backbones, and all drawings have as many strokes
+    std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
 };
 
 struct Item;
@@ -126,6 +195,7 @@ struct Item {
     std::vector<Track> tracks;
     std::variant<Object, Group, Use> content;
     Place place;
+    std::optional<Path> path = {}; ///< if there is a track of Property::along
 };
 
 /// Items that are stored once, however often they are used. Uses only symbols before it.
@@ -153,7 +223,9 @@ struct Scene {
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
     Time length;                       ///< at least one frame
     Loop loop = Loop::repeat;
+    int camera = 480;            ///< distance of the viewer from the canvas, in pixels, 16 … 32767
     std::vector<Colour> palette; ///< the colours in use, each once; the first is the background
+    std::vector<Bones> bones;
     std::vector<Symbol> symbols;
     std::vector<Item> items; ///< the first lies lowest
     std::vector<Clip> clips;

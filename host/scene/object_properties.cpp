@@ -53,6 +53,13 @@ bool read_fill_rule(const kdl::Value& value, Target& target, Reading& reading)
     return assign(read_word(value, fill_rules, reading), target.fill_rule);
 }
 
+template <const kdl::Value* Target::*name>
+bool keep_name(const kdl::Value& value, Target& target, Reading&)
+{
+    target.*name = &value;
+    return true;
+}
+
 constexpr std::array style_rules{
     PropertyRule<Target>{"fill", read_own_value<Property::fill>},
     PropertyRule<Target>{"stroke", read_own_value<Property::stroke>},
@@ -63,8 +70,21 @@ constexpr std::array style_rules{
     PropertyRule<Target>{"rule", read_fill_rule, false, "fill"},
 };
 
+constexpr std::array changes{Word<bool>{"canvas", false}, Word<bool>{"bones", true}};
+
+bool read_change(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_word(value, changes, reading), target.turns_changes);
+}
+
+constexpr std::array skin_rules{
+    PropertyRule<Target>{"skin", keep_name<&Target::skin>},
+    PropertyRule<Target>{"bone", keep_name<&Target::bone>},
+    PropertyRule<Target>{"change", read_change, false, "skin"},
+};
+
 constexpr auto object_rules =
-    joined(style_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>);
+    joined(style_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>);
 
 }
 

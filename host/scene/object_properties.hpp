@@ -13,7 +13,10 @@ namespace kfast::scene {
 struct ObjectProperties {
     ItemValues values;
     FillRule fill_rule = FillRule::nonzero;
-    StrokeStyle stroke; ///< but for colour and width, which are among `values`
+    StrokeStyle stroke;               ///< but for colour and width, which are among `values`
+    const kdl::Value* skin = nullptr; ///< the name of a skeleton
+    const kdl::Value* bone = nullptr; ///< the name of the bone that alone carries the object
+    bool turns_changes = false;       ///< see Skin
 
     std::optional<std::size_t> fill_colour() const;
     std::optional<StrokeStyle> stroke_style() const;

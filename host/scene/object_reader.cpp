@@ -1,6 +1,8 @@
 #include "host/scene/object_reader.hpp"
 
+#include "host/property_name.hpp"
 #include "host/scene/default_pivot.hpp"
+#include "host/scene/double_quantity.hpp"
 #include "host/scene/drawing_content.hpp"
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/limits.hpp"
@@ -8,10 +10,13 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/object_properties.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/skeleton_reader.hpp"
+#include "host/scene/skin_reader.hpp"
 #include "host/scene/symbol_use.hpp"
 #include "host/scene/track_builder.hpp"
 #include "host/scene/value_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -21,42 +26,45 @@ namespace {
 
 constexpr NodeForm object_form{object_name, "object NAME fill=COLOUR { shapes or keys }", 1, 1, true};
 
-/// What a key may change only where the object has it.
+/// What keys and tracks may change only where the object has it.
 struct Painted {
     Property property;
-    std::string_view name;
     std::string_view needs;
 };
 
 constexpr std::array painted{
-    Painted{Property::fill, "fill", "fill"},
-    Painted{Property::stroke, "stroke", "stroke"},
-    Painted{Property::width, "width", "stroke"},
+    Painted{Property::fill, "fill"},
+    Painted{Property::stroke, "stroke"},
+    Painted{Property::width, "stroke"},
 };
 
-void refuse_paint_of_nothing(const kdl::Node& object, const std::vector<ItemKey>& keys, Reading& reading)
+void report_paint_of_nothing(std::string_view needs, Place place, Reading& reading)
 {
-    for (const ItemKey& key : keys)
-        for (const Painted& paint : painted)
-            if (key.values.get(paint.property) && !has_property(object, paint.needs))
-                reading.report.error(property_place(*key.node, paint.name),
-                                     "this object has no " + std::string{paint.needs} + " to change",
-                                     "add " + std::string{paint.needs} + "=COLOUR to the object");
+    const std::string name{needs};
+    reading.report.error(place, "this object has no " + name + " to change",
+                         "add " + name + "=COLOUR to the object");
+}
+
+void refuse_paint_of_nothing(const kdl::Node& object, const DrawingContent& content, Reading& reading)
+{
+    for (const Painted& paint : painted) {
+        if (has_property(object, paint.needs))
+            continue;
+        for (const ItemKey& key : content.keys)
+            if (key.values.get(paint.property))
+                report_paint_of_nothing(paint.needs, property_place(*key.node, property_name(paint.property)),
+                                        reading);
+        for (const TimedQuantity& quantity : content.timed)
+            if (gives(quantity, paint.property))
+                report_paint_of_nothing(paint.needs, quantity.place, reading);
+    }
 }
 
 /// What a use may say in place of its object.
-struct Placed {
-    Property property;
-    std::string_view name;
-};
+constexpr std::array placed{Property::x,          Property::y,        Property::z,       Property::rotation_x,
+                            Property::rotation_y, Property::rotation, Property::scale_x, Property::scale_y};
 
-constexpr std::array placed{
-    Placed{Property::x, "x"},
-    Placed{Property::y, "y"},
-    Placed{Property::rotation, "rotate"},
-    Placed{Property::scale_x, "scale-x"},
-    Placed{Property::scale_y, "scale-y"},
-};
+bool has_skeleton(const ItemKey& key) { return key.skeleton != nullptr; }
 
 class ObjectReader {
 public:
@@ -69,26 +77,39 @@ public:
     Item read(std::string_view name)
     {
         DrawingContent content = read_drawing_content(node_, KeyHolder::object, reading_);
-        refuse_paint_of_nothing(node_, content.keys, reading_);
+        refuse_paint_of_nothing(node_, content, reading_);
         Object object{.fill = properties_.fill_colour(),
                       .fill_rule = properties_.fill_rule,
                       .stroke = properties_.stroke_style(),
                       .keys = read_drawings(content)};
-        auto tracks = build_tracks(node_, properties_.values, content.keys, reading_);
-        return {std::string{name}, std::move(tracks), std::move(object), place_};
+        object.skin = read_skin(
+            {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
+            object.keys, reading_);
+        object.backbone_keys = read_skeletons(content.keys, reading_);
+        refuse_two_carriers(content.keys);
+        auto tracks = build_tracks(node_, properties_.values, content.keys, content.timed, reading_);
+        return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
 
 private:
     std::vector<Key> read_drawings(DrawingContent& content)
     {
-        if (content.drawn.size() == 1 && content.drawn.front()->name == use_name)
-            return take_symbol(*content.drawn.front(), content.keys);
+        if (is_placed_symbol(content))
+            return take_symbol(*content.drawn.front(), content);
+        refuse_doubles(content);
         std::vector<Key> keys =
             content.drawn.empty() ? take_drawings(content.keys) : read_still(content.drawn);
         if (keys.empty() && content.is_good)
             report_no_drawing();
         set_default_pivot(keys, properties_.values);
         return keys;
+    }
+
+    /// A skin needs the drawing itself to stand where the use says.
+    bool is_placed_symbol(const DrawingContent& content) const
+    {
+        return content.drawn.size() == 1 && content.drawn.front()->name == use_name &&
+               properties_.skin == nullptr;
     }
 
     std::vector<Key> read_still(const std::vector<const kdl::Node*>& nodes)
@@ -100,30 +121,46 @@ private:
     }
 
     /// The object stands where its use says, so that the drawings stay those of the symbol.
-    std::vector<Key> take_symbol(const kdl::Node& node, std::vector<ItemKey>& keys)
+    std::vector<Key> take_symbol(const kdl::Node& node, DrawingContent& content)
     {
         const auto use = read_drawing_use(node, reading_);
         if (!use)
             return {};
-        for (const Placed& quantity : placed)
-            take_place(node, *use, quantity);
-        mirror(use->mirror, properties_.values, keys);
+        for (const Property property : placed)
+            take_place(node, *use, property);
+        refuse_doubles(content);
+        mirror(use->mirror, properties_.values, content.keys, content.timed);
         for (const Key& key : use->symbol->keys)
             if (!take_points(point_count(key.drawing) + 1, node.name_place, reading_))
                 return {};
         return use->symbol->keys;
     }
 
-    void take_place(const kdl::Node& node, const SymbolUse& use, const Placed& quantity)
+    void take_place(const kdl::Node& node, const SymbolUse& use, Property property)
     {
-        const auto value = use.values.get(quantity.property);
+        const auto value = use.values.get(property);
         if (!value)
             return;
-        const std::string name{quantity.name};
-        if (properties_.values.get(quantity.property))
-            reading_.report.error(node.name_place, "both the object and its use give " + name,
+        if (properties_.values.get(property))
+            reading_.report.error(node.name_place,
+                                  "both the object and its use give " + std::string{property_name(property)},
                                   "leave it to one of them");
-        properties_.values[quantity.property] = value;
+        properties_.values[property] = value;
+    }
+
+    /// Before anything is in the values of the object that neither it nor its use says.
+    void refuse_doubles(const DrawingContent& content)
+    {
+        refuse_double_quantities(content.timed, properties_.values, content.keys, reading_);
+    }
+
+    void refuse_two_carriers(const std::vector<ItemKey>& keys)
+    {
+        const auto key = std::ranges::find_if(keys, has_skeleton);
+        if (key != keys.end() && has_property(node_, "skin"))
+            reading_.report.error(key->skeleton->name_place,
+                                  "this object has a skin; bones or backbones carry an object, not both",
+                                  "remove the skin, or the skeletons from the keys");
     }
 
     void report_no_drawing()

@@ -2,6 +2,7 @@
 
 #include "host/scene/model.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace kfast::scene {
@@ -14,6 +15,12 @@ struct Spot {
     friend constexpr Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
     friend constexpr Spot operator*(double factor, Spot a) { return {factor * a.x, factor * a.y}; }
 };
+
+constexpr double dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y; }
+/// Positive if `b` is to the right of `a` on a canvas, where y points down.
+constexpr double cross(Spot a, Spot b) { return a.x * b.y - a.y * b.x; }
+// Not std::hypot, which platforms round differently.
+inline double distance(Spot a, Spot b) { return std::sqrt(dot(b - a, b - a)); }
 
 /// A line or a cubic Bézier from wherever the one before it ended; lines ignore c1 and c2.
 struct Curve {

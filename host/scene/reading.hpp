@@ -5,6 +5,7 @@
 #include "host/scene/name_table.hpp"
 #include "host/scene/palette.hpp"
 #include "host/scene/point_budget.hpp"
+#include "host/scene/skeleton_table.hpp"
 #include "host/scene/symbol_table.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
@@ -49,6 +50,7 @@ struct Reading {
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
     std::optional<Time> length = {};   ///< if the canvas gives one
     Time last_key = {};                ///< of all that have been read
+    SkeletonTable skeletons = {};
     SymbolTable symbols = {};
     NameTable object_names = {};
     PointBudget points = {};

@@ -1,5 +1,6 @@
 #include "host/scene/scene_reader.hpp"
 
+#include "host/scene/bones_reader.hpp"
 #include "host/scene/canvas_reader.hpp"
 #include "host/scene/clip_reader.hpp"
 #include "host/scene/event_reader.hpp"
@@ -33,6 +34,7 @@ struct Parts {
     const kdl::Node* version = nullptr;
     const kdl::Node* canvas = nullptr;
     const kdl::Node* palette = nullptr;
+    std::vector<const kdl::Node*> skeletons;
     std::vector<const kdl::Node*> symbols;
     std::vector<const kdl::Node*> items;
     std::vector<const kdl::Node*> clips;
@@ -64,8 +66,8 @@ constexpr std::array part_rules{
     PartRule{"kfast", take_single<&Parts::version>},   PartRule{"canvas", take_single<&Parts::canvas>},
     PartRule{"palette", take_single<&Parts::palette>}, PartRule{symbol_name, take_each<&Parts::symbols>},
     PartRule{object_name, take_each<&Parts::items>},   PartRule{group_name, take_each<&Parts::items>},
-    PartRule{use_name, take_each<&Parts::items>},      PartRule{"clip", take_each<&Parts::clips>},
-    PartRule{"event", take_each<&Parts::events>},
+    PartRule{use_name, take_each<&Parts::items>},      PartRule{bones_name, take_each<&Parts::skeletons>},
+    PartRule{"clip", take_each<&Parts::clips>},        PartRule{"event", take_each<&Parts::events>},
 };
 
 void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
@@ -120,6 +122,20 @@ void read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene
     reading.report.error(place, "this scene has no canvas", "add \"canvas 240 240\"");
 }
 
+void read_skeletons(const Parts& parts, Reading& reading)
+{
+    for (const kdl::Node* node : parts.skeletons)
+        if (!reading.report.full())
+            add_skeleton(*node, reading);
+}
+
+void take_skeletons(Scene& scene, Reading& reading)
+{
+    warn_of_unused_skeletons(reading);
+    for (Skeleton& skeleton : reading.skeletons.entries)
+        scene.bones.push_back(std::move(skeleton.bones));
+}
+
 void read_items(const Parts& parts, Scene& scene, Reading& reading)
 {
     for (const kdl::Node* node : parts.symbols)
@@ -158,12 +174,14 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
         read_palette(*parts.palette, reading);
     Scene scene;
     read_canvas(document, parts, scene, reading);
+    read_skeletons(parts, reading);
     read_items(parts, scene, reading);
     scene.length = reading.length.value_or(std::max(reading.last_key, Time::frame(1)));
     read_marks(parts, scene, reading);
     scene.palette = reading.palette.used();
     // Behind all that asks what has been read: what they hold is not part of the scene.
     check_unused_symbols(reading);
+    take_skeletons(scene, reading);
     if (!diagnostics.has_errors())
         move_symbols(scene, reading);
     if (diagnostics.has_errors())

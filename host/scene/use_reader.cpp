@@ -1,10 +1,12 @@
 #include "host/scene/use_reader.hpp"
 
+#include "host/scene/double_quantity.hpp"
 #include "host/scene/key_list.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/symbol_use.hpp"
 #include "host/scene/track_builder.hpp"
+#include "host/scene/track_reader.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -14,19 +16,31 @@
 namespace kfast::scene {
 namespace {
 
-std::vector<ItemKey> read_keys(const kdl::Node& node, Reading& reading)
+/// How a use changes.
+struct Changes {
+    std::vector<ItemKey> keys;
+    std::vector<TimedQuantity> timed;
+};
+
+Changes read_changes(const kdl::Node& node, Reading& reading)
 {
+    Changes changes;
     KeyList keys{KeyHolder::group, reading};
     for (const kdl::Node& child : node.children) {
         if (reading.report.full())
             break;
-        if (child.name == key_name)
+        if (child.name == key_name) {
             keys.read(child);
-        else
+        } else if (child.name == track_name) {
+            if (auto quantity = read_track(child, KeyHolder::group, reading))
+                changes.timed.push_back(std::move(*quantity));
+        } else {
             reading.report.error(child.name_place, "a use has no node " + quoted(child.name),
-                                 suggestion(child.name, std::array{key_name}));
+                                 suggestion(child.name, std::array{key_name, track_name}));
+        }
     }
-    return keys.take();
+    changes.keys = keys.take();
+    return changes;
 }
 
 }
@@ -34,7 +48,7 @@ std::vector<ItemKey> read_keys(const kdl::Node& node, Reading& reading)
 std::optional<Item> read_use(const kdl::Node& node, int depth, Reading& reading)
 {
     auto use = read_items_use(node, reading);
-    std::vector<ItemKey> keys = read_keys(node, reading);
+    auto [keys, timed] = read_changes(node, reading);
     if (!use)
         return std::nullopt;
     const Place place = span(node.name_place, node.arguments.front().place);
@@ -42,9 +56,10 @@ std::optional<Item> read_use(const kdl::Node& node, int depth, Reading& reading)
         reading.report.error(place, too_deep());
         return std::nullopt;
     }
-    mirror(use->mirror, use->values, keys);
-    auto tracks = build_tracks(node, use->values, keys, reading);
-    return Item{"", std::move(tracks), Use{reading.symbols.number(*use->symbol)}, place};
+    refuse_double_quantities(timed, use->values, keys, reading);
+    mirror(use->mirror, use->values, keys, timed);
+    auto tracks = build_tracks(node, use->values, keys, timed, reading);
+    return Item{"", std::move(tracks), Use{reading.symbols.number(*use->symbol)}, place, take_path(timed)};
 }
 
 }

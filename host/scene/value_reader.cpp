@@ -18,14 +18,6 @@ struct Unit {
 
 constexpr std::array units{Unit{"s", 1000}, Unit{"ms", 1}};
 
-std::string text_of(double number)
-{
-    std::array<char, 32> digits;
-    return {
-        digits.data(),
-        std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed).ptr};
-}
-
 /// A type annotation means something on times only.
 const kdl::Number* number_of(const kdl::Value& value, Reading& reading)
 {
@@ -62,6 +54,14 @@ bool is_control(char letter)
     return code < 0x20 || code == 0x7F;
 }
 
+}
+
+std::string text_of(double number)
+{
+    std::array<char, 32> digits;
+    return {
+        digits.data(),
+        std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed).ptr};
 }
 
 std::string allowed(Range range) { return "allowed: " + text_of(range.low) + " to " + text_of(range.high); }

@@ -29,6 +29,9 @@ inline constexpr Range extents{0, 2 * coordinate_limit};
 /// Degrees: ten turns either way.
 inline constexpr Range angles{-3600, 3600};
 
+/// As few digits as tell the number: "0.0625"
+std::string text_of(double number);
+
 /// The remedy for a number that is not inside: "allowed: 0 to 1".
 std::string allowed(Range range);
 

@@ -53,7 +53,7 @@ TEST_CASE("a group with mistakes")
     CHECK(items_read("group \"\" { object o fill=red { rect 0 0 1 1 } }") ==
           "1:7 error: a name cannot be empty");
     CHECK(items_read("group { circle 1 1 r=1 }") ==
-          "1:9 error: a group has no node \"circle\" (allowed: object, group, use, key)");
+          "1:9 error: a group has no node \"circle\" (allowed: object, group, use, key, track)");
     CHECK(items_read("group { objekt o }") ==
           "1:9 error: a group has no node \"objekt\" (did you mean \"object\"?)");
 }

@@ -104,8 +104,9 @@ TEST_CASE("laws with mistakes")
     CHECK(object("key 0 law-z=constant { empty }\nkey 1 { empty }").findings ==
           "4:7 error: key has no property \"law-z\" (did you mean \"law-x\"?)");
     CHECK(object("key 0 speed=1 { empty }\nkey 1 { empty }").findings ==
-          "4:7 error: key has no property \"speed\" (allowed: law, law-x, law-y, x, y, "
-          "rotate, scale, scale-x, scale-y, opacity, order, visible, match, fill, stroke, width)");
+          "4:7 error: key has no property \"speed\" (allowed: law, law-x, law-y, x, y, z, "
+          "rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, opacity, order, visible, match, "
+          "fill, stroke, width)");
 }
 
 TEST_CASE("a law on the last key is warned of")
@@ -135,7 +136,7 @@ TEST_CASE("a key of another form is refused")
     CHECK(object("key 1 { key 2 { empty } }").findings ==
           "4:9 error: a key has no node \"key\" "
           "(allowed: path, circle, ellipse, rect, arc, pie, "
-          "polygon, regular, star, line, curve, text, use, empty)");
+          "polygon, regular, star, line, curve, text, use, empty, skeleton)");
     CHECK(object("key 1 { cirle 1 2 r=3 }").findings ==
           "4:9 error: a key has no node \"cirle\" (did you mean \"circle\"?)");
 }

@@ -38,7 +38,7 @@ TEST_CASE("unknown nodes are compared with the known ones")
           "3:1 error: a scene has no node \"objekt\" (did you mean \"object\"?)");
     CHECK(read_on_canvas("hologram").findings == "3:1 error: a scene has no node \"hologram\" (allowed: "
                                                  "kfast, canvas, palette, symbol, object, group, "
-                                                 "use, clip, event)");
+                                                 "use, bones, clip, event)");
 }
 
 TEST_CASE("what may stand once names the line of the first")
@@ -71,7 +71,7 @@ TEST_CASE("one run finds errors in all parts, in the order of their places")
                            "5:6 error: a number is expected here\n"
                            "5:10 error: a key has no node \"disc\" "
                            "(allowed: path, circle, ellipse, rect, arc, pie, "
-                           "polygon, regular, star, line, curve, text, use, empty)");
+                           "polygon, regular, star, line, curve, text, use, empty, skeleton)");
 }
 
 TEST_CASE("a scene with syntax errors is not read as good")
@@ -85,7 +85,7 @@ TEST_CASE("places count code points, names are shown safely")
 {
     CHECK(read_on_canvas("/* äöü */ \"é\\u{1b}\"").findings ==
           "3:11 error: a scene has no node \"é<U+001B>\" (allowed: kfast, canvas, palette, "
-          "symbol, object, group, use, clip, event)");
+          "symbol, object, group, use, bones, clip, event)");
 }
 
 }

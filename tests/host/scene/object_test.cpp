@@ -114,7 +114,8 @@ TEST_CASE("an object with mistakes")
           "3:10 error: object has no property \"fil\" (did you mean \"fill\"?)");
     CHECK(read_on_canvas("object o fill=red colour=1 { key 0 { empty } }").findings ==
           "3:19 error: object has no property \"colour\" (allowed: fill, stroke, width, cap, join, miter, "
-          "rule, x, y, rotate, scale, scale-x, scale-y, opacity, order, visible, pivot-x, pivot-y)");
+          "rule, skin, bone, change, x, y, z, rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, "
+          "…)");
     CHECK(read_on_canvas("object o stroke=red cap=rund { key 0 { empty } }").findings ==
           "3:25 error: unknown value \"rund\" (did you mean \"round\"?)");
     CHECK(read_on_canvas("object o stroke=red join=arcs { key 0 { empty } }").findings ==
@@ -129,8 +130,8 @@ TEST_CASE("an object with mistakes")
           "3:21 error: an object has no node \"kye\" (did you mean \"key\"?)");
     CHECK(read_on_canvas("object o fill=red { disc 0 }").findings ==
           "3:21 error: an object has no node \"disc\" "
-          "(allowed: key, path, circle, ellipse, rect, arc, pie, "
-          "polygon, regular, star, line, curve, text, use, empty)");
+          "(allowed: key, track, path, circle, ellipse, rect, arc, pie, "
+          "polygon, regular, star, line, curve, text, use, empty, weights)");
 }
 
 TEST_CASE("two objects of one name are refused")

@@ -47,8 +47,8 @@ std::string drawing_and_findings(const SceneText& text)
 }
 
 constexpr std::array<std::string_view, property_count> property_names{
-    "x",       "y",     "rotation", "scale_x", "scale_y", "pivot_x", "pivot_y",
-    "opacity", "order", "visible",  "fill",    "stroke",  "width"};
+    "x",       "y",     "z",       "rotation_x", "rotation_y", "rotation", "scale_x", "scale_y", "pivot_x",
+    "pivot_y", "along", "opacity", "order",      "visible",    "fill",     "stroke",  "width"};
 
 std::string text_of(const VelocityLaw& law)
 {
@@ -75,12 +75,56 @@ std::string text_of(const scene::TrackKey& key)
 std::string text_of(const scene::Track& track)
 {
     std::string text{property_names.at(static_cast<std::size_t>(track.property))};
-    text += '[';
+    text += track.is_smooth ? "~[" : "[";
     if (track.keys.size() == 1 && track.keys[0].time == Time{})
         return text + std::to_string(track.keys[0].value) + ']';
     for (const scene::TrackKey& key : track.keys)
         text.append(text.back() == '[' ? "" : " ").append(text_of(key));
     return text + ']';
+}
+
+std::string text_of(const std::vector<scene::TrackKey>& keys)
+{
+    std::string text;
+    for (const scene::TrackKey& key : keys)
+        text.append(text.empty() ? "[" : " ").append(text_of(key));
+    return text + ']';
+}
+
+constexpr std::array<std::string_view, bone_quantity_count> quantity_names{"angle", "x", "y", "length"};
+
+std::string text_of(const std::vector<scene::Bone>& bones)
+{
+    std::string text;
+    for (const scene::Bone& bone : bones) {
+        text.append(text.empty() ? "" : "\n").append(bone.name);
+        if (bone.parent)
+            text += " <" + bones.at(*bone.parent).name;
+        text += bone.is_at_tip ? " tip" : "";
+        for (const std::int32_t value : bone.set_up)
+            text += ' ' + std::to_string(value);
+        for (std::size_t i = 0; i < bone.keys.size(); ++i)
+            if (!bone.keys[i].empty())
+                text.append(1, ' ').append(quantity_names[i]).append(text_of(bone.keys[i]));
+    }
+    return text;
+}
+
+std::string text_of(const scene::Binding& binding, const std::vector<scene::Bone>& bones)
+{
+    std::string text;
+    for (const scene::BoneWeight& share : binding) {
+        text.append(text.empty() ? "" : "|").append(bones.at(share.bone).name);
+        if (&share != binding.data())
+            text += ':' + std::to_string(share.weight);
+    }
+    return text;
+}
+
+std::string both(std::string text, const std::string& findings)
+{
+    text.append(!text.empty() && !findings.empty() ? "\n" : "").append(findings);
+    return text;
 }
 
 std::string key_times(const scene::Object& object)
@@ -109,6 +153,8 @@ private:
         text.append(text.empty() ? "" : "\n").append(indent).append(head(item));
         for (const scene::Track& track : item.tracks)
             text += ' ' + text_of(track);
+        if (item.path)
+            text += (item.path->turns ? " turning(" : " path(") + test::text_of({{item.path->stroke}}) + ')';
         if (const auto* const group = std::get_if<scene::Group>(&item.content))
             write(group->items, indent + "  ");
     }
@@ -150,6 +196,27 @@ std::string items_read(std::string_view text)
     const std::string items = scene ? text_of(*scene, scene->items) : "";
     const bool both = !items.empty() && !findings.empty();
     return items + (both ? "\n" : "") + findings;
+}
+
+std::string bones_read(std::string_view text, std::string_view properties)
+{
+    const auto [scene, findings] =
+        read_between("kfast 1\ncanvas 100 100\nbones s " + std::string{properties} + " {\n", text,
+                     "\n}\nobject o fill=white skin=s { empty }", 3, 0);
+    return both(scene ? text_of(scene->bones.at(0).bones) : "", findings);
+}
+
+std::string skin_read(std::string_view text)
+{
+    const auto [scene, findings] =
+        read_between("kfast 1\ncanvas 100 100\n"
+                     "bones s { bone a 20 80 20 40 region=10 { bone b 20 40 60 40 region=10 } }\n",
+                     text, "", 3, 0);
+    std::string bindings;
+    if (scene && object_at(*scene).skin)
+        for (const scene::Binding& binding : object_at(*scene).skin->bindings)
+            bindings.append(bindings.empty() ? "" : " ").append(text_of(binding, scene->bones.at(0).bones));
+    return both(bindings, findings);
 }
 
 SceneText read(std::string_view text) { return read_between("", text, "", 0, 0); }

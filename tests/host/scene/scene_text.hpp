@@ -34,10 +34,27 @@ const scene::Key& key_at(const scene::Scene& scene, std::size_t index = 0);
 ///     group scale_x[8192]
 ///       use eye visible[0:1 2.5:0]
 ///
-/// A time and a colon are left out in a track of one key at 0, laws where both are constant.
+/// A time and a colon are left out in a track of one key at 0, laws where both are constant. A ~ stands
+/// behind the name of a smooth track, and a path behind the tracks: `path(M 0 0 L 5 5)`, or `turning(…)`.
 std::string text_of(const scene::Scene& scene, const std::vector<scene::Item>& items);
 /// The items of the outermost level, then what was found; the first line of `text` is 1.
 std::string items_read(std::string_view text);
+
+/// Every bone of the first skeleton on a line of its own: its name, that of its parent, "tip" if it is fixed
+/// to its tip, angle, x, y and length as set up, and the keys of those that have some, in their stored units:
+///
+///     torso 49152 1920 2400 960
+///     arm <torso tip 0 960 0 512 angle[0:0 12:56434]
+///
+/// Then what was found. `text` is what stands inside of `bones s`; its first line is 1.
+std::string bones_read(std::string_view text, std::string_view properties = "");
+
+/// What the points of the first object's first drawing follow, "a b a|b:128": a point that follows several
+/// bones has the weights in 1/256 behind all but the heaviest. Then what was found, in the lines of `text`.
+///
+/// `text` follows on a skeleton `s` of an upright bone `a` from 20 80 to 20 40, and `b`, which lies at its
+/// tip and ends at 60 40, each with a region of 10 px.
+std::string skin_read(std::string_view text);
 
 /// The drawing of one key or still object, in pixels: `M 10 10 L 20.5 10 C 1 2 3 4 5 6 M …`.
 std::string text_of(const scene::Drawing& drawing);

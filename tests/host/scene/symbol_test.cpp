@@ -81,7 +81,8 @@ TEST_CASE("a use with mistakes")
     CHECK(errors("use eie") == "1:5 error: unknown symbol \"eie\" (did you mean \"eye\"?)");
     CHECK(errors("use nothing") == "1:5 error: unknown symbol \"nothing\" (allowed: eye)");
     CHECK(errors("use 7") == "1:5 error: a word or a text in quotes is expected here");
-    CHECK(errors("use eye { circle 1 2 r=3 }") == "1:11 error: a use has no node \"circle\" (allowed: key)");
+    CHECK(errors("use eye { circle 1 2 r=3 }") ==
+          "1:11 error: a use has no node \"circle\" (allowed: key, track)");
     CHECK(errors("use eye fill=red").starts_with("1:9 error: use has no property \"fill\""));
     CHECK(items_read("use x") ==
           "1:5 error: unknown symbol \"x\" (write it on the outermost level: symbol NAME { … })");
@@ -145,7 +146,7 @@ TEST_CASE("a symbol is used where its kind fits")
     CHECK(items_read("object o fill=red { use a; use b 1 1 }\nsymbol a { line 0 0 1 1 }\n"
                      "symbol b { key 0 { empty } }") ==
           "1:32 error: the symbol \"b\" has keys, which do not fit here "
-          "(let its use be all that an object draws, or use one without keys)");
+          "(let its use be all that an object without skin draws, or use one without keys)");
     // One that only uses others is what they are.
     CHECK(items_read("object o fill=red { use a }\nsymbol a { use b }\nsymbol b { use c }\nsymbol c " +
                      box) == "object o @0");
@@ -219,7 +220,7 @@ TEST_CASE("an object and the use that it takes do not both give a place")
                          "(put the shapes into a key: key 0 { … })"));
     CHECK(items_read("object o fill=red { use s opacity=1 }" + symbol) ==
           "1:27 error: use has no property \"opacity\" "
-          "(allowed: x, y, rotate, scale, scale-x, scale-y, mirror)");
+          "(allowed: x, y, z, rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, mirror)");
 }
 
 TEST_CASE("among shapes a use is a copy, rounded once")

@@ -1,0 +1,216 @@
+#include "host/scene/track_reader.hpp"
+
+#include "host/property_name.hpp"
+#include "host/scene/along_reader.hpp"
+#include "host/scene/law_reader.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/timed_value.hpp"
+#include "host/scene/unseen_keys.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm track_form{track_name, "track QUANTITY { at TIME VALUE }", 1, 1, true};
+constexpr NodeForm along_form{track_name, "track along \"M …\" { at TIME SHARE }", 2, 2, true};
+
+/// What a track moves.
+struct Quantity {
+    std::string_view name;
+    Property property;
+    std::optional<Property> other = std::nullopt; ///< likewise
+};
+
+constexpr Quantity same_name(Property property) { return {property_name(property), property}; }
+
+constexpr std::array quantities{
+    same_name(Property::x),
+    same_name(Property::y),
+    same_name(Property::z),
+    same_name(Property::rotation),
+    same_name(Property::rotation_x),
+    same_name(Property::rotation_y),
+    Quantity{"rotate-z", Property::rotation},
+    Quantity{"scale", Property::scale_x, Property::scale_y},
+    same_name(Property::scale_x),
+    same_name(Property::scale_y),
+    same_name(Property::pivot_x),
+    same_name(Property::pivot_y),
+    same_name(Property::opacity),
+    same_name(Property::along),
+    same_name(Property::width), // the last, which only objects have
+};
+
+constexpr std::array keys_only{Property::order, Property::visible, Property::fill, Property::stroke};
+
+void report_unknown_quantity(const kdl::Value& value, std::string_view name, KeyHolder holder,
+                             Reading& reading)
+{
+    const std::string text{name};
+    if (std::ranges::find(keys_only, name, property_name) != keys_only.end())
+        reading.report.error(value.place, text + " has no track by key times",
+                             "set it in keys: key 0 " + text + "=…");
+    else if (name == property_name(Property::width))
+        reading.report.error(value.place, "only objects have a width",
+                             "let the track stand in an object that has a stroke");
+    else {
+        std::array<std::string_view, quantities.size()> known;
+        std::ranges::transform(quantities, known.begin(), &Quantity::name);
+        const std::size_t hidden = holder == KeyHolder::object ? 0 : 1;
+        reading.report.error(value.place, "unknown quantity " + quoted(name),
+                             suggestion(name, std::span{known}.first(known.size() - hidden)));
+    }
+}
+
+const Quantity* read_quantity(const kdl::Value& value, KeyHolder holder, Reading& reading)
+{
+    const auto name = read_text(value, reading);
+    if (!name)
+        return nullptr;
+    const auto found = std::ranges::find(quantities, *name, &Quantity::name);
+    const bool is_known =
+        found != quantities.end() && (found->property != Property::width || holder == KeyHolder::object);
+    if (is_known)
+        return &*found;
+    report_unknown_quantity(value, *name, holder, reading);
+    return nullptr;
+}
+
+/// What a node `track` says of itself.
+struct TrackProperties {
+    std::optional<VelocityLaw> law; ///< none: the track is smooth
+    bool turns = false;
+};
+
+bool read_law_of_track(const kdl::Value& value, TrackProperties& track, Reading& reading)
+{
+    return assign(read_law(value, reading), track.law);
+}
+
+bool read_turn(const kdl::Value& value, TrackProperties& track, Reading& reading)
+{
+    return assign(read_flag(value, reading), track.turns);
+}
+
+constexpr std::array track_rules{PropertyRule<TrackProperties>{"law", read_law_of_track}};
+constexpr auto along_rules =
+    joined(track_rules, std::array{PropertyRule<TrackProperties>{"turn", read_turn}});
+
+class TrackReader {
+public:
+    TrackReader(const kdl::Node& node, const Quantity& quantity, Reading& reading)
+        : node_{node}, quantity_{quantity}, reading_{reading}
+    {
+    }
+
+    TimedQuantity read()
+    {
+        TimedQuantity result{.name = quantity_.name,
+                             .place = span(node_.name_place, node_.arguments.front().place),
+                             .tracks = {},
+                             .path = {}};
+        read_own();
+        if (is_along() && node_.arguments.size() == 2)
+            result.path = read_along_path(node_.arguments.back(), reading_);
+        if (result.path)
+            result.path->turns = properties_.turns;
+        const std::vector<TrackKey> keys = read_keys(result.place);
+        result.tracks.push_back(track_of(quantity_.property, keys));
+        if (quantity_.other)
+            result.tracks.push_back(track_of(*quantity_.other, keys));
+        return result;
+    }
+
+private:
+    bool is_along() const { return quantity_.property == Property::along; }
+
+    void read_own()
+    {
+        fits(node_, is_along() ? along_form : track_form, reading_);
+        if (is_along()) {
+            properties_.law = VelocityLaw::constant;
+            read_properties(node_, along_rules, properties_, reading_);
+        } else {
+            read_properties(node_, track_rules, properties_, reading_);
+        }
+    }
+
+    std::vector<TrackKey> read_keys(Place place)
+    {
+        const std::vector<TimedValue> values = read_timed_values(node_, quantity_.property, reading_);
+        if (node_.children.empty())
+            reading_.report.error(place, "this track has no values", "add { at 0 …; at 30 … }");
+        if (values.empty())
+            return {};
+        look_at_laws(values);
+        reading_.last_key = std::max(reading_.last_key, values.back().time);
+        std::vector<TrackKey> keys;
+        for (const TimedValue& timed : values)
+            keys.push_back({timed.time, laws_of(timed), timed.value, timed.place});
+        keys.back().laws = {};
+        // The slope of a smooth track at a key depends on the key behind it.
+        warn_of_unseen_keys(keys, properties_.law ? 1 : 2, "value", reading_);
+        return keys;
+    }
+
+    LawPair laws_of(const TimedValue& timed) const
+    {
+        if (!properties_.law)
+            return {};
+        const VelocityLaw law = timed.law.value_or(*properties_.law);
+        return {law, law};
+    }
+
+    void look_at_laws(const std::vector<TimedValue>& values)
+    {
+        for (const TimedValue& timed : values)
+            if (timed.law && !properties_.law)
+                reading_.report.error(property_place(*timed.node, "law"),
+                                      "this track is smooth: it goes by no laws",
+                                      "write track " + std::string{quantity_.name} + " law=constant");
+        if (values.back().law)
+            warn_of_idle_law(*values.back().node);
+        if (values.size() == 1 && has_property(node_, "law"))
+            warn_of_idle_law(node_);
+    }
+
+    void warn_of_idle_law(const kdl::Node& node)
+    {
+        reading_.report.warning(property_place(node, "law"), "this law governs nothing",
+                                "remove it, or add a later value");
+    }
+
+    Track track_of(Property property, const std::vector<TrackKey>& keys) const
+    {
+        return {property, keys, !properties_.law.has_value()};
+    }
+
+    const kdl::Node& node_;
+    const Quantity& quantity_;
+    Reading& reading_;
+    TrackProperties properties_;
+};
+
+}
+
+std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder, Reading& reading)
+{
+    if (node.arguments.empty()) {
+        fits(node, track_form, reading);
+        return std::nullopt;
+    }
+    const Quantity* const quantity = read_quantity(node.arguments.front(), holder, reading);
+    if (quantity == nullptr)
+        return std::nullopt;
+    return TrackReader{node, *quantity, reading}.read();
+}
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/key_reader.hpp"
+#include "host/scene/reading.hpp"
+#include "host/scene/timed_quantity.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view track_name = "track";
+
+/// A node `track` of an item. Nothing when it cannot be said what it is a track of, which is reported like
+/// everything else. `node` must live as long as the quantity.
+std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder, Reading& reading);
+
+}
