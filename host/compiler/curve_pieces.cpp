@@ -49,8 +49,6 @@ double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }
 
-// A piece over 1/n of the parameter stays within the second derivative / (8 n^2) of the curve; the second
-// derivative of a cubic is at most 6 times the bend of its control points.
 std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b, WayRange x, WayRange y,
                            double scale)
 {
@@ -61,7 +59,21 @@ std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b, Way
             const Pair<Segment> both = pair.next_segment();
             most = std::max(most, length(most_bend(both, &Point::x, x), most_bend(both, &Point::y, y)));
         }
-    const double pieces = std::ceil(std::sqrt(6 * most * scale / (8 * tolerance)));
+    return pieces_for_bend(most, scale);
+}
+
+double bend_of(const Segment& segment)
+{
+    const Bend x = bend(segment, &Point::x);
+    const Bend y = bend(segment, &Point::y);
+    return std::max(length(x.first, y.first), length(x.second, y.second));
+}
+
+// A piece over 1/n of the parameter stays within the second derivative / (8 n^2) of the curve; the second
+// derivative of a cubic is at most 6 times the bend of its control points.
+std::uint32_t pieces_for_bend(double bend, double scale)
+{
+    const double pieces = std::ceil(std::sqrt(6 * bend * scale / (8 * tolerance)));
     return static_cast<std::uint32_t>(std::clamp<double>(pieces, 1, kfb::max_curve_pieces));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/segment.hpp"
 #include "core/velocity_law.hpp"
 #include "host/scene/model.hpp"
 
@@ -12,5 +13,10 @@ namespace kfast {
 /// most kfb::max_curve_pieces.
 std::uint32_t curve_pieces(const scene::Drawing& a, const scene::Drawing& b, WayRange x, WayRange y,
                            double scale = 1);
+
+/// The second difference of the control points of a curve, in pixels: the longer of two. A line has none.
+double bend_of(const Segment& segment);
+/// As curve_pieces(), where no curve has a longer one than `bend`.
+std::uint32_t pieces_for_bend(double bend, double scale);
 
 }

@@ -21,7 +21,7 @@ void write_header(const scene::Scene& scene, std::uint32_t edges, std::size_t la
     bytes.u16(static_cast<std::uint32_t>(scene.canvas.height));
     bytes.u8(static_cast<std::uint32_t>(scene.palette.size()));
     bytes.u8(static_cast<std::uint32_t>(scene.symbols.size()));
-    bytes.u16(0);
+    bytes.u16(static_cast<std::uint32_t>(scene.camera));
     for (const Colour colour : scene.palette)
         for (const std::uint8_t part : {colour.red, colour.green, colour.blue, colour.opacity})
             bytes.u8(part);

@@ -1,12 +1,14 @@
 #include "host/compiler/key_writer.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "host/compiler/carried_ways.hpp"
 #include "host/compiler/curve_pieces.hpp"
 #include "host/compiler/match_by_length.hpp"
 #include "host/compiler/time_code.hpp"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -14,7 +16,7 @@ namespace {
 /// The drawings at both ends of the way from `key` to `next`.
 MatchedDrawings ends_of_way(const scene::Key& key, const scene::Key& next, Diagnostics& diagnostics)
 {
-    const MatchedDrawings as_drawn{key.drawing, next.drawing};
+    MatchedDrawings as_drawn{key.drawing, next.drawing};
     if (key.match == scene::Match::count)
         return as_drawn;
     if (const auto matched = match_by_length(key.drawing, next.drawing))
@@ -33,12 +35,38 @@ std::uint32_t pieces_of_way(const MatchedDrawings& ends, const LawPair& laws, do
                     curve_pieces(ends.from, ends.to, way_range(laws.x), way_range(laws.y), scale));
 }
 
+/// As they are without backbones.
+std::vector<KeyWay> drawn_ways(const scene::Object& object, double scale, Diagnostics& diagnostics)
+{
+    std::vector<KeyWay> ways;
+    for (std::size_t i = 0; i < object.keys.size(); ++i) {
+        const scene::Key& key = object.keys[i];
+        const bool leads_on = i + 1 < object.keys.size();
+        KeyWay way{.time = key.time, .laws = leads_on ? key.laws : LawPair{}, .ends = {}, .place = key.place};
+        way.ends = leads_on ? ends_of_way(key, object.keys[i + 1], diagnostics)
+                            : MatchedDrawings{key.drawing, key.drawing};
+        way.curve_pieces = pieces_of_way(way.ends, way.laws, scale);
+        ways.push_back(std::move(way));
+    }
+    return ways;
+}
+
 }
 
 bool has_arrivals(const scene::Object& object)
 {
+    if (!object.backbone_keys.empty())
+        return object.keys.size() > 1;
     return std::any_of(object.keys.begin(), object.keys.end() - 1,
                        [](const scene::Key& key) { return key.match == scene::Match::length; });
+}
+
+KeyWays key_ways(const scene::Object& object, double scale, Diagnostics& diagnostics)
+{
+    std::vector<KeyWay> drawn = drawn_ways(object, scale, diagnostics);
+    if (!object.backbone_keys.empty())
+        return carried_ways(object, drawn, scale, diagnostics);
+    return {.ways = std::move(drawn)};
 }
 
 PackedKeys packed_keys(const scene::Object& object, double scale, LawTable& laws, DrawingPool& drawings,
@@ -47,25 +75,21 @@ PackedKeys packed_keys(const scene::Object& object, double scale, LawTable& laws
     ByteWriter bytes;
     std::uint64_t points = 0;
     const bool with_arrivals = has_arrivals(object);
+    const KeyWays ways = key_ways(object, scale, diagnostics);
     Time before;
-    for (std::size_t i = 0; i < object.keys.size(); ++i) {
-        const scene::Key& key = object.keys[i];
-        const bool leads_on = i + 1 < object.keys.size();
-        const MatchedDrawings ends = leads_on ? ends_of_way(key, object.keys[i + 1], diagnostics)
-                                              : MatchedDrawings{key.drawing, key.drawing};
-        const LawPair way = leads_on ? key.laws : LawPair{};
-        bytes.varint(time_code(key.time - before));
-        bytes.u8(laws.number_of(way, key.place));
-        bytes.varint(pieces_of_way(ends, way, scale));
-        bytes.varint(drawings.offset_of(ends.from));
-        points += point_count(ends.from) + 1;
+    for (const KeyWay& way : ways.ways) {
+        bytes.varint(time_code(way.time - before));
+        bytes.u8(laws.number_of(way.laws, way.place));
+        bytes.varint(way.curve_pieces);
+        bytes.varint(drawings.offset_of(way.ends.from));
+        points += point_count(way.ends.from) + 1;
         if (with_arrivals) {
-            bytes.varint(drawings.offset_of(ends.to));
-            points += point_count(ends.to) + 1;
+            bytes.varint(drawings.offset_of(way.ends.to));
+            points += point_count(way.ends.to) + 1;
         }
-        before = key.time;
+        before = way.time;
     }
-    return {bytes.bytes(), points};
+    return {bytes.bytes(), points, ways.unit_bits};
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/compiler/drawing_pool.hpp"
+#include "host/compiler/key_way.hpp"
 #include "host/compiler/law_table.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
@@ -14,15 +15,20 @@ namespace kfast {
 /// The keys of one object as the format has them.
 struct PackedKeys {
     std::vector<std::byte> bytes;
-    std::uint64_t points = 0; ///< as the format counts them: each drawing of each key has one more
+    std::uint64_t points = 0;    ///< as the format counts them: each drawing of each key has one more
+    std::uint32_t unit_bits = 0; ///< see KeyWays
 };
 
-/// Whether any way from a key of `object` to the next matches by length: then all of its keys have arrival
-/// drawings.
+/// Whether ways from a key of `object` to the next are written with both of their ends: all of them, if one
+/// matches by length, or if backbones carry them.
 bool has_arrivals(const scene::Object& object);
 
+/// The keys of `object` and the ways between them, as they are stored; it is enlarged by at most `scale`.
+/// Says what packed_keys() says.
+KeyWays key_ways(const scene::Object& object, double scale, Diagnostics& diagnostics);
+
 /// The keys of `object`, which is enlarged by at most `scale`. A way that takes more points than a drawing
-/// holds is an error at its key.
+/// holds is an error at its key, points that backbones do not reach are a warning there.
 PackedKeys packed_keys(const scene::Object& object, double scale, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics);
 

@@ -1,14 +1,12 @@
 #include "host/compiler/measured_segment.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kfast {
 namespace {
 
 constexpr int chords = 32;
-
-// Not std::hypot, which platforms round differently.
-double distance(Spot a, Spot b) { return std::sqrt(dot(b - a, b - a)); }
 
 /// The polar form of a cubic: blossom(t, t, t) is the point at t.
 Spot blossom(const MeasuredSegment& cubic, double r, double s, double t)
@@ -42,10 +40,6 @@ double parameter_at(const MeasuredSegment& cubic, double share)
 
 }
 
-double dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y; }
-
-double cross(Spot a, Spot b) { return a.x * b.y - a.y * b.x; }
-
 Spot between(Spot a, Spot b, double share) { return (1 - share) * a + share * b; }
 
 MeasuredSegment measured(MeasuredSegment segment)
@@ -59,6 +53,23 @@ MeasuredSegment measured(MeasuredSegment segment)
         at = next;
     }
     return segment;
+}
+
+double unevenness(const MeasuredSegment& segment)
+{
+    if (!segment.cubic)
+        return 0;
+    double most = 0;
+    double length = 0;
+    Spot at = segment.from;
+    for (int i = 1; i < chords; ++i) {
+        const double share = static_cast<double>(i) / chords;
+        const Spot next = at_parameter(segment, share);
+        length += distance(at, next);
+        most = std::max(most, std::abs(length - share * segment.length));
+        at = next;
+    }
+    return most;
 }
 
 Spot spot_at(const MeasuredSegment& segment, double share)

@@ -20,14 +20,14 @@ struct MeasuredSegment {
     double length = 0;
 };
 
-double dot(Spot a, Spot b);
-/// Positive if `b` is to the right of `a` on a canvas, where y points down.
-double cross(Spot a, Spot b);
 /// The point at a share of the way from `a` to `b`; exact at 0 and 1.
 Spot between(Spot a, Spot b, double share);
 
 /// Sets the length. A curve's is that of 32 chords: for a quarter of a circle 1/10000 too short.
 MeasuredSegment measured(MeasuredSegment segment);
+
+/// How far apart the points at the same share of parameter and of length are at most, along the segment.
+double unevenness(const MeasuredSegment& segment);
 
 /// The point at a share of the length.
 Spot spot_at(const MeasuredSegment& segment, double share);

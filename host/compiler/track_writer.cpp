@@ -8,6 +8,7 @@
 namespace kfast {
 namespace {
 
+constexpr std::uint32_t smooth_bit = 1 << 6;
 constexpr std::uint32_t fixed_bit = 1 << 7;
 
 bool is_fixed(const scene::Track& track) { return track.keys.size() == 1; }
@@ -26,31 +27,24 @@ std::int32_t value_without(Property property, const scene::Item& item)
     }
 }
 
+/// A place on a path is never the ordinary one.
+bool changes_nothing(const scene::Track& track, const scene::Item& item)
+{
+    return is_fixed(track) && track.property != Property::along &&
+           track.keys.front().value == value_without(track.property, item);
+}
+
 /// Those that make a difference. A pivot makes none where nothing turns or grows.
 std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
 {
     std::vector<const scene::Track*> tracks;
     for (const scene::Track& track : item.tracks)
-        if (!is_fixed(track) || track.keys.front().value != value_without(track.property, item))
+        if (!changes_nothing(track, item))
             tracks.push_back(&track);
     const auto pointed_to = [](const scene::Track* track) -> const scene::Track& { return *track; };
-    if (std::ranges::none_of(tracks, scene::turns_or_grows, pointed_to))
+    if (std::ranges::none_of(tracks, scene::needs_pivot, pointed_to))
         std::erase_if(tracks, [](const scene::Track* track) { return scene::is_pivot(*track); });
     return tracks;
-}
-
-std::vector<std::byte> packed_keys(const std::vector<scene::TrackKey>& keys, LawTable& laws)
-{
-    ByteWriter bytes;
-    Time before;
-    for (const scene::TrackKey& key : keys) {
-        const bool leads_on = &key != &keys.back();
-        bytes.varint(time_code(key.time - before));
-        bytes.u8(leads_on ? laws.number_of(key.laws, key.place) : 0);
-        bytes.signed_varint(key.value);
-        before = key.time;
-    }
-    return bytes.bytes();
 }
 
 void write_track(const scene::Track& track, LawTable& laws, ByteWriter& bytes)
@@ -60,11 +54,26 @@ void write_track(const scene::Track& track, LawTable& laws, ByteWriter& bytes)
         bytes.u8(property | fixed_bit);
         bytes.signed_varint(track.keys.front().value);
     } else {
-        bytes.u8(property);
-        bytes.block(packed_keys(track.keys, laws));
+        bytes.u8(property | (track.is_smooth ? smooth_bit : 0));
+        bytes.block(packed_keys(track.keys, track.is_smooth, laws));
     }
 }
 
+}
+
+std::vector<std::byte> packed_keys(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws)
+{
+    ByteWriter bytes;
+    Time before;
+    for (const scene::TrackKey& key : keys) {
+        const bool leads_on = &key != &keys.back();
+        bytes.varint(time_code(key.time - before));
+        if (!is_smooth)
+            bytes.u8(leads_on ? laws.number_of(key.laws, key.place) : 0);
+        bytes.signed_varint(key.value);
+        before = key.time;
+    }
+    return bytes.bytes();
 }
 
 std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)

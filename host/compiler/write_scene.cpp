@@ -2,24 +2,25 @@
 
 #include "core/kfb_limits.hpp"
 #include "host/compiler/allowance.hpp"
+#include "host/compiler/bone_writer.hpp"
 #include "host/compiler/drawing_pool.hpp"
+#include "host/compiler/enlargement.hpp"
 #include "host/compiler/header.hpp"
 #include "host/compiler/item_writer.hpp"
 #include "host/compiler/law_table.hpp"
 #include "host/compiler/mark_writer.hpp"
-#include "host/compiler/scale_bound.hpp"
 
 #include <string>
 
 namespace kfast {
 namespace {
 
-void write_symbols(const scene::Scene& scene, ItemWriter& writer, ByteWriter& bytes)
+void write_symbols(const scene::Scene& scene, const Extents& extents, ItemWriter& writer, ByteWriter& bytes)
 {
-    const std::vector<double> scales = symbol_scale_bounds(scene);
+    const std::vector<Enlargement> enlargements = symbol_enlargements(extents);
     for (std::size_t i = 0; i < scene.symbols.size(); ++i) {
         ByteWriter items;
-        writer.write(scene.symbols[i].items, scales[i], items);
+        writer.write(scene.symbols[i].items, enlargements[i], items);
         bytes.block(items.bytes());
     }
 }
@@ -39,13 +40,16 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
 {
     LawTable laws;
     DrawingPool drawings;
-    ItemWriter writer{laws, drawings, diagnostics};
+    ItemWriter writer{scene, laws, drawings, diagnostics};
     ByteWriter marks;
+    ByteWriter bones;
     ByteWriter symbols;
     ByteWriter items;
     write_marks(scene, marks);
-    write_symbols(scene, writer, symbols);
-    writer.write(scene.items, 1, items);
+    write_bones(scene.bones, laws, bones);
+    const Extents extents{scene};
+    write_symbols(scene, extents, writer, symbols);
+    writer.write(scene.items, Enlargement::outermost(extents), items);
 
     const std::uint32_t edges = check_allowances(scene, writer.needs(), diagnostics);
     check_laws(laws, diagnostics);
@@ -55,7 +59,7 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     ByteWriter body;
     write_header(scene, edges, laws.count(), body);
     body.append(laws.bytes());
-    for (const ByteWriter* section : {&marks, &symbols, &items})
+    for (const ByteWriter* section : {&marks, &bones, &symbols, &items})
         body.block(section->bytes());
     body.append(drawings.bytes());
     return sealed(body);

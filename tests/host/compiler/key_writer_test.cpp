@@ -19,7 +19,7 @@ PackedKeys packed(const scene::Object& object)
 std::uint32_t first_pieces(const scene::Object& object)
 {
     const PackedKeys keys = packed(object);
-    return KeyCursor{ByteReader{keys.bytes}, has_arrivals(object)}.next().curve_pieces;
+    return KeyCursor{ByteReader{keys.bytes}, has_arrivals(object), false}.next().curve_pieces;
 }
 
 /// A line in `count` steps of 10 px, and one stroke.

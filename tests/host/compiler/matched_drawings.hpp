@@ -3,7 +3,6 @@
 #include "host/compiler/match_by_length.hpp"
 #include "host/compiler/measured_stroke.hpp"
 
-#include <cmath>
 #include <doctest/doctest.h>
 #include <vector>
 
@@ -19,7 +18,6 @@ inline MatchedDrawings matched(const scene::Drawing& a, const scene::Drawing& b)
 using kfast::in_pixels;
 
 inline Spot in_pixels(Point point) { return {point.x.raw() / 65536.0, point.y.raw() / 65536.0}; }
-inline double distance(Spot a, Spot b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 inline std::vector<scene::Point> vertices(const scene::Stroke& stroke)
 {

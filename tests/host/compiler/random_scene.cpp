@@ -1,6 +1,10 @@
 #include "tests/host/compiler/random_scene.hpp"
 
+#include "core/kfb_limits.hpp"
+#include "host/scene/binding.hpp"
+
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace kfast::test {
@@ -17,15 +21,36 @@ public:
         scene_.frame_rate = static_cast<std::uint32_t>(within(1, 1'000'000));
         scene_.length = {within(1024, 100'000)};
         scene_.loop = loop();
+        scene_.camera = within(kfb::min_camera, 1000);
         for (int left = within(1, 5); left > 0; --left)
             scene_.palette.push_back({byte(), byte(), byte(), byte()});
         scene_.palette.front().opacity = 255;
+        for (int left = within(0, 2); left > 0; --left)
+            scene_.bones.push_back({name(), bones(), {}});
         for (int left = within(0, 3); left > 0; --left) {
             scene::Symbol symbol{name(), items(1)};
             scene_.symbols.push_back(std::move(symbol));
         }
         scene_.items = items(2);
         make_marks();
+        return std::move(scene_);
+    }
+
+    scene::Scene carried_scene()
+    {
+        scene_.canvas = {240, 240};
+        scene_.length = Time::frame(40);
+        scene_.palette = {{0, 0, 0}};
+        scene_.bones.push_back({name(), moderate_bones(), {}});
+        scene::Object object;
+        object.fill = 0;
+        Time time;
+        for (int left = within(1, 3), first = left; left > 0; --left) {
+            time = next_time(time, left == first);
+            object.keys.push_back({.time = time, .laws = soft_laws(), .drawing = curves(), .place = {}});
+        }
+        object.skin = skin(0, object.keys.front().drawing);
+        scene_.items.push_back({.name = "i", .tracks = {}, .content = object, .place = {}});
         return std::move(scene_);
     }
 
@@ -82,10 +107,12 @@ private:
         return {x, static_cast<std::int16_t>(within(-1600, 3200))};
     }
 
-    scene::Drawing drawing()
+    scene::Drawing drawing() { return drawing(within(0, 3)); }
+
+    scene::Drawing drawing(int strokes)
     {
         scene::Drawing drawing;
-        drawing.strokes.resize(static_cast<std::size_t>(within(0, 3)));
+        drawing.strokes.resize(static_cast<std::size_t>(strokes));
         for (scene::Stroke& stroke : drawing.strokes) {
             stroke.from = point();
             for (int left = within(0, 5); left > 0; --left)
@@ -101,6 +128,127 @@ private:
         if (sometimes())
             return {.cubic = true, .c1 = point(), .c2 = point(), .to = point()};
         return {.cubic = false, .c1 = {}, .c2 = {}, .to = point()};
+    }
+
+    /// One stroke within 60 px of the origin.
+    scene::Drawing curves()
+    {
+        const auto near = [this] {
+            const auto x = static_cast<std::int16_t>(within(-960, 960));
+            return scene::Point{x, static_cast<std::int16_t>(within(-960, 960))};
+        };
+        scene::Stroke stroke{.from = near(), .segments = {}};
+        for (int left = within(1, 4); left > 0; --left) {
+            const scene::Point c1 = near();
+            const scene::Point c2 = near();
+            stroke.segments.push_back({.cubic = true, .c1 = c1, .c2 = c2, .to = near()});
+        }
+        return {{stroke}};
+    }
+
+    LawPair soft_laws()
+    {
+        const VelocityLaw law{.kind = static_cast<VelocityLaw::Kind>(within(0, 3))};
+        return {law, law};
+    }
+
+    std::int32_t bone_value(BoneQuantity quantity, bool turns_as_written)
+    {
+        if (quantity == BoneQuantity::angle)
+            return turns_as_written ? within(-100'000, 100'000) : within(0, 65535);
+        return quantity == BoneQuantity::length ? within(0, 3000) : within(-3000, 3000);
+    }
+
+    scene::Bone bone()
+    {
+        scene::Bone bone;
+        bone.name = name();
+        bone.turns_as_written = sometimes();
+        bone.set_up = {within(0, 65535), within(-3000, 3000), within(-3000, 3000), within(1, 2000)};
+        if (sometimes())
+            poses_ = pose_keys();
+        for (std::size_t i = 0; i < bone.keys.size(); ++i)
+            if (sometimes()) {
+                bone.keys[i] = poses_;
+                for (scene::TrackKey& key : bone.keys[i])
+                    key.value = bone_value(static_cast<BoneQuantity>(i), bone.turns_as_written);
+            }
+        return bone;
+    }
+
+    std::vector<scene::TrackKey> pose_keys()
+    {
+        std::vector<scene::TrackKey> keys;
+        Time time;
+        for (int left = within(1, 6), first = left; left > 0; --left) {
+            time = next_time(time, left == first);
+            keys.push_back({.time = time, .laws = laws(), .value = 0});
+        }
+        return keys;
+    }
+
+    std::vector<scene::Bone> bones()
+    {
+        poses_ = pose_keys();
+        std::vector<scene::Bone> bones;
+        for (int left = within(1, 5); left > 0; --left) {
+            scene::Bone next = bone();
+            if (!bones.empty() && !sometimes()) {
+                next.parent = random_() % bones.size();
+                next.is_at_tip = sometimes();
+            }
+            bones.push_back(std::move(next));
+        }
+        return bones;
+    }
+
+    /// Within 300 px, so that nothing is held at the limits of coordinates.
+    std::vector<scene::Bone> moderate_bones()
+    {
+        std::vector<scene::Bone> all = bones();
+        for (scene::Bone& bone : all) {
+            bone.set_up = {within(0, 65535), within(-640, 640), within(-640, 640), within(320, 960)};
+            const std::array<std::int32_t, bone_quantity_count> spread{0, 160, 160, 300};
+            for (std::size_t i = 0; i < bone.keys.size(); ++i)
+                for (scene::TrackKey& key : bone.keys[i]) {
+                    key.laws = soft_laws();
+                    if (i != 0)
+                        key.value = bone.set_up[i] + within(-spread[i], spread[i]);
+                }
+        }
+        return all;
+    }
+
+    scene::Binding binding(std::size_t bones)
+    {
+        std::vector<scene::WeightedBone> weights{{random_() % bones, 1}};
+        for (std::size_t i = 0; i < bones; ++i)
+            if (i != weights[0].bone && sometimes())
+                weights.push_back({i, within(1, 1000) / 1000.0});
+        return scene::bound(weights);
+    }
+
+    scene::Skin skin(std::size_t skeleton, const scene::Drawing& first)
+    {
+        scene::Skin skin{.bones = skeleton, .bindings = {}, .place = {}};
+        const std::size_t bones = scene_.bones[skeleton].bones.size();
+        for (std::size_t i = 0; i < point_count(first); ++i)
+            skin.bindings.push_back(i > 0 && sometimes() ? skin.bindings.back() : binding(bones));
+        return skin;
+    }
+
+    /// A skin needs as many strokes in all drawings that are not empty.
+    void cover_with_skin(scene::Object& object)
+    {
+        const int strokes = within(1, 3);
+        const scene::Drawing* first = nullptr;
+        for (scene::Key& key : object.keys) {
+            key.match = scene::Match::count;
+            key.drawing = sometimes() ? scene::Drawing{} : drawing(strokes);
+            if (first == nullptr && !key.drawing.strokes.empty())
+                first = &key.drawing;
+        }
+        object.skin = skin(random_() % scene_.bones.size(), first != nullptr ? *first : scene::Drawing{});
     }
 
     scene::Object object()
@@ -127,17 +275,49 @@ private:
         }
         if (sometimes())
             object.keys.back().drawing = object.keys.front().drawing;
+        if (!scene_.bones.empty() && sometimes())
+            cover_with_skin(object);
+        else if (random_() % 8 == 0)
+            object.backbone_keys = backbone_keys();
         return object;
+    }
+
+    std::vector<scene::Point> points(int count)
+    {
+        std::vector<scene::Point> points;
+        for (; count > 0; --count)
+            points.push_back(point());
+        return points;
+    }
+
+    std::vector<scene::BackboneKey> backbone_keys()
+    {
+        std::vector<int> sizes;
+        for (int left = within(1, 3); left > 0; --left)
+            sizes.push_back(within(2, 5));
+        std::vector<scene::BackboneKey> keys;
+        Time time;
+        for (int left = within(1, 3), first = left; left > 0; --left) {
+            time = next_time(time, left == first);
+            keys.push_back({.time = time, .laws = laws(), .backbones = {}, .place = {}});
+            for (const int size : sizes)
+                keys.back().backbones.push_back({points(size), points(size), points(size)});
+        }
+        return keys;
     }
 
     std::int32_t value_of(Property property)
     {
         switch (property) {
+        case Property::rotation_x:
+        case Property::rotation_y:
         case Property::rotation:
             return within(-100'000, 100'000);
         case Property::scale_x:
         case Property::scale_y:
             return within(-6000, 6000);
+        case Property::along:
+            return within(0, path_whole);
         case Property::opacity:
             return within(0, 255);
         case Property::visible:
@@ -154,7 +334,7 @@ private:
 
     scene::Track track(Property property)
     {
-        scene::Track track{property, {}};
+        scene::Track track{property, {}, may_be_smooth(property) && sometimes()};
         Time time;
         for (int left = within(1, 3), first = left; left > 0; --left) {
             time = next_time(time, left == first);
@@ -197,7 +377,17 @@ private:
         else
             item.content = object();
         item.tracks = tracks(std::get_if<scene::Object>(&item.content));
+        if (std::ranges::find(item.tracks, Property::along, &scene::Track::property) != item.tracks.end())
+            item.path = path();
         return item;
+    }
+
+    scene::Path path()
+    {
+        scene::Path path{{point(), {}}, sometimes()};
+        for (int left = within(1, 3); left > 0; --left)
+            path.stroke.segments.push_back(segment());
+        return path;
     }
 
     void make_marks()
@@ -213,10 +403,13 @@ private:
 
     std::mt19937& random_;
     scene::Scene scene_;
+    std::vector<scene::TrackKey> poses_; ///< when bones have keys, until it changes
 };
 
 }
 
 scene::Scene random_scene(std::mt19937& random) { return SceneMaker{random}.scene(); }
+
+scene::Scene random_carried_scene(std::mt19937& random) { return SceneMaker{random}.carried_scene(); }
 
 }

@@ -1,10 +1,16 @@
 #include "core/player.hpp"
 #include "core/scene_view.hpp"
+#include "host/compiler/backbone_timeline.hpp"
+#include "host/compiler/carrier.hpp"
+#include "host/compiler/even_stroke.hpp"
+#include "host/compiler/key_writer.hpp"
 #include "host/compiler/match_by_length.hpp"
+#include "host/compiler/skinned_drawing.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "tests/host/compiler/random_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 #include <vector>
 
@@ -51,10 +57,12 @@ public:
         CHECK(view_.frame_rate() == scene_.frame_rate);
         CHECK(view_.length() == scene_.length);
         CHECK(view_.loop() == scene_.loop);
+        CHECK(view_.camera() == scene_.camera);
         REQUIRE(view_.palette_size() == scene_.palette.size());
         for (std::size_t i = 0; i < scene_.palette.size(); ++i)
             CHECK(view_.colour(i) == scene_.palette[i]);
         compare_marks();
+        compare_skeletons();
         REQUIRE(view_.symbol_count() == scene_.symbols.size());
         for (std::uint32_t i = 0; i < view_.symbol_count(); ++i)
             compare_items(view_.symbol(i), scene_.symbols[i].items);
@@ -85,6 +93,55 @@ private:
         CHECK(events.at_end());
     }
 
+    void compare_skeletons()
+    {
+        BonesCursor skeletons = view_.skeletons();
+        for (const scene::Bones& skeleton : scene_.bones) {
+            REQUIRE(!skeletons.at_end());
+            const BonesView read = skeletons.next();
+            REQUIRE(read.count() == skeleton.bones.size());
+            BoneCursor bones = read.bones();
+            for (const scene::Bone& bone : skeleton.bones)
+                compare_bone(read, bones.next(), bone);
+        }
+        CHECK(skeletons.at_end());
+    }
+
+    void compare_bone(const BonesView& skeleton, const BoneView& read, const scene::Bone& bone)
+    {
+        CHECK(read.parent == (bone.parent ? *bone.parent + 1 : 0));
+        CHECK(read.is_at_tip == bone.is_at_tip);
+        CHECK(read.set_up == bone.set_up);
+        if (!bone.keys[0].empty())
+            CHECK(read.turns_as_written == bone.turns_as_written);
+        for (std::size_t i = 0; i < bone_quantity_count; ++i) {
+            const bool is_modular = i == 0 && !bone.turns_as_written;
+            compare_bone_keys(skeleton.common_keys(), read.keys[i], bone.keys[i], is_modular);
+        }
+    }
+
+    void compare_bone_keys(CommonKeyCursor common, const BoneKeys& read,
+                           const std::vector<scene::TrackKey>& keys, bool is_modular)
+    {
+        REQUIRE((read.kind() == BoneKeys::Kind::none) == keys.empty());
+        const auto compare = [&](Time time, std::uint32_t laws, std::int32_t value,
+                                 const scene::TrackKey& key) {
+            CHECK(time == key.time);
+            CHECK((is_modular ? value & 0xFFFF : value) == key.value);
+            compare_laws(laws, key.laws, &key == &keys.back());
+        };
+        TrackKeyCursor own = read.own();
+        for (const scene::TrackKey& key : keys)
+            if (read.kind() == BoneKeys::Kind::own) {
+                const TrackKey stored = own.next();
+                compare(stored.time, stored.laws, stored.value, key);
+            } else {
+                const CommonKey stored = common.next();
+                compare(stored.time, stored.laws, read.common(stored.index), key);
+            }
+        CHECK((read.kind() == BoneKeys::Kind::common ? common.at_end() : own.at_end()));
+    }
+
     void compare_items(ItemCursor cursor, const std::vector<scene::Item>& items)
     {
         for (const scene::Item& item : items) {
@@ -92,6 +149,8 @@ private:
             const ItemView read = cursor.next();
             REQUIRE(static_cast<std::size_t>(read.kind) == item.content.index());
             compare_tracks(read.tracks, item);
+            if (item.path)
+                compare_path(read.path, *item.path);
             if (const auto* group = std::get_if<scene::Group>(&item.content))
                 compare_items(ItemCursor{read.items}, group->items);
             else if (const auto* use = std::get_if<scene::Use>(&item.content))
@@ -120,6 +179,8 @@ private:
         const auto* object = std::get_if<scene::Object>(&item.content);
         const std::int32_t value = track.keys.front().value;
         switch (track.property) {
+        case Property::along:
+            return false;
         case Property::scale_x:
         case Property::scale_y:
             return track.keys.size() == 1 && value == 4096;
@@ -144,8 +205,10 @@ private:
     static bool turns_or_grows(const scene::Item& item)
     {
         return std::ranges::any_of(item.tracks, [&item](const scene::Track& track) {
-            return track.property >= Property::rotation && track.property <= Property::scale_y &&
-                   !changes_nothing(track, item);
+            const bool is_of_pivot =
+                (track.property >= Property::rotation_x && track.property <= Property::scale_y) ||
+                track.property == Property::along;
+            return is_of_pivot && !changes_nothing(track, item);
         });
     }
 
@@ -156,15 +219,27 @@ private:
             CHECK(read.value == track.keys.front().value);
             return;
         }
+        REQUIRE(read.is_smooth == track.is_smooth);
         TrackKeyCursor keys = read.keys;
         for (const scene::TrackKey& key : track.keys) {
             REQUIRE(!keys.at_end());
             const TrackKey stored = keys.next();
             CHECK(stored.time == key.time);
             CHECK(stored.value == key.value);
-            compare_laws(stored.laws, key.laws, keys.at_end());
+            compare_laws(stored.laws, track.is_smooth ? LawPair{} : key.laws, keys.at_end());
         }
         CHECK(keys.at_end());
+    }
+
+    void compare_path(const PathView& read, const scene::Path& path)
+    {
+        CHECK(read.turns == path.turns);
+        const scene::Stroke stroke = rounded(made_even(measured(path.stroke)));
+        CHECK(unpacked(view_.drawing(read.drawing)) == scene::Drawing{{stroke}});
+        ByteReader lengths = read.lengths;
+        for (const MeasuredSegment& segment : measured(stroke))
+            CHECK(std::abs(lengths.varint() / 16.0 - segment.length) <= 1 / 16.0);
+        CHECK(lengths.left() == 0);
     }
 
     void compare_laws(std::uint32_t number, const LawPair& laws, bool is_last)
@@ -189,13 +264,59 @@ private:
             if (stroke->join == Join::miter)
                 CHECK(style.miter_limit == stroke->miter_limit);
         }
+        REQUIRE(read.carrier == carrier_of(object));
+        if (object.skin)
+            CHECK(read.skeleton == object.skin->bones);
+        if (read.carrier == Carrier::backbones)
+            compare_backbones(read, object);
+        else
+            compare_keys(read, object);
+    }
+
+    void compare_keys(const ObjectView& read, const scene::Object& object)
+    {
         KeyCursor keys = read.keys();
         for (std::size_t i = 0; i < object.keys.size(); ++i) {
             REQUIRE(!keys.at_end());
             const Key key = keys.next();
             CHECK(key.time == object.keys[i].time);
             compare_laws(key.laws, object.keys[i].laws, keys.at_end());
-            compare_drawings(key, read.has_arrivals, object, i);
+            if (object.skin)
+                compare_skin(key, object, i);
+            else
+                compare_drawings(key, read.has_arrivals, object, i);
+        }
+        CHECK(keys.at_end());
+    }
+
+    void compare_backbones(const ObjectView& read, const scene::Object& object)
+    {
+        BackboneKeyCursor backbones = read.backbones.keys();
+        for (const scene::BackboneKey& key : object.backbone_keys) {
+            REQUIRE(!backbones.at_end());
+            const BackboneKey stored = backbones.next();
+            CHECK(stored.time == key.time);
+            compare_laws(stored.laws, key.laws, backbones.at_end());
+            CHECK(unpacked(view_.drawing(stored.drawing)) == drawing_of(key.backbones));
+        }
+        CHECK(backbones.at_end());
+        compare_carried_keys(read, object);
+    }
+
+    void compare_carried_keys(const ObjectView& read, const scene::Object& object)
+    {
+        Diagnostics diagnostics;
+        const KeyWays carried = key_ways(object, 1, diagnostics);
+        CHECK(read.backbones.unit_bits == carried.unit_bits);
+        KeyCursor keys = read.keys();
+        for (const KeyWay& way : carried.ways) {
+            REQUIRE(!keys.at_end());
+            const Key key = keys.next();
+            CHECK(key.time == way.time);
+            compare_laws(key.laws, way.laws, keys.at_end());
+            CHECK(unpacked(view_.drawing(key.drawing)) == way.ends.from);
+            if (read.has_arrivals)
+                CHECK(unpacked(view_.drawing(key.arrival)) == way.ends.to);
         }
         CHECK(keys.at_end());
     }
@@ -212,6 +333,31 @@ private:
             CHECK(unpacked(view_.drawing(read.arrival)) == expected.to);
         else
             CHECK((key.match == scene::Match::count || &next == &key));
+    }
+
+    void compare_skin(const Key& read, const scene::Object& object, std::size_t i)
+    {
+        const auto first = std::ranges::find_if(
+            object.keys, [](const scene::Key& key) { return !key.drawing.strokes.empty(); });
+        const scene::Drawing& drawing = object.keys[i].drawing;
+        const auto expected = skinned_drawing(first != object.keys.end() ? first->drawing : drawing,
+                                              object.skin->bindings, drawing);
+        REQUIRE(expected);
+        CHECK(unpacked(view_.drawing(read.drawing)) == expected->drawing);
+        SkinReader skin = view_.skin(read.skin);
+        REQUIRE(skin.has_drawing_at_rest() == expected->at_rest.has_value());
+        if (expected->at_rest)
+            CHECK(unpacked(view_.drawing(skin.drawing_at_rest())) == *expected->at_rest);
+        REQUIRE(point_count(expected->drawing) == expected->bindings.size());
+        for (const scene::Binding& binding : expected->bindings)
+            compare_binding(skin.next(), binding);
+    }
+
+    static void compare_binding(const Binding& read, const scene::Binding& binding)
+    {
+        scene::Binding shares;
+        read.each([&shares](BoneShare share) { shares.push_back({share.bone, share.weight}); });
+        CHECK(shares == binding);
     }
 
     std::uint32_t expanded_edges(ItemCursor items)

@@ -32,15 +32,15 @@ TEST_CASE("a small scene, byte by byte")
     scene.palette = {{0x10, 0x20, 0x30}, {0x4c, 0xc9, 0xf0, 0x80}};
     CHECK(written(scene) ==
           bytes({
-              'K',  'F',  'B',  1,    0x9A, 0x17, 0x3A, 0xBD,             // checksum: zlib's crc32
-              62,   0,    0,    0,                                        // size
+              'K',  'F',  'B',  1,    0x13, 0x29, 0xC9, 0x92,             // checksum: zlib's crc32
+              63,   0,    0,    0,                                        // size
               4,    0,    0,    2,                                        // edges, pairs of laws, ping-pong
               0x00, 0xA0, 0x00, 0x00,                                     // 40 frames
               0xA8, 0x61, 0x00, 0x00,                                     // 25 frames a second
-              64,   0,    48,   0,    2,    0,    0,    0,                // canvas, colours, symbols
+              64,   0,    48,   0,    2,    0,    0xE0, 0x01,             // canvas, colours, symbols, camera
               0x10, 0x20, 0x30, 0xFF, 0x4C, 0xC9, 0xF0, 0x80,             //
               1,    0,                                                    // marks: no clips, no events
-              0,                                                          // symbols
+              0,    0,                                                    // bones, symbols
               8,    0x08, 1,    4,    4,    0,    0,    1,    0,          // filled, colour, edges, one key
               1,    6,    2,    16,   0,    32,   0,    0x10, 0x00, 0x03, // 6 bits: 16, 0, -16, 0
           }));
@@ -75,13 +75,14 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
               15,   1,                                                       // marks: one clip
               2,    'g',  'o',  20,   0x81, 0x58, 1,                         // from frame 10, 5632 ticks long
               6,    1,    'a',  0,    2,    0xC3, 0xA9,                      // events
+              0,                                                             // bones
               13,   12,                                                      // one symbol
               0x10, 1,    40,   1,    32,   11,   34,            // its arcs are for twice the width
               4,    0,    0,    1,    0,                         //
               34,                                                // items
-              0x05, 2,    0x82, 0x80, 0x80, 2,                   // group: a quarter turn,
-              7,    7,    0,    1,    0xFE, 3,    20,   0,    0, // opacity from 255 to 0
-              6,    0x06, 1,    0x83, 0xFF, 0x7F, 0,             // the use, mirrored
+              0x05, 2,    0x85, 0x80, 0x80, 2,                   // group: a quarter turn,
+              11,   7,    0,    1,    0xFE, 3,    20,   0,    0, // opacity from 255 to 0
+              6,    0x06, 1,    0x86, 0xFF, 0x7F, 0,             // the use, mirrored
               0x28, 0,    3,    8,    0,    2,    1,    7,    3,    0, 1,
               15,                                             // even-odd; 1 tick to the second key
               1,    0,    0,    10,   0,    11,   0,          // the single point
@@ -122,6 +123,58 @@ TEST_CASE("tracks that change nothing are left out")
         CHECK(growth(dot, {fixed(Property::scale_y, 1), pivot_x, pivot_y}) == 7);
         CHECK(growth(dot, {fixed(Property::scale_x, 1), pivot_y}) == 5);
     }
+}
+
+TEST_CASE("a smooth track has no laws")
+{
+    const auto dot = filled({key(0, lines({{0, 0}, {16, 0}}))});
+    const auto growth = [&dot](const std::vector<int>& values) {
+        scene::Track track{Property::z, {}, true};
+        for (const int value : values)
+            track.keys.push_back(
+                {.time = Time::frame(static_cast<int>(track.keys.size())), .laws = {}, .value = value});
+        return behind(written(scene_of({item(dot, {track})})), header_and_two_colours + 5);
+    };
+    const auto head = [](const Bytes& all, std::size_t count) {
+        return Bytes{all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
+    };
+    CHECK(head(growth({3, 3}), 8) == bytes({0x0C, 1, 0x42, 4, 0, 6, 2, 6}));
+    CHECK(head(growth({3}), 4) == bytes({0x0C, 1, 0x82, 6})); // fixed
+    CHECK(head(growth({0}), 1) == bytes({0x08}));             // the ordinary value
+}
+
+TEST_CASE("a path follows the tracks, with the lengths of its segments")
+{
+    const auto dot = filled({key(0, lines({{0, 0}, {16, 0}}))});
+    const scene::Stroke corner = lines({{0, 0}, {16, 0}, {16, 3200}}).strokes.front();
+    const auto followed = [&](const scene::Path& path, std::size_t count) {
+        scene::Item follower = item(dot, {fixed(Property::along, 0)});
+        follower.path = path;
+        const Bytes all = behind(written(scene_of({follower})), header_and_two_colours + 5);
+        return Bytes{all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
+    };
+    CHECK(followed({corner, true}, 10) == bytes({0x0C, 1, 0x8A, 0, 5, 1, 0, 16, 0x80, 25}));
+    CHECK(followed({corner, false}, 6) == bytes({0x0C, 1, 0x8A, 0, 5, 0}));
+    const scene::Stroke tick = curve({0, 0}, {1, 0}, {0, 0}, {0, 0}).strokes.front();
+    CHECK(followed({tick, false}, 8) == bytes({0x0C, 1, 0x8A, 0, 3, 0, 0, 1}));
+}
+
+TEST_CASE("a path is as long as the format allows")
+{
+    scene::Stroke zigzag{{-32000, 0}, {}};
+    for (int i = 0; i < 150; ++i)
+        zigzag.segments.push_back({.cubic = false,
+                                   .c1 = {},
+                                   .c2 = {},
+                                   .to = {static_cast<std::int16_t>(i % 2 == 0 ? 32000 : -32000), 0}});
+    scene::Item follower = item(scene::Group{}, {fixed(Property::along, 0)});
+    follower.path = scene::Path{zigzag, false};
+    follower.place = {3, 2};
+    Diagnostics diagnostics;
+    CHECK(!write_scene(scene_of({follower}), diagnostics));
+    REQUIRE(diagnostics.sorted().size() == 1);
+    CHECK(diagnostics.sorted().front().place.offset == 3);
+    CHECK(diagnostics.sorted().front().message == "the path of this item is too long for the format");
 }
 
 TEST_CASE("a drawing is stored once, whoever shows it")

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/compiler/byte_writer.hpp"
+#include "host/compiler/drawing_pool.hpp"
+#include "host/compiler/law_table.hpp"
+#include "host/scene/model.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Appends what an item says of its backbones (docs/format.md, "Backbones"), of which `object` has some.
+void write_backbones(const scene::Object& object, std::uint32_t unit_bits, LawTable& laws,
+                     DrawingPool& drawings, ByteWriter& bytes);
+
+/// The points of their keys, as the format counts them; 0 without backbones.
+std::uint64_t backbone_points(const scene::Object& object);
+
+}

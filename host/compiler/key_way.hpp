@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/law_pair.hpp"
+#include "core/time.hpp"
+#include "host/compiler/match_by_length.hpp"
+#include "host/text/source.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace kfast {
+
+/// A key as it is stored, and the way from it to the next. The last one leads nowhere: its ends are its
+/// drawing twice.
+struct KeyWay {
+    Time time;
+    LawPair laws;
+    MatchedDrawings ends;
+    std::uint32_t curve_pieces = 1;
+    Place place; ///< of the key
+};
+
+/// All that an object has.
+struct KeyWays {
+    std::vector<KeyWay> ways;
+    /// Of the ways of drawings that backbones carry: 2^unit_bits sixteenths of a pixel stand for a segment.
+    std::uint32_t unit_bits = 0;
+};
+
+}

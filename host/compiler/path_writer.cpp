@@ -1,0 +1,41 @@
+#include "host/compiler/path_writer.hpp"
+
+#include "core/kfb_limits.hpp"
+#include "host/compiler/even_stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace kfast {
+namespace {
+
+std::uint32_t stored_length(const MeasuredSegment& segment)
+{
+    return static_cast<std::uint32_t>(std::max(std::lround(segment.length * 16), 1L));
+}
+
+}
+
+void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& bytes, Diagnostics& diagnostics)
+{
+    if (!item.path)
+        return;
+    const scene::Drawing drawing{{rounded(made_even(measured(item.path->stroke)))}};
+    ByteWriter path;
+    path.u8(item.path->turns ? 1 : 0);
+    path.varint(drawings.offset_of(drawing));
+    std::uint64_t whole = 0;
+    for (const MeasuredSegment& segment : measured(drawing.strokes.front())) {
+        const std::uint32_t length = stored_length(segment);
+        path.varint(length);
+        whole += length;
+    }
+    bytes.block(path.bytes());
+    if (whole > kfb::max_path || point_count(drawing) > kfb::max_drawing_points)
+        diagnostics.error(item.place, "the path of this item is too long for the format",
+                          "at most " + std::to_string(kfb::max_path / 16) +
+                              " px; draw it shorter or with fewer turns");
+}
+
+}

@@ -1,0 +1,402 @@
+#include "host/compiler/carried_ways.hpp"
+
+#include "core/equalize.hpp"
+#include "core/key_interval.hpp"
+#include "core/player.hpp"
+#include "host/compiler/backbone_timeline.hpp"
+#include "host/compiler/compile.hpp"
+#include "host/compiler/key_writer.hpp"
+#include "host/compiler/model_reader.hpp"
+#include "host/scene/outline.hpp"
+#include "tests/host/compiler/backbone_parts.hpp"
+#include "tests/host/compiler/scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <random>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+using scene::Spot;
+
+struct Carried {
+    KeyWays ways;
+    std::vector<Diagnostic> findings;
+};
+
+Carried carry(const scene::Object& object)
+{
+    Diagnostics diagnostics;
+    KeyWays ways = key_ways(object, 1, diagnostics);
+    return {std::move(ways), diagnostics.sorted()};
+}
+
+/// The vertices of a stroke as they are stored.
+std::vector<scene::Point> vertices(const scene::Stroke& stroke)
+{
+    std::vector<scene::Point> points{stroke.from};
+    for (const scene::Segment& segment : stroke.segments)
+        points.push_back(segment.to);
+    return points;
+}
+
+/// Where the backbones of `object` put what is stored, in pixels.
+std::vector<std::vector<Spot>> placed(const scene::Object& object, const scene::Drawing& stored,
+                                      std::uint32_t unit_bits, Time time)
+{
+    const BackboneTimeline backbones{object.backbone_keys};
+    std::vector<BackboneNode> nodes(backbones.node_count());
+    const LiveBackbones live = backbones.at(time, unit_bits, nodes);
+    const auto spot = [&live](scene::Point point) {
+        const Point at = live.place({Fixed::sixteenths(point.x), Fixed::sixteenths(point.y)});
+        return Spot{at.x.raw() / 65536.0, at.y.raw() / 65536.0};
+    };
+    std::vector<std::vector<Spot>> strokes;
+    for (const scene::Stroke& stroke : stored.strokes) {
+        std::vector<Spot>& spots = strokes.emplace_back();
+        for (const scene::Point point : vertices(stroke))
+            spots.push_back(spot(point));
+        for (const scene::Segment& segment : stroke.segments)
+            if (segment.cubic) {
+                spots.push_back(spot(segment.c1));
+                spots.push_back(spot(segment.c2));
+            }
+    }
+    return strokes;
+}
+
+double distance_to(const std::vector<Spot>& spots, scene::Point point)
+{
+    double least = 1e9;
+    for (const Spot spot : spots)
+        least = std::min(least, std::hypot(spot.x - point.x / 16.0, spot.y - point.y / 16.0));
+    return least;
+}
+
+/// A band that wanders, with outlines of its own, and points in its cells.
+class RandomBand {
+public:
+    scene::Backbone backbone(int nodes)
+    {
+        scene::Backbone backbone;
+        double x = 1200;
+        double y = 1200;
+        double direction = number(0, 6);
+        for (; nodes > 0; --nodes) {
+            backbone.nodes.push_back(point(x, y));
+            const double width = number(60, 160);
+            backbone.left.push_back(point(x + width * std::sin(direction), y - width * std::cos(direction)));
+            backbone.right.push_back(point(x - width * std::sin(direction), y + width * std::cos(direction)));
+            x += 320 * std::cos(direction);
+            y += 320 * std::sin(direction);
+            direction += number(-0.4, 0.4);
+        }
+        return backbone;
+    }
+
+    scene::Point in_cell(const scene::Backbone& backbone)
+    {
+        const auto i =
+            static_cast<std::size_t>(number(0, static_cast<double>(backbone.nodes.size()) - 1.001));
+        const auto& side = number(0, 2) < 1 ? backbone.left : backbone.right;
+        const double along = number(0, 1);
+        const double across = number(0, 1);
+        const auto at = [&](std::int16_t scene::Point::*axis) {
+            const double middle = std::lerp(backbone.nodes[i].*axis, backbone.nodes[i + 1].*axis, along);
+            return std::lerp(middle, std::lerp(side[i].*axis, side[i + 1].*axis, along), across);
+        };
+        return point(at(&scene::Point::x), at(&scene::Point::y));
+    }
+
+    double number(double least, double most)
+    {
+        return least + (most - least) * static_cast<double>(random_()) / 4294967296.0;
+    }
+
+private:
+    static scene::Point point(double x, double y)
+    {
+        return {static_cast<std::int16_t>(std::lround(x)), static_cast<std::int16_t>(std::lround(y))};
+    }
+
+    std::mt19937 random_{77};
+};
+
+const scene::Drawing bar = lines({{176, 400}, {448, 400}, {448, 560}, {176, 560}, {176, 400}});
+
+}
+
+TEST_CASE("a drawing is as it was drawn where its skeleton is as it was")
+{
+    RandomBand random;
+    for (int round = 0; round < 200; ++round) {
+        const int nodes = 2 + round % 7;
+        const scene::Backbone backbone = random.backbone(nodes);
+        scene::Stroke stroke{.from = random.in_cell(backbone), .segments = {}};
+        for (int i = 0; i < 8; ++i)
+            stroke.segments.push_back(
+                {i % 2 == 0, random.in_cell(backbone), random.in_cell(backbone), random.in_cell(backbone)});
+        const scene::Object object = carried(
+            filled({key(0, {{stroke}})}), {skeleton(0, {backbone}), skeleton(9, {random.backbone(nodes)})});
+        const auto [carried, findings] = carry(object);
+        CHECK(findings.empty());
+        const auto spots = placed(object, carried.ways[0].ends.from, carried.unit_bits, {});
+        for (const scene::Point point : vertices(stroke))
+            CHECK(distance_to(spots[0], point) < 1.0 / 16);
+    }
+}
+
+TEST_CASE("a drawing between two skeletons is bound to the one of that moment")
+{
+    const scene::Object object =
+        carried(filled({key(5, bar)}), {skeleton(0, {moved(straight_band(2), 0, -160)}),
+                                        skeleton(10, {moved(straight_band(2), 0, 160)})});
+    const auto [carried, findings] = carry(object);
+    CHECK(findings.empty());
+    for (const scene::Point point : vertices(bar.strokes[0])) {
+        CHECK(distance_to(placed(object, carried.ways[0].ends.from, carried.unit_bits, Time::frame(5))[0],
+                          point) < 1.0 / 32);
+        const scene::Point below{point.x, static_cast<std::int16_t>(point.y + 160)};
+        CHECK(distance_to(placed(object, carried.ways[0].ends.from, carried.unit_bits, Time::frame(10))[0],
+                          below) < 1.0 / 32);
+    }
+}
+
+TEST_CASE("the unit is the finest that all points fit in")
+{
+    const auto bits = [](const scene::Drawing& drawing, int segments) {
+        return carry(carried(filled({key(0, drawing)}), {skeleton(0, {straight_band(segments)})}))
+            .ways.unit_bits;
+    };
+    CHECK(bits(lines({{176, 470}, {300, 490}}), 1) == 15);
+    CHECK(bits(bar, 2) == 14);
+    CHECK(bits(bar, 40) == 14); // it lies at the beginning
+    CHECK(bits(lines({{176, 480}, {160 * 40, 480}}), 40) == 9);
+    CHECK(bits(lines({{176, 480}, {176, 480 + 7 * 160}}), 2) == 12);
+}
+
+TEST_CASE("lines are divided where they pass from one segment to the next")
+{
+    const scene::Object object =
+        carried(stroked(16, {key(0, lines({{176, 480}, {560, 400}}))}), {skeleton(0, {straight_band(3)})});
+    const auto [carried, findings] = carry(object);
+    const scene::Stroke& stroke = carried.ways[0].ends.from.strokes[0];
+    REQUIRE(stroke.segments.size() == 3);
+    CHECK(stroke.segments[0].to.x == 1 << carried.unit_bits);
+    CHECK(stroke.segments[1].to.x == 2 << carried.unit_bits);
+    CHECK(carry(test::carried(stroked(16, {key(0, lines({{176, 480}, {300, 400}}))}),
+                              {skeleton(0, {straight_band(3)})}))
+              .ways.ways[0]
+              .ends.from.strokes[0]
+              .segments.size() == 1);
+}
+
+TEST_CASE("curves that pass a node are divided in the middle of segments")
+{
+    const auto along = [](const scene::Drawing& drawing) {
+        const auto [carried, findings] =
+            carry(test::carried(stroked(16, {key(0, drawing)}), {skeleton(0, {straight_band(3)})}));
+        std::vector<double> places;
+        for (const scene::Segment& segment : carried.ways[0].ends.from.strokes[0].segments)
+            places.push_back(std::round(segment.to.x * 100.0 / (1 << carried.unit_bits)) / 100);
+        return places;
+    };
+    CHECK(along(curve({160, 480}, {320, 400}, {480, 400}, {640, 480})) == std::vector{0.5, 1.5, 2.5, 3.0});
+    CHECK(along(curve({160, 480}, {200, 400}, {260, 400}, {310, 480})) == std::vector{0.94});
+}
+
+TEST_CASE("both drawings of a way are divided alike, each where it crosses the same border")
+{
+    const scene::Object object =
+        carried(stroked(16, {key(0, lines({{176, 480}, {560, 480}})),
+                             key(10, lines({{200, 480}, {600, 400}})), key(20, bar)}),
+                {skeleton(0, {straight_band(3)})});
+    const auto [carried, findings] = carry(object);
+    REQUIRE(carried.ways.size() == 3);
+    for (const scene::Drawing* end : {&carried.ways[0].ends.from, &carried.ways[0].ends.to}) {
+        REQUIRE(end->strokes[0].segments.size() == 3);
+        CHECK(end->strokes[0].segments[0].to.x == 1 << carried.unit_bits);
+        CHECK(end->strokes[0].segments[1].to.x == 2 << carried.unit_bits);
+    }
+    const MatchedDrawings& other = carried.ways[1].ends;
+    CHECK(other.from.strokes[0].segments.size() > 4);
+    CHECK(other.from.strokes[0].segments.size() == other.to.strokes[0].segments.size());
+}
+
+TEST_CASE("an empty drawing grows from the centre, and shows nothing on its own key")
+{
+    const std::vector<scene::Key> keys{key(0, {}), key(10, bar), key(20, {})};
+    const auto filled_ways = carry(carried(filled(keys), {skeleton(0, {straight_band(2)})})).ways;
+    REQUIRE(filled_ways.ways.size() == 3);
+    const scene::Stroke& centre = filled_ways.ways[0].ends.from.strokes[0];
+    for (const scene::Point point : vertices(centre))
+        CHECK(point == centre.from);
+    CHECK(std::abs(centre.from.y) <= 1);
+    CHECK(filled_ways.ways[2].ends.from.strokes.empty());
+    const auto stroked_ways = carry(carried(stroked(16, keys), {skeleton(0, {straight_band(2)})})).ways;
+    REQUIRE(stroked_ways.ways.size() == 4);
+    CHECK(stroked_ways.ways[0].ends.to.strokes.empty());
+    CHECK(stroked_ways.ways[1].time == Time{1});
+    CHECK(stroked_ways.ways[1].ends.from.strokes.size() == 1);
+}
+
+TEST_CASE("a drawing that holds is not matched with the next one")
+{
+    const LawPair hold{VelocityLaw::hold, VelocityLaw::hold};
+    const auto ways =
+        carry(carried(filled({key(0, {}, hold), key(10, bar)}), {skeleton(0, {straight_band(2)})}));
+    CHECK(ways.ways.ways[0].ends.from.strokes.empty());
+    CHECK(ways.ways.ways[0].ends.to.strokes.empty());
+}
+
+TEST_CASE("points outside of the skeleton are a warning at their key")
+{
+    scene::Object object = carried(
+        filled({key(0, lines({{160, 480}, {320, 640}, {320, 643}, {160, 736}, {100, 480}, {160, 480}}))}),
+        {skeleton(0, {straight_band(2)})});
+    object.keys[0].place = {12, 3};
+    const Carried near = carry(object);
+    REQUIRE(near.findings.size() == 1);
+    CHECK(near.findings[0].severity == Severity::warning);
+    CHECK(near.findings[0].place.offset == 12);
+    CHECK(near.findings[0].message ==
+          "3 points of this drawing lie outside of the skeleton, the first at 20 40.1875");
+    CHECK(near.findings[0].remedy ==
+          "make the skeleton wider or longer; until then, the nearest segment carries them");
+    object.keys[0].drawing = lines({{160, 480}, {-200, 480}});
+    CHECK(carry(object).findings[0].message ==
+          "1 point of this drawing lies outside of the skeleton, the first at "
+          "-12.5 30; 1 point had to be moved to its edge");
+}
+
+TEST_CASE("curves are flattened for how they are bent at any moment")
+{
+    const scene::Drawing arch = curve({160, 480}, {220, 470}, {260, 470}, {320, 480});
+    const auto pieces = [&](const scene::Backbone& later) {
+        return carry(
+                   carried(filled({key(0, arch)}), {skeleton(0, {straight_band(1)}), skeleton(50, {later})}))
+            .ways.ways[0]
+            .curve_pieces;
+    };
+    scene::Backbone high = straight_band(1);
+    for (scene::Point& point : high.left)
+        point.y = -9600;
+    CHECK(pieces(straight_band(1)) < 4);
+    CHECK(pieces(high) > 8);
+}
+
+namespace {
+
+/// How far the middles of the pieces of a curve are from it at most, in pixels.
+double worst_distance(const Segment& curve, std::uint32_t pieces)
+{
+    const auto spot_at = [&curve](double share) {
+        const Point at = point_at(curve, Share{static_cast<std::uint32_t>(share * Share::one)});
+        return Spot{at.x.raw() / 65536.0, at.y.raw() / 65536.0};
+    };
+    double worst = 0;
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+        const Spot middle = 0.5 * (spot_at(1.0 * i / pieces) + spot_at((i + 1.0) / pieces));
+        worst = std::max(worst, distance(middle, spot_at((i + 0.5) / pieces)));
+    }
+    return worst;
+}
+
+/// Of all curves of a way from 0 to frame 30, at a moment.
+double worst_distance(const scene::Object& object, const KeyWays& ways, Time time)
+{
+    const BackboneTimeline backbones{object.backbone_keys};
+    std::vector<BackboneNode> nodes(backbones.node_count());
+    const LiveBackbones live = backbones.at(time, ways.unit_bits, nodes);
+    const KeyWay& way = ways.ways[0];
+    const Progress progress = progress_between({}, Time::frame(30), time, way.laws);
+    double worst = 0;
+    EqualizedPair pair{ModelReader{way.ends.from}, ModelReader{way.ends.to}};
+    while (const std::uint32_t segments = pair.next_stroke())
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const Pair<Segment> both = pair.next_segment();
+            worst = std::max(worst, worst_distance(live.between(both.a, both.b, progress), way.curve_pieces));
+        }
+    return worst;
+}
+
+}
+
+TEST_CASE("no piece of a curve is further than 1/32 px away from it, at any moment")
+{
+    RandomBand random;
+    for (int round = 0; round < 50; ++round) {
+        const int nodes = 2 + round % 7;
+        const std::vector bands{random.backbone(nodes), random.backbone(nodes), random.backbone(nodes)};
+        const auto arc = [&random](const scene::Backbone& band) {
+            return curve(random.in_cell(band), random.in_cell(band), random.in_cell(band),
+                         random.in_cell(band));
+        };
+        const LawPair laws{VelocityLaw::accelerate, VelocityLaw::decelerate};
+        const scene::Object object =
+            carried(filled({key(0, arc(bands[0]), laws), key(30, arc(bands[2]))}),
+                    {skeleton(0, {bands[0]}), skeleton(11, {bands[1]}), skeleton(30, {bands[2]})});
+        const KeyWays ways = carry(object).ways;
+        for (int moment = 0; moment < 30; ++moment)
+            CHECK(worst_distance(object, ways, {static_cast<std::int32_t>(random.number(0, 30 * 1024))}) <
+                  1.0 / 32);
+    }
+}
+
+namespace {
+
+/// The brightness of each pixel of a picture of a text scene, in levels of 255.
+std::vector<int> picture(const std::string& text, int frame)
+{
+    Diagnostics diagnostics;
+    const auto bytes = compile(SourceText{"test.kfast", text}, diagnostics);
+    REQUIRE(bytes);
+    const auto scene = SceneView::parse(*bytes);
+    REQUIRE(scene);
+    const Size panel = scene->canvas();
+    std::vector<std::byte> block(Player::block_bytes(*scene, panel));
+    auto player = Player::create(*scene, panel, Fit::contain, block);
+    REQUIRE(player);
+    player->show(Time::frame(frame));
+    std::vector<std::byte> pixels(static_cast<std::size_t>(panel.width * panel.height) * 2);
+    player->draw_rows<PixelFormat::rgb565>(panel.height, pixels);
+    std::vector<int> levels;
+    for (std::size_t i = 0; i < pixels.size(); i += 2) {
+        const int both = static_cast<int>(pixels[i]) | static_cast<int>(pixels[i + 1]) << 8;
+        levels.push_back((both >> 5 & 63) * 255 / 63);
+    }
+    return levels;
+}
+
+constexpr auto canvas = "kfast 1\ncanvas 96 64 loop=once frames=40\n";
+constexpr auto shapes = "path \"M 12 30 C 20 14 50 20 60 28 L 84 30 L 80 44 C 60 40 40 50 14 40 Z\"";
+constexpr auto other_shapes = "path \"M 20 24 L 80 28 L 70 46 Z\"; circle 40 34 r=6";
+
+}
+
+TEST_CASE("exactly on its key a drawing looks as it does without a skeleton")
+{
+    const std::string bent = "skeleton { backbone 10 30 34 34 60 32 88 40; width 40 }";
+    const std::string straight = "skeleton { backbone 10 32 34 34 60 34 88 32; width 40 }";
+    const std::string carried = std::string{canvas} +
+                                "object o fill=white stroke=white width=3 {\n key 0 { " + shapes + "; " +
+                                straight + " }\n key 10 { " + bent + " }\n key 15 { " + other_shapes +
+                                "}\n key 20 { " + straight + " }\n key 30 { " + shapes + "; " + bent + " } }";
+    const std::string plain = std::string{canvas} + "object o fill=white stroke=white width=3 {\n key 0 { " +
+                              shapes + " }\n key 15 { " + other_shapes + " }\n key 30 { " + shapes + " } }";
+    for (const int frame : {0, 15, 30, 40}) {
+        const std::vector<int> with = picture(carried, frame);
+        const std::vector<int> without = picture(plain, frame);
+        int worst = 0;
+        for (std::size_t i = 0; i < with.size(); ++i)
+            worst = std::max(worst, std::abs(with[i] - without[i]));
+        CHECK(worst < 24); // an edge may lie 1/16 px elsewhere
+    }
+    CHECK(picture(carried, 7) != picture(plain, 7));
+}
+
+}

@@ -1,0 +1,164 @@
+#include "core/carried_drawing.hpp"
+#include "core/equalize.hpp"
+#include "core/key_interval.hpp"
+#include "host/compiler/curve_pieces.hpp"
+#include "host/compiler/posed_drawing.hpp"
+#include "host/scene/bone_frames.hpp"
+#include "tests/core/stage.hpp"
+#include "tests/host/compiler/random_scene.hpp"
+#include "tests/host/compiler/scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+
+/// What the compiler foresees of bones in motion, against what the player makes of them.
+namespace kfast::test {
+namespace {
+
+/// The bones of a compiled scene's first skeleton, and the first object that they carry.
+class Played {
+public:
+    explicit Played(const SceneView& scene)
+        : scene_{scene}, object_{scene.items().next().object}, bones_(scene.bone_count())
+    {
+        set_up_bones(scene_, bones_);
+    }
+
+    /// Both ends of the way that is under way, and how far it has come.
+    struct Moment {
+        Key from;
+        Key to;
+        Progress way;
+    };
+
+    Moment at(Time time)
+    {
+        pose_bones(scene_, time, bones_);
+        const auto [from, to] = interval_at(object_.keys(), time);
+        return {from, to, progress_between(from.time, to.time, time, scene_.laws(from.laws))};
+    }
+
+    CarriedDrawing drawing(const Key& key) const
+    {
+        const SkinReader skin = scene_.skin(key.skin);
+        const PackedDrawing drawing = scene_.drawing(key.drawing);
+        return {drawing, skin.has_drawing_at_rest() ? scene_.drawing(skin.drawing_at_rest()) : drawing, skin,
+                bones_};
+    }
+
+private:
+    const SceneView& scene_;
+    ObjectView object_;
+    std::vector<LiveBone> bones_;
+};
+
+double most_bend(Played& played, Time time)
+{
+    const auto [from, to, way] = played.at(time);
+    double most = 0;
+    EqualizedPair pair{played.drawing(from), played.drawing(to)};
+    while (const std::uint32_t segments = pair.next_stroke())
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const Pair<Segment> both = pair.next_segment();
+            most = std::max(most, bend_of(tween(both.a, both.b, way.x, way.y)));
+        }
+    return most;
+}
+
+double pixels(Fixed value) { return static_cast<double>(value.raw()) / Fixed::one; }
+
+double distance(Point a, Point b)
+{
+    return std::max(std::abs(pixels(a.x - b.x)), std::abs(pixels(a.y - b.y)));
+}
+
+double worst_difference(CarriedDrawing played, const PosedDrawing& posed)
+{
+    double worst = 0;
+    for (const PosedDrawing::Stroke& stroke : posed.strokes()) {
+        REQUIRE(played.next_stroke() == stroke.segments.size());
+        worst = std::max(worst, distance(played.start(), stroke.start));
+        for (const Segment& segment : stroke.segments) {
+            const Segment other = played.next_segment();
+            for (Point Segment::*point : {&Segment::from, &Segment::c1, &Segment::c2, &Segment::to})
+                worst = std::max(worst, distance(segment.*point, other.*point));
+        }
+    }
+    return worst;
+}
+
+std::vector<scene::BoneMotion> motions_at(const scene::Bones& skeleton, Time time)
+{
+    const auto set_up = scene::frames_as_set_up(skeleton.bones);
+    const auto posed = scene::frames_at(skeleton.bones, time);
+    std::vector<scene::BoneMotion> motions;
+    for (std::size_t i = 0; i < posed.size(); ++i)
+        motions.emplace_back(set_up[i], posed[i]);
+    return motions;
+}
+
+Time some_time(std::mt19937& random) { return {static_cast<std::int32_t>(random() % (40 * 1024 + 1))}; }
+
+}
+
+TEST_CASE("the player carries points to where the compiler foresees them")
+{
+    std::mt19937 random{41};
+    for (int round = 0; round < 200; ++round) {
+        const scene::Scene scene = random_carried_scene(random);
+        const std::vector<std::byte> bytes = written(scene);
+        const auto view = SceneView::parse(bytes);
+        REQUIRE(view);
+        Played played{*view};
+        const scene::Object& object = std::get<scene::Object>(scene.items[0].content);
+        const auto first =
+            skinned_drawing(object.keys[0].drawing, object.skin->bindings, object.keys[0].drawing);
+        for (int moment = 0; moment < 20; ++moment) {
+            const Time time = some_time(random);
+            const auto [from, to, way] = played.at(time);
+            if (from.time == object.keys[0].time)
+                CHECK(worst_difference(played.drawing(from),
+                                       PosedDrawing{*first, motions_at(scene.bones[0], time)}) < 1.0 / 32);
+        }
+    }
+}
+
+TEST_CASE("curves have pieces enough however bones bend them")
+{
+    std::mt19937 random{42};
+    double worst = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const std::vector<std::byte> bytes = written(random_carried_scene(random));
+        const auto view = SceneView::parse(bytes);
+        REQUIRE(view);
+        Played played{*view};
+        for (int moment = 0; moment < 100; ++moment) {
+            const Time time = some_time(random);
+            const std::uint32_t pieces = played.at(time).from.curve_pieces;
+            const double off = 6 * most_bend(played, time) / (8.0 * pieces * pieces);
+            worst = std::max(worst, off);
+        }
+    }
+    CHECK(worst <= 1.0 / 32);
+    CHECK(worst > 1.0 / 40);
+}
+
+TEST_CASE("what drawings change stays as it is on the canvas, or turns with the bones")
+{
+    const auto eye = [](const std::string& properties, const std::string& keys) {
+        return Stage{"kfast 1\ncanvas 90 90 loop=once\nbones b { bone head 20 45 45 45; pose 0 { head turn=90 } }\n"
+                     "object eye fill=white skin=b bone=head" +
+                         properties + " {" + keys + "}",
+                     {90, 90}}
+            .picture(Time::frame(10));
+    };
+    const std::string wide = "rect 30 30 16 30";
+    const std::string narrow = "rect 30 40 16 10";
+    const std::string closing = "key 0 {" + wide + "}; key 10 {" + narrow + "}";
+    CHECK(eye(" change=bones", closing) == eye("", narrow));
+    CHECK(eye("", closing) != eye("", narrow));
+    CHECK(eye("", closing) == eye(" change=canvas", closing));
+}
+
+}
