@@ -1,4 +1,6 @@
+#include "host/commands/bone_tracks.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/item_tracks.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/every_item.hpp"
 #include "host/picture/timeline.hpp"
@@ -18,6 +20,7 @@ using Json = nlohmann::ordered_json;
 struct InfoOptions {
     std::string file;
     bool json = false;
+    bool tracks = false;
     PictureOptions picture;
 };
 
@@ -144,6 +147,10 @@ void print_text(const Json& facts)
               << size_text(facts["memory"]) << '\n';
     std::ranges::for_each(facts["clips"], print_clip);
     std::ranges::for_each(facts["events"], print_event);
+    if (facts.contains("tracks"))
+        print_item_tracks(facts["tracks"], std::cout);
+    if (facts.contains("skeletons"))
+        print_bone_tracks(facts["skeletons"], std::cout);
 }
 
 void print_json(const Json& facts)
@@ -154,7 +161,11 @@ void print_json(const Json& facts)
 void print_info(const InfoOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
-    const Json known = facts(options, scene);
+    Json known = facts(options, scene);
+    if (options.tracks) {
+        known["tracks"] = item_tracks(scene.view);
+        known["skeletons"] = bone_tracks(scene.view);
+    }
     options.json ? print_json(known) : print_text(known);
 }
 
@@ -163,6 +174,7 @@ void declare(CLI::App& app)
     const auto options = std::make_shared<InfoOptions>();
     app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
     app.add_flag("--json", options->json, "For programs: a JSON object");
+    app.add_flag("--tracks", options->tracks, "All that moves and turns items and bones, and when");
     declare_size_options(app, options->picture);
     app.callback([options] { print_info(*options); });
 }

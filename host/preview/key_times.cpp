@@ -14,14 +14,32 @@ void add_times(Cursor keys, std::vector<Time>& times)
         times.push_back(keys.next().time);
 }
 
+void add_times(const BoneView& bone, std::vector<Time>& times)
+{
+    for (const BoneKeys& keys : bone.keys)
+        if (keys.kind() == BoneKeys::Kind::own)
+            add_times(keys.own(), times);
+}
+
+void add_times(const BonesView& skeleton, std::vector<Time>& times)
+{
+    add_times(skeleton.common_keys(), times);
+    for (BoneCursor bones = skeleton.bones(); !bones.at_end();)
+        add_times(bones.next(), times);
+}
+
 }
 
 std::vector<Time> key_times(const SceneView& scene)
 {
     std::vector<Time> times;
+    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();)
+        add_times(skeletons.next(), times);
     every_item(scene, [&times](const ItemView& item) {
         if (item.kind == ItemKind::object)
             add_times(item.object.keys(), times);
+        if (item.kind == ItemKind::object && item.object.carrier == Carrier::backbones)
+            add_times(item.object.backbones.keys(), times);
         for (TrackCursor tracks = item.tracks; !tracks.at_end();)
             add_times(tracks.next().keys, times);
     });

@@ -14,7 +14,10 @@ import zlib
 
 from PIL import Image
 
-from command_case import KFAST, CommandTest, kfast
+from command_case import KFAST, ROOT, CommandTest, kfast
+
+# Examples with bones, backbones, turns in space and key times; all of them repeat.
+MOVING = ("stroller.kfast", "worm.kfast", "card.kfast", "ball.kfast")
 
 
 class HashTest(CommandTest):
@@ -59,6 +62,13 @@ class HashTest(CommandTest):
             drawn = self.hashes("marked.kfast", *arguments, "--size", "128x64", "--format", "grey4")
             self.assertEqual(self.hashes("marked.kfast", *arguments, "--panel", "ssd0323"), drawn)
 
+    def test_backwards_is_the_same_pictures(self):
+        for name in MOVING:
+            forwards = self.hashes(ROOT / "examples" / name)
+            backwards = [line.split()[1] for line in self.hashes(ROOT / "examples" / name, "--speed", "-1")]
+            shown = [line.split()[1] for line in forwards]
+            self.assertEqual(backwards, [shown[-index] for index in range(len(shown))], name)
+
     def test_wrong_clips_and_speeds(self):
         for command in (["hash"], ["render", "--all", "-o", "a.gif"], ["preview", "--headless"]):
             self.refuse(*command, "marked.kfast", "--clip", "blnk", status=2, says='did you mean "blink"?')
@@ -101,6 +111,14 @@ class RenderTest(CommandTest):
         self.run_kfast("render", "once.kfast", "--all", "-o", "new/frames")
         names = sorted(path.name for path in (self.folder / "new/frames").iterdir())
         self.assertEqual(names, [f"{i:04}.png" for i in range(11)])
+
+    def test_a_frame_alone_is_the_one_among_all(self):
+        for name in MOVING:
+            scene = ROOT / "examples" / name
+            self.run_kfast("render", scene, "--all", "-o", "frames")
+            for frame in (38, 7, 23):
+                with Image.open(self.folder / f"frames/{frame:04}.png") as played:
+                    self.assertEqual(self.picture(scene, "--frame", frame)[1], played.convert("RGB").tobytes(), name)
 
     def test_all_as_a_gif(self):
         for loop, count, repeats in (("repeat", 10, 0), ("once", 11, None), ("ping-pong", 20, 0)):

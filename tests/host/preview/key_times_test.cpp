@@ -31,4 +31,18 @@ TEST_CASE("keys of drawings and tracks count, in groups and symbols too, each ti
     CHECK(frames == std::vector<int>{0, 1, 2, 3, 4, 5, 7, 8, 9, 30});
 }
 
+TEST_CASE("keys of backbones count")
+{
+    scene::Object object = filled({key(5, {})});
+    const std::vector<scene::Point> nodes{{0, 0}, {160, 0}};
+    for (const int frame : {3, 12})
+        object.backbone_keys.push_back({.time = Time::frame(frame),
+                                        .laws = {},
+                                        .backbones = {{nodes, {{0, -80}, {160, -80}}, {{0, 80}, {160, 80}}}},
+                                        .place = {}});
+    const std::vector<std::byte> bytes = written(scene_of({item(object)}));
+    CHECK(key_times(*SceneView::parse(bytes)) ==
+          std::vector<Time>{Time::frame(3), Time::frame(5), Time::frame(12)});
+}
+
 }

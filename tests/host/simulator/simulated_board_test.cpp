@@ -33,10 +33,10 @@ std::vector<std::byte> empty_scene(Time length, Loop loop, const std::vector<Eve
 {
     const auto timing =
         joined({little_endian(static_cast<std::uint32_t>(length.ticks)), little_endian(30'000)});
-    const auto counts = bytes({128, 0, 64, 0, 1, 0, 0, 0});
+    const auto counts = bytes({128, 0, 64, 0, 1, 0, 0, 1}); // seen from 256 px away
     const auto palette = bytes({9 * 17, 9 * 17, 9 * 17, 255});
     const auto marks = joined({bytes({0}), event_bytes(events)});
-    const auto sections = joined({bytes({static_cast<int>(marks.size())}), marks, bytes({0, 0})});
+    const auto sections = joined({bytes({static_cast<int>(marks.size())}), marks, bytes({0, 0, 0})});
     const auto rest = joined({bytes({0, 0, 0, static_cast<int>(loop)}), timing, counts, palette, sections});
     const auto checked = joined({little_endian(static_cast<std::uint32_t>(12 + rest.size())), rest});
     Crc32 checksum;

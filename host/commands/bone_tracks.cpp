@@ -1,0 +1,126 @@
+#include "host/commands/bone_tracks.hpp"
+
+#include "host/commands/law_text.hpp"
+#include "host/commands/track_facts.hpp"
+
+#include <array>
+#include <iomanip>
+#include <string>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t widest_name = 8; ///< of a quantity, and a space
+
+constexpr std::array<const char*, bone_quantity_count> names{"angle", "x", "y", "length"};
+
+double value_of(BoneQuantity quantity, std::int32_t value)
+{
+    return quantity == BoneQuantity::angle ? value * 360.0 / 65536 : value / 16.0;
+}
+
+class QuantityFacts {
+public:
+    QuantityFacts(const SceneView& scene, BoneQuantity quantity) : scene_{scene}, quantity_{quantity} {}
+
+    Json of_common(const BonesView& skeleton, const BoneKeys& keys) const
+    {
+        Json facts = Json::array();
+        for (CommonKeyCursor cursor = skeleton.common_keys(); !cursor.at_end();) {
+            const CommonKey key = cursor.next();
+            facts.push_back(fact(key.time, keys.common(key.index), key.laws, cursor.at_end()));
+        }
+        return facts;
+    }
+
+    Json of_own(TrackKeyCursor cursor) const
+    {
+        Json facts = Json::array();
+        while (!cursor.at_end()) {
+            const TrackKey key = cursor.next();
+            facts.push_back(fact(key.time, key.value, key.laws, cursor.at_end()));
+        }
+        return facts;
+    }
+
+private:
+    Json fact(Time time, std::int32_t value, std::uint32_t number, bool is_last) const
+    {
+        Json key{{"at", static_cast<double>(time.ticks) / Time::ticks_per_frame},
+                 {"value", value_of(quantity_, value)}};
+        const LawPair laws = scene_.laws(number);
+        if (!is_last)
+            key["law"] = law_text(quantity_ == BoneQuantity::y ? laws.y : laws.x);
+        return key;
+    }
+
+    const SceneView& scene_;
+    BoneQuantity quantity_;
+};
+
+Json quantity_facts(const SceneView& scene, const BonesView& skeleton, const BoneView& bone,
+                    std::size_t number)
+{
+    const auto quantity = static_cast<BoneQuantity>(number);
+    const BoneKeys& keys = bone.keys_of(quantity);
+    Json facts{{"property", names.at(number)}};
+    if (keys.kind() == BoneKeys::Kind::none) {
+        facts["value"] = value_of(quantity, bone.at_rest(quantity));
+        return facts;
+    }
+    const QuantityFacts reader{scene, quantity};
+    facts["smooth"] = false;
+    facts["keys"] =
+        keys.kind() == BoneKeys::Kind::common ? reader.of_common(skeleton, keys) : reader.of_own(keys.own());
+    return facts;
+}
+
+Json bones_of(const SceneView& scene, const BonesView& skeleton)
+{
+    Json bones = Json::array();
+    for (BoneCursor cursor = skeleton.bones(); !cursor.at_end();) {
+        const BoneView bone = cursor.next();
+        Json facts{{"bone", bones.size() + 1}};
+        if (bone.parent != 0)
+            facts["parent"] = bone.parent;
+        facts["tracks"] = Json::array();
+        for (std::size_t i = 0; i < bone_quantity_count; ++i)
+            facts["tracks"].push_back(quantity_facts(scene, skeleton, bone, i));
+        bones.push_back(std::move(facts));
+    }
+    return bones;
+}
+
+void print_bone(const Json& bone, std::ostream& out)
+{
+    out << "    bone " << bone["bone"].get<int>();
+    if (bone.contains("parent"))
+        out << " of bone " << bone["parent"].get<int>();
+    out << '\n';
+    for (const Json& track : bone["tracks"])
+        out << "      " << std::left << std::setw(widest_name) << track["property"].get<std::string>()
+            << track_text(track) << '\n';
+}
+
+}
+
+Json bone_tracks(const SceneView& scene)
+{
+    Json skeletons = Json::array();
+    for (BonesCursor cursor = scene.skeletons(); !cursor.at_end();)
+        skeletons.push_back({{"skeleton", skeletons.size() + 1}, {"bones", bones_of(scene, cursor.next())}});
+    return skeletons;
+}
+
+void print_bone_tracks(const Json& facts, std::ostream& out)
+{
+    for (const Json& skeleton : facts) {
+        out << "  skeleton " << skeleton["skeleton"].get<int>() << '\n';
+        for (const Json& bone : skeleton["bones"])
+            print_bone(bone, out);
+    }
+}
+
+}

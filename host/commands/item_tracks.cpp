@@ -1,0 +1,113 @@
+#include "host/commands/item_tracks.hpp"
+
+#include "host/commands/rounded_text.hpp"
+#include "host/commands/track_facts.hpp"
+
+#include <iomanip>
+#include <string>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t widest_name = 11; ///< of a property, and a space
+
+const char* name_of(ItemKind kind)
+{
+    switch (kind) {
+    case ItemKind::object:
+        return "object ";
+    case ItemKind::group:
+        return "group ";
+    case ItemKind::use:
+        return "use ";
+    }
+    return "";
+}
+
+double length_of(const PathView& path)
+{
+    std::uint32_t length = 0;
+    for (ByteReader lengths = path.lengths; lengths.left() != 0;)
+        length += lengths.varint();
+    return length / 16.0;
+}
+
+Json tracks_of(const SceneView& scene, const ItemView& item)
+{
+    Json tracks = Json::array();
+    for (TrackCursor cursor = item.tracks; !cursor.at_end();) {
+        const TrackView track = cursor.next();
+        Json facts = track_facts(scene, track);
+        if (track.property == Property::along) {
+            facts["length"] = length_of(item.path);
+            facts["turn"] = item.path.turns;
+        }
+        tracks.push_back(std::move(facts));
+    }
+    return tracks;
+}
+
+/// `path` is that of what the items lie in: "", "2.1."
+Json items_of(const SceneView& scene, ItemCursor cursor, const std::string& path)
+{
+    Json items = Json::array();
+    while (!cursor.at_end()) {
+        const ItemView item = cursor.next();
+        const std::string number = path + std::to_string(items.size() + 1);
+        Json facts{{"item", name_of(item.kind) + number}};
+        if (item.kind == ItemKind::use)
+            facts["symbol"] = item.symbol + 1;
+        facts["tracks"] = tracks_of(scene, item);
+        if (item.kind == ItemKind::group)
+            facts["items"] = items_of(scene, ItemCursor{item.items}, number + '.');
+        items.push_back(std::move(facts));
+    }
+    return items;
+}
+
+void print_track(const Json& track, const std::string& indent, std::ostream& out)
+{
+    out << indent << std::left << std::setw(widest_name) << track["property"].get<std::string>()
+        << track_text(track);
+    if (track.contains("length"))
+        out << "; the path is " << rounded_text(track["length"].get<double>()) << " px long"
+            << (track["turn"].get<bool>() ? ", and the item turns with it" : "");
+    out << '\n';
+}
+
+void print_items(const Json& items, const std::string& indent, std::ostream& out)
+{
+    for (const Json& item : items) {
+        out << indent << item["item"].get<std::string>();
+        if (item.contains("symbol"))
+            out << " of symbol " << item["symbol"].get<int>();
+        out << '\n';
+        for (const Json& track : item["tracks"])
+            print_track(track, indent + "  ", out);
+        if (item.contains("items"))
+            print_items(item["items"], indent + "  ", out);
+    }
+}
+
+}
+
+Json item_tracks(const SceneView& scene)
+{
+    Json symbols = Json::array();
+    for (std::uint32_t number = 0; number < scene.symbol_count(); ++number)
+        symbols.push_back({{"symbol", number + 1}, {"items", items_of(scene, scene.symbol(number), "")}});
+    return {{"items", items_of(scene, scene.items(), "")}, {"symbols", std::move(symbols)}};
+}
+
+void print_item_tracks(const Json& facts, std::ostream& out)
+{
+    print_items(facts["items"], "  ", out);
+    for (const Json& symbol : facts["symbols"]) {
+        out << "  symbol " << symbol["symbol"].get<int>() << '\n';
+        print_items(symbol["items"], "    ", out);
+    }
+}
+
+}

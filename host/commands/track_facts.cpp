@@ -1,0 +1,119 @@
+#include "host/commands/track_facts.hpp"
+
+#include "host/commands/law_text.hpp"
+#include "host/commands/rounded_text.hpp"
+#include "host/property_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "#rrggbb", with the opacity behind it unless the colour is opaque.
+std::string colour_text(Colour colour)
+{
+    std::array<char, 10> text{};
+    std::snprintf(text.data(), text.size(), colour.opacity == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x",
+                  static_cast<unsigned>(colour.red), static_cast<unsigned>(colour.green),
+                  static_cast<unsigned>(colour.blue), static_cast<unsigned>(colour.opacity));
+    return text.data();
+}
+
+Json value_of(const SceneView& scene, Property property, std::int32_t value)
+{
+    switch (property) {
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+        return value * 360.0 / 65536;
+    case Property::scale_x:
+    case Property::scale_y:
+        return value / static_cast<double>(scale_one);
+    case Property::along:
+        return value / static_cast<double>(path_whole);
+    case Property::opacity:
+        return value / 255.0;
+    case Property::order:
+        return value;
+    case Property::visible:
+        return value != 0;
+    case Property::fill:
+    case Property::stroke:
+        return colour_text(scene.colour(static_cast<std::size_t>(value)));
+    default:
+        return value / 16.0;
+    }
+}
+
+bool goes_by_laws(const TrackView& track)
+{
+    return !track.is_smooth && track.property != Property::order && track.property != Property::visible;
+}
+
+Json keys_of(const SceneView& scene, const TrackView& track)
+{
+    Json keys = Json::array();
+    for (TrackKeyCursor cursor = track.keys; !cursor.at_end();) {
+        const TrackKey key = cursor.next();
+        Json entry{{"at", static_cast<double>(key.time.ticks) / Time::ticks_per_frame},
+                   {"value", value_of(scene, track.property, key.value)}};
+        if (goes_by_laws(track) && !cursor.at_end()) {
+            const LawPair laws = scene.laws(key.laws);
+            entry["law"] = law_text(goes_by_y(track.property) ? laws.y : laws.x);
+        }
+        keys.push_back(std::move(entry));
+    }
+    return keys;
+}
+
+std::string value_text(const Json& value)
+{
+    if (value.is_boolean())
+        return value.get<bool>() ? "#true" : "#false";
+    return value.is_string() ? value.get<std::string>() : rounded_text(value.get<double>());
+}
+
+/// That of all ways, if they share one.
+std::string common_law(const Json& keys)
+{
+    const std::string first = keys.front().value("law", "");
+    const bool is_common = std::all_of(keys.begin(), keys.end() - 1,
+                                       [&first](const Json& key) { return key.value("law", "") == first; });
+    return is_common ? first : "";
+}
+
+}
+
+Json track_facts(const SceneView& scene, const TrackView& track)
+{
+    Json facts{{"property", property_name(track.property)}};
+    if (track.is_fixed) {
+        facts["value"] = value_of(scene, track.property, track.value);
+    } else {
+        facts["smooth"] = track.is_smooth;
+        facts["keys"] = keys_of(scene, track);
+    }
+    return facts;
+}
+
+std::string track_text(const Json& facts)
+{
+    if (facts.contains("value"))
+        return value_text(facts["value"]);
+    const std::string law = facts["smooth"].get<bool>() ? "smooth" : common_law(facts["keys"]);
+    std::string text = law.empty() ? "" : law + ": ";
+    const char* separator = "";
+    for (const Json& key : facts["keys"]) {
+        text += separator + rounded_text(key["at"].get<double>()) + ' ' + value_text(key["value"]);
+        if (law.empty() && key.contains("law"))
+            text += ' ' + key["law"].get<std::string>();
+        separator = ", ";
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/scene_view.hpp"
+#include "core/track_view.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace kfast {
+
+/// What a track of `scene` says, in the words and units of the scene language:
+///
+///     {"property": "y", "value": 5}
+///     {"property": "y", "smooth": true, "keys": [{"at": 0, "value": 40}, {"at": 15, "value": 200}]}
+///     {"property": "y", "smooth": false, "keys": [{"at": 0, "value": 40, "law": "hold"}, …]}
+///
+/// No law governs a last key, nor what jumps.
+nlohmann::ordered_json track_facts(const SceneView& scene, const TrackView& track);
+
+/// "5", "smooth: 0 40, 15 200", "accelerate: 0 40, 15 200", or with laws that differ "0 40 hold, 15 200
+/// accelerate, 30 40"; `facts` are those of a track.
+std::string track_text(const nlohmann::ordered_json& facts);
+
+}
