@@ -2,7 +2,7 @@
 
 import functools
 
-from PIL import Image, ImageChops
+from PIL import Image, ImageChops, ImageColor
 
 MOST = (31, 63, 31)
 
@@ -20,11 +20,18 @@ def on_panel(picture):
     return picture.convert("RGB").point([widened(level(c, most), most) for most in MOST for c in range(256)])
 
 
-def blended(coverage, colour):
-    """`colour` over black in RGB565, widened again."""
-    return Image.merge("RGB", [
-        coverage.point([widened((level(channel, most) * a + 127) // 255, most) for a in range(256)])
-        for channel, most in zip(colour, MOST)])
+def painted(background, layers, size):
+    """Each of `layers`, a coverage and a colour, over those before it, blended in RGB565 and widened again."""
+    channels = [Image.new("L", size, step) for step in steps(background)]
+    for covered, colour in layers:
+        channels = [Image.composite(Image.new("L", size, step), channel, covered)
+                    for step, channel in zip(steps(colour), channels)]
+    return Image.merge("RGB", [channel.point([widened(min(value, most), most) for value in range(256)])
+                               for channel, most in zip(channels, MOST)])
+
+
+def steps(colour):
+    return [level(channel, most) for channel, most in zip(ImageColor.getrgb(colour), MOST)]
 
 
 def distance(one, other):
