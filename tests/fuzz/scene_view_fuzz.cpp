@@ -44,6 +44,21 @@ void read_tracks(const SceneView& scene, TrackCursor tracks)
     }
 }
 
+void read_bones(const SceneView& scene)
+{
+    std::uint32_t all = 0;
+    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();) {
+        const BonesView bones = skeletons.next();
+        demand(bones.count() != 0);
+        all += bones.count();
+        for (CommonKeyCursor keys = bones.common_keys(); !keys.at_end();)
+            demand(is_valid(scene.laws(keys.next().laws).x));
+        for (BoneCursor cursor = bones.bones(); !cursor.at_end();)
+            demand(cursor.next().at_rest(BoneQuantity::length) > 0);
+    }
+    demand(all == scene.bone_count());
+}
+
 void read_drawing(PackedDrawing drawing)
 {
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
@@ -60,6 +75,17 @@ void read_keys(const SceneView& scene, const ObjectView& object)
         read_drawing(scene.drawing(key.drawing));
         if (object.has_arrivals)
             read_drawing(scene.drawing(key.arrival));
+        if (object.carrier == Carrier::bones)
+            demand(scene.skin(key.skin).is_sound());
+    }
+}
+
+void read_backbones(const SceneView& scene, const BackbonesView& backbones)
+{
+    for (BackboneKeyCursor keys = backbones.keys(); !keys.at_end();) {
+        const BackboneKey key = keys.next();
+        read_drawing(scene.drawing(key.drawing));
+        demand(backbone_node_count(scene.drawing(key.drawing)) <= scene.backbone_nodes());
     }
 }
 
@@ -67,10 +93,15 @@ void read_keys(const SceneView& scene, const ObjectView& object)
 void read(const SceneView& scene)
 {
     read_marks(scene);
+    read_bones(scene);
     every_item(scene, [&scene](const ItemView& item) {
         read_tracks(scene, item.tracks);
+        if (item.path.is_known)
+            read_drawing(scene.drawing(item.path.drawing));
         if (item.kind == ItemKind::object)
             read_keys(scene, item.object);
+        if (item.object.carrier == Carrier::backbones)
+            read_backbones(scene, item.object.backbones);
     });
 }
 
