@@ -116,6 +116,9 @@ public:
     bool at_end() const { return bytes_.left() == 0; }
     /// Only when not at the end.
     BonesView next() { return BonesView{bytes_.take(bytes_.varint())}; }
+    /// Passes the next skeleton without a look at its keys, which may be many; how many bones it has. Only
+    /// when not at the end.
+    std::uint32_t skip() { return bytes_.take(bytes_.varint()).u8(); }
     bool overrun() const { return bytes_.overrun(); }
 
 private:

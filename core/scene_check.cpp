@@ -18,12 +18,13 @@ std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
     if (object.carrier != Carrier::bones)
         return 0;
     BonesCursor skeletons = scene.skeletons();
-    for (std::uint32_t number = 0; !skeletons.at_end(); ++number) {
-        const BonesView bones = skeletons.next();
-        if (number == object.skeleton)
-            return bones.count();
+    std::uint32_t bones = 0;
+    for (std::uint32_t number = 0; number <= object.skeleton; ++number) {
+        if (skeletons.at_end())
+            return 0;
+        bones = skeletons.skip();
     }
-    return 0;
+    return bones;
 }
 
 bool is_sound(const Binding& binding, std::uint32_t bones)
@@ -128,7 +129,7 @@ bool SceneCheck::check_bones()
     if (!bones_are_sound(scene_, scene_.law_count_))
         return false;
     for (BonesCursor cursor = scene_.skeletons(); !cursor.at_end();)
-        scene_.bone_count_ += cursor.next().count();
+        scene_.bone_count_ += cursor.skip();
     return scene_.bone_count_ <= kfb::max_bones_together;
 }
 

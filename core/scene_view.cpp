@@ -82,7 +82,7 @@ std::size_t SceneView::first_bone(std::uint32_t skeleton) const
 {
     std::size_t first = 0;
     for (BonesCursor cursor = skeletons(); skeleton > 0; --skeleton)
-        first += cursor.next().count();
+        first += cursor.skip();
     return first;
 }
 

@@ -133,4 +133,17 @@ TEST_CASE("skeletons and bones that break off are noticed")
     CHECK(skeletons.overrun());
 }
 
+TEST_CASE("skeletons are passed with nothing but the number of their bones")
+{
+    const Bytes section = joined({skeleton_bytes({{{Time::frame(2), 1}}, {RawBone{}, RawBone{}}}),
+                                  skeleton_bytes({{}, {RawBone{}}}), block(bytes({}))});
+    BonesCursor skeletons{ByteReader{section}};
+    CHECK(skeletons.skip() == 2);
+    CHECK(skeletons.skip() == 1);
+    CHECK_FALSE(skeletons.at_end());
+    CHECK(skeletons.skip() == 0);
+    CHECK(skeletons.at_end());
+    CHECK_FALSE(skeletons.overrun());
+}
+
 }
