@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -46,9 +47,11 @@ std::vector<Point> rounded(const std::vector<Spot>& spots)
     return points;
 }
 
-std::int32_t cross(Point a, Point b, Point c)
+/// Of the ways from `a` to the others.
+std::int64_t cross(Point a, Point b, Point c)
 {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const auto product = [](std::int64_t x, std::int64_t y) { return x * y; };
+    return product(b.x - a.x, c.y - a.y) - product(b.y - a.y, c.x - a.x);
 }
 
 /// Whether a side does not leave the backbone between node `i` and the next.

@@ -215,6 +215,8 @@ TEST_CASE("outlines that do not fit")
           "4:29 error: the backbone has no width between its nodes 2 and 3 (make it wider at one of them at "
           "least)");
     CHECK(findings("backbone 0 0 9 0; width 4094") == "");
+    CHECK(findings("backbone -2047 -2047 2047 2047; left 2047 -2047 2047 2047; right -2047 2047 0 2047") ==
+          "");
     CHECK(findings("backbone 0 1 9 1; width 4094") ==
           "4:1 error: the outline of this backbone reaches more than 2047 px from the origin");
 }
