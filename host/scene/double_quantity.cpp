@@ -20,7 +20,7 @@ public:
 
     void refuse()
     {
-        for (std::size_t i = 0; i < timed_.size(); ++i) {
+        for (std::size_t i = 0; i < timed_.size() && !reading_.report.full(); ++i) {
             refuse_double(timed_[i], timed_.first(i));
             if (gives(timed_[i], Property::along))
                 refuse_position(timed_[i]);
