@@ -165,15 +165,18 @@ void take_if_worse(Miss& worst, const Reach& reach, const std::vector<Bone>& bon
         worst = {missing, time, place};
 }
 
-/// Of all targets, and of the frames between them.
+/// Of all targets, and of the frames between them; of very many frames it looks only at some.
 Miss worst_miss(const Reach& reach, const std::vector<Bone>& bones)
 {
+    constexpr std::int32_t most_frames = 10'000;
+    const std::int32_t frames = (reach.end() - reach.begin()).ticks / Time::ticks_per_frame;
+    const Time step = Time::frame(frames / most_frames + 1);
     Miss worst;
     for (const ReachTarget& target : reach.targets)
         take_if_worse(worst, reach, bones, target.time, target.place);
     for (std::size_t i = 0; i + 1 < reach.targets.size(); ++i) {
         const std::int32_t first = reach.targets[i].time.ticks / Time::ticks_per_frame + 1;
-        for (Time at = Time::frame(first); at < reach.targets[i + 1].time; at = at + Time::frame(1))
+        for (Time at = Time::frame(first); at < reach.targets[i + 1].time; at = at + step)
             take_if_worse(worst, reach, bones, at, reach.targets[i].place);
     }
     return worst;
