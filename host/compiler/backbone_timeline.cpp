@@ -3,6 +3,8 @@
 #include "core/key_interval.hpp"
 #include "host/compiler/pack_drawing.hpp"
 
+#include <algorithm>
+
 namespace kfast {
 namespace {
 
@@ -13,28 +15,6 @@ scene::Stroke line_through(const std::vector<scene::Point>& points)
         stroke.segments.push_back({.cubic = false, .c1 = {}, .c2 = {}, .to = points[i]});
     return stroke;
 }
-
-/// Where a key is among others.
-struct KeyPlace {
-    Time time;
-    std::size_t index = 0;
-};
-
-class KeyPlaceCursor {
-public:
-    explicit KeyPlaceCursor(const std::vector<scene::BackboneKey>& keys) : keys_{&keys} {}
-
-    bool at_end() const { return next_ == keys_->size(); }
-    KeyPlace next()
-    {
-        const std::size_t index = next_++;
-        return {(*keys_)[index].time, index};
-    }
-
-private:
-    const std::vector<scene::BackboneKey>* keys_;
-    std::size_t next_ = 0;
-};
 
 }
 
@@ -68,9 +48,12 @@ std::size_t BackboneTimeline::node_count() const { return backbone_node_count(dr
 
 LiveBackbones BackboneTimeline::at(Time time, std::uint32_t unit_bits, std::span<BackboneNode> nodes) const
 {
-    const auto [from, to] = interval_at(KeyPlaceCursor{keys_}, time);
-    const Progress way = progress_between(from.time, to.time, time, keys_[from.index].laws);
-    return {nodes, unit_bits, drawing(from.index), drawing(to.index), way};
+    const auto later = std::ranges::upper_bound(keys_, time, {}, &scene::BackboneKey::time) - keys_.begin();
+    const auto next = static_cast<std::size_t>(later);
+    const std::size_t from = next == 0 ? 0 : next - 1;
+    const std::size_t to = next == 0 || next == keys_.size() ? from : next;
+    const Progress way = progress_between(keys_[from].time, keys_[to].time, time, keys_[from].laws);
+    return {nodes, unit_bits, drawing(from), drawing(to), way};
 }
 
 std::vector<BackboneNode> BackboneTimeline::nodes_at(Time time) const
