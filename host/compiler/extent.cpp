@@ -129,9 +129,8 @@ ExtentXY Extents::inside(const scene::Item& item) const
 }
 
 // Not std::hypot, which platforms round differently.
-Reach Extents::from_pivot(const scene::Item& item) const
+Reach Extents::from_pivot(const scene::Item& item, const ExtentXY& own)
 {
-    const ExtentXY own = inside(item);
     if (own.x.is_empty())
         return {};
     const double x = farthest(own.x, pixels(item, Property::pivot_x)) *
@@ -153,7 +152,7 @@ ExtentXY Extents::around(const scene::Item& item) const
     ExtentXY path{nothing, nothing};
     if (item.path)
         add(path, item.path->stroke);
-    const Reach reach = from_pivot(item);
+    const Reach reach = from_pivot(item, own);
     return {moved(item, pixels(item, Property::pivot_x), path.x, Property::x, reach.x),
             moved(item, pixels(item, Property::pivot_y), path.y, Property::y, reach.y)};
 }

@@ -37,9 +37,11 @@ public:
     /// does.
     ExtentXY inside(const scene::Item& item) const;
     /// That of it from the item's pivot, scaled and turned about z.
-    Reach from_pivot(const scene::Item& item) const;
+    Reach from_pivot(const scene::Item& item) const { return from_pivot(item, inside(item)); }
 
 private:
+    /// `own` is what lies in the item.
+    static Reach from_pivot(const scene::Item& item, const ExtentXY& own);
     ExtentXY around(const scene::Item& item) const;
     ExtentXY of_all(const std::vector<scene::Item>& items) const;
 
