@@ -15,13 +15,24 @@ std::uint32_t stored_length(const MeasuredSegment& segment)
     return static_cast<std::uint32_t>(std::max(std::lround(segment.length * 16), 1L));
 }
 
+void report_length(const scene::Item& item, Diagnostics& diagnostics)
+{
+    diagnostics.error(item.place, "the path of this item is too long for the format",
+                      "at most " + std::to_string(kfb::max_path / 16) +
+                          " px; draw it shorter or with fewer turns");
+}
+
 }
 
 void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& bytes, Diagnostics& diagnostics)
 {
     if (!item.path)
         return;
-    const scene::Drawing drawing{{rounded(made_even(measured(item.path->stroke)))}};
+    const MeasuredStroke drawn = measured(item.path->stroke);
+    // To make it even might take long.
+    if (length_of(drawn) > kfb::max_path / 16.0)
+        return report_length(item, diagnostics);
+    const scene::Drawing drawing{{rounded(made_even(drawn))}};
     ByteWriter path;
     path.u8(item.path->turns ? 1 : 0);
     path.varint(drawings.offset_of(drawing));
@@ -33,9 +44,7 @@ void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& byte
     }
     bytes.block(path.bytes());
     if (whole > kfb::max_path || point_count(drawing) > kfb::max_drawing_points)
-        diagnostics.error(item.place, "the path of this item is too long for the format",
-                          "at most " + std::to_string(kfb::max_path / 16) +
-                              " px; draw it shorter or with fewer turns");
+        report_length(item, diagnostics);
 }
 
 }
