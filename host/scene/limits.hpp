@@ -23,6 +23,9 @@ inline constexpr std::size_t longest_name = kfb::max_name_bytes;
 inline constexpr std::size_t most_skeletons = kfb::max_bones;
 inline constexpr std::size_t most_bones = kfb::max_bones;                   ///< of a skeleton
 inline constexpr std::size_t most_bones_together = kfb::max_bones_together; ///< of all skeletons
+/// By all poses of a scene, a pose counted wherever its name stands: copies would soon be more than any
+/// memory holds.
+inline constexpr std::size_t most_posed_bones = std::size_t{1} << 19;
 inline constexpr std::size_t most_bones_at_point = kfb::max_bones_at_point;
 inline constexpr int deepest_item = kfb::max_depth; ///< groups and uses around it
 inline constexpr std::size_t most_colours = 255;    ///< in use, and names in the palette

@@ -92,7 +92,7 @@ void PoseReader::read_timed(const kdl::Node& node)
     read_properties(node, law_rules<Pose>, pose, reading_);
     const kdl::Value* const name = node.arguments.size() > 1 ? &node.arguments.back() : nullptr;
     if (!node.children.empty())
-        pose.bones = read_bones(node);
+        set(pose, read_bones(node));
     if (!node.children.empty() && name != nullptr)
         define(*name, pose.place, pose.bones, true);
     if (node.children.empty() && name == nullptr)
@@ -185,15 +185,29 @@ void PoseReader::look_up(const Mention& mention)
     const auto definition = std::ranges::find(definitions_, *name, &Definition::name);
     if (definition != definitions_.end()) {
         definition->is_used = true;
-        pose.bones = definition->bones;
+        set(pose, definition->bones);
     } else if (*name == rest_name) {
-        pose.bones = all_as_set_up(bones_.size(), pose.place);
+        set(pose, all_as_set_up(bones_.size(), pose.place));
     } else {
         std::vector<std::string_view> known{rest_name};
         for (const Definition& other : definitions_)
             known.push_back(other.name);
         reading_.report.error(mention.name->place, "unknown pose " + quoted(*name), suggestion(*name, known));
     }
+}
+
+/// Leaves them out if all poses together set too many; the first time, reports it.
+void PoseReader::set(Pose& pose, std::vector<PosedBone> bones)
+{
+    const bool had_room = reading_.posed_bones <= most_posed_bones;
+    reading_.posed_bones += bones.size();
+    if (reading_.posed_bones <= most_posed_bones)
+        pose.bones = std::move(bones);
+    else if (had_room)
+        reading_.report.error(pose.place,
+                              "the poses of this scene set more than " + std::to_string(most_posed_bones) +
+                                  " bones",
+                              "let poses set only the bones that they move");
 }
 
 /// Those that have no way to govern: no later pose sets one of the bones.

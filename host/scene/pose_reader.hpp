@@ -68,6 +68,7 @@ private:
     std::vector<PosedBone> read_bones(const kdl::Node& node);
     std::optional<PosedBone> read_bone(const kdl::Node& node);
     void look_up(const Mention& mention);
+    void set(Pose& pose, std::vector<PosedBone> bones);
     void warn_of_idle_laws();
 
     const std::vector<Bone>& bones_;

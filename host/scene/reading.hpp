@@ -54,6 +54,7 @@ struct Reading {
     SymbolTable symbols = {};
     NameTable object_names = {};
     PointBudget points = {};
+    std::size_t posed_bones = 0; ///< that the poses so far set
 };
 
 /// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is what to mark.

@@ -144,4 +144,17 @@ TEST_CASE("names of poses are known, and given once")
     CHECK(posed("pose up 3 { b turn=1 }") ==
           at(8, "error: this value is too many for pose (write pose NAME { BONE turn=DEGREES })"));
 }
+TEST_CASE("poses set no more bones than there is memory for, however often names repeat them")
+{
+    std::string text;
+    for (int i = 0; i < 255; ++i)
+        text += "bone b" + std::to_string(i) + " 0 0 9 0; ";
+    constexpr int one_too_many = (1 << 19) / 255 + 1;
+    for (int i = 0; i < one_too_many; ++i)
+        text += "pose " + std::to_string(i) + " rest; ";
+    const std::string findings = bones_read(text);
+    CHECK(findings.ends_with(" error: the poses of this scene set more than 524288 bones (let poses set only "
+                             "the bones that they move)"));
+}
+
 }
