@@ -207,9 +207,8 @@ void StrokeOutline::join(const Piece& after)
     const Bend bend{last_, last_piece_, after};
     if (bend.sine == 0 && bend.cosine > 0)
         return;
-    const std::int32_t versine = one_q30 - bend.cosine;
-    if (versine <= slight_bend_ && bend.is_roomy(true)) {
-        const Point tip = slight_meeting(last_piece_.side, after.side, versine);
+    if (bend.cosine >= one_q30 - slight_bend_ && bend.is_roomy(true)) {
+        const Point tip = slight_meeting(last_piece_.side, after.side, one_q30 - bend.cosine);
         add(Side::right, last_ + tip);
         add(Side::left, last_ - tip);
         return;
