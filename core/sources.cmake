@@ -13,6 +13,8 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/coverage_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/covered_span.cpp
     ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
     ${CMAKE_CURRENT_LIST_DIR}/hermite.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_state.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_view.cpp
@@ -23,6 +25,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/paint_order.cpp
@@ -30,6 +33,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/point_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/projection.cpp
     ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
