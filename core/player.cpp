@@ -12,7 +12,11 @@
 namespace kfast {
 namespace {
 
-constexpr std::size_t widest_pixel = 2; ///< bytes
+/// Of a row of the widest pixels, three bytes each.
+constexpr std::size_t backdrop_row_bytes(Size panel)
+{
+    return (row_bytes(PixelFormat::rgb666, panel.width) + 3) / 4 * 4;
+}
 
 /// How the lent block is divided.
 struct BlockPlan {
@@ -39,7 +43,7 @@ struct BlockPlan {
 
     static std::size_t backdrop_bytes(const SceneView& scene, Size panel)
     {
-        return scene.blended_depth() * widest_pixel * static_cast<std::size_t>(panel.width);
+        return scene.blended_depth() * backdrop_row_bytes(panel);
     }
 };
 
@@ -51,8 +55,10 @@ std::span<T> place(std::span<std::byte> block, std::size_t begin, std::size_t co
     return {reinterpret_cast<T*>(block.data() + begin), count};
 }
 
-/// a b / 255, rounded to nearest.
-constexpr std::uint32_t product_of_opacities(std::uint32_t a, std::uint32_t b) { return (a * b + 127) / 255; }
+constexpr std::uint32_t product_of_opacities(std::uint32_t a, std::uint32_t b)
+{
+    return rounded_255th(a * b);
+}
 
 Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 {
@@ -238,7 +244,7 @@ void Player::draw_rows(int rows, std::span<std::byte> pixels)
 {
     const std::size_t stride = row_bytes(format, panel_.width);
     for (std::byte* row = pixels.data(); rows > 0; --rows, row += stride)
-        draw_row(PixelRow<format>{row}, stride);
+        draw_row(PixelRow<format>{row, 0, next_row_}, stride);
 }
 
 template <class Row>
@@ -252,10 +258,10 @@ void Player::draw_row(Row row, std::size_t bytes)
             paint_layer(row, step.layer);
             break;
         case PaintStep::Kind::begin_blend:
-            std::copy_n(row.row, bytes, backdrop(depth++).data());
+            std::copy_n(row.first, bytes, backdrop(depth++).data());
             break;
         case PaintStep::Kind::end_blend:
-            row.fade_from(backdrop(--depth).data(), panel_.width, step.opacity);
+            row.fade_from(backdrop(--depth).data(), 0, panel_.width, step.opacity);
             break;
         }
     }
@@ -280,12 +286,16 @@ void Player::paint_layer(Row row, Layer& layer)
 /// Where the row is kept while `depth` others are kept already.
 std::span<std::byte> Player::backdrop(std::size_t depth)
 {
-    const std::size_t stride = widest_pixel * static_cast<std::size_t>(panel_.width);
+    const std::size_t stride = backdrop_row_bytes(panel_);
     return backdrops_.subspan(depth * stride, stride);
 }
 
 template void Player::draw_rows<PixelFormat::rgb565>(int rows, std::span<std::byte> pixels);
+template void Player::draw_rows<PixelFormat::rgb565_be>(int rows, std::span<std::byte> pixels);
+template void Player::draw_rows<PixelFormat::rgb444>(int rows, std::span<std::byte> pixels);
+template void Player::draw_rows<PixelFormat::rgb666>(int rows, std::span<std::byte> pixels);
 template void Player::draw_rows<PixelFormat::grey4>(int rows, std::span<std::byte> pixels);
 template void Player::draw_rows<PixelFormat::mono1>(int rows, std::span<std::byte> pixels);
+template void Player::draw_rows<PixelFormat::mono1_dithered>(int rows, std::span<std::byte> pixels);
 
 }

@@ -47,7 +47,8 @@ public:
     /// As show(), but without loop: the scene's beginning before it and its very end from there on.
     void show_moment(Time moment);
 
-    /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
+    /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes,
+    /// aligned to 2 if pixels are 16 bits.
     /// The first call after show() begins at row 0. No more rows than the panel has.
     template <PixelFormat format>
     void draw_rows(int rows, std::span<std::byte> pixels);
@@ -97,7 +98,11 @@ private:
 };
 
 extern template void Player::draw_rows<PixelFormat::rgb565>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::rgb565_be>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::rgb444>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::rgb666>(int rows, std::span<std::byte> pixels);
 extern template void Player::draw_rows<PixelFormat::grey4>(int rows, std::span<std::byte> pixels);
 extern template void Player::draw_rows<PixelFormat::mono1>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::mono1_dithered>(int rows, std::span<std::byte> pixels);
 
 }
