@@ -26,8 +26,8 @@ public:
         return std::ranges::any_of(coming_.steps(), moves) || std::ranges::any_of(shown_.steps(), moves);
     }
 
-    /// Stores what covers `row` in the coming picture from `first` on, and marks what changes. Returns the end
-    /// of the spans; has_room() tells whether these are all.
+    /// Stores what covers `row` in the coming picture from `first` on, and marks what changes. Returns the
+    /// end of the spans; has_room() tells whether these are all.
     std::uint16_t search(int row, std::uint16_t first, RunList& changed)
     {
         end_ = first;
@@ -171,8 +171,8 @@ void ChangedStrips::begin_strip()
     strip_.top = row_ - rejected_rows_;
     strip_.rows = rejected_rows_;
     strip_.columns = rejected_;
-    std::copy(storage_.begin() + shift, storage_.begin() + ends_[first + static_cast<std::size_t>(rejected_rows_)],
-              storage_.begin());
+    std::copy(storage_.begin() + shift,
+              storage_.begin() + ends_[first + static_cast<std::size_t>(rejected_rows_)], storage_.begin());
     for (std::size_t i = 1; i <= static_cast<std::size_t>(rejected_rows_); ++i)
         ends_[i] = static_cast<std::uint16_t>(ends_[first + i] - shift);
     rejected_rows_ = 0;

@@ -30,8 +30,8 @@ struct Strip {
     bool has_spans = true; ///< else there were too many, and the rows must be swept again
 };
 
-/// Finds the areas in which two pictures differ, strip by strip from the top down, and what covers them in the
-/// coming one: the outlines of both are swept together.
+/// Finds the areas in which two pictures differ, strip by strip from the top down, and what covers them in
+/// the coming one: the outlines of both are swept together.
 class ChangedStrips {
 public:
     /// `storage` is for the spans. A row that has more of them is not lost, but swept twice.

@@ -11,7 +11,7 @@ namespace kfast {
 /// A stretch of a row that a layer covers evenly.
 struct CoveredSpan {
     std::int16_t begin = 0;
-    std::int16_t end = 0; ///< the column behind it
+    std::int16_t end = 0;   ///< the column behind it
     std::uint16_t step = 0; ///< number of the layer's step
     std::uint8_t level = 0; ///< 1 … 255
 };

@@ -11,7 +11,8 @@ namespace {
 bool tweens(Property property) { return property != Property::order && property != Property::visible; }
 
 /// Between its two keys around `time`, which the track has.
-Passage passage_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys, Time time)
+Passage passage_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys,
+                        Time time)
 {
     if (!tweens(property))
         return {keys.from.value, keys.from.value, {}};

@@ -13,8 +13,8 @@ constexpr std::int32_t most_edges = 0x7FFF; ///< of one chain
 
 OutlineStore::OutlineStore(std::span<std::byte> storage, int rows)
     : corners_{reinterpret_cast<Corner*>(storage.data())},
-      end_{reinterpret_cast<Chain*>(storage.data() + storage.size())}, size_{storage.size()},
-      bottom_{rows * subrows}
+      end_{reinterpret_cast<Chain*>(storage.data() + storage.size())}, size_{storage.size()}, bottom_{rows *
+                                                                                                      subrows}
 {
 }
 

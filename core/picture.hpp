@@ -15,7 +15,7 @@ struct Picture {
     OutlineStore outlines;
     std::span<PaintStep> storage; ///< of the steps
     std::size_t step_count = 0;
-    Still still;              ///< of the whole scene, around the moment
+    Still still;                 ///< of the whole scene, around the moment
     std::uint8_t coarseness = 0; ///< how often the pieces of curves were made twice as long to find room
 
     std::span<PaintStep> steps() { return storage.first(step_count); }

@@ -24,18 +24,13 @@ struct BlockPlan {
 
     BlockPlan(const SceneView& scene, Size panel)
         : outlines{outline_bytes(scene, panel)}, steps{scene.paint_steps() * sizeof(PaintStep)},
-          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)}, bones{scene.bone_count() *
-                                                                                  sizeof(LiveBone)},
-          nodes{scene.backbone_nodes() * sizeof(BackboneNode)}, backdrops{
-                                                                    scene.blended_depth() * widest_pixel *
-                                                                    static_cast<std::size_t>(panel.width)}
+          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)},
+          bones{scene.bone_count() * sizeof(LiveBone)}, nodes{scene.backbone_nodes() * sizeof(BackboneNode)},
+          backdrops{scene.blended_depth() * widest_pixel * static_cast<std::size_t>(panel.width)}
     {
     }
 
-    std::size_t size() const
-    {
-        return 2 * (outlines + steps) + cells + spans + bones + nodes + backdrops;
-    }
+    std::size_t size() const { return 2 * (outlines + steps) + cells + spans + bones + nodes + backdrops; }
 
     /// A panel that is larger than the canvas needs curves of more pieces: their number grows with the square
     /// root of the size, and doubles at a time.
@@ -263,5 +258,22 @@ RowPainter<format> Player::painter(std::span<const RowWindow> windows, int row)
 {
     return {windows, row, backdrops_, row_bytes(format, panel_.width)};
 }
+
+template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::rgb565_be>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::rgb444>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::rgb666>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::grey4>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::mono1>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::mono1_dithered>(int, std::span<std::byte>);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>, Size,
+                                                                              int);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>, Size,
+                                                                                   int);
 
 }

@@ -52,11 +52,11 @@ public:
     template <PixelFormat format>
     void draw_rows(int rows, std::span<std::byte> pixels);
 
-    /// Draws the next areas in which the picture differs from the last one that was drawn in this way, as many
-    /// as find room in `pixels`, which has room for granularity.height whole rows; none when all is drawn. At
-    /// first, and after redraw(), that is the whole panel. Places and sizes of areas are multiples of
-    /// `granularity`, which holds whole bytes; `area_bytes` is what each area costs besides its pixels. What
-    /// is returned holds until the next call.
+    /// Draws the next areas in which the picture differs from the last one that was drawn in this way, as
+    /// many as find room in `pixels`, which has room for granularity.height whole rows; none when all is
+    /// drawn. At first, and after redraw(), that is the whole panel. Places and sizes of areas are multiples
+    /// of `granularity`, which holds whole bytes; `area_bytes` is what each area costs besides its pixels.
+    /// What is returned holds until the next call.
     template <PixelFormat format>
     std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
     /// What the panel shows is not known any more.
@@ -102,5 +102,27 @@ private:
     std::span<std::byte> backdrops_; ///< a row of the panel for each depth of blending
     int next_row_ = 0;
 };
+
+extern template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::rgb565_be>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::rgb444>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::rgb666>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::grey4>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::mono1>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::mono1_dithered>(int, std::span<std::byte>);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size,
+                                                                                  int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>,
+                                                                                     Size, int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size,
+                                                                                  int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size,
+                                                                                  int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size,
+                                                                                 int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size,
+                                                                                 int);
+extern template std::span<const Change>
+Player::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>, Size, int);
 
 }

@@ -17,8 +17,8 @@ struct Run {
     friend constexpr bool operator==(Run, Run) = default;
 };
 
-/// Runs from left to right that neither touch nor overlap, a few at most: those that are nearest to each other
-/// become one where there would be more.
+/// Runs from left to right that neither touch nor overlap, a few at most: those that are nearest to each
+/// other become one where there would be more.
 class RunList {
 public:
     static constexpr std::size_t most = 12;

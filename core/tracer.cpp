@@ -132,14 +132,16 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, std:
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
     ObjectOutline outline{picture_.outlines, is_flat ? nullptr : &projection, picture_.coarseness};
-    const auto trace = [&] { trace_strokes(object, keys, is_flat ? context.space.plane : Affine{}, outline); };
+    const auto trace = [&] {
+        trace_strokes(object, keys, is_flat ? context.space.plane : Affine{}, outline);
+    };
     if (style.is_filled)
         add_layer(state.fill(), opacity, style.fill_rule, context, trace);
     if (!style.is_stroked)
         return;
-    outline.stroke_with(
-        pen_for(style, state.width(),
-                is_flat ? context.space.plane.growth() : projection.growth_at(first_point(object, keys.from))));
+    outline.stroke_with(pen_for(style, state.width(),
+                                is_flat ? context.space.plane.growth()
+                                        : projection.growth_at(first_point(object, keys.from))));
     add_layer(state.stroke(), opacity, FillRule::nonzero, context, trace);
 }
 
@@ -183,8 +185,7 @@ LiveBackbones Tracer::backbones_of(const ObjectView& object) const
     const SceneView& scene = on_panel_.scene;
     const auto [from, to] = interval_at(object.backbones.keys(), moment_);
     return {on_panel_.backbone_nodes, object.backbones.unit_bits, scene.drawing(from.drawing),
-            scene.drawing(to.drawing),
-            progress_between(from.time, to.time, moment_, scene.laws(from.laws))};
+            scene.drawing(to.drawing), progress_between(from.time, to.time, moment_, scene.laws(from.laws))};
 }
 
 /// Of the drawing of a key, or of the backbones that carry it.
