@@ -56,8 +56,7 @@ private:
         Layer& layer = coming_.steps()[number].layer;
         if (!layer.reaches(row))
             return true;
-        const bool runs_through =
-            sweep_row(coming_.outlines, layer, row, coverage_, coming_borders_, true);
+        const bool runs_through = sweep_row(coming_.outlines, layer, row, coverage_, coming_borders_, true);
         coverage_.take_spans([&](int begin, int end, std::int32_t level) {
             has_room_ = has_room_ && end_ < storage_.size();
             if (has_room_)

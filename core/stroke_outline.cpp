@@ -33,12 +33,14 @@ std::int32_t cosine_q15(int angle)
     return angle <= quarter_turn ? sine_q15(quarter_turn - angle) : -sine_q15(angle - quarter_turn);
 }
 
-/// The widest step in 1/48 quarter turn with which arcs stay within `flatness`. A chord over the angle a of a
-/// circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
+constexpr std::int32_t arc_flatness = Fixed::one / 16;
+
+/// The widest step in 1/48 quarter turn with which arcs stay within arc_flatness. A chord over the angle a of
+/// a circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
 int arc_step(Fixed half_width, int coarseness)
 {
     constexpr std::array<std::uint8_t, 10> pieces{1, 2, 3, 4, 6, 8, 12, 16, 24, 48}; // of a quarter turn
-    constexpr std::int32_t radius_of_one = flatness.raw() * 16 / 5;                  // 32 / pi^2
+    constexpr std::int32_t radius_of_one = arc_flatness * 16 / 5;                    // 32 / pi^2
     const std::int32_t radius = half_width.raw() >> 2 * coarseness;
     std::size_t chosen = 0;
     while (chosen + 1 < pieces.size() && pieces[chosen] * pieces[chosen] * radius_of_one < radius)
