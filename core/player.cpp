@@ -13,6 +13,12 @@ namespace kfast {
 namespace {
 
 constexpr std::size_t widest_pixel = 2; ///< bytes
+constexpr int pieces = 32;              ///< of a curve, and of half a turn of an arc
+
+std::size_t edges_in(const SceneView& scene)
+{
+    return std::min<std::size_t>(scene.outline_bytes() / sizeof(Edge), Layer::no_edge - 1);
+}
 
 /// How the lent block is divided.
 struct BlockPlan {
@@ -25,9 +31,8 @@ struct BlockPlan {
     std::size_t size;
 
     BlockPlan(const SceneView& scene, Size panel)
-        : cells_at{scene.max_edges() * sizeof(Edge)}, steps_at{cells_at +
-                                                               CoverageRow::cells_for(panel.width) *
-                                                                   sizeof(std::int32_t)},
+        : cells_at{edges_in(scene) * sizeof(Edge)}, steps_at{cells_at + CoverageRow::cells_for(panel.width) *
+                                                                            sizeof(std::int32_t)},
           bones_at{steps_at + scene.paint_steps() * sizeof(PaintStep)}, nodes_at{bones_at +
                                                                                  scene.bone_count() *
                                                                                      sizeof(LiveBone)},
@@ -57,7 +62,7 @@ constexpr std::uint32_t product_of_opacities(std::uint32_t a, std::uint32_t b) {
 Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 {
     return {.half_width = half_width(width, growth),
-            .arc_pieces = static_cast<int>(style.arc_pieces),
+            .arc_pieces = pieces,
             .cap = style.cap,
             .join = style.join,
             .miter_limit = style.miter_limit};
@@ -90,7 +95,7 @@ Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::
 
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
     : scene_{scene}, panel_{panel}, canvas_{canvas_space(scene.canvas(), panel, fit)},
-      camera_{camera_for(scene, panel, canvas_)}, edges_{place<Edge>(block, 0, scene.max_edges()),
+      camera_{camera_for(scene, panel, canvas_)}, edges_{place<Edge>(block, 0, edges_in(scene)),
                                                          panel.height},
       coverage_{
           place<std::int32_t>(block, BlockPlan{scene, panel}.cells_at, CoverageRow::cells_for(panel.width)),
@@ -160,7 +165,7 @@ void Player::trace_object(const ObjectView& object, const ItemState& state, std:
     const bool is_flat = placement.is_flat();
     const Projection projection{placement, camera_};
     const KeyInterval<Key> keys = interval_at(object.keys(), moment_);
-    ObjectOutline outline{keys.from.curve_pieces, is_flat ? nullptr : &projection};
+    ObjectOutline outline{pieces, is_flat ? nullptr : &projection};
     if (style.is_filled)
         outline.fill_into(edges_, add_layer(state.fill(), opacity, style.fill_rule));
     if (style.is_stroked)

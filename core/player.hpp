@@ -54,7 +54,7 @@ public:
 
     const SceneView& scene() const { return scene_; }
     Size panel() const { return panel_; }
-    /// Edges of the picture that is shown; at most the scene's max_edges().
+    /// Edges of the picture that is shown; those that found no room counted too.
     std::size_t edge_count() const { return edges_.count(); }
     /// Steps in which its rows are painted; at most the scene's paint_steps().
     std::size_t step_count() const { return step_count_; }
