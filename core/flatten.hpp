@@ -2,22 +2,94 @@
 
 #include "core/segment.hpp"
 
+#include <cstdint>
+#include <type_traits>
+
 namespace kfast {
 
-/// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
-/// `curve_pieces` (1 … 65535) of equal parameter length for a curve. The point it begins at is not among
-/// them, the last one is exact, those between within 2/65536 px of the curve.
-///
-/// n pieces lie within 3 d / 4 n^2 of the curve, where d is the longer of |from - 2 c1 + c2| and
-/// |c1 - 2 c2 + to|: a chord of a function f over 1/n is at most max |f''| / 8 n^2 off, and f'' is 6 times
-/// what lies between those two.
-template <class LineTo>
-void flatten(const Segment& segment, std::uint32_t curve_pieces, LineTo line_to)
+/// How far the middles of chords may lie from a curve. The corners of the pieces that stand for it lie beside
+/// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
+inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 8);
+
+inline constexpr int most_halvings = 8;
+
+/// One coordinate of a cubic at 2^halvings steps of equal parameter length, each moved away from the chord
+/// between its neighbours by 5/64 of its second difference: the pieces between the points enclose about what
+/// the curve does, where 1/12 would be exact. Rounded to nearest, halves up. n^3 times a polynomial has whole
+/// differences at n steps, and sums of these are exact. Only the value itself has to fit in a Word, with 3
+/// bits of fraction for each halving: what its differences lose beyond it, the sums lose again.
+template <class Word>
+class CubicSteps {
+public:
+    /// From 0 to `to`.
+    CubicSteps(int halvings, Fixed c1, Fixed c2, Fixed to);
+
+    /// The value after the next step.
+    Fixed next()
+    {
+        using Signed = std::make_signed_t<Word>;
+        value_ += first_;
+        const auto bend = static_cast<Signed>(second_);
+        first_ += second_;
+        second_ += third_;
+        const Signed moved = static_cast<Signed>(value_) - (bend >> 4) - (bend >> 6);
+        return Fixed::from_raw(static_cast<std::int32_t>(moved >> fraction_bits_));
+    }
+
+private:
+    /// In 64 bits always 32, which costs nothing.
+    using FractionBits = std::conditional_t<sizeof(Word) == 8, std::integral_constant<int, 32>, int>;
+
+    [[no_unique_address]] FractionBits fraction_bits_;
+    Word value_;
+    Word first_;
+    Word second_;
+    Word third_;
+};
+
+extern template class CubicSteps<std::uint32_t>;
+extern template class CubicSteps<std::uint64_t>;
+
+/// All of a cubic but its end.
+template <class Word, class LineTo>
+void flatten_in(const Segment& cubic, int halvings, LineTo& line_to)
 {
-    if (segment.kind == Segment::Kind::cubic)
-        for (std::uint32_t piece = 1; piece < curve_pieces; ++piece)
-            line_to(point_at(segment, Share::ratio(piece, curve_pieces)));
+    const Point c1 = cubic.c1 - cubic.from;
+    const Point c2 = cubic.c2 - cubic.from;
+    const Point to = cubic.to - cubic.from;
+    CubicSteps<Word> x{halvings, c1.x, c2.x, to.x};
+    CubicSteps<Word> y{halvings, c1.y, c2.y, to.y};
+    for (int steps = (1 << halvings) - 1; steps > 0; --steps) {
+        const Fixed right = x.next();
+        line_to(cubic.from + Point{right, y.next()});
+    }
+}
+
+/// Whether all points of `cubic` lie so near to its beginning that they fit in 32 bits with 3 * halvings bits
+/// of fraction.
+bool is_small(const Segment& cubic, int halvings);
+
+/// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
+/// 2^halvings (0 … 8) of equal parameter length for a curve. The point it begins at is not among them, the
+/// last one is exact, those between lie beside the curve (CubicSteps).
+template <class LineTo>
+void flatten(const Segment& segment, int halvings, LineTo line_to)
+{
+    if (segment.kind == Segment::Kind::cubic && halvings != 0) {
+        if (is_small(segment, halvings))
+            flatten_in<std::uint32_t>(segment, halvings, line_to);
+        else
+            flatten_in<std::uint64_t>(segment, halvings, line_to);
+    }
     line_to(segment.to);
 }
+
+/// How often a segment has to be halved so that chords lie within `flatness` of it; no more than
+/// most_halvings.
+///
+/// n pieces lie within 3 d / 4 n^2 of a curve, where d is the longer of |from - 2 c1 + c2| and
+/// |c1 - 2 c2 + to|: a chord of a function f over 1/n is at most max |f''| / 8 n^2 off, and f'' is 6 times
+/// what lies between those two.
+int halvings_for(const Segment& segment);
 
 }

@@ -1,13 +1,20 @@
-// The area that a set of edges encloses, pixel by pixel, exactly.
+// The area that a set of outlines encloses, pixel by pixel, exactly.
 //
 // Accumulating the signed area of every edge on its own, as font rasterizers do, counts twice what two
 // outlines cover together within one pixel: where the round caps of two strokes meet, their soft edges would
-// grow hard. So the row is cut into slabs at every sub-row where an edge begins, ends or crosses another.
-// Within a slab the edges do not change their order: from left to right the winding number tells which of
-// them bound the filled area, and only these are accumulated. Most rows are a single slab.
+// grow hard. So the winding number has to tell which edges bound the filled area.
+//
+// In most rows the chains run through from the upper to the lower border without touching each other: from
+// left to right the winding number is then the same in the whole row. Any other row is cut into slabs, at
+// every sub-row where an edge begins, ends or crosses another; within a slab the edges do not change their
+// order.
 
 #include "core/sweep.hpp"
 
+#include "core/chain_edge.hpp"
+
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace kfast {
@@ -18,17 +25,249 @@ std::int64_t distance(Fixed from, Fixed to) { return std::int64_t{to.raw()} - fr
 
 class RowSweep {
 public:
-    RowSweep(EdgeList& edges, Layer& layer, CoverageRow& coverage)
-        : edges_{edges}, layer_{layer}, coverage_{coverage}
+    RowSweep(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage)
+        : store_{store}, layer_{layer}, coverage_{coverage}, y_{row * subrows}, bottom_{y_ + subrows}
     {
     }
 
-    void run(std::int32_t begin, std::int32_t end)
+    /// From the border of rows on that the sweep stands at; as sweep_row().
+    bool run(Crossings& crossings, bool wants_coverage)
     {
-        for (y_ = begin; y_ < end; y_ = slab_end_) {
+        activate();
+        crossings.count = 0;
+        if (!find_parts() || !parts_stand_apart()) {
+            fill_slabs();
+            return false;
+        }
+        const bool all_run_through = find_crossings(crossings);
+        take_parts(wants_coverage || !all_run_through);
+        return all_run_through;
+    }
+
+    /// Brings the sweep, which stands at a border above it, to the upper border of the row.
+    void bring_down()
+    {
+        std::uint16_t* link = &layer_.active;
+        while (*link != Chain::none) {
+            Chain& chain = store_.chain(*link);
+            if (move_to(chain, y_))
+                link = &chain.next;
+            else
+                *link = chain.next;
+        }
+    }
+
+private:
+    std::int32_t top_of(std::uint16_t chain) const { return store_.corner(store_.chain(chain).first).y; }
+    std::int32_t next_top() const { return top_of(layer_.waiting); }
+
+    /// Takes up the chains that begin at y_ or above it.
+    void activate()
+    {
+        for (; layer_.waiting != layer_.outlines.end_chain && next_top() <= y_; ++layer_.waiting) {
+            Chain& chain = store_.chain(layer_.waiting);
+            chain.passed = 0;
+            enter_edge(chain);
+            if (move_to(chain, y_))
+                chain.next = std::exchange(layer_.active, layer_.waiting);
+        }
+    }
+
+    void enter_edge(Chain& chain) const
+    {
+        const ChainEdge edge = current_edge(store_, chain);
+        chain.x = edge.upper.x;
+        if (edge.height() >= subrows)
+            chain.slope = row_slope(edge);
+    }
+
+    /// Whether anything of the chain is left below `subrow`, which is not above where it stands.
+    bool move_to(Chain& chain, std::int32_t subrow) const
+    {
+        ChainEdge edge = current_edge(store_, chain);
+        while (edge.lower.y <= subrow) {
+            if (++chain.passed == chain.edges)
+                return false;
+            enter_edge(chain);
+            edge = current_edge(store_, chain);
+        }
+        chain.x = edge.x_at(subrow, chain.slope);
+        return true;
+    }
+
+    /// What a row cuts out of a chain.
+    struct Part {
+        std::uint16_t chain = 0;
+        bool is_bent = false;
+        std::int8_t winding = 0;
+        std::int32_t top = 0;
+        std::int32_t bottom = 0;
+        Fixed begin; ///< x at the top
+        Fixed left;
+        Fixed right;
+    };
+
+    static constexpr std::size_t most_parts = 12;
+
+    /// From left to right; false if there are too many. Nothing is moved yet.
+    bool find_parts()
+    {
+        for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next)
+            if (!add_part(i, store_.chain(i)))
+                return false;
+        for (std::uint16_t i = layer_.waiting; i != layer_.outlines.end_chain && top_of(i) < bottom_; ++i) {
+            Chain& chain = store_.chain(i);
+            chain.passed = 0;
+            enter_edge(chain);
+            if (!add_part(i, chain))
+                return false;
+        }
+        return true;
+    }
+
+    bool add_part(std::uint16_t number, const Chain& chain)
+    {
+        if (part_count_ == most_parts)
+            return false;
+        const Part part = lower_end(store_, chain).y > bottom_ && number < layer_.waiting
+                              ? straight_part(number, chain)
+                              : bent_part(number, chain);
+        std::size_t at = part_count_++;
+        for (; at > 0 && part.left < parts_[at - 1].left; --at)
+            parts_[at] = parts_[at - 1];
+        parts_[at] = part;
+        return true;
+    }
+
+    Part straight_part(std::uint16_t number, const Chain& chain) const
+    {
+        const Fixed end = chain.x + Fixed::from_raw(chain.slope);
+        return {.chain = number,
+                .winding = static_cast<std::int8_t>(chain.winding()),
+                .top = y_,
+                .bottom = bottom_,
+                .begin = chain.x,
+                .left = std::min(chain.x, end),
+                .right = std::max(chain.x, end)};
+    }
+
+    Part bent_part(std::uint16_t number, Chain chain) const
+    {
+        Part part{.chain = number,
+                  .is_bent = true,
+                  .winding = static_cast<std::int8_t>(chain.winding()),
+                  .top = std::max(y_, current_edge(store_, chain).upper.y),
+                  .bottom = bottom_,
+                  .begin = chain.x,
+                  .left = chain.x,
+                  .right = chain.x};
+        const auto stretch = [&part](Fixed x) {
+            part.left = std::min(part.left, x);
+            part.right = std::max(part.right, x);
+        };
+        ChainEdge edge = current_edge(store_, chain);
+        for (; edge.lower.y < bottom_; edge = current_edge(store_, chain)) {
+            stretch(edge.lower.x);
+            if (++chain.passed == chain.edges) {
+                part.bottom = edge.lower.y;
+                return part;
+            }
+        }
+        stretch(edge.x_at(bottom_, edge.height() >= subrows ? row_slope(edge) : 0));
+        return part;
+    }
+
+    /// Whether each part lies wholly to the left of the next and has the same winding number to its left all
+    /// along: what does not run through the row comes in pairs that enclose something.
+    bool parts_stand_apart() const
+    {
+        for (std::size_t i = 1; i < part_count_; ++i)
+            if (parts_[i].left < parts_[i - 1].right)
+                return false;
+        for (std::size_t i = 0; i < part_count_; ++i) {
+            const Part& a = parts_[i];
+            if (a.top == y_ && a.bottom == bottom_)
+                continue;
+            if (++i == part_count_ || parts_[i].top != a.top || parts_[i].bottom != a.bottom ||
+                parts_[i].winding + a.winding != 0)
+                return false;
+        }
+        return true;
+    }
+
+    /// Whether all parts run through.
+    bool find_crossings(Crossings& crossings) const
+    {
+        std::int32_t winding = 0;
+        for (const Part& part : std::span{parts_}.first(part_count_)) {
+            if (part.top != y_ || part.bottom != bottom_)
+                return false;
+            const bool was_inside = is_inside(winding);
+            winding += part.winding;
+            if (is_inside(winding) != was_inside)
+                crossings.borders[crossings.count++] = {.left = part.left,
+                                                        .right = part.right,
+                                                        .leans_left = part.left != part.begin,
+                                                        .is_bent = part.is_bent};
+        }
+        return true;
+    }
+
+    /// Moves the chains below the row and adds what they enclose there.
+    void take_parts(bool wants_coverage)
+    {
+        std::int32_t winding = 0;
+        std::uint16_t* link = &layer_.active;
+        for (const Part& part : std::span{parts_}.first(part_count_)) {
+            const bool was_inside = is_inside(winding);
+            winding += part.winding;
+            const std::int32_t sign = !wants_coverage || is_inside(winding) == was_inside ? 0
+                                      : was_inside                                        ? -1
+                                                                                          : 1;
+            Chain& chain = store_.chain(part.chain);
+            if (take_part(chain, part, sign)) {
+                *link = part.chain;
+                link = &chain.next;
+            }
+        }
+        *link = Chain::none;
+        while (layer_.waiting != layer_.outlines.end_chain && next_top() < bottom_)
+            ++layer_.waiting;
+    }
+
+    /// Whether anything of the chain is left below the row.
+    bool take_part(Chain& chain, const Part& part, std::int32_t sign)
+    {
+        if (part.is_bent)
+            return take_bent_part(chain, part.top, sign);
+        const Fixed end = chain.x + Fixed::from_raw(chain.slope);
+        coverage_.add(chain.x, end, subrows, sign);
+        chain.x = end;
+        return true;
+    }
+
+    bool take_bent_part(Chain& chain, std::int32_t y, std::int32_t sign)
+    {
+        ChainEdge edge = current_edge(store_, chain);
+        for (; edge.lower.y <= bottom_; edge = current_edge(store_, chain)) {
+            coverage_.add(chain.x, edge.lower.x, edge.lower.y - y, sign);
+            y = edge.lower.y;
+            if (++chain.passed == chain.edges)
+                return false;
+            enter_edge(chain);
+        }
+        const Fixed end = edge.x_at(bottom_, chain.slope);
+        coverage_.add(chain.x, end, bottom_ - y, sign);
+        chain.x = end;
+        return true;
+    }
+
+    void fill_slabs()
+    {
+        for (; y_ < bottom_; y_ = slab_end_) {
             activate();
-            slab_end_ = next_event(end);
-            if (layer_.active == Layer::no_edge)
+            slab_end_ = next_event();
+            if (layer_.active == Chain::none)
                 continue;
             sort_active();
             slab_end_ = first_crossing();
@@ -36,61 +275,54 @@ public:
         }
     }
 
-private:
-    void activate()
+    std::int32_t next_event() const
     {
-        while (layer_.waiting != Layer::no_edge && edges_[layer_.waiting].y <= y_) {
-            const std::uint16_t index = std::exchange(layer_.waiting, edges_[layer_.waiting].next);
-            edges_[index].next = std::exchange(layer_.active, index);
-        }
-    }
-
-    std::int32_t next_event(std::int32_t end)
-    {
-        if (layer_.waiting != Layer::no_edge)
-            end = std::min(end, edges_[layer_.waiting].y);
-        for (std::uint16_t i = layer_.active; i != Layer::no_edge; i = edges_[i].next)
-            end = std::min<std::int32_t>(end, edges_[i].y_end);
+        std::int32_t end = bottom_;
+        if (layer_.waiting != layer_.outlines.end_chain)
+            end = std::min(end, next_top());
+        for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next)
+            end = std::min(end, current_edge(store_, store_.chain(i)).lower.y);
         return end;
     }
 
-    bool is_left_of(const Edge& a, const Edge& b) const
+    Fixed x_at_slab_end(const Chain& chain) const
     {
-        return a.x < b.x || (a.x == b.x && a.x_at(slab_end_) < b.x_at(slab_end_));
+        return current_edge(store_, chain).x_at(slab_end_, chain.slope);
+    }
+
+    bool is_left_of(const Chain& a, const Chain& b) const
+    {
+        return a.x < b.x || (a.x == b.x && x_at_slab_end(a) < x_at_slab_end(b));
     }
 
     /// Insertion sort: from row to row the order hardly changes.
     void sort_active()
     {
-        std::uint16_t rest = std::exchange(layer_.active, Layer::no_edge);
-        std::uint16_t last = Layer::no_edge;
-        while (rest != Layer::no_edge) {
-            const std::uint16_t index = std::exchange(rest, edges_[rest].next);
-            Edge& edge = edges_[index];
-            if (last != Layer::no_edge && !is_left_of(edge, edges_[last])) {
-                edges_[last].next = index;
-                edge.next = Layer::no_edge;
-                last = index;
-                continue;
-            }
+        std::uint16_t rest = std::exchange(layer_.active, Chain::none);
+        std::uint16_t last = Chain::none;
+        while (rest != Chain::none) {
+            const std::uint16_t number = std::exchange(rest, store_.chain(rest).next);
+            Chain& chain = store_.chain(number);
             std::uint16_t* link = &layer_.active;
-            while (*link != Layer::no_edge && !is_left_of(edge, edges_[*link]))
-                link = &edges_[*link].next;
-            edge.next = std::exchange(*link, index);
-            if (edge.next == Layer::no_edge)
-                last = index;
+            if (last != Chain::none && !is_left_of(chain, store_.chain(last)))
+                link = &store_.chain(last).next;
+            while (*link != Chain::none && !is_left_of(chain, store_.chain(*link)))
+                link = &store_.chain(*link).next;
+            chain.next = std::exchange(*link, number);
+            if (chain.next == Chain::none)
+                last = number;
         }
     }
 
     /// The first sub-row at which two neighbours have changed sides; the end of the slab if none do.
-    std::int32_t first_crossing()
+    std::int32_t first_crossing() const
     {
         std::int32_t first = slab_end_;
-        const Edge* left = &edges_[layer_.active];
-        Fixed left_end = left->x_at(slab_end_);
-        while (left->next != Layer::no_edge) {
-            const Edge* right = &edges_[left->next];
-            const Fixed right_end = right->x_at(slab_end_);
+        const Chain* left = &store_.chain(layer_.active);
+        Fixed left_end = x_at_slab_end(*left);
+        while (left->next != Chain::none) {
+            const Chain* right = &store_.chain(left->next);
+            const Fixed right_end = x_at_slab_end(*right);
             if (right_end < left_end)
                 first = std::min(first, crossing(distance(left->x, right->x), distance(right_end, left_end)));
             left = right;
@@ -113,18 +345,16 @@ private:
     {
         std::int32_t winding = 0;
         std::uint16_t* link = &layer_.active;
-        while (*link != Layer::no_edge) {
-            Edge& edge = edges_[*link];
-            const Fixed begin = edge.x;
-            edge.advance(slab_end_);
+        while (*link != Chain::none) {
+            Chain& chain = store_.chain(*link);
             const bool was_inside = is_inside(winding);
-            winding += edge.winding;
+            winding += chain.winding();
             if (is_inside(winding) != was_inside)
-                coverage_.add(begin, edge.x, slab_end_ - y_, was_inside ? -1 : 1);
-            if (edge.y == edge.y_end)
-                *link = edge.next;
+                coverage_.add(chain.x, x_at_slab_end(chain), slab_end_ - y_, was_inside ? -1 : 1);
+            if (move_to(chain, slab_end_))
+                link = &chain.next;
             else
-                link = &edge.next;
+                *link = chain.next;
         }
     }
 
@@ -133,18 +363,61 @@ private:
         return layer_.rule == FillRule::nonzero ? winding != 0 : (winding & 1) != 0;
     }
 
-    EdgeList& edges_;
+    OutlineStore& store_;
     Layer& layer_;
     CoverageRow& coverage_;
-    std::int32_t y_ = 0;
+    std::int32_t y_;
+    std::int32_t bottom_;
     std::int32_t slab_end_ = 0;
+    std::array<Part, most_parts> parts_;
+    std::size_t part_count_ = 0;
 };
+
+void find_rows(const OutlineStore& store, Layer& layer)
+{
+    std::int32_t top = std::numeric_limits<std::int32_t>::max();
+    std::int32_t bottom = 0;
+    for (std::uint16_t i = layer.outlines.first_chain; i != layer.outlines.end_chain; ++i) {
+        const Chain& chain = store.chain(i);
+        const std::int32_t last = chain.runs_up != 0 ? chain.first - chain.edges : chain.first + chain.edges;
+        top = std::min(top, store.corner(chain.first).y);
+        bottom = std::max(bottom, store.corner(last).y);
+    }
+    constexpr std::int32_t most = std::numeric_limits<std::int16_t>::max();
+    layer.top = static_cast<std::int16_t>(std::max(top, std::int32_t{0}) / subrows);
+    layer.bottom = static_cast<std::int16_t>(std::min((bottom + subrows - 1) / subrows, most));
+}
 
 }
 
-void sweep_row(EdgeList& edges, Layer& layer, int row, CoverageRow& coverage)
+Layer layer_of(OutlineStore& store, const OutlineRange& outlines)
 {
-    RowSweep{edges, layer, coverage}.run(row * subrows, (row + 1) * subrows);
+    Layer layer;
+    layer.outlines = outlines;
+    if (outlines.empty())
+        return layer;
+    store.sort(outlines);
+    find_rows(store, layer);
+    layer.rewind();
+    return layer;
+}
+
+bool sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage, Crossings& crossings,
+               bool wants_coverage)
+{
+    if (row < layer.row)
+        layer.rewind();
+    RowSweep sweep{store, layer, row, coverage};
+    if (layer.row != row)
+        sweep.bring_down();
+    layer.row = static_cast<std::int16_t>(row + 1);
+    return sweep.run(crossings, wants_coverage);
+}
+
+void sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage)
+{
+    Crossings crossings;
+    sweep_row(store, layer, row, coverage, crossings, true);
 }
 
 }
