@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "tests/bench/phase.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace kfast::bench {
+
+/// A player for the firmware's loop whose work is told apart from that of the loop.
+template <class Meter>
+class MeteredPlayer {
+public:
+    MeteredPlayer(Player& player, Meter& meter) : player_{player}, meter_{meter} {}
+
+    void show_moment(Time moment)
+    {
+        meter_.enter(Phase::update);
+        player_.show_moment(moment);
+        meter_.enter(Phase::send);
+    }
+
+    template <PixelFormat format>
+    void draw_rows(int rows, std::span<std::byte> pixels)
+    {
+        meter_.enter(Phase::draw);
+        player_.draw_rows<format>(rows, pixels);
+        meter_.enter(Phase::send);
+    }
+
+private:
+    Player& player_;
+    Meter& meter_;
+};
+
+}
