@@ -20,6 +20,9 @@ struct FrameCost {
     Traffic traffic;
 };
 
+/// Of each of the two bands, on every target.
+inline constexpr std::size_t band_bytes = 4096;
+
 /// The memory that a scene is played in.
 struct Workspace {
     std::span<std::byte> block;
@@ -83,7 +86,8 @@ inline Stretch steady_stretch(const SceneView& scene)
     return stretch;
 }
 
-/// Plays two turns of `scene` on a panel of its canvas's size; fails as Player::create does.
+/// Plays two turns of `scene` on a panel of its canvas's size. Fails as Player::create does; else the bytes
+/// of the block that it needs.
 template <class Meter, class Report>
 Result<std::size_t> measure(const SceneView& scene, const Workspace& workspace, Meter& meter, Report report)
 {

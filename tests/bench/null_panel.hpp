@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/crc32.hpp"
 #include "core/pixel_format.hpp"
 #include "core/size.hpp"
 #include "tests/bench/phase.hpp"
@@ -15,6 +16,7 @@ namespace kfast::bench {
 struct Traffic {
     std::uint32_t windows = 0;
     std::uint32_t bytes = 0; ///< pixels, and the commands that open the windows
+    Crc32 pixels;            ///< if the meter checks them
 };
 
 /// A colour LCD that takes every window at once, and counts. It is told its size later than it is made,
@@ -42,6 +44,8 @@ public:
         meter_.enter(Phase::elsewhere);
         ++traffic_.windows;
         traffic_.bytes += window_command_bytes + static_cast<std::uint32_t>(pixels.size());
+        if constexpr (Meter::checks_pixels)
+            traffic_.pixels.add(pixels);
         meter_.enter(Phase::send);
     }
 

@@ -11,6 +11,8 @@ namespace kfast::bench {
 /// reset. A visit to a phase must be shorter than 5.2 million instructions, when the timer comes round.
 class InstructionMeter {
 public:
+    static constexpr bool checks_pixels = true;
+
     /// Starts the timer and finds what entering a phase costs itself.
     void begin();
 

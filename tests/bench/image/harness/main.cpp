@@ -10,7 +10,7 @@ extern "C" {
 // From the linker script.
 extern const std::byte scene_region_begin[];
 extern const std::byte scene_region_end[];
-extern const volatile std::uint32_t profile_wanted; // written by whoever loads the scene
+extern const volatile std::uint32_t profile_wanted;
 extern std::byte block_begin[];
 extern std::byte block_end[];
 }
@@ -18,7 +18,6 @@ extern std::byte block_end[];
 namespace kfast::bench {
 namespace {
 
-constexpr std::size_t band_bytes = 4096;
 std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
 
 Workspace workspace()
@@ -54,6 +53,7 @@ void report_frame(const FrameCost& frame)
     write_field(" send ", cost(frame, Phase::send));
     write_field(" windows ", frame.traffic.windows);
     write_field(" bytes ", frame.traffic.bytes);
+    write_field(" pixels ", frame.traffic.pixels.value());
     semihosting::write("\n");
 }
 
@@ -65,7 +65,8 @@ int run()
     write_field("lent ", static_cast<std::uint32_t>(block_end - block_begin));
     write_field(" needed ", static_cast<std::uint32_t>(Player::block_bytes(*scene, scene->canvas())));
     semihosting::write("\n");
-    const auto played = profile_wanted != 0 ? profile_scene(*scene, workspace()) : measure_scene(*scene, workspace());
+    const auto played =
+        profile_wanted != 0 ? profile_scene(*scene, workspace()) : measure_scene(*scene, workspace());
     if (!played)
         return refuse(played.error());
     write_field("stack ", used_stack());

@@ -25,6 +25,12 @@ void Sampler::enter(Phase phase)
         systick::stop();
 }
 
+PhaseCosts Sampler::take()
+{
+    semihosting::write("shown\n");
+    return {};
+}
+
 extern "C" [[gnu::used]] void take_sample(const ExceptionFrame* interrupted)
 {
     systick::stop();

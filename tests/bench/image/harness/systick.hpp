@@ -22,7 +22,13 @@ inline void start(std::uint32_t period, Interrupt interrupt)
     at(0xE000'E010) = static_cast<std::uint32_t>(interrupt);
 }
 
-inline void stop() { at(0xE000'E010) = 0; }
+/// No interrupt comes any more.
+inline void stop()
+{
+    at(0xE000'E010) = 0;
+    at(0xE000'ED04) = 1 << 25;
+}
+
 inline std::uint32_t value() { return at(0xE000'E018); }
 
 }
