@@ -25,8 +25,12 @@ constexpr std::array fits{
 
 constexpr std::array formats{
     Named<PixelFormat>{"rgb565", PixelFormat::rgb565},
+    Named<PixelFormat>{"rgb565_be", PixelFormat::rgb565_be},
+    Named<PixelFormat>{"rgb444", PixelFormat::rgb444},
+    Named<PixelFormat>{"rgb666", PixelFormat::rgb666},
     Named<PixelFormat>{"grey4", PixelFormat::grey4},
     Named<PixelFormat>{"mono1", PixelFormat::mono1},
+    Named<PixelFormat>{"mono1_dithered", PixelFormat::mono1_dithered},
 };
 
 template <class Rows>
