@@ -101,6 +101,7 @@ Result<std::size_t> measure(const SceneView& scene, const Workspace& workspace, 
     MeteredPlayer metered{*player, meter};
     meter.enter(Phase::send);
     play(board, metered, Playhead{stretch, scene.events()}, {scene.frame_rate(), board.now()});
+    meter.enter(Phase::elsewhere);
     return Player::block_bytes(scene, panel);
 }
 
