@@ -22,11 +22,12 @@ public:
     }
 
     template <PixelFormat format>
-    void draw_rows(int rows, std::span<std::byte> pixels)
+    std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes)
     {
         meter_.enter(Phase::draw);
-        player_.draw_rows<format>(rows, pixels);
+        const auto changes = player_.draw_changes<format>(pixels, granularity, area_bytes);
         meter_.enter(Phase::send);
+        return changes;
     }
 
 private:

@@ -27,7 +27,7 @@ public:
     static constexpr PixelFormat format = PixelFormat::rgb565;
     static constexpr Size granularity{.width = 1, .height = 1};
     /// CASET and RASET with four bytes each, RAMWR.
-    static constexpr std::uint32_t window_command_bytes = 5 + 5 + 1;
+    static constexpr int window_bytes = 5 + 5 + 1;
 
     explicit NullPanel(Meter& meter) : meter_{meter} {}
 
@@ -43,7 +43,7 @@ public:
     {
         meter_.enter(Phase::elsewhere);
         ++traffic_.windows;
-        traffic_.bytes += window_command_bytes + static_cast<std::uint32_t>(pixels.size());
+        traffic_.bytes += window_bytes + static_cast<std::uint32_t>(pixels.size());
         if constexpr (Meter::checks_pixels)
             traffic_.pixels.add(pixels);
         meter_.enter(Phase::send);

@@ -7,6 +7,8 @@ from scenes import REFERENCES
 
 PEERS = json.loads(pathlib.Path(__file__).with_name("peers.json").read_text(encoding="utf-8"))
 BEGIN, END = "<!-- figures: scripts/bench writes these -->\n", "<!-- end of figures -->\n"
+SPLIT = ("cortex-m0", "cortex-m4")
+GOAL_CPU = "cortex-m0"
 GOALS = {"eyes": 45_000, "walker": 105_000, "morph": 95_000}
 
 
@@ -19,8 +21,10 @@ def write_into(document, results):
 
 
 def markdown(results):
-    sections = [frame_section(results), part_section(results)]
-    sections += [peer_section(results, cpu) for cpu in ("cortex-m0", "cortex-m3", "cortex-m4")]
+    counted = results["instructions"]
+    sections = [frame_section(counted, results["kfb_bytes"])]
+    sections += [part_section(cpu, counted[cpu]) for cpu in counted if cpu in SPLIT]
+    sections += [peer_section(cpu, counted[cpu]) for cpu in counted if any(cpu in peer for peer in PEERS["instructions"])]
     sections += [image_section(results), block_section(results), sent_section(results), file_section(results),
                  host_section(results), f"Figures of others: {PEERS['source']}.\n"]
     return "\n".join(sections)
@@ -55,45 +59,55 @@ def pretty(cpu):
     return cpu.replace("cortex-m", "Cortex-M")
 
 
-def frame_section(results):
-    counted = results["instructions"]
-    rows = [[name] + [pair(counted[cpu].get(name)) for cpu in counted] for name in results["kfb_bytes"]]
+def frame_section(counted, names):
+    rows = [[name] + [pair(counted[cpu].get(name)) for cpu in counted] for name in names]
     return section("Instructions in a frame, median / worst", ["scene"] + [pretty(cpu) for cpu in counted], rows)
 
 
-def part_section(results):
+def part_section(cpu, scenes):
     rows = [[name, pair(figures["update"]), pair(figures["draw"]), pair(figures["send"])]
-            for name, figures in results["instructions"]["cortex-m0"].items()]
-    return section("Parts of a frame on Cortex-M0, median / worst", ["scene", "update and edges", "fill", "send"], rows)
+            for name, figures in scenes.items()]
+    return section(f"Parts of a frame on {pretty(cpu)}, median / worst", ["scene", "update and edges", "fill", "send"],
+                   rows)
 
 
-def peer_section(results, cpu):
-    ours = results["instructions"][cpu]
-    rows = [["**KFAST**"] + [pair(ours.get(name)) for name in REFERENCES]]
-    if cpu == "cortex-m0":
-        rows.append(["goal, median"] + [number(GOALS[name]) for name in REFERENCES])
+def peer_section(cpu, scenes):
+    rows = [["**KFAST**"] + [pair(scenes.get(name)) for name in REFERENCES]]
+    if cpu == GOAL_CPU:
+        rows.append(["goal for the median"] + [number(GOALS[name]) for name in REFERENCES])
     rows += [[peer["peer"]] + [pair(peer[cpu].get(name)) for name in REFERENCES]
              for peer in PEERS["instructions"] if cpu in peer]
-    return section(f"Beside others on {pretty(cpu)}, instructions, median / worst", [""] + list(REFERENCES), rows)
+    return section(f"Beside others on {pretty(cpu)}, instructions in a frame, median / worst", [""] + list(REFERENCES),
+                   rows)
 
 
 def image_section(results):
-    rows = [[name.replace("cortex-m", "Cortex-M") if name != pretty(name) and not name.startswith("lm3s") else name,
-             number(flash), number(results["ram_bytes"][name]), number(results["stack_bytes"].get(name))]
-            for name, flash in results["flash_bytes"].items()]
-    rows += [[peer["peer"] + ", " + pretty(cpu), number(flash), "", number(peer["stack"])]
+    rows = [[image_name(name), number(flash), number(results["ram_bytes"][name]),
+             number(results["stack_bytes"].get(name))] for name, flash in results["flash_bytes"].items()]
+    rows += [[f"{peer['peer']}, {pretty(cpu)}", number(flash), "", number(peer["stack"])]
              for peer in PEERS["memory"] for cpu, flash in peer["flash"].items()]
     return section("Images: bytes", ["", "code and constants", "static RAM", "stack, deepest"], rows)
 
 
+def image_name(name):
+    """A CPU of the bench, or a board and its CPU."""
+    board, _, cpu = name.rpartition("cortex")
+    return f"{board.rstrip('-') or '**KFAST**, core and loop'}, {pretty('cortex' + cpu)}"
+
+
 def block_section(results):
-    rows = [["**KFAST**, the block that is lent"] + [number(results["ram_bytes"].get(name)) for name in REFERENCES]]
-    rows += [[peer["peer"] + ", heap and canvas"] + [number(peer["ram"][name]) for name in REFERENCES]
+    blocks = {name: results["ram_bytes"].get(name) for name in results["kfb_bytes"]}
+    rows = [["**KFAST**, the block that is lent"] + [number(blocks.get(name)) for name in REFERENCES]]
+    rows += [[f"{peer['peer']}, heap and canvas"] + [number(peer["ram"][name]) for name in REFERENCES]
              for peer in PEERS["memory"]]
-    others = [name for name in results["kfb_bytes"] if name not in REFERENCES]
-    return "\n".join([
-        section("RAM for a scene at its own size, besides stack and bands: bytes", [""] + list(REFERENCES), rows),
-        "The examples: " + ", ".join(f"{name} {number(results['ram_bytes'][name])}" for name in others) + ".\n"])
+    return section("RAM for a scene at its own size, without stack and bands: bytes", [""] + list(REFERENCES),
+                   rows) + examples(blocks)
+
+
+def examples(figures):
+    """One line for all scenes but the references."""
+    others = [f"{name} {number(value)}" for name, value in figures.items() if name not in REFERENCES]
+    return f"\nThe examples: {', '.join(others)}.\n" if others else ""
 
 
 def sent_section(results):
@@ -113,10 +127,7 @@ def ratio(sent):
 def file_section(results):
     rows = [["**KFAST**, `.kfb`"] + [number(results["kfb_bytes"].get(name)) for name in REFERENCES]]
     rows += [[kind] + [number(sizes[name]) for name in REFERENCES] for kind, sizes in PEERS["files"].items()]
-    others = [name for name in results["kfb_bytes"] if name not in REFERENCES]
-    return "\n".join([
-        section("Files: bytes", [""] + list(REFERENCES), rows),
-        "The examples: " + ", ".join(f"{name} {number(results['kfb_bytes'][name])}" for name in others) + ".\n"])
+    return section("Files: bytes", [""] + list(REFERENCES), rows) + examples(results["kfb_bytes"])
 
 
 def host_section(results):

@@ -18,7 +18,7 @@ extern std::byte block_end[];
 namespace kfast::bench {
 namespace {
 
-std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
+alignas(4) std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
 
 Workspace workspace()
 {
