@@ -3,10 +3,13 @@
 #include "tests/bench/image/harness/semihosting.hpp"
 #include "tests/bench/image/harness/systick.hpp"
 
+#include <initializer_list>
+#include <utility>
+
 namespace kfast::bench {
 namespace {
 
-bool is_counted = false;
+Phase current = Phase::elsewhere;
 
 /// What the CPU has put on the stack.
 struct ExceptionFrame {
@@ -17,8 +20,8 @@ struct ExceptionFrame {
 
 void Sampler::enter(Phase phase)
 {
-    const bool was_counted = is_counted;
-    is_counted = phase != Phase::elsewhere;
+    const bool was_counted = std::exchange(current, phase) != Phase::elsewhere;
+    const bool is_counted = phase != Phase::elsewhere;
     if (is_counted && !was_counted)
         systick::start(period_ticks, systick::Interrupt::on);
     if (!is_counted)
@@ -34,8 +37,12 @@ PhaseCosts Sampler::take()
 extern "C" [[gnu::used]] void take_sample(const ExceptionFrame* interrupted)
 {
     systick::stop();
-    semihosting::write("p ");
-    semihosting::write(interrupted->pc);
+    semihosting::write("p");
+    for (const std::uint32_t number :
+         {static_cast<std::uint32_t>(current), interrupted->pc, interrupted->lr}) {
+        semihosting::write(" ");
+        semihosting::write(number);
+    }
     semihosting::write("\n");
     systick::start(Sampler::period_ticks, systick::Interrupt::on);
 }
