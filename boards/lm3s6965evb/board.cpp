@@ -2,7 +2,7 @@
 
 #include "boards/lm3s6965evb/clocks.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
-#include "firmware/error_text.hpp"
+#include "core/error_text.hpp"
 #include "firmware/version.hpp"
 
 #include <cstdint>
