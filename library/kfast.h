@@ -48,8 +48,8 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
 /* Times are in 1/1024 frame; KFAST_FRAME * 12 is the 13th frame. */
 #define KFAST_FRAME INT32_C(1024)
 
-/* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it stands
- * for. */
+/* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
+ * stands for. */
 void kfast_show(kfast_player* player, int32_t time);
 
 /* As kfast_show(), after so many milliseconds; rounded down to 1/1024 frame. */
@@ -59,8 +59,8 @@ void kfast_show_after(kfast_player* player, uint32_t milliseconds);
  * gone after the call. */
 typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const void* pixels, void* user);
 
-/* Hands out the pixels that differ from what was drawn before. The buffer is where they are drawn; the larger,
- * the fewer the calls. KFAST_OK, or KFAST_BUFFER_TOO_SMALL with nothing drawn.
+/* Hands out the pixels that differ from what was drawn before. The buffer is where they are drawn; the
+ * larger, the fewer the calls. KFAST_OK, or KFAST_BUFFER_TOO_SMALL with nothing drawn.
  *
  *     rgb565   2 bytes a pixel, little-endian, red in the highest 5 bits
  *     grey4    2 pixels a byte, the left one in the high nibble; 15 is white
