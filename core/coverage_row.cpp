@@ -1,11 +1,12 @@
 #include "core/coverage_row.hpp"
 
-#include <utility>
+#include <algorithm>
 
 namespace kfast {
 namespace {
 
-constexpr std::int32_t columns = 1024; ///< sub-columns of a pixel
+constexpr int column_bits = 10;
+constexpr std::int32_t columns = 1 << column_bits; ///< sub-columns of a pixel
 
 std::int32_t to_column(Fixed x) { return (x.raw() + 32) >> 6; }
 
@@ -19,13 +20,28 @@ std::int32_t share_of(std::int32_t height, std::int32_t part, std::int32_t run)
 
 void CoverageRow::add(Fixed top, Fixed bottom, std::int32_t height, std::int32_t sign)
 {
-    auto [left, right] = std::minmax({to_column(top), to_column(bottom)});
+    if (height == 0 || sign == 0)
+        return;
+    const std::int32_t from = to_column(top);
+    const std::int32_t to = to_column(bottom);
+    const std::int32_t cell = from >> column_bits;
+    if (cell == to >> column_bits && cell >= 0 && cell < width_) { // mostly
+        touched_.add(cell, cell + 2);
+        deposit(cell, sign * height, (from & (columns - 1)) + (to & (columns - 1)));
+    } else {
+        add_clipped(std::min(from, to), std::max(from, to), height, sign);
+    }
+}
+
+void CoverageRow::add_clipped(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign)
+{
     const std::int32_t edge_of_row = width_ * columns;
     if (left >= edge_of_row)
         return;
     if (left < 0) {
         const std::int32_t outside = right <= 0 ? height : share_of(height, -left, right - left);
-        add_within(0, 0, outside, sign);
+        touched_.add(0, 2);
+        deposit(0, sign * outside, 0);
         height -= outside;
         left = 0;
     }
@@ -33,18 +49,11 @@ void CoverageRow::add(Fixed top, Fixed bottom, std::int32_t height, std::int32_t
         height = share_of(height, edge_of_row - left, right - left);
         right = edge_of_row;
     }
-    if (height != 0)
-        add_within(left, right, height, sign);
-}
-
-void CoverageRow::add_within(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign)
-{
-    const int first = left / columns;
-    const int last = right / columns;
-    first_ = std::min(first_, first);
-    last_ = std::max(last_, last + 1);
-    if (first == last)
-        deposit(first, sign * height, left % columns + right % columns);
+    if (height == 0)
+        return;
+    touched_.add(left >> column_bits, (right >> column_bits) + 2);
+    if (left >> column_bits == right >> column_bits)
+        deposit(left >> column_bits, sign * height, (left & (columns - 1)) + (right & (columns - 1)));
     else
         add_across(left, right, height, sign);
 }
@@ -53,13 +62,13 @@ void CoverageRow::add_within(std::int32_t left, std::int32_t right, std::int32_t
 void CoverageRow::add_across(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign)
 {
     const std::int32_t run = right - left;
-    const std::int32_t first = left / columns;
-    const std::int32_t last = right / columns;
-    const std::int32_t in_first = columns - left % columns;
+    const std::int32_t first = left >> column_bits;
+    const std::int32_t last = right >> column_bits;
+    const std::int32_t in_first = columns - (left & (columns - 1));
     std::int32_t part = height * in_first / run;
     std::int32_t carry = height * in_first % run;
     std::int32_t rest = height - part;
-    deposit(first, sign * part, left % columns + columns);
+    deposit(first, sign * part, (left & (columns - 1)) + columns);
     const std::int32_t each = height * columns / run;
     const std::int32_t each_carry = height * columns % run;
     for (std::int32_t cell = first + 1; cell < last; ++cell) {
@@ -69,15 +78,14 @@ void CoverageRow::add_across(std::int32_t left, std::int32_t right, std::int32_t
         rest -= part;
         deposit(cell, sign * part, columns);
     }
-    deposit(last, sign * rest, right % columns);
+    deposit(last, sign * rest, (right & (columns - 1)));
 }
 
 /// `ends` is the sum of the columns within the pixel where the edge begins and ends.
 void CoverageRow::deposit(std::int32_t cell, std::int32_t height, std::int32_t ends)
 {
-    const auto index = static_cast<std::size_t>(cell);
-    cells_[index] += height * (2 * columns - ends);
-    cells_[index + 1] += height * ends;
+    cells_[cell] += height * (2 * columns - ends);
+    cells_[cell + 1] += height * ends;
 }
 
 }

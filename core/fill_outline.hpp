@@ -1,34 +1,40 @@
 #pragma once
 
-#include "core/edge_list.hpp"
+#include "core/corner_at.hpp"
+#include "core/outline_store.hpp"
 
 namespace kfast {
 
-/// Turns the strokes of a filled drawing into edges. A stroke that is not closed is filled as if it were.
+/// Turns the strokes of a filled drawing into contours. A stroke that is not closed is filled as if it were.
 class FillOutline {
 public:
-    FillOutline(EdgeList& edges, Layer& layer) : edges_{edges}, layer_{layer} {}
+    explicit FillOutline(OutlineStore& outlines) : outlines_{outlines} {}
 
-    void begin(Point at) { start_ = last_ = at; }
+    void begin(Point at) { start_ = last_ = corner_at(at); }
 
     void line_to(Point to)
     {
-        edges_.add(layer_, last_, to);
-        last_ = to;
+        const Corner corner = corner_at(to);
+        if (corner == last_)
+            return;
+        outlines_.add(last_);
+        last_ = corner;
     }
 
     /// Closes the stroke by way of `hub` (docs/design.md, "Fills of broken strokes").
     void end(Point hub)
     {
-        line_to(hub);
-        line_to(start_);
+        if (corner_at(hub) != start_)
+            line_to(hub);
+        if (last_ != start_)
+            outlines_.add(last_);
+        outlines_.close();
     }
 
 private:
-    EdgeList& edges_;
-    Layer& layer_;
-    Point start_;
-    Point last_;
+    OutlineStore& outlines_;
+    Corner start_;
+    Corner last_; ///< not added yet: it may be the start again
 };
 
 }

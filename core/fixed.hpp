@@ -67,10 +67,21 @@ constexpr std::int32_t multiply(std::int32_t value, std::int32_t factor, int bit
     return static_cast<std::int32_t>((std::int64_t{value} * factor + half) >> bits);
 }
 
+/// As multiply() with 16 bits. Small processors multiply 32 bits in a cycle, and 64 bits by a function.
+constexpr std::int32_t multiply_q16(std::int32_t value, std::int32_t factor)
+{
+    constexpr std::uint32_t low_half = 0xFFFF;
+    const auto fraction = static_cast<std::uint32_t>(factor) & low_half;
+    const std::uint32_t low = (static_cast<std::uint32_t>(value) & low_half) * fraction + low_half / 2 + 1;
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) *
+                                         static_cast<std::uint32_t>(factor >> 16) +
+                                     static_cast<std::uint32_t>(value >> 16) * fraction + (low >> 16));
+}
+
 /// From `a` (share 0, exact) to `b` (share 1, exact); rounded once. |a - b| is less than 32768 px.
 constexpr Fixed lerp(Fixed a, Fixed b, Share share)
 {
-    return a + Fixed::from_raw(multiply((b - a).raw(), static_cast<std::int32_t>(share.raw), 16));
+    return a + Fixed::from_raw(multiply_q16((b - a).raw(), static_cast<std::int32_t>(share.raw)));
 }
 
 /// From `a` (way 0, exact) to `b` (way 1, exact) and beyond; rounded once. |a - b| is less than 32768 px
@@ -78,7 +89,7 @@ constexpr Fixed lerp(Fixed a, Fixed b, Share share)
 /// result is within ±16380 px, and any two results are less than 32768 px apart.
 constexpr Fixed lerp(Fixed a, Fixed b, Way way)
 {
-    return a + Fixed::from_raw(multiply((b - a).raw(), way.raw, 16));
+    return a + Fixed::from_raw(multiply_q16((b - a).raw(), way.raw));
 }
 
 }

@@ -10,14 +10,13 @@ namespace {
 
 bool tweens(Property property) { return property != Property::order && property != Property::visible; }
 
-Passage passage_at(const SceneView& scene, const TrackView& track, Time time)
+/// Between its two keys around `time`, which the track has.
+Passage passage_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys,
+                        Time time)
 {
-    if (track.is_fixed)
-        return {track.value, track.value, {}};
-    if (tweens(track.property))
-        return passage_at(scene, track.keys, goes_by_y(track.property) ? LawAxis::y : LawAxis::x, time);
-    const std::int32_t value = interval_at(track.keys, time).from.value;
-    return {value, value, {}};
+    if (!tweens(property))
+        return {keys.from.value, keys.from.value, {}};
+    return passage_between(scene, keys, goes_by_y(property) ? LawAxis::y : LawAxis::x, time);
 }
 
 std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Way way)
@@ -83,17 +82,29 @@ ItemState::ItemState(const SceneView& scene, const ItemView& item, Time time) : 
 
 void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
 {
+    if (track.is_fixed)
+        return take(scene, track.property, {track.value, track.value, {}});
     if (track.is_smooth) {
-        fine_[static_cast<std::size_t>(track.property)] = hermite(hermite_span_at(track.keys, time), time);
+        const HermiteSpan span = hermite_span_at(track.keys, time);
+        still_ = still_ & still_around<KeyTime>({span.from, span.to}, time, false);
+        fine_[static_cast<std::size_t>(track.property)] = hermite(span, time);
         return;
     }
-    const Passage passage = passage_at(scene, track, time);
-    if (track.property == Property::fill)
+    const KeyInterval<TrackKey> keys = interval_at(track.keys, time);
+    still_ = still_ & still_around(keys, time,
+                                   keys.from.value == keys.to.value || !tweens(track.property) ||
+                                       holds(scene.laws(keys.from.laws)));
+    take(scene, track.property, passage_between(scene, track.property, keys, time));
+}
+
+void ItemState::take(const SceneView& scene, Property property, const Passage& passage)
+{
+    if (property == Property::fill)
         fill_ = colour_of(scene, passage);
-    else if (track.property == Property::stroke)
+    else if (property == Property::stroke)
         stroke_ = colour_of(scene, passage);
     else
-        fine_[static_cast<std::size_t>(track.property)] = fine_value(passage);
+        fine_[static_cast<std::size_t>(property)] = fine_value(passage);
 }
 
 std::uint32_t ItemState::opacity() const

@@ -3,8 +3,10 @@
 #include "core/angle.hpp"
 #include "core/colour.hpp"
 #include "core/item_view.hpp"
+#include "core/passage.hpp"
 #include "core/scene_view.hpp"
 #include "core/space.hpp"
+#include "core/still.hpp"
 #include "core/time.hpp"
 
 #include <array>
@@ -17,6 +19,8 @@ class ItemState {
 public:
     ItemState(const SceneView& scene, const ItemView& item, Time time);
 
+    /// How long all of it stays as it is.
+    const Still& still() const { return still_; }
     /// 0 … 255; 0 if the item is not to be seen at all.
     std::uint32_t opacity() const;
     /// From the item's own space to that of what it lies in.
@@ -30,6 +34,7 @@ public:
 
 private:
     void read(const SceneView& scene, const TrackView& track, Time time);
+    void take(const SceneView& scene, Property property, const Passage& passage);
     std::int32_t fine(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
     std::int32_t whole(Property property) const;
     Fixed pixels(Property property) const;
@@ -42,6 +47,7 @@ private:
     FineAngle turned_;                              ///< by a path
     Colour fill_;
     Colour stroke_;
+    Still still_;
 };
 
 /// The place of an item among those beside it: Property::order at `time`.

@@ -1,17 +1,6 @@
 #include "core/live_strokes.hpp"
 
 namespace kfast {
-namespace {
-
-Segment placed(const Segment& segment, const Affine& placement)
-{
-    if (segment.kind == Segment::Kind::line)
-        return {.kind = segment.kind, .from = placement(segment.from), .to = placement(segment.to)};
-    return {segment.kind, placement(segment.from), placement(segment.c1), placement(segment.c2),
-            placement(segment.to)};
-}
-
-}
 
 void LiveStrokes::trace(ObjectOutline& outline)
 {
@@ -23,23 +12,35 @@ void LiveStrokes::trace_stroke(std::uint32_t segments, ObjectOutline& outline)
 {
     Pair<Segment> both = pair_.next_segment();
     const Pair<Point> first{both.a.from, both.b.from};
-    const Segment begin = live(both);
-    outline.begin(begin.from);
-    outline.add(begin);
+    Segment segment = live(both, live(first.a, first.b));
+    outline.begin(segment.from);
+    outline.add(segment);
     for (std::uint32_t i = 1; i < segments; ++i) {
         both = pair_.next_segment();
-        outline.add(live(both));
+        segment = live(both, segment.to);
+        outline.add(segment);
     }
     const bool ends_meet = first.a == both.a.to && first.b == both.b.to;
     const Pair<Point> hub = pair_.hub();
-    outline.end(live({still_segment(hub.a), still_segment(hub.b)}).to, ends_meet && pair_.is_whole());
+    outline.end(live(hub.a, hub.b), ends_meet && pair_.is_whole());
 }
 
-Segment LiveStrokes::live(const Pair<Segment>& both) const
+/// `from` is where the segment before ended, the same bits. A line paired with a curve becomes a curve.
+Segment LiveStrokes::live(const Pair<Segment>& both, Point from) const
 {
-    return placed(backbones_ == nullptr ? tween(both.a, both.b, way_.x, way_.y)
-                                        : backbones_->between(both.a, both.b, way_),
-                  placement_);
+    if (both.a.kind != both.b.kind)
+        return live({as_cubic(both.a), as_cubic(both.b)}, from);
+    Segment segment{.kind = both.a.kind, .from = from, .to = live(both.a.to, both.b.to)};
+    if (segment.kind == Segment::Kind::cubic) {
+        segment.c1 = live(both.a.c1, both.b.c1);
+        segment.c2 = live(both.a.c2, both.b.c2);
+    }
+    return segment;
+}
+
+Point LiveStrokes::live(Point a, Point b) const
+{
+    return place_(backbones_ == nullptr ? lerp(a, b, way_.x, way_.y) : backbones_->between(a, b, way_));
 }
 
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/affine.hpp"
 #include "core/carried_drawing.hpp"
 #include "core/equalize.hpp"
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
 #include "core/object_outline.hpp"
+#include "core/point_map.hpp"
 
 #include <cstdint>
 
@@ -17,7 +17,7 @@ public:
     /// `backbones`, which may be null, carry the drawings; they and `placement` must outlive the strokes.
     LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
                 const LiveBackbones* backbones, const Affine& placement)
-        : pair_{from, to}, way_{way}, backbones_{backbones}, placement_{placement}
+        : pair_{from, to}, way_{way}, backbones_{backbones}, place_{placement}
     {
     }
 
@@ -25,12 +25,13 @@ public:
 
 private:
     void trace_stroke(std::uint32_t segments, ObjectOutline& outline);
-    Segment live(const Pair<Segment>& both) const;
+    Segment live(const Pair<Segment>& both, Point from) const;
+    Point live(Point a, Point b) const;
 
     EqualizedPair<CarriedDrawing> pair_;
     Progress way_;
     const LiveBackbones* backbones_;
-    const Affine& placement_;
+    PointMap place_;
 };
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/edge_list.hpp"
+#include "core/layer.hpp"
+#include "core/still.hpp"
 
 #include <cstdint>
 
@@ -14,9 +15,22 @@ struct PaintStep {
         end_blend,   ///< make what was painted since then transparent
     };
 
+    /// How a layer differs from its partner in the picture before.
+    enum class Change : std::uint8_t {
+        none,     ///< it is the same
+        outlines, ///< where their coverages differ
+        all,      ///< wherever one of them covers something; perhaps there is no partner
+    };
+
+    static constexpr std::uint16_t no_partner = 0xFFFF;
+
     Kind kind = Kind::layer;
     std::uint8_t opacity = 255; ///< only of end_blend
-    Layer layer;                ///< only of layer
+    Change change = Change::all;
+    std::uint16_t partner = no_partner; ///< number of the step in the other picture
+    std::uint32_t item = 0;             ///< tells the items of a scene apart, wherever symbols are used
+    Still still = {};                   ///< around the moment of the picture
+    Layer layer = {};                   ///< only of layer
 };
 
 }

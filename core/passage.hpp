@@ -19,6 +19,9 @@ struct Passage {
 /// Which of the two laws of a key governs.
 enum class LawAxis : std::uint8_t { x, y };
 
+/// `keys` are those around `time`.
+Passage passage_between(const SceneView& scene, const KeyInterval<TrackKey>& keys, LawAxis axis, Time time);
+
 /// `keys` has at least one.
 Passage passage_at(const SceneView& scene, TrackKeyCursor keys, LawAxis axis, Time time);
 

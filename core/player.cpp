@@ -1,67 +1,72 @@
 #include "core/player.hpp"
 
-#include "core/blending.hpp"
-#include "core/live_strokes.hpp"
-#include "core/paint_order.hpp"
-#include "core/pixel_row.hpp"
+#include "core/match_pictures.hpp"
+#include "core/row_painter.hpp"
 #include "core/sweep.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace kfast {
 namespace {
 
-constexpr std::size_t widest_pixel = 2; ///< bytes
+constexpr std::size_t widest_pixel = 3; ///< bytes
+constexpr std::size_t span_count = 160; ///< for all rows of a strip
 
-/// How the lent block is divided.
+/// How the lent block is divided: one part after the other.
 struct BlockPlan {
-    std::size_t edges_at = 0;
-    std::size_t cells_at;
-    std::size_t steps_at;
-    std::size_t bones_at;
-    std::size_t nodes_at;
-    std::size_t backdrops_at;
-    std::size_t size;
+    std::size_t outlines; ///< bytes of each part
+    std::size_t steps;
+    std::size_t cells;
+    std::size_t spans = span_count * sizeof(CoveredSpan);
+    std::size_t bones;
+    std::size_t nodes;
+    std::size_t backdrops;
 
     BlockPlan(const SceneView& scene, Size panel)
-        : cells_at{scene.max_edges() * sizeof(Edge)}, steps_at{cells_at +
-                                                               CoverageRow::cells_for(panel.width) *
-                                                                   sizeof(std::int32_t)},
-          bones_at{steps_at + scene.paint_steps() * sizeof(PaintStep)}, nodes_at{bones_at +
-                                                                                 scene.bone_count() *
-                                                                                     sizeof(LiveBone)},
-          backdrops_at{nodes_at + scene.backbone_nodes() * sizeof(BackboneNode)}, size{backdrops_at +
-                                                                                       backdrop_bytes(scene,
-                                                                                                      panel)}
+        : outlines{outline_bytes(scene, panel)}, steps{scene.paint_steps() * sizeof(PaintStep)},
+          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)},
+          bones{scene.bone_count() * sizeof(LiveBone)}, nodes{scene.backbone_nodes() * sizeof(BackboneNode)},
+          backdrops{scene.blended_depth() * widest_pixel * static_cast<std::size_t>(panel.width)}
     {
     }
 
-    static std::size_t backdrop_bytes(const SceneView& scene, Size panel)
+    std::size_t size() const { return 2 * (outlines + steps) + cells + spans + bones + nodes + backdrops; }
+
+    /// A panel that is larger than the canvas needs curves of more pieces: their number grows with the square
+    /// root of the size, and doubles at a time.
+    static std::size_t outline_bytes(const SceneView& scene, Size panel)
     {
-        return scene.blended_depth() * widest_pixel * static_cast<std::size_t>(panel.width);
+        std::size_t bytes = scene.outline_bytes();
+        Size reach = scene.canvas();
+        for (; reach.width < panel.width || reach.height < panel.height; bytes *= 2)
+            reach = {reach.width * 4, reach.height * 4};
+        return bytes;
     }
 };
 
-static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4 && sizeof(PaintStep) % 4 == 0);
+static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4 && alignof(PaintStep) <= 4);
 
-template <class T>
-std::span<T> place(std::span<std::byte> block, std::size_t begin, std::size_t count)
-{
-    return {reinterpret_cast<T*>(block.data() + begin), count};
-}
+/// Hands out the block from the front.
+class BlockCutter {
+public:
+    explicit BlockCutter(std::span<std::byte> block) : rest_{block} {}
 
-/// a b / 255, rounded to nearest.
-constexpr std::uint32_t product_of_opacities(std::uint32_t a, std::uint32_t b) { return (a * b + 127) / 255; }
+    std::span<std::byte> cut(std::size_t bytes)
+    {
+        const std::span<std::byte> part = rest_.first(bytes);
+        rest_ = rest_.subspan(bytes);
+        return part;
+    }
 
-Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
-{
-    return {.half_width = half_width(width, growth),
-            .arc_pieces = static_cast<int>(style.arc_pieces),
-            .cap = style.cap,
-            .join = style.join,
-            .miter_limit = style.miter_limit};
-}
+    template <class T>
+    std::span<T> cut_as(std::size_t bytes)
+    {
+        return {reinterpret_cast<T*>(cut(bytes).data()), bytes / sizeof(T)};
+    }
+
+private:
+    std::span<std::byte> rest_;
+};
 
 Space canvas_space(Size canvas, Size panel, Fit fit)
 {
@@ -77,9 +82,21 @@ Camera camera_for(const SceneView& scene, Size panel, const Space& canvas)
             .distance = std::int64_t{scene.camera()} * canvas.zz};
 }
 
+SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
+{
+    const Space canvas = canvas_space(scene.canvas(), panel, fit);
+    return {scene, canvas, camera_for(scene, panel, canvas), {}, {}};
 }
 
-std::size_t Player::block_bytes(const SceneView& scene, Size panel) { return BlockPlan{scene, panel}.size; }
+std::span<std::int32_t> zeroed(std::span<std::int32_t> cells)
+{
+    std::ranges::fill(cells, 0);
+    return cells;
+}
+
+}
+
+std::size_t Player::block_bytes(const SceneView& scene, Size panel) { return BlockPlan{scene, panel}.size(); }
 
 Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
 {
@@ -89,203 +106,174 @@ Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::
 }
 
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-    : scene_{scene}, panel_{panel}, canvas_{canvas_space(scene.canvas(), panel, fit)},
-      camera_{camera_for(scene, panel, canvas_)}, edges_{place<Edge>(block, 0, scene.max_edges()),
-                                                         panel.height},
-      coverage_{
-          place<std::int32_t>(block, BlockPlan{scene, panel}.cells_at, CoverageRow::cells_for(panel.width)),
-          panel.width}
+    : on_panel_{on_panel(scene, panel, fit)}, panel_{panel}, coverage_{{}, panel.width}, strips_{{}, panel}
 {
     const BlockPlan plan{scene, panel};
-    steps_ = place<PaintStep>(block, plan.steps_at, scene.paint_steps());
-    bones_ = place<LiveBone>(block, plan.bones_at, scene.bone_count());
-    backbone_nodes_ = place<BackboneNode>(block, plan.nodes_at, scene.backbone_nodes());
-    backdrops_ = block.subspan(plan.backdrops_at);
-    std::ranges::fill(place<std::int32_t>(block, plan.cells_at, CoverageRow::cells_for(panel.width)), 0);
-    set_up_bones(scene, bones_);
-    show({});
+    BlockCutter cutter{block};
+    for (Picture& picture : pictures_) {
+        picture.outlines = OutlineStore{cutter.cut(plan.outlines), panel.height};
+        picture.storage = cutter.cut_as<PaintStep>(plan.steps);
+    }
+    coverage_ = CoverageRow{zeroed(cutter.cut_as<std::int32_t>(plan.cells)), panel.width};
+    strips_ = ChangedStrips{cutter.cut_as<CoveredSpan>(plan.spans), panel};
+    on_panel_.bones = cutter.cut_as<LiveBone>(plan.bones);
+    on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(plan.nodes);
+    backdrops_ = cutter.cut(plan.backdrops);
+    set_up_bones(scene, on_panel_.bones);
+    trace({});
 }
 
-void Player::show(Time time) { show_moment(wrap(time, scene_.length(), scene_.loop())); }
+void Player::show(Time time) { show_moment(wrap(time, scene().length(), scene().loop())); }
 
 void Player::show_moment(Time moment)
 {
-    moment_ = std::clamp(moment, Time{}, scene_.length());
-    edges_.clear();
-    step_count_ = 0;
+    moment = std::clamp(moment, Time{}, scene().length());
     next_row_ = 0;
-    pose_bones(scene_, moment_, bones_);
-    trace(scene_.items(), canvas_);
-}
-
-/// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
-void Player::trace(ItemCursor items, const Space& space)
-{
-    PaintOrder order{items, moment_};
-    while (const auto item = order.next())
-        trace(*item, space);
-}
-
-void Player::trace(const ItemView& item, const Space& space)
-{
-    const ItemState state{scene_, item, moment_};
-    const std::uint32_t opacity = state.opacity();
-    if (opacity == 0)
+    if (coming().still.contains(moment))
         return;
-    if (opacity == 255 || !has_several_layers(item))
-        return trace(item, state, opacity, space);
-    add_step(PaintStep::Kind::begin_blend);
-    trace(item, state, 255, space);
-    add_step(PaintStep::Kind::end_blend).opacity = static_cast<std::uint8_t>(opacity);
-}
-
-void Player::trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Space& space)
-{
-    const Space placement = item.tracks.at_end() ? space : space * state.placement();
-    switch (item.kind) {
-    case ItemKind::object:
-        return trace_object(item.object, state, opacity, placement);
-    case ItemKind::group:
-        return trace(ItemCursor{item.items}, placement);
-    case ItemKind::use:
-        return trace(scene_.symbol(item.symbol), placement);
+    if (progress_ == Progress::done) {
+        coming_ = 1 - coming_;
+        knows_panel_ = true;
+    } else if (progress_ == Progress::begun) {
+        knows_panel_ = false;
     }
+    progress_ = Progress::none;
+    trace(moment);
 }
 
-void Player::trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
-                          const Space& placement)
+void Player::trace(Time moment)
 {
-    const std::size_t first_step = step_count_;
-    const ObjectStyle& style = object.style;
-    const bool is_flat = placement.is_flat();
-    const Projection projection{placement, camera_};
-    const KeyInterval<Key> keys = interval_at(object.keys(), moment_);
-    ObjectOutline outline{keys.from.curve_pieces, is_flat ? nullptr : &projection};
-    if (style.is_filled)
-        outline.fill_into(edges_, add_layer(state.fill(), opacity, style.fill_rule));
-    if (style.is_stroked)
-        outline.stroke_into(edges_, add_layer(state.stroke(), opacity, FillRule::nonzero),
-                            pen_for(style, state.width(),
-                                    is_flat ? placement.plane.growth()
-                                            : projection.growth_at(first_point(object, keys.from))));
-    trace_strokes(object, keys, is_flat ? placement.plane : Affine{}, outline);
-    for (PaintStep& step : steps_.subspan(first_step, step_count_ - first_step))
-        edges_.sort(step.layer);
+    pose_bones(scene(), moment, on_panel_.bones);
+    const bool may_share = knows_panel_ && shown().coarseness == 0;
+    Tracer{on_panel_, moment, coming(), may_share ? &shown() : nullptr}.run();
 }
 
-void Player::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
-                           ObjectOutline& outline)
+void Player::redraw()
 {
-    const auto& [from, next] = keys;
-    const Progress way = progress_between(from.time, next.time, moment_, scene_.laws(from.laws));
-    const bool is_on_key = way.x == Way{} && way.y == Way{};
-    const CarriedDrawing begin = carried(object, from.drawing, from.skin);
-    const std::uint32_t to = object.has_arrivals ? from.arrival : next.drawing;
-    const CarriedDrawing end = is_on_key ? begin : carried(object, to, next.skin);
-    std::optional<LiveBackbones> backbones;
-    if (object.carrier == Carrier::backbones)
-        backbones = backbones_of(object);
-    LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
-}
-
-CarriedDrawing Player::carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const
-{
-    const PackedDrawing own = scene_.drawing(drawing);
-    if (object.carrier != Carrier::bones)
-        return CarriedDrawing{own};
-    const SkinReader reader = scene_.skin(skin);
-    return {own, reader.has_drawing_at_rest() ? scene_.drawing(reader.drawing_at_rest()) : own, reader,
-            bones_.subspan(scene_.first_bone(object.skeleton))};
-}
-
-LiveBackbones Player::backbones_of(const ObjectView& object) const
-{
-    const auto [from, to] = interval_at(object.backbones.keys(), moment_);
-    return {backbone_nodes_, object.backbones.unit_bits, scene_.drawing(from.drawing),
-            scene_.drawing(to.drawing),
-            progress_between(from.time, to.time, moment_, scene_.laws(from.laws))};
-}
-
-/// Of the drawing of a key, or of the backbones that carry it.
-Point Player::first_point(const ObjectView& object, const Key& key) const
-{
-    const bool has_backbones = object.carrier == Carrier::backbones;
-    PackedDrawing drawing =
-        scene_.drawing(has_backbones ? object.backbones.keys().next().drawing : key.drawing);
-    if (drawing.strokes() != 0)
-        drawing.next_stroke();
-    return drawing.start();
-}
-
-PaintStep& Player::add_step(PaintStep::Kind kind)
-{
-    PaintStep& step = steps_[step_count_++];
-    step = {.kind = kind, .opacity = 255, .layer = {}};
-    return step;
-}
-
-Layer& Player::add_layer(Colour colour, std::uint32_t opacity, FillRule rule)
-{
-    Layer& layer = add_step(PaintStep::Kind::layer).layer;
-    colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, opacity));
-    layer.colour = colour;
-    layer.rule = rule;
-    return layer;
+    knows_panel_ = false;
+    progress_ = Progress::none;
 }
 
 template <PixelFormat format>
 void Player::draw_rows(int rows, std::span<std::byte> pixels)
 {
     const std::size_t stride = row_bytes(format, panel_.width);
-    for (std::byte* row = pixels.data(); rows > 0; --rows, row += stride)
-        draw_row(PixelRow<format>{row}, stride);
+    for (; rows > 0; --rows, pixels = pixels.subspan(stride))
+        paint_whole_row<format>(next_row_++, pixels.first(stride));
 }
 
-template <class Row>
-void Player::draw_row(Row row, std::size_t bytes)
+template <PixelFormat format>
+std::span<const Change> Player::draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes)
 {
-    row.fill(0, panel_.width, Row::ink(scene_.colour(0)));
-    std::size_t depth = 0;
-    for (PaintStep& step : steps_.first(step_count_)) {
-        switch (step.kind) {
-        case PaintStep::Kind::layer:
-            paint_layer(row, step.layer);
-            break;
-        case PaintStep::Kind::begin_blend:
-            std::copy_n(row.row, bytes, backdrop(depth++).data());
-            break;
-        case PaintStep::Kind::end_blend:
-            row.fade_from(backdrop(--depth).data(), panel_.width, step.opacity);
-            break;
-        }
+    if (progress_ == Progress::done)
+        return {};
+    if (progress_ == Progress::none)
+        begin_changes();
+    const AreaRules rules{.granularity = granularity,
+                          .overhead = (area_bytes * 8 + bits_per_pixel(format) - 1) / bits_per_pixel(format),
+                          .room = pixels.size() / row_bytes(format, panel_.width) *
+                                  static_cast<std::size_t>(panel_.width)};
+    const Strip& strip =
+        knows_panel_ ? strips_.next(shown(), coming(), coverage_, rules) : next_whole_rows(rules);
+    if (strip.rows == 0) {
+        progress_ = Progress::done;
+        return {};
     }
-    ++next_row_;
+    paint_strip<format>(strip, pixels);
+    return std::span{changes_}.first(strip.columns.runs().size());
 }
 
-template <class Row>
-void Player::paint_layer(Row row, Layer& layer)
+void Player::begin_changes()
 {
-    sweep_row(edges_, layer, next_row_, coverage_);
-    const std::uint32_t ink = Row::ink(layer.colour);
-    const std::uint32_t opacity = layer.colour.opacity;
-    coverage_.take_spans([&](int x, int count, std::int32_t level) {
-        const std::uint32_t coverage = product_of_opacities(static_cast<std::uint32_t>(level), opacity);
-        if (coverage == 255)
-            row.fill(x, count, ink);
+    progress_ = Progress::begun;
+    whole_rows_ = {};
+    if (!knows_panel_)
+        return;
+    match(shown(), coming());
+    strips_.begin(shown(), coming());
+}
+
+/// As many as find room.
+const Strip& Player::next_whole_rows(const AreaRules& rules)
+{
+    const int top = whole_rows_.top + whole_rows_.rows;
+    const int room = static_cast<int>(rules.room) / panel_.width;
+    whole_rows_ = {.top = top,
+                   .rows = std::min(room - room % rules.granularity.height, panel_.height - top),
+                   .has_spans = false};
+    whole_rows_.columns.add(0, panel_.width);
+    return whole_rows_;
+}
+
+template <PixelFormat format>
+void Player::paint_strip(const Strip& strip, std::span<std::byte> pixels)
+{
+    const std::span<const Run> runs = strip.columns.runs();
+    std::array<RowWindow, RunList::most> windows;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::size_t bytes = row_bytes(format, runs[i].width());
+        const auto area = pixels.first(bytes * static_cast<std::size_t>(strip.rows));
+        pixels = pixels.subspan(area.size());
+        windows[i] = {runs[i], area.data(), bytes};
+        changes_[i] = {{runs[i].begin, strip.top, runs[i].width(), strip.rows}, area};
+    }
+    const std::span in_use = std::span{windows}.first(runs.size());
+    for (int row = 0; row < strip.rows; ++row) {
+        if (strip.has_spans)
+            paint_swept<format>(in_use, strip.top + row, strips_.spans(row));
         else
-            row.blend(x, count, ink, coverage);
+            sweep_and_paint<format>(in_use, strip.top + row);
+        for (RowWindow& window : in_use)
+            window.first += window.bytes;
+    }
+}
+
+template <PixelFormat format>
+void Player::paint_whole_row(int row, std::span<std::byte> pixels)
+{
+    const RowWindow whole{{0, static_cast<std::int16_t>(panel_.width)}, pixels.data(), pixels.size()};
+    sweep_and_paint<format>({&whole, 1}, row);
+}
+
+template <PixelFormat format>
+void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans)
+{
+    painter<format>(windows, row).paint(coming(), scene().colour(0), [&](std::size_t step, auto paint) {
+        for (; !spans.empty() && spans.front().step == step; spans = spans.subspan(1))
+            paint(spans.front().begin, spans.front().end, spans.front().level);
     });
 }
 
-/// Where the row is kept while `depth` others are kept already.
-std::span<std::byte> Player::backdrop(std::size_t depth)
+template <PixelFormat format>
+void Player::sweep_and_paint(std::span<const RowWindow> windows, int row)
 {
-    const std::size_t stride = widest_pixel * static_cast<std::size_t>(panel_.width);
-    return backdrops_.subspan(depth * stride, stride);
+    painter<format>(windows, row).paint(coming(), scene().colour(0), [&](std::size_t step, auto paint) {
+        sweep_row(coming().outlines, coming().steps()[step].layer, row, coverage_);
+        coverage_.take_spans(paint);
+    });
 }
 
-template void Player::draw_rows<PixelFormat::rgb565>(int rows, std::span<std::byte> pixels);
-template void Player::draw_rows<PixelFormat::grey4>(int rows, std::span<std::byte> pixels);
-template void Player::draw_rows<PixelFormat::mono1>(int rows, std::span<std::byte> pixels);
+template <PixelFormat format>
+RowPainter<format> Player::painter(std::span<const RowWindow> windows, int row)
+{
+    return {windows, row, backdrops_, row_bytes(format, panel_.width)};
+}
+
+template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::rgb565_be>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::rgb444>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::rgb666>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::grey4>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::mono1>(int, std::span<std::byte>);
+template void Player::draw_rows<PixelFormat::mono1_dithered>(int, std::span<std::byte>);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>, Size,
+                                                                              int);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size, int);
+template std::span<const Change> Player::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>, Size,
+                                                                                   int);
 
 }

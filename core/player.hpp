@@ -1,35 +1,34 @@
 #pragma once
 
 #include "core/canvas_map.hpp"
-#include "core/carried_drawing.hpp"
+#include "core/changed_strips.hpp"
 #include "core/coverage_row.hpp"
-#include "core/edge_list.hpp"
-#include "core/item_state.hpp"
-#include "core/key_interval.hpp"
-#include "core/live_backbones.hpp"
-#include "core/live_bones.hpp"
-#include "core/object_outline.hpp"
-#include "core/paint_step.hpp"
+#include "core/picture.hpp"
 #include "core/pixel_format.hpp"
-#include "core/projection.hpp"
 #include "core/result.hpp"
+#include "core/row_painter.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
-#include "core/stroke_outline.hpp"
 #include "core/time.hpp"
+#include "core/tracer.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace kfast {
 
+/// An area of a panel and what is to be seen there, row by row; every row starts on a byte.
+struct Change {
+    Rect area;
+    std::span<const std::byte> pixels;
+};
+
 /// Draws any moment of a scene, rows from the top down, in memory that the caller lends.
 ///
 /// The picture depends on scene, time, fit and panel size alone: not on earlier pictures, nor on how its rows
-/// are divided into bands.
-///
-/// Besides the block it takes up to 8.5 KB of stack (docs/design.md, "The bound on memory").
+/// are divided into bands or areas.
 class Player {
 public:
     /// The sides of a panel are 1 … max_panel pixels long.
@@ -38,7 +37,8 @@ public:
     /// Bytes that create() must be lent: enough for every time of the scene.
     static std::size_t block_bytes(const SceneView& scene, Size panel);
 
-    /// `scene`'s bytes and `block` (aligned to 4 bytes) must outlive the player. Fails with block_too_small.
+    /// `scene`'s bytes and `block` (aligned to 4 bytes) must outlive the player, which is not moved any more
+    /// once it has drawn. Fails with block_too_small.
     static Result<Player> create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
     /// Computes the outlines of the picture at `time`. Any time is allowed: the scene's loop mode decides
@@ -52,52 +52,77 @@ public:
     template <PixelFormat format>
     void draw_rows(int rows, std::span<std::byte> pixels);
 
-    const SceneView& scene() const { return scene_; }
+    /// Draws the next areas in which the picture differs from the last one that was drawn in this way, as
+    /// many as find room in `pixels`, which has room for granularity.height whole rows; none when all is
+    /// drawn. At first, and after redraw(), that is the whole panel. Places and sizes of areas are multiples
+    /// of `granularity`, which holds whole bytes; `area_bytes` is what each area costs besides its pixels.
+    /// What is returned holds until the next call.
+    template <PixelFormat format>
+    std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
+    /// What the panel shows is not known any more.
+    void redraw();
+
+    const SceneView& scene() const { return on_panel_.scene; }
     Size panel() const { return panel_; }
-    /// Edges of the picture that is shown; at most the scene's max_edges().
-    std::size_t edge_count() const { return edges_.count(); }
-    /// Steps in which its rows are painted; at most the scene's paint_steps().
-    std::size_t step_count() const { return step_count_; }
+    /// The picture that show() has computed.
+    const Picture& picture() const { return pictures_[coming_]; }
 
 private:
+    /// How far draw_changes() has come with the picture.
+    enum class Progress : std::uint8_t { none, begun, done };
+
     Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
-    void trace(ItemCursor items, const Space& space);
-    void trace(const ItemView& item, const Space& space);
-    void trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Space& space);
-    void trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
-                      const Space& placement);
-    void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
-                       ObjectOutline& outline);
-    CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const;
-    LiveBackbones backbones_of(const ObjectView& object) const;
-    Point first_point(const ObjectView& object, const Key& key) const;
-    PaintStep& add_step(PaintStep::Kind kind);
-    Layer& add_layer(Colour colour, std::uint32_t opacity, FillRule rule);
+    Picture& coming() { return pictures_[coming_]; }
+    Picture& shown() { return pictures_[1 - coming_]; }
+    void trace(Time moment);
+    void begin_changes();
+    const Strip& next_whole_rows(const AreaRules& rules);
+    template <PixelFormat format>
+    void paint_strip(const Strip& strip, std::span<std::byte> pixels);
+    template <PixelFormat format>
+    void paint_whole_row(int row, std::span<std::byte> pixels);
+    template <PixelFormat format>
+    void paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans);
+    template <PixelFormat format>
+    void sweep_and_paint(std::span<const RowWindow> windows, int row);
+    template <PixelFormat format>
+    RowPainter<format> painter(std::span<const RowWindow> windows, int row);
 
-    template <class Row>
-    void draw_row(Row row, std::size_t bytes);
-    template <class Row>
-    void paint_layer(Row row, Layer& layer);
-    std::span<std::byte> backdrop(std::size_t depth);
-
-    SceneView scene_;
+    SceneOnPanel on_panel_;
     Size panel_;
-    Space canvas_; ///< from the canvas to the panel
-    Camera camera_;
-    Time moment_;
-    std::span<LiveBone> bones_; ///< of all skeletons
-    std::span<BackboneNode> backbone_nodes_;
-    std::span<PaintStep> steps_;
-    std::size_t step_count_ = 0;
-    EdgeList edges_;
+    std::array<Picture, 2> pictures_;
+    std::uint8_t coming_ = 0;
+    Progress progress_ = Progress::none;
+    bool knows_panel_ = false; ///< the other picture is what the panel shows
     CoverageRow coverage_;
+    ChangedStrips strips_;
+    Strip whole_rows_;
+    std::array<Change, RunList::most> changes_;
     std::span<std::byte> backdrops_; ///< a row of the panel for each depth of blending
     int next_row_ = 0;
 };
 
-extern template void Player::draw_rows<PixelFormat::rgb565>(int rows, std::span<std::byte> pixels);
-extern template void Player::draw_rows<PixelFormat::grey4>(int rows, std::span<std::byte> pixels);
-extern template void Player::draw_rows<PixelFormat::mono1>(int rows, std::span<std::byte> pixels);
+extern template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::rgb565_be>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::rgb444>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::rgb666>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::grey4>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::mono1>(int, std::span<std::byte>);
+extern template void Player::draw_rows<PixelFormat::mono1_dithered>(int, std::span<std::byte>);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size,
+                                                                                  int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>,
+                                                                                     Size, int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size,
+                                                                                  int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size,
+                                                                                  int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size,
+                                                                                 int);
+extern template std::span<const Change> Player::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size,
+                                                                                 int);
+extern template std::span<const Change>
+Player::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>, Size, int);
 
 }

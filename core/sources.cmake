@@ -8,10 +8,13 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/bone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/canvas_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/carried_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/chain_edge.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/changed_strips.cpp
     ${CMAKE_CURRENT_LIST_DIR}/coverage_row.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/covered_span.cpp
     ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/edge_budget.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/edge_list.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
     ${CMAKE_CURRENT_LIST_DIR}/hermite.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_state.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_view.cpp
@@ -21,13 +24,18 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/live_bones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/paint_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/passage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/point_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/projection.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
@@ -37,6 +45,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/stroke_style.cpp
     ${CMAKE_CURRENT_LIST_DIR}/sweep.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time_code.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/velocity_law.cpp)

@@ -1,8 +1,10 @@
 #include "core/stroke_outline.hpp"
 
-#include "core/square_root.hpp"
+#include "core/corner_at.hpp"
+#include "core/flatten.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -11,29 +13,132 @@ namespace kfast {
 namespace {
 
 constexpr std::int32_t shortest_step = Fixed::one / 256;
+constexpr std::int32_t one_q30 = 1 << 30;
 
-/// Turns of less than 1/2048 turn need no arc and no wedge.
-constexpr std::int32_t straight_turn = BinaryAngle::turn / 2048;
+/// sin(i / 48 of a quarter turn) in Q15.
+constexpr std::array<std::uint16_t, 49> sines{
+    0,     1072,  2143,  3212,  4277,  5338,  6393,  7441,  8481,  9512,  10533, 11543, 12540,
+    13524, 14493, 15447, 16384, 17304, 18205, 19087, 19948, 20788, 21605, 22400, 23170, 23916,
+    24636, 25330, 25997, 26635, 27246, 27827, 28378, 28899, 29389, 29847, 30274, 30668, 31029,
+    31357, 31651, 31912, 32138, 32330, 32488, 32610, 32698, 32750, 32768};
+constexpr int quarter_turn = 48;
 
-Point scaled(std::int32_t x_q30, std::int32_t y_q30, Fixed length)
+std::int32_t sine_q15(int angle)
 {
-    return {Fixed::from_raw(multiply(x_q30, length.raw(), 30)),
-            Fixed::from_raw(multiply(y_q30, length.raw(), 30))};
+    return sines[static_cast<std::size_t>(angle <= quarter_turn ? angle : 2 * quarter_turn - angle)];
 }
 
-/// Tips stay where Fixed can hold them: corners are within 16383 px.
-Fixed tip_distance(std::int64_t raw)
+std::int32_t cosine_q15(int angle)
 {
-    return Fixed::from_raw(
-        static_cast<std::int32_t>(std::min<std::int64_t>(raw, Fixed::pixels(16384).raw())));
+    return angle <= quarter_turn ? sine_q15(quarter_turn - angle) : -sine_q15(angle - quarter_turn);
 }
 
+/// The widest step in 1/48 quarter turn with which arcs stay within `flatness`. A chord over the angle a of a
+/// circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
+int arc_step(Fixed half_width, int coarseness)
+{
+    constexpr std::array<std::uint8_t, 10> pieces{1, 2, 3, 4, 6, 8, 12, 16, 24, 48}; // of a quarter turn
+    constexpr std::int32_t radius_of_one = flatness.raw() * 16 / 5;                  // 32 / pi^2
+    const std::int32_t radius = half_width.raw() >> 2 * coarseness;
+    std::size_t chosen = 0;
+    while (chosen + 1 < pieces.size() && pieces[chosen] * pieces[chosen] * radius_of_one < radius)
+        ++chosen;
+    return quarter_turn / pieces[chosen];
+}
+
+Point scaled(Point vector, std::int32_t factor_q15)
+{
+    return {Fixed::from_raw(multiply_q16(vector.x.raw(), 2 * factor_q15)),
+            Fixed::from_raw(multiply_q16(vector.y.raw(), 2 * factor_q15))};
+}
+
+/// A quarter turn from the right of a heading, or from the left of its opposite.
+Point turned(Point side) { return {side.y, -side.x}; }
+
+/// Where the lines meet that pass along the ends of two sides.
+Point slight_meeting(Point a, Point b, std::int32_t versine_q30)
+{
+    // 1 / (1 + cos) = 1 / (2 - versine), about (1 + versine / 2) / 2
+    const auto of = [versine = versine_q30 >> 15](Fixed p, Fixed q) {
+        const std::int32_t mean = (p + q).raw() >> 1;
+        return Fixed::from_raw(mean + (mean * versine >> 16));
+    };
+    return {of(a.x, b.x), of(a.y, b.y)};
+}
+
+/// Likewise for any bend; `rest` is 1 + cos, in Q30, 2^21 or more.
+Point meeting(Point a, Point b, std::uint32_t rest)
+{
+    const int zeros = std::countl_zero(rest);
+    const auto factor = static_cast<std::int32_t>((1U << 31) / (rest << zeros >> 16));
+    const auto of = [&](Fixed p, Fixed q) {
+        return Fixed::from_raw(multiply((p + q).raw(), factor, 17 - zeros));
+    };
+    return {of(a.x, b.x), of(a.y, b.y)};
+}
+
+}
+
+struct StrokeOutline::Bend {
+    Point at;
+    const Piece& before;
+    const Piece& after;
+    std::int32_t cosine; ///< Q30, as the next one
+    std::int32_t sine;
+    std::uint32_t rest; ///< 1 + cosine
+
+    Bend(Point where, const Piece& from, const Piece& to)
+        : at{where}, before{from}, after{to}, cosine{std::clamp(from.heading.x * to.heading.x +
+                                                                    from.heading.y * to.heading.y,
+                                                                -one_q30, one_q30)},
+          sine{from.heading.x * to.heading.y - from.heading.y * to.heading.x}, rest{rest_of()}
+    {
+    }
+
+    Side inner() const { return sine >= 0 ? Side::right : Side::left; }
+    Side outer() const { return sine >= 0 ? Side::left : Side::right; }
+    Point inner_before() const { return sine >= 0 ? before.side : -before.side; }
+    Point inner_after() const { return sine >= 0 ? after.side : -after.side; }
+    Point tip() const { return meeting(inner_before(), inner_after(), rest); }
+
+    /// Where the inner sides meet lies between the ends of both pieces, and the far halves are left to what
+    /// the other ends may need. They meet |after - before| / 2 / cos(a/2) before the bend, for a turn by a.
+    bool is_roomy(bool is_slight) const
+    {
+        const Point apart = after.side - before.side;
+        const std::int32_t across = rough_length(apart.x.raw(), apart.y.raw());
+        const std::int32_t needed = is_slight ? across + across / 8 : across * 2;
+        return static_cast<std::uint32_t>(needed) <= std::min(before.length, after.length);
+    }
+
+private:
+    /// Near a full turn back the cosine is too coarse; 1 + cos is half the square of the sum of the vectors.
+    std::uint32_t rest_of() const
+    {
+        if (cosine >= 0)
+            return static_cast<std::uint32_t>(one_q30) + static_cast<std::uint32_t>(cosine);
+        const auto x = static_cast<std::uint32_t>(before.heading.x + after.heading.x);
+        const auto y = static_cast<std::uint32_t>(before.heading.y + after.heading.y);
+        return (x * x + y * y) / 2;
+    }
+};
+
+// A single corner on either side will do where a tip is no more than 1/64 px longer than the round of the
+// pen, that is half_width (1 - cos) / 4, and the turn less than 29 degrees: then slight_meeting() is as near.
+StrokeOutline::StrokeOutline(OutlineStore& outlines, const Pen& pen, int coarseness)
+    : outlines_{outlines}, pen_{pen}, slight_bend_{static_cast<std::int32_t>(
+                                          (1U << 31) / std::max<std::uint32_t>(
+                                                           static_cast<std::uint32_t>(pen.half_width.raw()),
+                                                           Fixed::one / 2)
+                                          << 11)},
+      arc_step_{arc_step(pen.half_width, coarseness)}
+{
 }
 
 void StrokeOutline::begin(Point at)
 {
     first_ = last_ = at;
-    has_segment_ = false;
+    has_piece_ = false;
 }
 
 void StrokeOutline::line_to(Point to)
@@ -41,139 +146,134 @@ void StrokeOutline::line_to(Point to)
     const Point step = to - last_;
     if (std::max(std::abs(step.x.raw()), std::abs(step.y.raw())) < shortest_step)
         return;
-    const Heading heading = heading_of(step);
-    if (has_segment_)
-        join(last_, last_heading_, heading);
-    else
-        first_heading_ = heading;
-    const Point side = aside(heading);
-    line(last_ + side, to + side);
-    line(to - side, last_ - side);
+    const Piece piece = piece_along(step);
+    if (has_piece_) {
+        join(piece);
+    } else {
+        first_piece_ = piece;
+        add(Side::right, last_ + piece.side);
+        add(Side::left, last_ - piece.side);
+    }
     last_ = to;
-    last_heading_ = heading;
-    has_segment_ = true;
+    last_piece_ = piece;
+    has_piece_ = true;
 }
 
 void StrokeOutline::end(bool is_closed)
 {
-    spare_pieces_ = unlimited;
     if (is_closed)
         line_to(first_);
-    if (!has_segment_) {
+    if (!has_piece_) {
         dot();
-    } else if (is_closed) {
-        join(first_, last_heading_, first_heading_);
-    } else {
-        cap(last_, last_heading_);
-        const BinaryAngle back = BinaryAngle::from_raw(first_heading_.angle.raw + BinaryAngle::half_turn);
-        cap(first_, {-first_heading_.x, -first_heading_.y, back});
+        return;
     }
+    if (is_closed) {
+        last_ = first_;
+        join(first_piece_);
+        last_piece_ = first_piece_;
+    }
+    add(Side::right, last_ + last_piece_.side);
+    if (!is_closed)
+        cap(last_, last_piece_.side);
+    add(Side::left, last_ - last_piece_.side);
+    outlines_.close();
+    if (is_closed || pen_.cap == Cap::butt)
+        return;
+    add(Side::right, first_ - first_piece_.side);
+    cap(first_, -first_piece_.side);
+    add(Side::right, first_ + first_piece_.side);
+    outlines_.close();
 }
 
-// The vector is brought to 15 bits, so that its square fits in 32; the direction is then within 1/15000 rad,
-// 1/750 px at the edge of a stroke 40 px wide.
-StrokeOutline::Heading StrokeOutline::heading_of(Point vector)
+StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
 {
-    const std::int32_t x = vector.x.raw();
-    const std::int32_t y = vector.y.raw();
-    const auto longest = static_cast<std::uint32_t>(std::max(std::abs(x), std::abs(y)));
-    const int shift = 17 - std::countl_zero(longest);
-    const auto shifted = [shift](std::int32_t value) {
-        return shift > 0 ? (value + (1 << (shift - 1))) >> shift : value * (1 << -shift);
+    const auto [heading, length] = stride_along(step);
+    const auto half_width_times = [this](std::int32_t unit) {
+        return Fixed::from_raw(multiply_q16(pen_.half_width.raw(), 2 * unit));
     };
-    const std::int32_t short_x = shifted(x);
-    const std::int32_t short_y = shifted(y);
-    const auto square_of = [](std::int32_t value) { return static_cast<std::uint32_t>(value * value); };
-    const auto length = static_cast<std::int32_t>(square_root(square_of(short_x) + square_of(short_y)));
-    return {short_x * 32768 / length, short_y * 32768 / length, direction(x, y)};
+    return {heading, length, {half_width_times(-heading.y), half_width_times(heading.x)}};
 }
 
-/// Half a width in the direction of `heading`.
-Point StrokeOutline::ahead(Heading heading) const
+void StrokeOutline::add(Side side, Point at)
 {
-    return {Fixed::from_raw(multiply(heading.x, pen_.half_width.raw(), 15)),
-            Fixed::from_raw(multiply(heading.y, pen_.half_width.raw(), 15))};
-}
-
-/// Half a width to the right of `heading`.
-Point StrokeOutline::aside(Heading heading) const
-{
-    const Point along = ahead(heading);
-    return {-along.y, along.x};
-}
-
-/// The inner side goes through the corner itself: then every part of the outline turns the same way, however
-/// short the segments are.
-void StrokeOutline::join(Point at, Heading before, Heading after)
-{
-    const Point side_before = aside(before);
-    const Point side_after = aside(after);
-    const std::int32_t turn = shortest_turn(before.angle, after.angle);
-    if (std::abs(turn) < straight_turn) {
-        line(at + side_before, at + side_after);
-        line(at - side_after, at - side_before);
-        return;
-    }
-    const bool turns_right = turn > 0;
-    const Point inner_from = turns_right ? side_before : -side_after;
-    const Point inner_to = turns_right ? side_after : -side_before;
-    line(at + inner_from, at);
-    line(at, at + inner_to);
-    if (turns_right)
-        outer_join(at, -side_after, -side_before,
-                   BinaryAngle::from_raw(after.angle.raw - BinaryAngle::quarter_turn), -turn);
+    if (side == Side::right)
+        outlines_.add(corner_at(at));
     else
-        outer_join(at, side_before, side_after,
-                   BinaryAngle::from_raw(before.angle.raw + BinaryAngle::quarter_turn), turn);
+        outlines_.add_behind(corner_at(at));
 }
 
-void StrokeOutline::outer_join(Point at, Point from, Point to, BinaryAngle from_angle, std::int32_t turn)
+void StrokeOutline::join(const Piece& after)
 {
-    if (pen_.join == Join::round) {
-        arc(at, from, to, from_angle, turn);
+    const Bend bend{last_, last_piece_, after};
+    if (bend.sine == 0 && bend.cosine > 0)
+        return;
+    if (bend.cosine >= one_q30 - slight_bend_ && bend.is_roomy(true)) {
+        const Point tip = slight_meeting(last_piece_.side, after.side, one_q30 - bend.cosine);
+        add(Side::right, last_ + tip);
+        add(Side::left, last_ - tip);
         return;
     }
-    // The miter is 1 / cos(turn / 2) half widths long.
-    const std::int32_t half_cosine = cosine(BinaryAngle::from_raw(turn / 2));
-    if (pen_.join == Join::miter && half_cosine >= one_q30 / pen_.miter_limit * 8) {
-        const BinaryAngle middle = BinaryAngle::from_raw(from_angle.raw + turn / 2);
-        const std::int64_t length = (std::int64_t{pen_.half_width.raw()} << 30) / half_cosine;
-        const Point tip = at + scaled(cosine(middle), sine(middle), tip_distance(length));
-        line(at + from, tip);
-        line(tip, at + to);
-    } else {
-        line(at + from, at + to);
-    }
+    add_inner(bend);
+    add_outer(bend);
 }
 
-void StrokeOutline::arc(Point centre, Point from, Point to, BinaryAngle from_angle, std::int32_t turn)
+/// Where the inner sides do not meet, the inner side goes through the corner itself: then every part of the
+/// outline turns the same way, however short the pieces are.
+void StrokeOutline::add_inner(const Bend& bend)
 {
-    const std::int32_t wanted =
-        (std::abs(turn) * pen_.arc_pieces + BinaryAngle::half_turn - 1) / BinaryAngle::half_turn;
-    const std::int32_t pieces = std::min(wanted - 1, spare_pieces_) + 1;
-    spare_pieces_ -= pieces - 1;
-    Point last = centre + from;
-    for (std::int32_t piece = 1; piece < pieces; ++piece) {
-        const BinaryAngle angle = BinaryAngle::from_raw(from_angle.raw + turn * piece / pieces);
-        const Point next = centre + scaled(cosine(angle), sine(angle), pen_.half_width);
-        line(last, next);
-        last = next;
+    const Side side = bend.inner();
+    if (bend.cosine >= -one_q30 / 2 && bend.is_roomy(false)) {
+        add(side, bend.at + bend.tip());
+        return;
     }
-    line(last, centre + to);
+    add(side, bend.at + bend.inner_before());
+    add(side, bend.at);
+    add(side, bend.at + bend.inner_after());
 }
 
-void StrokeOutline::cap(Point at, Heading outwards)
+void StrokeOutline::add_outer(const Bend& bend)
 {
-    const Point side = aside(outwards);
+    const Side side = bend.outer();
+    if (has_miter(bend)) {
+        add(side, bend.at - bend.tip());
+        return;
+    }
+    const Point from = -bend.inner_before();
+    add(side, bend.at + from);
+    if (pen_.join == Join::round)
+        arc(side, bend.at, from, turned(bend.before.side), bend.cosine);
+    add(side, bend.at - bend.inner_after());
+}
+
+/// A miter is 1 / cos(a/2) half widths long, for a turn by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip stays
+/// where Fixed can hold it: corners are within 16383 px.
+bool StrokeOutline::has_miter(const Bend& bend) const
+{
+    if (pen_.join != Join::miter)
+        return false;
+    const auto limit = static_cast<std::uint32_t>(pen_.miter_limit);
+    const auto pixels = static_cast<std::uint32_t>(pen_.half_width.raw() >> 16);
+    return (bend.rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= bend.rest >> 15 << 12;
+}
+
+/// The corners between `from` and the end of a turn, towards `ahead`.
+void StrokeOutline::arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine)
+{
+    for (int angle = arc_step_; angle < 2 * quarter_turn && cosine_q15(angle) * (1 << 15) > cosine;
+         angle += arc_step_)
+        add(side, centre + scaled(from, cosine_q15(angle)) + scaled(ahead, sine_q15(angle)));
+}
+
+/// The corners between the right and the left end of a stroke that ends at `at`.
+void StrokeOutline::cap(Point at, Point side)
+{
+    const Point ahead = turned(side);
     if (pen_.cap == Cap::round) {
-        arc(at, side, -side, BinaryAngle::from_raw(outwards.angle.raw + BinaryAngle::quarter_turn),
-            -BinaryAngle::half_turn);
-        return;
+        arc(Side::right, at, side, ahead, -one_q30);
+    } else if (pen_.cap == Cap::square) {
+        add(Side::right, at + side + ahead);
+        add(Side::right, at - side + ahead);
     }
-    const Point front = pen_.cap == Cap::square ? at + ahead(outwards) : at;
-    line(at + side, front + side);
-    line(front + side, front - side);
-    line(front - side, at - side);
 }
 
 /// A stroke without length: a disc or a square, as in SVG.
@@ -181,8 +281,11 @@ void StrokeOutline::dot()
 {
     if (pen_.cap == Cap::butt)
         return;
-    cap(first_, {32768, 0, {}});
-    cap(first_, {-32768, 0, BinaryAngle::from_raw(BinaryAngle::half_turn)});
+    for (const Point side : {Point{{}, pen_.half_width}, Point{{}, -pen_.half_width}}) {
+        add(Side::right, first_ + side);
+        cap(first_, side);
+    }
+    outlines_.close();
 }
 
 }

@@ -1,69 +1,66 @@
 #pragma once
 
-#include "core/angle.hpp"
-#include "core/edge_list.hpp"
+#include "core/heading.hpp"
+#include "core/outline_store.hpp"
 #include "core/stroke_style.hpp"
 
 #include <cstdint>
-#include <limits>
 
 namespace kfast {
 
 /// The tool that draws a stroke.
 struct Pen {
-    Fixed half_width;   ///< in panel pixels, at most 4095
-    int arc_pieces = 4; ///< of half a turn
+    Fixed half_width; ///< in panel pixels, at most 4095
     Cap cap = Cap::butt;
     Join join = Join::miter;
     int miter_limit = default_miter_limit; ///< in 1/8 widths, 8 … 255
 };
 
-/// Turns strokes into the edges of their outlines, as they are drawn: nothing is stored but the first and the
-/// last point. Every segment becomes a rectangle and every join a wedge, all with the same sense of rotation,
-/// so that the winding number is positive wherever the pen has been.
+/// Turns strokes into contours as they are drawn: nothing is stored but the first and the last piece. Both
+/// sides of a stroke grow at once. The winding number is positive wherever the pen has been: what the contour
+/// goes around is the sum of a rectangle for each piece and a wedge for each join.
 class StrokeOutline {
 public:
-    StrokeOutline(EdgeList& edges, Layer& layer, const Pen& pen) : edges_{edges}, layer_{layer}, pen_{pen} {}
+    /// `coarseness` makes the pieces of arcs that often twice as long.
+    StrokeOutline(OutlineStore& outlines, const Pen& pen, int coarseness);
 
     void begin(Point at);
-    /// The arcs of joins up to the next call, or to the end, have no more than `pieces` pieces besides one
-    /// each.
-    void limit_arcs(std::int32_t pieces) { spare_pieces_ = pieces; }
     /// Points closer than 1/256 px to the one before are passed over: their direction would be noise.
     void line_to(Point to);
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed);
 
 private:
-    static constexpr std::int32_t unlimited = std::numeric_limits<std::int32_t>::max();
+    enum class Side : std::uint8_t { right, left };
 
-    /// A direction, exact to the precision of the outline.
-    struct Heading {
-        std::int32_t x = 0; ///< unit vector in Q15
-        std::int32_t y = 0;
-        BinaryAngle angle;
+    struct Piece {
+        Heading heading;
+        std::uint32_t length = 0; ///< in 1/65536 px
+        Point side;               ///< half a width to its right
     };
 
-    static Heading heading_of(Point vector);
+    /// How two pieces meet.
+    struct Bend;
 
-    Point ahead(Heading heading) const;
-    Point aside(Heading heading) const;
-    void line(Point from, Point to) { edges_.add(layer_, from, to); }
-    void join(Point at, Heading before, Heading after);
-    void outer_join(Point at, Point from, Point to, BinaryAngle from_angle, std::int32_t turn);
-    void arc(Point centre, Point from, Point to, BinaryAngle from_angle, std::int32_t turn);
-    void cap(Point at, Heading outwards);
+    Piece piece_along(Point step) const;
+    void add(Side side, Point at);
+    void join(const Piece& after);
+    void add_inner(const Bend& bend);
+    void add_outer(const Bend& bend);
+    bool has_miter(const Bend& bend) const;
+    void arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine);
+    void cap(Point at, Point side);
     void dot();
 
-    EdgeList& edges_;
-    Layer& layer_;
+    OutlineStore& outlines_;
     Pen pen_;
+    std::int32_t slight_bend_; ///< 1 - cosine, in Q30
+    int arc_step_;             ///< in 1/48 quarter turn
     Point first_;
     Point last_;
-    Heading first_heading_;
-    Heading last_heading_;
-    bool has_segment_ = false;
-    std::int32_t spare_pieces_ = unlimited;
+    Piece first_piece_;
+    Piece last_piece_;
+    bool has_piece_ = false;
 };
 
 }

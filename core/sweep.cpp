@@ -1,13 +1,21 @@
-// The area that a set of edges encloses, pixel by pixel, exactly.
+// The area that a set of outlines encloses, pixel by pixel, exactly.
 //
 // Accumulating the signed area of every edge on its own, as font rasterizers do, counts twice what two
 // outlines cover together within one pixel: where the round caps of two strokes meet, their soft edges would
-// grow hard. So the row is cut into slabs at every sub-row where an edge begins, ends or crosses another.
-// Within a slab the edges do not change their order: from left to right the winding number tells which of
-// them bound the filled area, and only these are accumulated. Most rows are a single slab.
+// grow hard. So the winding number has to tell which edges bound the filled area.
+//
+// In most rows the chains run through from the upper to the lower border without touching each other: from
+// left to right the winding number is then the same in the whole row. Any other row is cut into slabs, at
+// every sub-row where an edge begins, ends or crosses another; within a slab the edges do not change their
+// order.
 
 #include "core/sweep.hpp"
 
+#include "core/chain_edge.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace kfast {
@@ -18,17 +26,160 @@ std::int64_t distance(Fixed from, Fixed to) { return std::int64_t{to.raw()} - fr
 
 class RowSweep {
 public:
-    RowSweep(EdgeList& edges, Layer& layer, CoverageRow& coverage)
-        : edges_{edges}, layer_{layer}, coverage_{coverage}
+    RowSweep(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage)
+        : store_{store}, layer_{layer}, coverage_{coverage}, y_{row * subrows}, bottom_{y_ + subrows}
     {
     }
 
-    void run(std::int32_t begin, std::int32_t end)
+    /// From the border of rows on that the sweep stands at.
+    void run()
     {
-        for (y_ = begin; y_ < end; y_ = slab_end_) {
+        activate();
+        const bool none_begins_within = layer_.waiting == layer_.outlines.end_chain || next_top() >= bottom_;
+        if (layer_.active == Chain::none && none_begins_within)
+            return;
+        if (none_begins_within && chains_stand_apart())
+            fill_row();
+        else
+            fill_slabs();
+    }
+
+    /// Brings the sweep, which stands at a border above it, to the upper border of the row.
+    void bring_down()
+    {
+        std::uint16_t* link = &layer_.active;
+        while (*link != Chain::none) {
+            Chain& chain = store_.chain(*link);
+            if (move_to(chain, y_))
+                link = &chain.next;
+            else
+                *link = chain.next;
+        }
+    }
+
+private:
+    std::int32_t next_top() const { return store_.corner(store_.chain(layer_.waiting).first).y; }
+
+    /// Takes up the chains that begin at y_ or above it.
+    void activate()
+    {
+        for (; layer_.waiting != layer_.outlines.end_chain && next_top() <= y_; ++layer_.waiting) {
+            Chain& chain = store_.chain(layer_.waiting);
+            chain.passed = 0;
+            enter_edge(chain);
+            if (move_to(chain, y_))
+                chain.next = std::exchange(layer_.active, layer_.waiting);
+        }
+    }
+
+    void enter_edge(Chain& chain) const
+    {
+        const ChainEdge edge = current_edge(store_, chain);
+        chain.x = edge.upper.x;
+        if (edge.height() >= subrows)
+            chain.slope = row_slope(edge);
+    }
+
+    /// Whether anything of the chain is left below `subrow`, which is not above where it stands.
+    bool move_to(Chain& chain, std::int32_t subrow) const
+    {
+        ChainEdge edge = current_edge(store_, chain);
+        while (edge.lower.y <= subrow) {
+            if (++chain.passed == chain.edges)
+                return false;
+            enter_edge(chain);
+            edge = current_edge(store_, chain);
+        }
+        chain.x = edge.x_at(subrow, chain.slope);
+        return true;
+    }
+
+    /// Whether all chains under the sweep reach the lower border of the row, and each lies wholly to the
+    /// left of the next.
+    bool chains_stand_apart() const
+    {
+        Fixed border = Fixed::from_raw(std::numeric_limits<std::int32_t>::min());
+        for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next) {
+            const Chain& chain = store_.chain(i);
+            const std::optional<Reach> within = reach(chain);
+            if (!within || within->left < border)
+                return false;
+            border = within->right;
+        }
+        return true;
+    }
+
+    struct Reach {
+        Fixed left;
+        Fixed right;
+    };
+
+    /// Of a chain within the row; nothing if it ends above the lower border.
+    std::optional<Reach> reach(const Chain& chain) const
+    {
+        const ChainEdge edge = current_edge(store_, chain);
+        if (edge.lower.y < bottom_)
+            return reach_around_corners(chain);
+        const Fixed end = edge.lower.y == bottom_ ? edge.lower.x : chain.x + Fixed::from_raw(chain.slope);
+        return Reach{std::min(chain.x, end), std::max(chain.x, end)};
+    }
+
+    std::optional<Reach> reach_around_corners(Chain chain) const
+    {
+        Reach reach{chain.x, chain.x};
+        const auto stretch = [&reach](Fixed x) {
+            reach = {std::min(reach.left, x), std::max(reach.right, x)};
+        };
+        ChainEdge edge = current_edge(store_, chain);
+        for (; edge.lower.y < bottom_; edge = current_edge(store_, chain)) {
+            stretch(edge.lower.x);
+            if (++chain.passed == chain.edges)
+                return std::nullopt;
+        }
+        stretch(edge.x_at(bottom_, edge.height() >= subrows ? row_slope(edge) : 0));
+        return reach;
+    }
+
+    void fill_row()
+    {
+        std::int32_t winding = 0;
+        std::uint16_t* link = &layer_.active;
+        while (*link != Chain::none) {
+            Chain& chain = store_.chain(*link);
+            const bool was_inside = is_inside(winding);
+            winding += chain.winding();
+            const std::int32_t sign = is_inside(winding) == was_inside ? 0 : was_inside ? -1 : 1;
+            if (fill_along(chain, sign))
+                link = &chain.next;
+            else
+                *link = chain.next;
+        }
+    }
+
+    /// Adds what a chain bounds in the row and moves it down. Whether anything of it is left below.
+    bool fill_along(Chain& chain, std::int32_t sign)
+    {
+        std::int32_t y = y_;
+        ChainEdge edge = current_edge(store_, chain);
+        for (; edge.lower.y <= bottom_; edge = current_edge(store_, chain)) {
+            coverage_.add(chain.x, edge.lower.x, edge.lower.y - y, sign);
+            y = edge.lower.y;
+            if (++chain.passed == chain.edges)
+                return false;
+            enter_edge(chain);
+        }
+        const Fixed end = y == y_ ? chain.x + Fixed::from_raw(chain.slope) : edge.x_at(bottom_, chain.slope);
+        coverage_.add(chain.x, end, bottom_ - y, sign);
+        chain.x = end;
+        return true;
+    }
+
+    void fill_slabs()
+    {
+        for (; y_ < bottom_; y_ = slab_end_) {
             activate();
-            slab_end_ = next_event(end);
-            if (layer_.active == Layer::no_edge)
+            slab_end_ = next_event();
+            if (layer_.active == Chain::none)
                 continue;
             sort_active();
             slab_end_ = first_crossing();
@@ -36,61 +187,54 @@ public:
         }
     }
 
-private:
-    void activate()
+    std::int32_t next_event() const
     {
-        while (layer_.waiting != Layer::no_edge && edges_[layer_.waiting].y <= y_) {
-            const std::uint16_t index = std::exchange(layer_.waiting, edges_[layer_.waiting].next);
-            edges_[index].next = std::exchange(layer_.active, index);
-        }
-    }
-
-    std::int32_t next_event(std::int32_t end)
-    {
-        if (layer_.waiting != Layer::no_edge)
-            end = std::min(end, edges_[layer_.waiting].y);
-        for (std::uint16_t i = layer_.active; i != Layer::no_edge; i = edges_[i].next)
-            end = std::min<std::int32_t>(end, edges_[i].y_end);
+        std::int32_t end = bottom_;
+        if (layer_.waiting != layer_.outlines.end_chain)
+            end = std::min(end, next_top());
+        for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next)
+            end = std::min(end, current_edge(store_, store_.chain(i)).lower.y);
         return end;
     }
 
-    bool is_left_of(const Edge& a, const Edge& b) const
+    Fixed x_at_slab_end(const Chain& chain) const
     {
-        return a.x < b.x || (a.x == b.x && a.x_at(slab_end_) < b.x_at(slab_end_));
+        return current_edge(store_, chain).x_at(slab_end_, chain.slope);
+    }
+
+    bool is_left_of(const Chain& a, const Chain& b) const
+    {
+        return a.x < b.x || (a.x == b.x && x_at_slab_end(a) < x_at_slab_end(b));
     }
 
     /// Insertion sort: from row to row the order hardly changes.
     void sort_active()
     {
-        std::uint16_t rest = std::exchange(layer_.active, Layer::no_edge);
-        std::uint16_t last = Layer::no_edge;
-        while (rest != Layer::no_edge) {
-            const std::uint16_t index = std::exchange(rest, edges_[rest].next);
-            Edge& edge = edges_[index];
-            if (last != Layer::no_edge && !is_left_of(edge, edges_[last])) {
-                edges_[last].next = index;
-                edge.next = Layer::no_edge;
-                last = index;
-                continue;
-            }
+        std::uint16_t rest = std::exchange(layer_.active, Chain::none);
+        std::uint16_t last = Chain::none;
+        while (rest != Chain::none) {
+            const std::uint16_t number = std::exchange(rest, store_.chain(rest).next);
+            Chain& chain = store_.chain(number);
             std::uint16_t* link = &layer_.active;
-            while (*link != Layer::no_edge && !is_left_of(edge, edges_[*link]))
-                link = &edges_[*link].next;
-            edge.next = std::exchange(*link, index);
-            if (edge.next == Layer::no_edge)
-                last = index;
+            if (last != Chain::none && !is_left_of(chain, store_.chain(last)))
+                link = &store_.chain(last).next;
+            while (*link != Chain::none && !is_left_of(chain, store_.chain(*link)))
+                link = &store_.chain(*link).next;
+            chain.next = std::exchange(*link, number);
+            if (chain.next == Chain::none)
+                last = number;
         }
     }
 
     /// The first sub-row at which two neighbours have changed sides; the end of the slab if none do.
-    std::int32_t first_crossing()
+    std::int32_t first_crossing() const
     {
         std::int32_t first = slab_end_;
-        const Edge* left = &edges_[layer_.active];
-        Fixed left_end = left->x_at(slab_end_);
-        while (left->next != Layer::no_edge) {
-            const Edge* right = &edges_[left->next];
-            const Fixed right_end = right->x_at(slab_end_);
+        const Chain* left = &store_.chain(layer_.active);
+        Fixed left_end = x_at_slab_end(*left);
+        while (left->next != Chain::none) {
+            const Chain* right = &store_.chain(left->next);
+            const Fixed right_end = x_at_slab_end(*right);
             if (right_end < left_end)
                 first = std::min(first, crossing(distance(left->x, right->x), distance(right_end, left_end)));
             left = right;
@@ -113,18 +257,16 @@ private:
     {
         std::int32_t winding = 0;
         std::uint16_t* link = &layer_.active;
-        while (*link != Layer::no_edge) {
-            Edge& edge = edges_[*link];
-            const Fixed begin = edge.x;
-            edge.advance(slab_end_);
+        while (*link != Chain::none) {
+            Chain& chain = store_.chain(*link);
             const bool was_inside = is_inside(winding);
-            winding += edge.winding;
+            winding += chain.winding();
             if (is_inside(winding) != was_inside)
-                coverage_.add(begin, edge.x, slab_end_ - y_, was_inside ? -1 : 1);
-            if (edge.y == edge.y_end)
-                *link = edge.next;
+                coverage_.add(chain.x, x_at_slab_end(chain), slab_end_ - y_, was_inside ? -1 : 1);
+            if (move_to(chain, slab_end_))
+                link = &chain.next;
             else
-                link = &edge.next;
+                *link = chain.next;
         }
     }
 
@@ -133,18 +275,52 @@ private:
         return layer_.rule == FillRule::nonzero ? winding != 0 : (winding & 1) != 0;
     }
 
-    EdgeList& edges_;
+    OutlineStore& store_;
     Layer& layer_;
     CoverageRow& coverage_;
-    std::int32_t y_ = 0;
+    std::int32_t y_;
+    std::int32_t bottom_;
     std::int32_t slab_end_ = 0;
 };
 
+void find_rows(const OutlineStore& store, Layer& layer)
+{
+    std::int32_t top = std::numeric_limits<std::int32_t>::max();
+    std::int32_t bottom = 0;
+    for (std::uint16_t i = layer.outlines.first_chain; i != layer.outlines.end_chain; ++i) {
+        const Chain& chain = store.chain(i);
+        const std::int32_t last = chain.runs_up != 0 ? chain.first - chain.edges : chain.first + chain.edges;
+        top = std::min(top, store.corner(chain.first).y);
+        bottom = std::max(bottom, store.corner(last).y);
+    }
+    constexpr std::int32_t most = std::numeric_limits<std::int16_t>::max();
+    layer.top = static_cast<std::int16_t>(std::max(top, std::int32_t{0}) / subrows);
+    layer.bottom = static_cast<std::int16_t>(std::min((bottom + subrows - 1) / subrows, most));
 }
 
-void sweep_row(EdgeList& edges, Layer& layer, int row, CoverageRow& coverage)
+}
+
+Layer layer_of(OutlineStore& store, const OutlineRange& outlines)
 {
-    RowSweep{edges, layer, coverage}.run(row * subrows, (row + 1) * subrows);
+    Layer layer;
+    layer.outlines = outlines;
+    if (outlines.empty())
+        return layer;
+    store.sort(outlines);
+    find_rows(store, layer);
+    layer.rewind();
+    return layer;
+}
+
+void sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage)
+{
+    if (row < layer.row)
+        layer.rewind();
+    RowSweep sweep{store, layer, row, coverage};
+    if (layer.row != row)
+        sweep.bring_down();
+    sweep.run();
+    layer.row = static_cast<std::int16_t>(row + 1);
 }
 
 }

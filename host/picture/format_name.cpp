@@ -8,8 +8,12 @@ namespace {
 
 constexpr std::array names{
     FormatName{"rgb565", PixelFormat::rgb565},
+    FormatName{"rgb565_be", PixelFormat::rgb565_be},
+    FormatName{"rgb444", PixelFormat::rgb444},
+    FormatName{"rgb666", PixelFormat::rgb666},
     FormatName{"grey4", PixelFormat::grey4},
     FormatName{"mono1", PixelFormat::mono1},
+    FormatName{"mono1_dithered", PixelFormat::mono1_dithered},
 };
 
 }

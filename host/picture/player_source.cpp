@@ -10,14 +10,8 @@ std::vector<std::uint32_t> block_for(const SceneView& scene, Size panel)
 
 void draw(Player& player, Frame& frame)
 {
-    switch (frame.format) {
-    case PixelFormat::rgb565:
-        return player.draw_rows<PixelFormat::rgb565>(frame.size.height, frame.pixels);
-    case PixelFormat::grey4:
-        return player.draw_rows<PixelFormat::grey4>(frame.size.height, frame.pixels);
-    case PixelFormat::mono1:
-        return player.draw_rows<PixelFormat::mono1>(frame.size.height, frame.pixels);
-    }
+    with_format(frame.format,
+                [&]<PixelFormat format>() { player.draw_rows<format>(frame.size.height, frame.pixels); });
 }
 
 Frame empty_frame(Size size, PixelFormat format)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <limits>
 #include <random>
 
 namespace kfast::test {
@@ -54,6 +55,25 @@ TEST_CASE("a way leads from a to b, and beyond")
     const Fixed most = Fixed::sixteenths(32767);
     CHECK(lerp(least, most, Way{Way::one * 5 / 2}).raw() == Fixed::pixels(8192).raw() - 65536 * 5 / 32);
     CHECK(lerp(most, least, Way{Way::one * 5 / 2}).raw() == 65536 * 3 / 32 - Fixed::pixels(8192).raw());
+}
+
+TEST_CASE("32-bit steps multiply as 64 bits do")
+{
+    std::mt19937 random{72};
+    const auto check = [](std::int32_t value, std::int32_t factor) {
+        const std::int64_t exact = (std::int64_t{value} * factor + 32768) >> 16;
+        if (exact == static_cast<std::int32_t>(exact))
+            REQUIRE(multiply_q16(value, factor) == exact);
+    };
+    for (int round = 0; round < 1'000'000; ++round)
+        check(static_cast<std::int32_t>(random()) >> random() % 32,
+              static_cast<std::int32_t>(random()) >> random() % 32);
+    constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+    for (const std::int32_t value : {most, least, 65535, -65535, 65536, -65536, 0x7FFFFFFF - 32768, 1, -1, 0})
+        for (const std::int32_t factor :
+             {65536, -65536, 65535, 1, 0, -1, 32768, -32768, most, least, 163840, -98304})
+            check(value, factor);
 }
 
 TEST_CASE("the square root is the whole part of the exact one")

@@ -144,7 +144,7 @@ TEST_CASE("a block has room for all bones, and for the nodes and gaps of one obj
         const SceneView scene = *SceneView::parse(file);
         const std::size_t plain = std::size_t{scene.max_edges()} * 24 +
                                   CoverageRow::cells_for(20) * sizeof(std::int32_t) +
-                                  scene.paint_steps() * sizeof(PaintStep) + scene.blended_depth() * 20 * 2;
+                                  scene.paint_steps() * sizeof(PaintStep) + scene.blended_depth() * 20 * 3;
         return Player::block_bytes(scene, {20, 10}) - plain;
     };
     CHECK(extra_bytes(space_scene()) == 0);

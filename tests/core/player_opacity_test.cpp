@@ -1,3 +1,4 @@
+#include "core/pixel_coding.hpp"
 #include "core/player.hpp"
 
 #include "tests/core/stage.hpp"
@@ -12,22 +13,36 @@ namespace {
 /// The channels of all pixels, one or three for each.
 using Channels = std::vector<int>;
 
+/// The channels of a pixel as PixelCoding loads it.
+void append(Channels& channels, PixelFormat format, std::uint32_t pixel)
+{
+    const auto part = [pixel](int shift, std::uint32_t max) {
+        return static_cast<int>(pixel >> shift & max);
+    };
+    switch (format) {
+    case PixelFormat::rgb565:
+    case PixelFormat::rgb565_be:
+        channels.insert(channels.end(), {part(11, 31), part(5, 63), part(0, 31)});
+        break;
+    case PixelFormat::rgb444:
+        channels.insert(channels.end(), {part(8, 15), part(4, 15), part(0, 15)});
+        break;
+    case PixelFormat::rgb666:
+        channels.insert(channels.end(), {part(12, 63), part(6, 63), part(0, 63)});
+        break;
+    default:
+        channels.push_back(static_cast<int>(pixel));
+    }
+}
+
+/// Of a picture whose rows have no gaps.
 template <PixelFormat format>
 Channels channels_of(const Bytes& picture)
 {
     Channels channels;
-    for (std::size_t i = 0; i < picture.size(); ++i) {
-        const auto byte = std::to_integer<int>(picture[i]);
-        if constexpr (format == PixelFormat::rgb565) {
-            const int pixel = byte | std::to_integer<int>(picture[++i]) << 8;
-            channels.insert(channels.end(), {pixel >> 11, pixel >> 5 & 63, pixel & 31});
-        } else if constexpr (format == PixelFormat::grey4) {
-            channels.insert(channels.end(), {byte >> 4, byte & 15});
-        } else {
-            for (int bit = 7; bit >= 0; --bit)
-                channels.push_back(byte >> bit & 1);
-        }
-    }
+    const auto pixels = static_cast<int>(picture.size() * 8) / bits_per_pixel(format);
+    for (int i = 0; i < pixels; ++i)
+        append(channels, format, PixelCoding<format>::load(picture.data(), i));
     return channels;
 }
 
@@ -106,6 +121,9 @@ TEST_CASE("an object's own colours let its fill shine through its stroke, its op
 
 TEST_CASE_TEMPLATE("a fill with a stroke fades as one picture", Format,
                    std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565_be>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb444>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb666>,
                    std::integral_constant<PixelFormat, PixelFormat::grey4>,
                    std::integral_constant<PixelFormat, PixelFormat::mono1>)
 {
@@ -119,6 +137,9 @@ TEST_CASE_TEMPLATE("a fill with a stroke fades as one picture", Format,
 
 TEST_CASE_TEMPLATE("groups and uses fade as one picture, overlaps inside do not show", Format,
                    std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565_be>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb444>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb666>,
                    std::integral_constant<PixelFormat, PixelFormat::grey4>,
                    std::integral_constant<PixelFormat, PixelFormat::mono1>)
 {
@@ -135,6 +156,9 @@ TEST_CASE_TEMPLATE("groups and uses fade as one picture, overlaps inside do not 
 
 TEST_CASE_TEMPLATE("what fades within what fades is mixed from the inside out", Format,
                    std::integral_constant<PixelFormat, PixelFormat::rgb565>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb565_be>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb444>,
+                   std::integral_constant<PixelFormat, PixelFormat::rgb666>,
                    std::integral_constant<PixelFormat, PixelFormat::grey4>)
 {
     constexpr PixelFormat format = Format::value;

@@ -1,13 +1,11 @@
 #include "core/segment.hpp"
 
-#include "core/flatten.hpp"
 #include "tests/core/array_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <random>
-#include <vector>
 
 namespace kfast::test {
 namespace {
@@ -93,21 +91,6 @@ TEST_CASE("x and y have ways of their own, which may lead beyond either end")
     CHECK(live.from == pixels(4, 2));
     CHECK(live.to == pixels(8, 2));
     CHECK(tween(a, b, {-Way::one / 2}, {2 * Way::one}).from == pixels(-4, 16));
-}
-
-TEST_CASE("a line is one piece, a curve as many as asked for, the last point its own")
-{
-    std::mt19937 random{64};
-    const auto points_of = [](const Segment& segment, std::uint32_t pieces) {
-        std::vector<Point> points;
-        flatten(segment, pieces, [&points](Point to) { points.push_back(to); });
-        return points;
-    };
-    const Segment cubic = random_cubic(random);
-    CHECK(points_of({.from = pixels(0, 0), .to = pixels(5, 5)}, 7) == std::vector{pixels(5, 5)});
-    CHECK(points_of(cubic, 7).size() == 7);
-    CHECK(points_of(cubic, 7).back() == cubic.to);
-    CHECK(points_of(cubic, 2).front() == point_at(cubic, {Share::one / 2}));
 }
 
 }

@@ -105,21 +105,10 @@ void read(const SceneView& scene)
     });
 }
 
-template <PixelFormat format>
-void draw(Player& player)
+void draw(Player& player, PixelFormat format)
 {
     Bytes pixels(row_bytes(format, panel.width) * panel.height);
-    player.draw_rows<format>(panel.height, pixels);
-}
-
-void draw(Player& player, int format)
-{
-    if (format == 0)
-        draw<PixelFormat::rgb565>(player);
-    else if (format == 1)
-        draw<PixelFormat::grey4>(player);
-    else
-        draw<PixelFormat::mono1>(player);
+    with_format(format, [&]<PixelFormat known>() { player.draw_rows<known>(panel.height, pixels); });
 }
 
 /// Any scene that is not refused can be read, and shown at every frame and between them, within the memory it
@@ -134,12 +123,12 @@ void play(std::span<const std::byte> bytes)
     auto player = Player::create(*scene, panel, Fit::contain, block);
     demand(static_cast<bool>(player));
     const std::int32_t step = std::max(Time::ticks_per_frame / 2, scene->length().ticks / 50);
-    int format = 0;
+    std::size_t drawn = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
         player->show(time);
         demand(player->edge_count() <= scene->max_edges() && player->step_count() <= scene->paint_steps());
         if (player->edge_count() <= most_drawn_edges)
-            draw(*player, format++ % 3);
+            draw(*player, pixel_formats[drawn++ % pixel_formats.size()]);
     }
 }
 

@@ -32,8 +32,15 @@ class HashTest(CommandTest):
 
     def test_the_hash_is_the_crc32_of_the_pixels(self):
         (self.folder / "empty.kfast").write_text('kfast 1\ncanvas 3 2 background="#ffffff"\n')
-        for form, pixels in (("rgb565", b"\xff" * 12), ("grey4", b"\xff\xf0" * 2), ("mono1", b"\xe0" * 2)):
+        for form, pixels in (("rgb565", b"\xff" * 12), ("rgb565_be", b"\xff" * 12),
+                             ("rgb444", b"\xff\xff\xff\xff\xf0" * 2), ("rgb666", b"\xfc" * 18),
+                             ("grey4", b"\xff\xf0" * 2), ("mono1", b"\xe0" * 2), ("mono1_dithered", b"\xe0" * 2)):
             self.assertEqual(self.hashes("empty.kfast", "--format", form)[0], f"0 {zlib.crc32(pixels):08x}")
+
+    def test_dither_shows_greys_in_one_bit(self):
+        (self.folder / "grey.kfast").write_text('kfast 1\ncanvas 8 8 background="#808080"\n')
+        for form, pixels in (("mono1", b"\xff" * 8), ("mono1_dithered", b"\xaa\x55" * 4)):
+            self.assertEqual(self.hashes("grey.kfast", "--format", form)[0], f"0 {zlib.crc32(pixels):08x}")
 
     def test_a_panel_on_a_simulated_board_shows_what_the_core_draws(self):
         for loop in ("repeat", "once", "ping-pong"):

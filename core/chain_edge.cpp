@@ -1,0 +1,48 @@
+#include "core/chain_edge.hpp"
+
+namespace kfast {
+namespace {
+
+/// Rounded towards minus infinity, for divisor > 0.
+template <class T>
+T floor_divide(T dividend, std::int32_t divisor)
+{
+    const T quotient = dividend / divisor;
+    return quotient - (quotient * divisor > dividend ? 1 : 0);
+}
+
+constexpr std::int32_t short_way = (1 << 21) - 1; ///< times 1024 it fits in 32 bits
+
+}
+
+Fixed ChainEdge::x_at(std::int32_t subrow, std::int32_t slope) const
+{
+    const std::int32_t part = subrow - upper.y;
+    const std::int32_t whole = height();
+    if (part == whole)
+        return lower.x;
+    if (whole >= subrows)
+        return upper.x + Fixed::from_raw(static_cast<std::int32_t>(std::int64_t{slope} * part >> 10));
+    const std::int32_t way = (lower.x - upper.x).raw(); // divided in 32 bits: less than a row is left
+    return upper.x + Fixed::from_raw(way / whole * part + floor_divide(way % whole * part, whole));
+}
+
+std::int32_t row_slope(const ChainEdge& edge)
+{
+    const std::int64_t way = std::int64_t{edge.lower.x.raw()} - edge.upper.x.raw();
+    if (way >= -short_way && way <= short_way)
+        return floor_divide<std::int32_t>(static_cast<std::int32_t>(way) * subrows, edge.height());
+    return static_cast<std::int32_t>(floor_divide<std::int64_t>(way * subrows, edge.height()));
+}
+
+ChainEdge current_edge(const OutlineStore& store, const Chain& chain)
+{
+    if (chain.runs_up != 0) {
+        const std::int32_t upper = chain.first - chain.passed;
+        return {store.corner(upper), store.corner(upper - 1)};
+    }
+    const std::int32_t upper = chain.first + chain.passed;
+    return {store.corner(upper), store.corner(upper + 1)};
+}
+
+}

@@ -1,0 +1,232 @@
+#include "core/changed_strips.hpp"
+
+#include "core/sweep.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+
+using Kind = PaintStep::Kind;
+using Change = PaintStep::Change;
+
+/// Sweeps both pictures over single rows.
+class RowSearch {
+public:
+    RowSearch(Picture& shown, Picture& coming, CoverageRow& coverage, std::span<CoveredSpan> storage,
+              int width)
+        : shown_{shown}, coming_{coming}, coverage_{coverage}, storage_{storage}, width_{width}
+    {
+    }
+
+    bool moves_within(int top, int bottom) const
+    {
+        const auto moves = [=](const PaintStep& step) {
+            return step.change != Change::none && step.layer.top < bottom && step.layer.bottom > top;
+        };
+        return std::ranges::any_of(coming_.steps(), moves) || std::ranges::any_of(shown_.steps(), moves);
+    }
+
+    /// Stores what covers `row` in the coming picture from `first` on, and marks what changes. Returns the
+    /// end of the spans; has_room() tells whether these are all.
+    std::uint16_t search(int row, std::uint16_t first, RunList& changed)
+    {
+        end_ = first;
+        for (std::size_t i = 0; i < coming_.step_count; ++i) {
+            const std::uint16_t begin = end_;
+            sweep(i, row);
+            mark_changes(coming_.steps()[i], row, storage_.subspan(begin, end_ - begin), changed);
+        }
+        for (PaintStep& step : shown_.steps())
+            if (step.partner == PaintStep::no_partner)
+                mark_all(step, row, changed);
+        return end_;
+    }
+
+    bool has_room() const { return has_room_; }
+
+private:
+    void sweep(std::size_t number, int row)
+    {
+        Layer& layer = coming_.steps()[number].layer;
+        if (!layer.reaches(row))
+            return;
+        sweep_row(coming_.outlines, layer, row, coverage_);
+        coverage_.take_spans([&](int begin, int end, std::int32_t level) {
+            has_room_ = has_room_ && end_ < storage_.size();
+            if (has_room_)
+                storage_[end_++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end),
+                                    static_cast<std::uint16_t>(number), static_cast<std::uint8_t>(level)};
+        });
+    }
+
+    void mark_changes(const PaintStep& step, int row, std::span<const CoveredSpan> spans, RunList& changed)
+    {
+        if (step.change == Change::none)
+            return;
+        PaintStep* const partner =
+            step.partner == PaintStep::no_partner ? nullptr : &shown_.steps()[step.partner];
+        if (step.change == Change::outlines)
+            return compare(*partner, row, spans, changed);
+        for (const CoveredSpan& span : spans)
+            changed.add(span.begin, span.end);
+        if (partner != nullptr)
+            mark_all(*partner, row, changed);
+    }
+
+    void compare(PaintStep& before, int row, std::span<const CoveredSpan> spans, RunList& changed)
+    {
+        SpanComparison comparison{spans, changed};
+        if (before.layer.reaches(row)) {
+            sweep_row(shown_.outlines, before.layer, row, coverage_);
+            coverage_.take_spans(
+                [&](int begin, int end, std::int32_t level) { comparison.take(begin, end, level); });
+        }
+        comparison.finish(width_);
+    }
+
+    void mark_all(PaintStep& before, int row, RunList& changed)
+    {
+        if (!before.layer.reaches(row))
+            return;
+        sweep_row(shown_.outlines, before.layer, row, coverage_);
+        coverage_.take_spans([&](int begin, int end, std::int32_t) { changed.add(begin, end); });
+    }
+
+    Picture& shown_;
+    Picture& coming_;
+    CoverageRow& coverage_;
+    std::span<CoveredSpan> storage_;
+    int width_;
+    std::uint16_t end_ = 0;
+    bool has_room_ = true;
+};
+
+namespace {
+
+int rounded_down(int value, int unit) { return value - value % unit; }
+int rounded_up(int value, int unit) { return rounded_down(value + unit - 1, unit); }
+
+/// In whole units, and joined where a gap costs less than another area.
+RunList widened(const RunList& columns, int width, const AreaRules& rules)
+{
+    RunList wide{std::max(rules.overhead, 1)};
+    for (const Run run : columns.runs())
+        wide.add(rounded_down(run.begin, rules.granularity.width),
+                 std::min(rounded_up(run.end, rules.granularity.width), width));
+    return wide;
+}
+
+int cost(const RunList& columns, int rows, const AreaRules& rules)
+{
+    return columns.width() * rows + static_cast<int>(columns.runs().size()) * rules.overhead;
+}
+
+RunList joined(const RunList& a, const RunList& b)
+{
+    RunList both = a;
+    for (const Run run : b.runs())
+        both.add(run.begin, run.end);
+    return both;
+}
+
+}
+
+void ChangedStrips::begin(const Picture& shown, const Picture& coming)
+{
+    row_ = panel_.height;
+    bottom_ = 0;
+    rejected_rows_ = 0;
+    strip_ = {};
+    for (const Picture* picture : {&shown, &coming})
+        for (const PaintStep& step : picture->steps())
+            if (step.change != Change::none && step.layer.top < step.layer.bottom) {
+                row_ = std::min<int>(row_, step.layer.top);
+                bottom_ = std::max<int>(bottom_, step.layer.bottom);
+            }
+    bottom_ = std::min(bottom_, panel_.height);
+}
+
+const Strip& ChangedStrips::next(Picture& shown, Picture& coming, CoverageRow& coverage,
+                                 const AreaRules& rules)
+{
+    begin_strip();
+    RowSearch search{shown, coming, coverage, storage_, panel_.width};
+    row_ = rounded_down(row_, rules.granularity.height);
+    while (row_ < bottom_ && strip_.rows + rules.granularity.height <= Strip::most_rows &&
+           (strip_.rows == 0 || ends_[static_cast<std::size_t>(strip_.rows)] <= storage_.size() / 2))
+        if (!add_group(search, rules))
+            break;
+    return strip_;
+}
+
+/// With the group that was not worth joining the last strip.
+void ChangedStrips::begin_strip()
+{
+    const auto first = static_cast<std::size_t>(strip_.rows);
+    const std::uint16_t shift = ends_[first];
+    strip_ = {};
+    ends_[0] = 0;
+    if (rejected_rows_ == 0)
+        return;
+    strip_.top = row_ - rejected_rows_;
+    strip_.rows = rejected_rows_;
+    strip_.columns = rejected_;
+    std::copy(storage_.begin() + shift,
+              storage_.begin() + ends_[first + static_cast<std::size_t>(rejected_rows_)], storage_.begin());
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(rejected_rows_); ++i)
+        ends_[i] = static_cast<std::uint16_t>(ends_[first + i] - shift);
+    rejected_rows_ = 0;
+}
+
+/// Searches the rows that the panel takes together. Whether the strip may go on behind them.
+bool ChangedStrips::add_group(RowSearch& search, const AreaRules& rules)
+{
+    const int rows = rules.granularity.height;
+    if (!search.moves_within(row_, row_ + rows)) {
+        row_ += rows;
+        return strip_.rows == 0;
+    }
+    RunList changed;
+    for (int i = 0; i < rows; ++i) {
+        const auto at = static_cast<std::size_t>(strip_.rows + i);
+        ends_[at + 1] = search.search(row_ + i, ends_[at], changed);
+    }
+    if (!search.has_room()) {
+        if (strip_.rows == 0)
+            draw_whole(rows);
+        return false; // else it is searched again, by itself
+    }
+    row_ += rows;
+    if (changed.empty())
+        return strip_.rows == 0;
+    const RunList columns = widened(changed, panel_.width, rules);
+    if (strip_.rows != 0 && !is_worth_joining(columns, rules)) {
+        rejected_ = columns;
+        rejected_rows_ = rows;
+        return false;
+    }
+    strip_.columns = strip_.rows == 0 ? columns : joined(strip_.columns, columns);
+    strip_.top = row_ - rows - strip_.rows;
+    strip_.rows += rows;
+    return true;
+}
+
+bool ChangedStrips::is_worth_joining(const RunList& columns, const AreaRules& rules) const
+{
+    const int rows = rules.granularity.height;
+    const RunList both = joined(strip_.columns, columns);
+    const int together = cost(both, strip_.rows + rows, rules);
+    const int apart = cost(strip_.columns, strip_.rows, rules) + cost(columns, rows, rules);
+    return together <= apart && static_cast<std::size_t>(both.width() * (strip_.rows + rows)) <= rules.room;
+}
+
+void ChangedStrips::draw_whole(int rows)
+{
+    strip_.top = row_;
+    strip_.rows = rows;
+    strip_.columns.add(0, panel_.width);
+    strip_.has_spans = false;
+    row_ += rows;
+}
+
+}

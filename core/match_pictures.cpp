@@ -1,0 +1,109 @@
+#include "core/match_pictures.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+namespace {
+
+using Kind = PaintStep::Kind;
+using Change = PaintStep::Change;
+
+/// Steps that may have appeared or vanished in one place before the rest is taken to be new.
+constexpr std::size_t look_ahead = 8;
+
+void forget_partners(Picture& picture)
+{
+    for (PaintStep& step : picture.steps()) {
+        step.partner = PaintStep::no_partner;
+        step.change = Change::all;
+    }
+}
+
+Change change_between(const PaintStep& before, const PaintStep& after)
+{
+    if (before.layer.colour != after.layer.colour || before.layer.rule != after.layer.rule)
+        return Change::all;
+    return before.still == after.still ? Change::none : Change::outlines;
+}
+
+void join(Picture& shown, std::size_t before, Picture& coming, std::size_t after)
+{
+    PaintStep& a = shown.steps()[before];
+    PaintStep& b = coming.steps()[after];
+    a.partner = static_cast<std::uint16_t>(after);
+    b.partner = static_cast<std::uint16_t>(before);
+    a.change = b.change = a.kind == Kind::layer ? change_between(a, b) : Change::none;
+    if (a.change == Change::none && shown.coarseness != coming.coarseness)
+        a.change = b.change = Change::outlines;
+}
+
+bool is_same_step(const PaintStep& a, const PaintStep& b) { return a.item == b.item && a.kind == b.kind; }
+
+/// How far `step` lies ahead in `steps`; look_ahead if it does not.
+std::size_t distance_to(const PaintStep& step, std::span<const PaintStep> steps)
+{
+    const std::size_t most = std::min(steps.size(), look_ahead);
+    for (std::size_t i = 0; i < most; ++i)
+        if (is_same_step(steps[i], step))
+            return i;
+    return look_ahead;
+}
+
+void find_partners(Picture& shown, Picture& coming)
+{
+    std::size_t before = 0;
+    std::size_t after = 0;
+    while (before < shown.step_count && after < coming.step_count) {
+        const std::size_t vanished = distance_to(coming.steps()[after], shown.steps().subspan(before));
+        const std::size_t appeared = distance_to(shown.steps()[before], coming.steps().subspan(after));
+        if (vanished <= appeared && vanished < look_ahead)
+            join(shown, before += vanished, coming, after);
+        else if (appeared < look_ahead)
+            join(shown, before, coming, after += appeared);
+        ++before;
+        ++after;
+    }
+}
+
+/// Whether the blending steps of both pictures are the same and in the same places.
+bool blends_alike(const Picture& shown, const Picture& coming)
+{
+    const auto are_alike = [](const Picture& picture, const Picture& other) {
+        return std::ranges::all_of(picture.steps(), [&](const PaintStep& step) {
+            return step.kind == Kind::layer || (step.partner != PaintStep::no_partner &&
+                                                step.opacity == other.steps()[step.partner].opacity);
+        });
+    };
+    return are_alike(shown, coming) && are_alike(coming, shown);
+}
+
+/// What is blended counts as changed, all of it.
+void change_blended(Picture& picture, Picture& other)
+{
+    int depth = 0;
+    for (PaintStep& step : picture.steps()) {
+        depth += step.kind == Kind::begin_blend ? 1 : step.kind == Kind::end_blend ? -1 : 0;
+        if (depth == 0)
+            continue;
+        step.change = Change::all;
+        if (step.partner != PaintStep::no_partner)
+            other.steps()[step.partner].change = Change::all;
+    }
+}
+
+}
+
+void match(Picture& shown, Picture& coming)
+{
+    forget_partners(shown);
+    forget_partners(coming);
+    find_partners(shown, coming);
+    if (blends_alike(shown, coming))
+        return;
+    change_blended(shown, coming);
+    change_blended(coming, shown);
+}
+
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/picture.hpp"
+
+namespace kfast {
+
+/// Finds for the steps of each of two pictures what the other one has in their place, and how these differ.
+///
+/// Partners never cross: where all partners have the same coverage and colour, and what has no partner covers
+/// nothing, both pictures are the same, whatever belongs together.
+void match(Picture& shown, Picture& coming);
+
+}

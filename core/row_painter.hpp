@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/opacity.hpp"
+#include "core/picture.hpp"
+#include "core/pixel_row.hpp"
+#include "core/run_list.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// Columns of a row that are painted, and where.
+struct RowWindow {
+    Run columns;
+    std::byte* first = nullptr; ///< the pixel of columns.begin
+    std::size_t bytes = 0;
+};
+
+/// Paints one row of a picture in a few windows, from left to right, that do not overlap.
+template <PixelFormat format>
+class RowPainter {
+public:
+    /// `backdrops` has room for a whole row for each depth of blending.
+    RowPainter(std::span<const RowWindow> windows, int y, std::span<std::byte> backdrops,
+               std::size_t whole_row)
+        : windows_{windows}, y_{y}, backdrops_{backdrops}, whole_row_{whole_row}
+    {
+    }
+
+    /// for_each_span(step, paint) calls paint(begin, end, level) for what the layer of `step`, a number,
+    /// covers, from left to right.
+    template <class ForEachSpan>
+    void paint(const Picture& picture, Colour background, ForEachSpan for_each_span)
+    {
+        for (const RowWindow& window : windows_)
+            row(window).fill(window.columns.begin, window.columns.width(), Row::ink(background));
+        for (std::size_t i = 0; i < picture.step_count; ++i) {
+            const PaintStep& step = picture.steps()[i];
+            if (step.kind == PaintStep::Kind::layer)
+                paint_layer(step.layer, y_, [&](auto paint) { for_each_span(i, paint); });
+            else if (step.kind == PaintStep::Kind::begin_blend)
+                begin_blend();
+            else
+                end_blend(step.opacity);
+        }
+    }
+
+private:
+    using Row = PixelRow<format>;
+
+    Row row(const RowWindow& window) const { return {window.first, window.columns.begin, y_}; }
+
+    template <class ForEachSpan>
+    void paint_layer(const Layer& layer, int y, ForEachSpan for_each_span)
+    {
+        if (!layer.reaches(y))
+            return;
+        const std::uint32_t ink = Row::ink(layer.colour);
+        const std::uint32_t opacity = layer.colour.opacity;
+        auto window = windows_.begin();
+        for_each_span([&](int begin, int end, std::int32_t level) {
+            while (window != windows_.end() && window->columns.end <= begin)
+                ++window;
+            const std::uint32_t coverage = product_of_opacities(static_cast<std::uint32_t>(level), opacity);
+            for (auto at = window; at != windows_.end() && at->columns.begin < end; ++at)
+                lay(*at, begin, end, ink, coverage);
+        });
+    }
+
+    void lay(const RowWindow& window, int begin, int end, std::uint32_t ink, std::uint32_t coverage)
+    {
+        begin = std::max<int>(begin, window.columns.begin);
+        end = std::min<int>(end, window.columns.end);
+        if (coverage == 255)
+            row(window).fill(begin, end - begin, ink);
+        else if (coverage != 0)
+            row(window).blend(begin, end - begin, ink, coverage);
+    }
+
+    void begin_blend()
+    {
+        std::byte* at = backdrop(depth_++);
+        for (const RowWindow& window : windows_)
+            at = std::copy_n(window.first, window.bytes, at);
+    }
+
+    void end_blend(std::uint32_t opacity)
+    {
+        const std::byte* at = backdrop(--depth_);
+        for (const RowWindow& window : windows_) {
+            row(window).fade_from(at, window.columns.begin, window.columns.width(), opacity);
+            at += window.bytes;
+        }
+    }
+
+    std::byte* backdrop(std::size_t depth) { return backdrops_.data() + depth * whole_row_; }
+
+    std::span<const RowWindow> windows_;
+    int y_;
+    std::span<std::byte> backdrops_;
+    std::size_t whole_row_;
+    std::size_t depth_ = 0;
+};
+
+}

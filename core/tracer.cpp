@@ -1,0 +1,222 @@
+#include "core/tracer.hpp"
+
+#include "core/blending.hpp"
+#include "core/live_strokes.hpp"
+#include "core/opacity.hpp"
+#include "core/paint_order.hpp"
+#include "core/sweep.hpp"
+
+#include <optional>
+
+namespace kfast {
+namespace {
+
+/// Items that lie beside each other begin at different bytes, and a path leads through eight of them at most.
+std::uint32_t path_to(const ItemView& item, std::uint32_t outer, const SceneView& scene)
+{
+    const auto place = static_cast<std::uint32_t>(item.tracks.rest().rest().data() - scene.drawings().data());
+    return (outer ^ place) * 0x9E37'79B1U + (outer >> 15);
+}
+
+Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
+{
+    return {.half_width = half_width(width, growth),
+            .cap = style.cap,
+            .join = style.join,
+            .miter_limit = style.miter_limit};
+}
+
+}
+
+void Tracer::run()
+{
+    picture_.coarseness = 0;
+    trace_scene();
+    last_ = nullptr; // what it shares may be finer than what finds room
+    while (picture_.outlines.is_full() && picture_.coarseness < coarsest) {
+        ++picture_.coarseness;
+        trace_scene();
+    }
+}
+
+void Tracer::trace_scene()
+{
+    picture_.outlines.clear();
+    picture_.step_count = 0;
+    picture_.still = {};
+    trace(on_panel_.scene.items(), {on_panel_.canvas, {}});
+}
+
+/// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
+void Tracer::trace(ItemCursor items, const Context& context)
+{
+    PaintOrder order{items, moment_};
+    while (const auto item = order.next())
+        trace(*item, context);
+}
+
+void Tracer::trace(const ItemView& item, const Context& outer)
+{
+    Context context = outer;
+    context.path = path_to(item, outer.path, on_panel_.scene);
+    context.is_object = item.kind == ItemKind::object;
+    if (copy_still(context))
+        return;
+    const ItemState state{on_panel_.scene, item, moment_};
+    context.still = outer.still & state.still();
+    picture_.still = picture_.still & context.still;
+    const std::uint32_t opacity = state.opacity();
+    if (opacity == 0)
+        return;
+    if (!item.tracks.at_end())
+        context.space = outer.space * state.placement();
+    if (opacity == 255 || !has_several_layers(item))
+        return trace(item, state, opacity, context);
+    add_step(PaintStep::Kind::begin_blend, context);
+    trace(item, state, 255, context);
+    add_step(PaintStep::Kind::end_blend, context).opacity = static_cast<std::uint8_t>(opacity);
+}
+
+void Tracer::trace(const ItemView& item, const ItemState& state, std::uint32_t opacity,
+                   const Context& context)
+{
+    switch (item.kind) {
+    case ItemKind::object:
+        return trace_object(item.object, state, opacity, context);
+    case ItemKind::group:
+        return trace(ItemCursor{item.items}, context);
+    case ItemKind::use:
+        return trace(on_panel_.scene.symbol(item.symbol), context);
+    }
+}
+
+/// Takes over what shows an object that has not moved since the last picture.
+bool Tracer::copy_still(const Context& context)
+{
+    if (last_ == nullptr || !context.is_object)
+        return false;
+    const std::span<const PaintStep> steps = last_->steps();
+    const std::size_t furthest = std::min(steps.size(), last_step_ + look_ahead);
+    std::size_t first = last_step_;
+    while (first < furthest && steps[first].item != context.path)
+        ++first;
+    std::size_t end = first;
+    while (end < steps.size() && steps[end].item == context.path && steps[end].still.contains(moment_))
+        ++end;
+    const bool is_still = first < furthest && (end == steps.size() || steps[end].item != context.path);
+    if (!is_still)
+        return false;
+    for (const PaintStep& step : steps.subspan(first, end - first))
+        copy(step);
+    last_step_ = end;
+    return true;
+}
+
+void Tracer::copy(const PaintStep& step)
+{
+    PaintStep& copied = picture_.storage[picture_.step_count++];
+    copied = step;
+    picture_.still = picture_.still & step.still;
+    copied.layer.outlines = picture_.outlines.copy(last_->outlines, step.layer.outlines);
+    copied.layer.rewind();
+}
+
+void Tracer::trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
+                          const Context& outer)
+{
+    const KeyInterval<Key> keys = interval_at(object.keys(), moment_);
+    Context context = outer;
+    context.still = outer.still & still_of(object, keys);
+    picture_.still = picture_.still & context.still;
+    const ObjectStyle& style = object.style;
+    const bool is_flat = context.space.is_flat();
+    const Projection projection{context.space, on_panel_.camera};
+    ObjectOutline outline{picture_.outlines, is_flat ? nullptr : &projection, picture_.coarseness};
+    const auto trace = [&] {
+        trace_strokes(object, keys, is_flat ? context.space.plane : Affine{}, outline);
+    };
+    if (style.is_filled)
+        add_layer(state.fill(), opacity, style.fill_rule, context, trace);
+    if (!style.is_stroked)
+        return;
+    outline.stroke_with(pen_for(style, state.width(),
+                                is_flat ? context.space.plane.growth()
+                                        : projection.growth_at(first_point(object, keys.from))));
+    add_layer(state.stroke(), opacity, FillRule::nonzero, context, trace);
+}
+
+Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys) const
+{
+    if (object.carrier != Carrier::none)
+        return moving_at(moment_);
+    const std::uint32_t to = object.has_arrivals ? keys.from.arrival : keys.to.drawing;
+    return still_around(keys, moment_,
+                        keys.from.drawing == to || holds(on_panel_.scene.laws(keys.from.laws)));
+}
+
+void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
+                           ObjectOutline& outline)
+{
+    const auto& [from, next] = keys;
+    const Progress way = progress_between(from.time, next.time, moment_, on_panel_.scene.laws(from.laws));
+    const bool is_on_key = way.x == Way{} && way.y == Way{};
+    const CarriedDrawing begin = carried(object, from.drawing, from.skin);
+    const std::uint32_t to = object.has_arrivals ? from.arrival : next.drawing;
+    const CarriedDrawing end = is_on_key ? begin : carried(object, to, next.skin);
+    std::optional<LiveBackbones> backbones;
+    if (object.carrier == Carrier::backbones)
+        backbones = backbones_of(object);
+    LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
+}
+
+CarriedDrawing Tracer::carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const
+{
+    const SceneView& scene = on_panel_.scene;
+    const PackedDrawing own = scene.drawing(drawing);
+    if (object.carrier != Carrier::bones)
+        return CarriedDrawing{own};
+    const SkinReader reader = scene.skin(skin);
+    return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
+            on_panel_.bones.subspan(scene.first_bone(object.skeleton))};
+}
+
+LiveBackbones Tracer::backbones_of(const ObjectView& object) const
+{
+    const SceneView& scene = on_panel_.scene;
+    const auto [from, to] = interval_at(object.backbones.keys(), moment_);
+    return {on_panel_.backbone_nodes, object.backbones.unit_bits, scene.drawing(from.drawing),
+            scene.drawing(to.drawing), progress_between(from.time, to.time, moment_, scene.laws(from.laws))};
+}
+
+/// Of the drawing of a key, or of the backbones that carry it.
+Point Tracer::first_point(const ObjectView& object, const Key& key) const
+{
+    const bool has_backbones = object.carrier == Carrier::backbones;
+    PackedDrawing drawing =
+        on_panel_.scene.drawing(has_backbones ? object.backbones.keys().next().drawing : key.drawing);
+    if (drawing.strokes() != 0)
+        drawing.next_stroke();
+    return drawing.start();
+}
+
+PaintStep& Tracer::add_step(PaintStep::Kind kind, const Context& context)
+{
+    PaintStep& step = picture_.storage[picture_.step_count++];
+    step = {.kind = kind, .item = context.path, .still = context.still};
+    return step;
+}
+
+template <class Trace>
+void Tracer::add_layer(Colour colour, std::uint32_t opacity, FillRule rule, const Context& context,
+                       Trace trace)
+{
+    const OutlineRange mark = picture_.outlines.mark();
+    trace();
+    PaintStep& step = add_step(PaintStep::Kind::layer, context);
+    step.layer = layer_of(picture_.outlines, picture_.outlines.range_from(mark));
+    colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, opacity));
+    step.layer.colour = colour;
+    step.layer.rule = rule;
+}
+
+}

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/carried_drawing.hpp"
+#include "core/item_state.hpp"
+#include "core/key_interval.hpp"
+#include "core/live_backbones.hpp"
+#include "core/live_bones.hpp"
+#include "core/object_outline.hpp"
+#include "core/picture.hpp"
+#include "core/projection.hpp"
+#include "core/scene_view.hpp"
+#include "core/space.hpp"
+#include "core/stroke_outline.hpp"
+#include "core/time.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// What the pictures of a scene on one panel have in common.
+struct SceneOnPanel {
+    SceneView scene;
+    Space canvas; ///< from the canvas to the panel
+    Camera camera;
+    std::span<LiveBone> bones; ///< of all skeletons; set up
+    std::span<BackboneNode> backbone_nodes;
+};
+
+/// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
+class Tracer {
+public:
+    /// What `last` shares with the moment is copied; nothing is if it is null.
+    Tracer(const SceneOnPanel& scene, Time moment, Picture& picture, const Picture* last)
+        : on_panel_{scene}, moment_{moment}, picture_{picture}, last_{last}
+    {
+    }
+
+    /// With coarser curves if the picture finds no room otherwise.
+    void run();
+
+private:
+    /// Where an item lies and what holds for it from outside.
+    struct Context {
+        Space space;
+        Still still;
+        std::uint32_t path = 0; ///< tells the item apart
+        bool is_object = false;
+    };
+
+    static constexpr std::uint8_t coarsest = 8;
+    static constexpr std::size_t look_ahead = 8; ///< steps that may have vanished since the last picture
+
+    void trace_scene();
+    void trace(ItemCursor items, const Context& context);
+    void trace(const ItemView& item, const Context& context);
+    void trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Context& context);
+    void trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
+                      const Context& context);
+    void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
+                       ObjectOutline& outline);
+    Still still_of(const ObjectView& object, const KeyInterval<Key>& keys) const;
+    CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const;
+    LiveBackbones backbones_of(const ObjectView& object) const;
+    Point first_point(const ObjectView& object, const Key& key) const;
+    bool copy_still(const Context& context);
+    void copy(const PaintStep& step);
+    PaintStep& add_step(PaintStep::Kind kind, const Context& context);
+    template <class Trace>
+    void add_layer(Colour colour, std::uint32_t opacity, FillRule rule, const Context& context, Trace trace);
+
+    const SceneOnPanel& on_panel_;
+    Time moment_;
+    Picture& picture_;
+    const Picture* last_;
+    std::size_t last_step_ = 0; ///< of `last_`, from which on still items are looked for
+};
+
+}
