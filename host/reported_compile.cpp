@@ -8,9 +8,11 @@ namespace kfast {
 CompiledText compile_and_report(const SourceText& source)
 {
     Diagnostics diagnostics;
-    std::optional<std::vector<std::byte>> bytes = compile(source, diagnostics);
+    auto compiled = compile_with_names(source, diagnostics);
     const auto [errors, warnings] = report(diagnostics, source);
-    return {std::move(bytes), errors, warnings};
+    if (!compiled)
+        return {std::nullopt, {}, errors, warnings};
+    return {std::move(compiled->bytes), std::move(compiled->item_names), errors, warnings};
 }
 
 }
