@@ -59,7 +59,6 @@ void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
     style.join = static_cast<Join>(ends >> 2); // with the bits that must be 0: parse() refuses the rest
     if (style.join == Join::miter)
         style.miter_limit = static_cast<int>(bytes.u8());
-    style.arc_pieces = bytes.varint();
 }
 
 ObjectView take_object(ByteReader& bytes, std::uint32_t head)
@@ -76,7 +75,6 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head)
         read_stroke_style(bytes, style);
     if ((head & carried_bit) != 0)
         read_carrier(bytes, object);
-    object.max_edges = bytes.varint();
     object.key_bytes = bytes.take(bytes.varint());
     return object;
 }
@@ -88,7 +86,6 @@ Key KeyCursor::next()
     time_ = time_ + read_time_code(bytes_);
     Key key{.time = time_};
     key.laws = bytes_.u8();
-    key.curve_pieces = bytes_.varint();
     key.drawing = bytes_.varint();
     if (has_arrivals_)
         key.arrival = bytes_.varint();

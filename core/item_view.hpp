@@ -23,17 +23,15 @@ struct ObjectStyle {
     Cap cap = Cap::butt;
     Join join = Join::miter;
     int miter_limit = default_miter_limit; ///< in 1/8 widths
-    std::uint32_t arc_pieces = 0; ///< straight pieces that stand for half a turn of a round cap or join
 };
 
 /// One key of an object, and the way from it to the next.
 struct Key {
     Time time;
-    std::uint32_t laws = 0;         ///< number of the pair of laws
-    std::uint32_t curve_pieces = 1; ///< straight pieces that stand for a curve
-    std::uint32_t drawing = 0;      ///< offset in the section of drawings
-    std::uint32_t arrival = 0;      ///< offset of what the way leads to; only if the object has such drawings
-    std::uint32_t skin = 0;         ///< offset of the drawing's skin there; only if bones carry the object
+    std::uint32_t laws = 0;    ///< number of the pair of laws
+    std::uint32_t drawing = 0; ///< offset in the section of drawings
+    std::uint32_t arrival = 0; ///< offset of what the way leads to; only if the object has such drawings
+    std::uint32_t skin = 0;    ///< offset of the drawing's skin there; only if bones carry the object
 };
 
 /// Reads the keys of an object in the order of their times.
@@ -65,7 +63,6 @@ struct ObjectView {
     Carrier carrier = Carrier::none;
     std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
     BackbonesView backbones = {}; ///< only if backbones carry it
-    std::uint32_t max_edges = 0;  ///< that any moment of the object needs
     bool has_arrivals = false;    ///< see Key::arrival
     ByteReader key_bytes;
 

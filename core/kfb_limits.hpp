@@ -7,18 +7,14 @@
 namespace kfast::kfb {
 
 inline constexpr std::uint8_t version = 1;
-inline constexpr std::size_t header_bytes = 32;
+inline constexpr std::size_t header_bytes = 34;
 inline constexpr int max_canvas = 2047;                    ///< pixels in each direction
 inline constexpr std::uint32_t max_frame_rate = 1'000'000; ///< in 1/1000 fps
 inline constexpr std::int32_t max_time = 1'000'000 * 1024; ///< ticks
 inline constexpr std::uint32_t max_drawing_points = 65535;
-inline constexpr std::uint32_t max_edges = 65534;
-/// Enough for the most curved cubic that 16-bit coordinates can describe, within 1/32 px, and within 1/30 px
-/// where a velocity law takes two of them as far beyond their keys as it may.
-inline constexpr std::uint32_t max_curve_pieces = 1024;
-inline constexpr int max_width = 65535; ///< of a stroke, in 1/16 px
-inline constexpr std::uint32_t max_arc_pieces = 1024;
-inline constexpr std::size_t max_law_pairs = 255; ///< besides that of constant laws
+inline constexpr std::uint32_t max_outline_bytes = 1U << 20; ///< of one picture
+inline constexpr int max_width = 65535;                      ///< of a stroke, in 1/16 px
+inline constexpr std::size_t max_law_pairs = 255;            ///< besides that of constant laws
 inline constexpr std::size_t max_symbols = 255;
 inline constexpr std::size_t max_clips = 255;
 inline constexpr std::size_t max_name_bytes = 255;

@@ -2,7 +2,6 @@
 
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
-#include "core/edge_budget.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
 #include "core/paint_order.hpp"
@@ -88,7 +87,7 @@ bool SceneCheck::check_header() const
            scene_.frame_rate_ >= 1 && scene_.frame_rate_ <= kfb::max_frame_rate &&
            scene_.length_.ticks >= Time::ticks_per_frame && scene_.length_.ticks <= kfb::max_time &&
            scene_.loop_ <= Loop::ping_pong && !scene_.palette_.empty() && scene_.colour(0).opacity == 255 &&
-           scene_.max_edges_ <= kfb::max_edges;
+           scene_.outline_bytes_ <= kfb::max_outline_bytes && scene_.outline_bytes_ % 4 == 0;
 }
 
 bool SceneCheck::check_laws() const
@@ -217,8 +216,7 @@ bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
 
 bool SceneCheck::check_object(const ObjectView& object)
 {
-    return check_style(object.style) && check_carrier(object) && check_keys(object) &&
-           object.max_edges <= kfb::max_edges && object_edges(object, scene_.drawings_) <= object.max_edges;
+    return check_style(object.style) && check_carrier(object) && check_keys(object);
 }
 
 bool SceneCheck::check_style(const ObjectStyle& style) const
@@ -228,8 +226,7 @@ bool SceneCheck::check_style(const ObjectStyle& style) const
     if (!style.is_stroked)
         return style.is_filled;
     return style.stroke < scene_.palette_size() && style.width >= 1 && style.width <= kfb::max_width &&
-           style.cap <= Cap::square && style.join <= Join::bevel && style.miter_limit >= 8 &&
-           style.arc_pieces >= 4 && style.arc_pieces <= kfb::max_arc_pieces;
+           style.cap <= Cap::square && style.join <= Join::bevel && style.miter_limit >= 8;
 }
 
 bool SceneCheck::check_keys(const ObjectView& object)
@@ -241,7 +238,7 @@ bool SceneCheck::check_keys(const ObjectView& object)
     for (Time before{-1}; !keys.at_end();) {
         const Key key = keys.next();
         if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
-            key.curve_pieces < 1 || key.curve_pieces > kfb::max_curve_pieces || !check_drawing(key.drawing))
+            !check_drawing(key.drawing))
             return false;
         if (object.has_arrivals && !check_drawing(key.arrival))
             return false;
@@ -368,8 +365,7 @@ bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint
     }
     if (item.kind == ItemKind::object) {
         scene_.paint_steps_ += layer_count(item.object.style);
-        edges_ += item.object.max_edges;
-        return edges_ <= scene_.max_edges_;
+        return true;
     }
     if (depth == kfb::max_depth)
         return false;

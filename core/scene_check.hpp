@@ -40,8 +40,7 @@ private:
 
     SceneView& scene_;
     std::uint32_t key_points_ = 0; ///< of the drawings of all keys
-    std::uint32_t items_ = 0;      ///< those of a symbol counted wherever it is used, as the edges
-    std::uint32_t edges_ = 0;
+    std::uint32_t items_ = 0;      ///< those of a symbol counted wherever it is used
 };
 
 }

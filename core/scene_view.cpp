@@ -40,7 +40,7 @@ Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
 bool SceneView::read_sections(std::span<const std::byte> bytes)
 {
     ByteReader reader{bytes.subspan(checksum_end + 4)};
-    max_edges_ = reader.u16();
+    outline_bytes_ = reader.u32();
     law_count_ = reader.u8();
     loop_ = static_cast<Loop>(reader.u8());
     length_.ticks = static_cast<std::int32_t>(reader.u32());

@@ -40,8 +40,8 @@ public:
     /// At least one frame.
     Time length() const { return length_; }
     Loop loop() const { return loop_; }
-    /// The most edges that any moment of the scene needs.
-    std::uint32_t max_edges() const { return max_edges_; }
+    /// Memory for the outlines of one picture at its fullest; a multiple of 4.
+    std::uint32_t outline_bytes() const { return outline_bytes_; }
     /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.
     std::uint32_t paint_steps() const { return paint_steps_; }
@@ -92,7 +92,7 @@ private:
     std::uint32_t frame_rate_ = 0;
     Time length_;
     Loop loop_ = Loop::repeat;
-    std::uint32_t max_edges_ = 0;
+    std::uint32_t outline_bytes_ = 0;
     std::uint32_t paint_steps_ = 0;
     std::uint32_t blended_depth_ = 0;
     std::uint32_t bone_count_ = 0;

@@ -99,25 +99,19 @@ void check(const Allowance& allowance, const scene::Scene& scene, Diagnostics& d
 
 }
 
-std::uint32_t check_allowances(const scene::Scene& scene, const NeedsOfObjects& needs,
-                               Diagnostics& diagnostics)
+void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, Diagnostics& diagnostics)
 {
-    const auto needs_of = [&needs](const scene::Item& item) {
+    const auto points_of = [&points](const scene::Item& item) {
         const auto* object = std::get_if<scene::Object>(&item.content);
-        return object != nullptr ? needs.at(object) : ObjectNeeds{};
+        return object != nullptr ? points.at(object) : 0;
     };
-    const auto edges_of = [&](const scene::Item& item) { return needs_of(item).edges; };
-    const auto points_of = [&](const scene::Item& item) { return needs_of(item).key_points; };
     const auto one = [](const scene::Item&) { return std::uint64_t{1}; };
-    const std::string_view simpler = "draw it with fewer points, or with fewer or smaller curves";
-    const Allowance edges{"edges", simpler, kfb::max_edges, needs_with_uses(scene, edges_of)};
-    check(edges, scene, diagnostics);
-    check({"points in all keys together", simpler, kfb::max_key_points, stored_needs(scene, points_of)},
+    check({"points in all keys together", "draw it with fewer points, or with fewer keys",
+           kfb::max_key_points, stored_needs(scene, points_of)},
           scene, diagnostics);
     check({"items", "use symbols less often, or such that have fewer items", kfb::max_items,
            needs_with_uses(scene, one)},
           scene, diagnostics);
-    return static_cast<std::uint32_t>(total(edges.needs));
 }
 
 }

@@ -4,13 +4,10 @@
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 
-#include <cstdint>
-
 namespace kfast {
 
-/// Checks what the format limits of a whole scene: edges, items, and points in all keys together. Too much of
-/// any is an error at the item with the largest share. Returns the edges; only meaningful without an error.
-std::uint32_t check_allowances(const scene::Scene& scene, const NeedsOfObjects& needs,
-                               Diagnostics& diagnostics);
+/// Checks what the format limits of a whole scene: items, and points in all keys together. Too much of any is
+/// an error at the item with the largest share.
+void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, Diagnostics& diagnostics);
 
 }

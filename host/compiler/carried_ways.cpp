@@ -1,7 +1,7 @@
 #include "host/compiler/carried_ways.hpp"
 
 #include "core/kfb_limits.hpp"
-#include "host/compiler/carried_pieces.hpp"
+#include "host/compiler/backbone_timeline.hpp"
 #include "host/compiler/cell_crossing.hpp"
 #include "host/compiler/outside_points.hpp"
 #include "host/compiler/relative_drawing.hpp"
@@ -30,7 +30,7 @@ public:
     {
     }
 
-    KeyWays carry(const std::vector<KeyWay>& drawn, double scale)
+    KeyWays carry(const std::vector<KeyWay>& drawn)
     {
         for (const scene::Key& key : object_.keys)
             warn_of_outside_points(key, cells_at(key.time), diagnostics_);
@@ -39,7 +39,6 @@ public:
         for (std::size_t i = 0; i < carried.ways.size(); ++i)
             carried.ways[i].ends = {rounded(relative_[2 * i], carried.unit_bits),
                                     rounded(relative_[2 * i + 1], carried.unit_bits)};
-        add_pieces(carried, scale);
         return carried;
     }
 
@@ -113,20 +112,6 @@ private:
                            "draw it with fewer points, or use fewer nodes");
     }
 
-    void add_pieces(KeyWays& carried, double scale) const
-    {
-        const auto key_times = backbones_.key_times();
-        for (std::size_t i = 0; i < carried.ways.size(); ++i) {
-            KeyWay& way = carried.ways[i];
-            const bool is_last = i + 1 == carried.ways.size();
-            const Time next = is_last ? way.time : carried.ways[i + 1].time;
-            const WayTimes times{.since = i == 0 ? Time{} : way.time,
-                                 .until = is_last ? std::max(way.time, key_times.back()) : next,
-                                 .next = next};
-            way.curve_pieces = carried_curve_pieces(way, times, backbones_, carried.unit_bits, scale);
-        }
-    }
-
     const scene::Object& object_;
     BackboneTimeline backbones_;
     Diagnostics& diagnostics_;
@@ -136,10 +121,9 @@ private:
 
 }
 
-KeyWays carried_ways(const scene::Object& object, const std::vector<KeyWay>& drawn, double scale,
-                     Diagnostics& diagnostics)
+KeyWays carried_ways(const scene::Object& object, const std::vector<KeyWay>& drawn, Diagnostics& diagnostics)
 {
-    return Carrying{object, diagnostics}.carry(drawn, scale);
+    return Carrying{object, diagnostics}.carry(drawn);
 }
 
 }

@@ -9,10 +9,8 @@
 namespace kfast {
 
 /// The ways of `object`, which has backbones, in coordinates relative to these (docs/format.md, "Backbones").
-/// `drawn` are the same ways as they are without backbones; `object` is enlarged by at most `scale`. Points
-/// that lie in no cell are a warning at their key; a way that takes more points than a drawing holds is an
-/// error there.
-KeyWays carried_ways(const scene::Object& object, const std::vector<KeyWay>& drawn, double scale,
-                     Diagnostics& diagnostics);
+/// `drawn` are the same ways as they are without backbones. Points that lie in no cell are a warning at their
+/// key; a way that takes more points than a drawing holds is an error there.
+KeyWays carried_ways(const scene::Object& object, const std::vector<KeyWay>& drawn, Diagnostics& diagnostics);
 
 }

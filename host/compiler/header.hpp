@@ -9,10 +9,14 @@
 
 namespace kfast {
 
-/// Appends the header of `scene` from the number of edges on, and its palette (docs/format.md).
-void write_header(const scene::Scene& scene, std::uint32_t edges, std::size_t law_pairs, ByteWriter& bytes);
+/// Appends the header of `scene` from the bytes for outlines on, which are 0, and its palette
+/// (docs/format.md).
+void write_header(const scene::Scene& scene, std::size_t law_pairs, ByteWriter& bytes);
 
 /// Puts magic, version, checksum and size before everything else.
 std::vector<std::byte> sealed(const ByteWriter& body);
+
+/// Writes the bytes for outlines into a file that is sealed, and seals it again.
+void set_outline_bytes(std::vector<std::byte>& file, std::uint32_t outline_bytes);
 
 }

@@ -1,10 +1,9 @@
 #include "host/compiler/item_writer.hpp"
 
-#include "core/edge_budget.hpp"
+#include "core/item_view.hpp"
 #include "host/compiler/backbone_writer.hpp"
 #include "host/compiler/carrier.hpp"
 #include "host/compiler/key_writer.hpp"
-#include "host/compiler/object_style.hpp"
 #include "host/compiler/path_writer.hpp"
 #include "host/compiler/skinned_keys.hpp"
 #include "host/compiler/track_writer.hpp"
@@ -28,37 +27,34 @@ std::uint32_t head_of(const scene::Item& item, bool has_tracks)
     return kind | flag(has_tracks, 2) | (object != nullptr ? flags_of(*object) : 0);
 }
 
-void write_stroke_style(const ObjectStyle& style, ByteWriter& bytes)
+void write_stroke_style(const scene::StrokeStyle& style, ByteWriter& bytes)
 {
-    bytes.u8(style.stroke);
+    bytes.u8(static_cast<std::uint32_t>(style.colour));
     bytes.varint(static_cast<std::uint32_t>(style.width));
     bytes.u8(static_cast<std::uint32_t>(style.cap) | static_cast<std::uint32_t>(style.join) << 2);
     if (style.join == Join::miter)
         bytes.u8(static_cast<std::uint32_t>(style.miter_limit));
-    bytes.varint(style.arc_pieces);
 }
 
 }
 
-void ItemWriter::write(const std::vector<scene::Item>& items, const Enlargement& around, ByteWriter& bytes)
+void ItemWriter::write(const std::vector<scene::Item>& items, ByteWriter& bytes)
 {
     for (const scene::Item& item : items)
-        write_item(item, around, bytes);
+        write_item(item, bytes);
 }
 
-void ItemWriter::write_item(const scene::Item& item, const Enlargement& around, ByteWriter& bytes)
+void ItemWriter::write_item(const scene::Item& item, ByteWriter& bytes)
 {
     const std::vector<std::byte> tracks = packed_tracks(item, laws_);
     bytes.u8(head_of(item, !tracks.empty()));
     bytes.append(tracks);
     write_path(item, drawings_, bytes, diagnostics_);
-    const Enlargement inside = around.inside(item);
     if (const auto* object = std::get_if<scene::Object>(&item.content)) {
-        const double scale = inside.factor();
-        write_object(*object, object_style(*object, item.tracks, scale), scale, bytes);
+        write_object(*object, bytes);
     } else if (const auto* group = std::get_if<scene::Group>(&item.content)) {
         ByteWriter items;
-        write(group->items, inside, items);
+        write(group->items, items);
         bytes.block(items.bytes());
     } else {
         bytes.u8(static_cast<std::uint32_t>(std::get<scene::Use>(item.content).symbol));
@@ -79,24 +75,16 @@ void ItemWriter::write_carrier(const scene::Object& object, std::uint32_t unit_b
     }
 }
 
-void ItemWriter::write_object(const scene::Object& object, const ObjectStyle& style, double scale,
-                              ByteWriter& bytes)
+void ItemWriter::write_object(const scene::Object& object, ByteWriter& bytes)
 {
-    const PackedKeys keys = object.skin
-                                ? packed_skinned_keys(object, scene_, scale, laws_, drawings_, diagnostics_)
-                                : packed_keys(object, scale, laws_, drawings_, diagnostics_);
-    const std::uint64_t edges = object_edges({.style = style,
-                                              .carrier = carrier_of(object),
-                                              .has_arrivals = has_arrivals(object),
-                                              .key_bytes = ByteReader{keys.bytes}},
-                                             drawings_.bytes());
-    needs_[&object] = {edges, keys.points + backbone_points(object)};
-    if (style.is_filled)
-        bytes.u8(style.fill);
-    if (style.is_stroked)
-        write_stroke_style(style, bytes);
+    const PackedKeys keys = object.skin ? packed_skinned_keys(object, laws_, drawings_, diagnostics_)
+                                        : packed_keys(object, laws_, drawings_, diagnostics_);
+    points_[&object] = keys.points + backbone_points(object);
+    if (object.fill)
+        bytes.u8(static_cast<std::uint32_t>(*object.fill));
+    if (object.stroke)
+        write_stroke_style(*object.stroke, bytes);
     write_carrier(object, keys.unit_bits, bytes);
-    bytes.varint(static_cast<std::uint32_t>(edges));
     bytes.block(keys.bytes);
 }
 

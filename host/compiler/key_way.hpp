@@ -16,7 +16,6 @@ struct KeyWay {
     Time time;
     LawPair laws;
     MatchedDrawings ends;
-    std::uint32_t curve_pieces = 1;
     Place place; ///< of the key
 };
 

@@ -2,7 +2,6 @@
 
 #include "core/kfb_limits.hpp"
 #include "host/compiler/carried_ways.hpp"
-#include "host/compiler/curve_pieces.hpp"
 #include "host/compiler/match_by_length.hpp"
 #include "host/compiler/time_code.hpp"
 
@@ -28,15 +27,8 @@ MatchedDrawings ends_of_way(const scene::Key& key, const scene::Key& next, Diagn
     return as_drawn;
 }
 
-/// Exactly on its time a key is shown undivided, with curves longer than any on the way.
-std::uint32_t pieces_of_way(const MatchedDrawings& ends, const LawPair& laws, double scale)
-{
-    return std::max(curve_pieces(ends.from, ends.from, {}, {}, scale),
-                    curve_pieces(ends.from, ends.to, way_range(laws.x), way_range(laws.y), scale));
-}
-
 /// As they are without backbones.
-std::vector<KeyWay> drawn_ways(const scene::Object& object, double scale, Diagnostics& diagnostics)
+std::vector<KeyWay> drawn_ways(const scene::Object& object, Diagnostics& diagnostics)
 {
     std::vector<KeyWay> ways;
     for (std::size_t i = 0; i < object.keys.size(); ++i) {
@@ -45,7 +37,6 @@ std::vector<KeyWay> drawn_ways(const scene::Object& object, double scale, Diagno
         KeyWay way{.time = key.time, .laws = leads_on ? key.laws : LawPair{}, .ends = {}, .place = key.place};
         way.ends = leads_on ? ends_of_way(key, object.keys[i + 1], diagnostics)
                             : MatchedDrawings{key.drawing, key.drawing};
-        way.curve_pieces = pieces_of_way(way.ends, way.laws, scale);
         ways.push_back(std::move(way));
     }
     return ways;
@@ -61,26 +52,25 @@ bool has_arrivals(const scene::Object& object)
                        [](const scene::Key& key) { return key.match == scene::Match::length; });
 }
 
-KeyWays key_ways(const scene::Object& object, double scale, Diagnostics& diagnostics)
+KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics)
 {
-    std::vector<KeyWay> drawn = drawn_ways(object, scale, diagnostics);
+    std::vector<KeyWay> drawn = drawn_ways(object, diagnostics);
     if (!object.backbone_keys.empty())
-        return carried_ways(object, drawn, scale, diagnostics);
+        return carried_ways(object, drawn, diagnostics);
     return {.ways = std::move(drawn)};
 }
 
-PackedKeys packed_keys(const scene::Object& object, double scale, LawTable& laws, DrawingPool& drawings,
+PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics)
 {
     ByteWriter bytes;
     std::uint64_t points = 0;
     const bool with_arrivals = has_arrivals(object);
-    const KeyWays ways = key_ways(object, scale, diagnostics);
+    const KeyWays ways = key_ways(object, diagnostics);
     Time before;
     for (const KeyWay& way : ways.ways) {
         bytes.varint(time_code(way.time - before));
         bytes.u8(laws.number_of(way.laws, way.place));
-        bytes.varint(way.curve_pieces);
         bytes.varint(drawings.offset_of(way.ends.from));
         points += point_count(way.ends.from) + 1;
         if (with_arrivals) {

@@ -23,13 +23,12 @@ struct PackedKeys {
 /// matches by length, or if backbones carry them.
 bool has_arrivals(const scene::Object& object);
 
-/// The keys of `object` and the ways between them, as they are stored; it is enlarged by at most `scale`.
-/// Says what packed_keys() says.
-KeyWays key_ways(const scene::Object& object, double scale, Diagnostics& diagnostics);
+/// The keys of `object` and the ways between them, as they are stored. Says what packed_keys() says.
+KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics);
 
-/// The keys of `object`, which is enlarged by at most `scale`. A way that takes more points than a drawing
+/// The keys of `object`. A way that takes more points than a drawing
 /// holds is an error at its key, points that backbones do not reach are a warning there.
-PackedKeys packed_keys(const scene::Object& object, double scale, LawTable& laws, DrawingPool& drawings,
+PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics);
 
 }

@@ -5,9 +5,9 @@
 
 namespace kfast {
 
-/// As packed_keys(), of an object of `scene` that bones carry. A drawing that takes more points at rest than
-/// a drawing holds is an error at its key.
-PackedKeys packed_skinned_keys(const scene::Object& object, const scene::Scene& scene, double scale,
-                               LawTable& laws, DrawingPool& drawings, Diagnostics& diagnostics);
+/// As packed_keys(), of an object that bones carry. A drawing that takes more points at rest than a drawing
+/// holds is an error at its key.
+PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
+                               Diagnostics& diagnostics);
 
 }

@@ -4,23 +4,22 @@
 #include "host/compiler/allowance.hpp"
 #include "host/compiler/bone_writer.hpp"
 #include "host/compiler/drawing_pool.hpp"
-#include "host/compiler/enlargement.hpp"
 #include "host/compiler/header.hpp"
 #include "host/compiler/item_writer.hpp"
 #include "host/compiler/law_table.hpp"
 #include "host/compiler/mark_writer.hpp"
+#include "host/compiler/outline_bytes.hpp"
 
 #include <string>
 
 namespace kfast {
 namespace {
 
-void write_symbols(const scene::Scene& scene, const Extents& extents, ItemWriter& writer, ByteWriter& bytes)
+void write_symbols(const scene::Scene& scene, ItemWriter& writer, ByteWriter& bytes)
 {
-    const std::vector<Enlargement> enlargements = symbol_enlargements(extents);
-    for (std::size_t i = 0; i < scene.symbols.size(); ++i) {
+    for (const scene::Symbol& symbol : scene.symbols) {
         ByteWriter items;
-        writer.write(scene.symbols[i].items, enlargements[i], items);
+        writer.write(symbol.items, items);
         bytes.block(items.bytes());
     }
 }
@@ -40,29 +39,30 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
 {
     LawTable laws;
     DrawingPool drawings;
-    ItemWriter writer{scene, laws, drawings, diagnostics};
+    ItemWriter writer{laws, drawings, diagnostics};
     ByteWriter marks;
     ByteWriter bones;
     ByteWriter symbols;
     ByteWriter items;
     write_marks(scene, marks);
     write_bones(scene.bones, laws, bones);
-    const Extents extents{scene};
-    write_symbols(scene, extents, writer, symbols);
-    writer.write(scene.items, Enlargement::outermost(extents), items);
+    write_symbols(scene, writer, symbols);
+    writer.write(scene.items, items);
 
-    const std::uint32_t edges = check_allowances(scene, writer.needs(), diagnostics);
+    check_allowances(scene, writer.points(), diagnostics);
     check_laws(laws, diagnostics);
     if (diagnostics.has_errors())
         return std::nullopt;
 
     ByteWriter body;
-    write_header(scene, edges, laws.count(), body);
+    write_header(scene, laws.count(), body);
     body.append(laws.bytes());
     for (const ByteWriter* section : {&marks, &bones, &symbols, &items})
         body.block(section->bytes());
     body.append(drawings.bytes());
-    return sealed(body);
+    std::vector<std::byte> file = sealed(body);
+    set_outline_bytes(file, outline_bytes(file));
+    return file;
 }
 
 }

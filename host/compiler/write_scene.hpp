@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on edges or points is an
+/// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on items or points is an
 /// error at its largest object.
 std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics);
 

@@ -38,7 +38,7 @@ ItemState state_of(std::initializer_list<Bytes> tracks, Time time = {}, const By
                         0x04});
     const auto count = static_cast<int>(tracks.size());
     scene.items = joined({count == 0 ? bytes({0x18}) : bytes({0x1C, count}), joined(tracks), path,
-                          bytes({1, 2, 32, 8, 8}), varint(900), bytes({4, 0, 0, 1, 0})});
+                          bytes({1, 2, 32, 8}), one_key()});
     const Bytes file = scene.file();
     const auto view = SceneView::parse(file);
     REQUIRE(view);

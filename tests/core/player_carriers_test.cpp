@@ -21,7 +21,7 @@ RawScene plain_scene(const scene::Drawing& drawing)
 {
     RawScene scene = moving::empty_scene();
     scene.drawings = packed(drawing);
-    scene.items = joined({bytes({0x18}), moving::style(), varint(900), block(bytes({0, 0, 1, 0}))});
+    scene.items = joined({bytes({0x18}), moving::style(), one_key()});
     return scene;
 }
 

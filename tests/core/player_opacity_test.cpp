@@ -212,7 +212,7 @@ TEST_CASE("what has no opacity or is invisible is not even traced")
             Stage stage{"kfast 1\ncanvas 40 40\n" + items, {40, 40}};
             CHECK(stage.player.edge_count() == 0);
             CHECK(stage.player.step_count() == 0);
-            CHECK(stage.scene.max_edges() > 0);
+            CHECK(stage.scene.outline_bytes() > 0);
             CHECK(stage.picture({}) == Bytes(40 * 40 * 2));
         }
     }

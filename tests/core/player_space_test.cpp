@@ -1,6 +1,5 @@
 #include "core/player.hpp"
 
-#include "core/edge_budget.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/stage.hpp"
 
@@ -26,46 +25,14 @@ RawScene tracked_scene(const scene::Drawing& drawing, int count, const Bytes& tr
     RawScene scene = moving::empty_scene();
     scene.camera = 40;
     scene.drawings = packed(drawing);
-    scene.items = joined({count == 0 ? bytes({0x18}) : bytes({0x1C, count}), tracks, moving::style(),
-                          varint(900), block(bytes({0, 0, 9, 0}))});
+    scene.items =
+        joined({count == 0 ? bytes({0x18}) : bytes({0x1C, count}), tracks, moving::style(), one_key()});
     return scene;
 }
 
 Bytes picture_of(const scene::Drawing& drawing, int count, const Bytes& tracks, Size panel = canvas)
 {
     return Stage{tracked_scene(drawing, count, tracks).file(), panel}.picture({});
-}
-
-/// A stroke of one curve, stroked round, with all that can make it turn more than it should.
-RawScene twisted_scene(std::mt19937& random)
-{
-    const auto within = [&random](int least, int most) {
-        return std::uniform_int_distribution<int>{least, most}(random);
-    };
-    const int size = 1 << within(0, random() % 2 == 0 ? 2 : 11); // of few units, curves are all corners
-    const auto point = [&] {
-        const auto side = [&] { return static_cast<std::int16_t>(within(-size, size)); };
-        const std::int16_t x = side();
-        return scene::Point{x, side()};
-    };
-    RawScene scene = moving::empty_scene();
-    scene.width = scene.height = 512;
-    scene.camera = static_cast<std::uint32_t>(within(16, 600));
-    scene.drawings = packed(
-        {{{.from = point(), .segments = {{.cubic = true, .c1 = point(), .c2 = point(), .to = point()}}}}});
-    const Bytes tracks =
-        joined({fixed_track(Property::x, within(0, 8192)), fixed_track(Property::y, within(0, 8192)),
-                fixed_track(Property::z, within(-8192, 8192)),
-                fixed_track(Property::rotation_x, random() % 2 == 0 ? within(0, 65536) : 1),
-                fixed_track(Property::rotation_y, within(0, 65536)),
-                fixed_track(Property::scale_x, 4096 << within(0, 6)),
-                fixed_track(Property::scale_y, 4096 << within(0, 6))});
-    const Bytes keys =
-        joined({bytes({0, 0}), varint(1U << within(random() % 2 == 0 ? 8 : 0, 10)), bytes({0})});
-    scene.items = joined({bytes({0x14, 7}), tracks, bytes({1, 16, 5}), varint(4U << within(0, 8)),
-                          varint(65534), block(keys)});
-    scene.edges = 65534;
-    return scene;
 }
 
 }
@@ -94,7 +61,7 @@ TEST_CASE("what is seen from its edge leaves no fill")
     RawScene scene = tracked_scene(flag, 0, {});
     scene.items = joined({bytes({0x0C, 3}), fixed_track(Property::rotation_y, 16384),
                           fixed_track(Property::pivot_x, 480), fixed_track(Property::pivot_y, 320),
-                          bytes({1}), varint(900), block(bytes({0, 0, 9, 0}))});
+                          bytes({1}), one_key()});
     RawScene nothing_there = moving::empty_scene();
     nothing_there.items = {};
     CHECK(Stage{scene.file(), canvas}.picture({}) == Stage{nothing_there.file(), canvas}.picture({}));
@@ -103,18 +70,17 @@ TEST_CASE("what is seen from its edge leaves no fill")
 TEST_CASE("groups turn in one space with what they hold")
 {
     // moved towards the viewer inside of a group that turns it away to the right
-    const Bytes inner = joined({bytes({0x1C, 1}), fixed_track(Property::z, 160), moving::style(), varint(900),
-                                block(bytes({0, 0, 9, 0}))});
+    const Bytes inner = joined({bytes({0x1C, 1}), fixed_track(Property::z, 160), moving::style(), one_key()});
     RawScene nested = tracked_scene(flag, 0, {});
     nested.items =
         joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, 16384),
                 block(joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, -16384), block(inner)}))});
     CHECK(Stage{nested.file(), canvas}.picture({}) == picture_of(flag, 1, fixed_track(Property::z, 160)));
     // turned by a quarter, what lay 10 px nearer lies 10 px to the right
-    nested.items = joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, 16384),
-                           block(joined({bytes({0x1C, 2}), fixed_track(Property::z, 160),
-                                         fixed_track(Property::rotation_y, -16384), moving::style(),
-                                         varint(900), block(bytes({0, 0, 9, 0}))}))});
+    nested.items =
+        joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, 16384),
+                block(joined({bytes({0x1C, 2}), fixed_track(Property::z, 160),
+                              fixed_track(Property::rotation_y, -16384), moving::style(), one_key()}))});
     CHECK(Stage{nested.file(), canvas}.picture({}) == picture_of(flag, 1, fixed_track(Property::x, 160)));
 }
 
@@ -134,24 +100,6 @@ TEST_CASE("curves are projected piece by piece: a circle that is tilted stays sy
         const std::string mirrored{text.rbegin(), text.rend()};
         CHECK(text == mirrored);
     }
-}
-
-TEST_CASE("no curve in perspective needs more edges than the budget says, however it is twisted")
-{
-    std::mt19937 random{108};
-    double most = 0;
-    for (int round = 0; round < 6000; ++round) {
-        const Bytes file = twisted_scene(random).file();
-        const auto scene = SceneView::parse(file);
-        if (!scene)
-            continue; // too many edges
-        Bytes block(Player::block_bytes(*scene, {512, 512}));
-        const auto player = Player::create(*scene, {512, 512}, Fit::contain, block);
-        const auto bound = static_cast<double>(object_edges(scene->items().next().object, scene->drawings()));
-        most = std::max(most, static_cast<double>(player->edge_count()) / bound);
-    }
-    CHECK(most <= 1);
-    CHECK(most > 0.9);
 }
 
 }

@@ -60,18 +60,19 @@ inline Bytes group(const Bytes& items) { return joined({bytes({1}), block(items)
 
 inline Bytes use(int symbol) { return bytes({2, symbol}); }
 
-/// A filled triangle, which needs triangle_edges.
-inline Bytes triangle() { return bytes({0x08, 1, 4, 4, 0, 0, 1, 0}); }
+/// The keys of an object that shows one drawing all the time.
+inline Bytes one_key(int drawing = 0) { return block(bytes({0, 0, drawing})); }
 
-inline constexpr std::uint32_t triangle_edges = 4;
+/// A filled triangle.
+inline Bytes triangle() { return joined({bytes({0x08, 1}), one_key()}); }
 
-/// An object whose only drawing is empty: it needs no edges.
-inline Bytes nothing() { return bytes({0x08, 1, 0, 4, 0, 0, 1, 10}); }
+/// An object whose only drawing is empty.
+inline Bytes nothing() { return joined({bytes({0x08, 1}), one_key(10)}); }
 
 /// The triangle with tracks; `count` and the tracks need not fit.
 inline Bytes tracked(int count, const Bytes& tracks)
 {
-    return joined({bytes({0x0C, count}), tracks, bytes({1, 4, 4, 0, 0, 1, 0})});
+    return joined({bytes({0x0C, count}), tracks, bytes({1}), one_key()});
 }
 
 inline Bytes fixed_track(Property property, std::int32_t value)
@@ -121,7 +122,7 @@ inline Bytes path_bytes(bool turns, std::uint32_t drawing, const std::vector<std
 
 /// 16 x 16 px, 10 frames, a black background, white, and red; one triangle.
 struct RawScene {
-    std::uint32_t edges = 1000;
+    std::uint32_t outline_bytes = 24'000;
     std::uint32_t law_count = 0;
     std::uint32_t loop = 0;
     std::uint32_t ticks = 10 * 1024;
@@ -149,7 +150,7 @@ struct RawScene {
     Bytes file() const
     {
         ByteWriter body;
-        body.u16(edges);
+        body.u32(outline_bytes);
         body.u8(law_count);
         body.u8(loop);
         body.u32(ticks);

@@ -40,12 +40,12 @@ struct CarriedScene {
 /// A filled object with the keys; the carrier is 0 for backbones.
 Bytes carried_object(const Bytes& carrier, const Bytes& keys, int more_bits = 0)
 {
-    return joined({bytes({0x88 | more_bits, 1}), carrier, varint(900), block(keys)});
+    return joined({bytes({0x88 | more_bits, 1}), carrier, block(keys)});
 }
 
 Bytes bone_key(std::uint32_t drawing, std::uint32_t skin)
 {
-    return joined({bytes({0, 0, 1}), varint(drawing), varint(skin)});
+    return joined({bytes({0, 0}), varint(drawing), varint(skin)});
 }
 
 bool takes_skin(const scene::Drawing& drawing, const Bytes& skin)
@@ -102,7 +102,7 @@ bool takes_backbones(int unit_bits, const std::vector<RawBackboneKey>& list)
         keys =
             joined({keys, varint(key.time_code), bytes({key.laws}), varint(scene.drawings.add(key.drawing))});
     const Bytes carrier = joined({bytes({0, unit_bits}), block(keys)});
-    const Bytes key = joined({bytes({0, 0, 1}), varint(scene.drawings.add(five_points()))});
+    const Bytes key = joined({bytes({0, 0}), varint(scene.drawings.add(five_points()))});
     scene.object = carried_object(carrier, key);
     return scene.is_taken();
 }
@@ -195,7 +195,7 @@ TEST_CASE("skins are there, as the skeletons that they bind to")
         scene.object = carried_object(bytes({1}), bone_key(drawing, offset));
         CHECK_FALSE(scene.is_taken());
     }
-    scene.object = carried_object(bytes({1}), bytes({0, 0, 1, 0})); // no skin
+    scene.object = carried_object(bytes({1}), bytes({0, 0, 0})); // no skin
     CHECK_FALSE(scene.is_taken());
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("what bones carry has no arrival drawings")
     CarriedScene scene;
     const std::uint32_t drawing = scene.drawings.add(five_points());
     const std::uint32_t skin = scene.drawings.add(skin_bytes({{5, {{0}}}}));
-    const Bytes key = joined({bytes({0, 0, 1}), varint(drawing), varint(drawing), varint(skin)});
+    const Bytes key = joined({bytes({0, 0}), varint(drawing), varint(drawing), varint(skin)});
     scene.object = carried_object(bytes({1}), key, arrivals_bit);
     CHECK_FALSE(scene.is_taken());
     scene.object = carried_object(bytes({1}), bone_key(drawing, skin));
@@ -261,7 +261,7 @@ TEST_CASE("keys of backbones rise in time, have known laws and drawings that are
     const auto takes_keys = [&form](const Bytes& keys) {
         CarriedScene scene;
         scene.drawings.add(form);
-        scene.object = carried_object(joined({bytes({0, 9}), block(keys)}), bytes({0, 0, 1, 0}));
+        scene.object = carried_object(joined({bytes({0, 9}), block(keys)}), bytes({0, 0, 0}));
         return scene.is_taken();
     };
     CHECK(takes_keys(bytes({0, 0, 0})));
@@ -289,11 +289,10 @@ TEST_CASE("a scene says how many bones it has, and how many nodes and gaps any o
     const std::uint32_t large = drawings.add(backbones_of({4, 3}));
     const auto object = [](std::uint32_t backbones) {
         const Bytes keys = joined({bytes({0, 0}), varint(backbones)});
-        return carried_object(joined({bytes({0, 9}), block(keys)}), bytes({0, 0, 1, 0}));
+        return carried_object(joined({bytes({0, 9}), block(keys)}), bytes({0, 0, 0}));
     };
     raw.drawings = drawings.bytes();
     raw.items = joined({object(small), object(large), object(small)});
-    raw.edges = 2700;
     const Bytes file = raw.file();
     const auto scene = SceneView::parse(file);
     REQUIRE(scene);
@@ -314,7 +313,7 @@ TEST_CASE("drawings of backbones and at rest count for the points of all keys, t
         CarriedScene scene;
         scene.drawings.add(rows);
         const Bytes backbones = joined({bytes({0, 0, 0}), repeated(bytes({3, 0, 0}), count - 1)});
-        scene.object = carried_object(joined({bytes({0, 4}), block(backbones)}), bytes({0, 0, 1, 0}));
+        scene.object = carried_object(joined({bytes({0, 4}), block(backbones)}), bytes({0, 0, 0}));
         return scene.is_taken();
     };
     constexpr std::size_t points = 3 * 127 + 1;

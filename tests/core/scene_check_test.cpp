@@ -40,21 +40,17 @@ bool takes_keys(const Bytes& keys, const Bytes& laws = {}, int law_count = 0)
     RawScene scene;
     scene.law_count = static_cast<std::uint32_t>(law_count);
     scene.laws = laws;
-    scene.items = joined({bytes({0x08, 1, 4}), block(keys)});
+    scene.items = joined({bytes({0x08, 1}), block(keys)});
     return is_accepted(scene);
 }
 
-/// Of an object with a generous figure of edges.
-bool takes_stroke(const Bytes& style)
-{
-    return takes_items(joined({bytes({0x10}), style, varint(900), bytes({4, 0, 0, 1, 0})}));
-}
+/// Of an object.
+bool takes_stroke(const Bytes& style) { return takes_items(joined({bytes({0x10}), style, one_key()})); }
 
 /// On an object that is filled and stroked.
 bool takes_stroked_track(const Bytes& track)
 {
-    return takes_items(
-        joined({bytes({0x1C, 1}), track, bytes({1, 1, 16, 8, 16}), varint(900), bytes({4, 0, 0, 1, 0})}));
+    return takes_items(joined({bytes({0x1C, 1}), track, bytes({1, 1, 16, 8}), one_key()}));
 }
 
 bool takes_marks(const Bytes& marks)
@@ -141,8 +137,12 @@ TEST_CASE("values of the header have ranges")
     CHECK(with(&RawScene::camera, 16));
     CHECK(with(&RawScene::camera, 32767));
     CHECK_FALSE(with(&RawScene::camera, 32768));
-    CHECK(with(&RawScene::edges, 65534));
-    CHECK_FALSE(with(&RawScene::edges, 65535));
+    CHECK(with(&RawScene::outline_bytes, 0));
+    CHECK(with(&RawScene::outline_bytes, 4));
+    CHECK_FALSE(with(&RawScene::outline_bytes, 6));
+    CHECK(with(&RawScene::outline_bytes, 1'048'576));
+    CHECK_FALSE(with(&RawScene::outline_bytes, 1'048'580));
+    CHECK_FALSE(with(&RawScene::outline_bytes, 0xFFFFFFFC));
 }
 
 TEST_CASE("the background is opaque, and there is one")
@@ -153,31 +153,6 @@ TEST_CASE("the background is opaque, and there is one")
     scene.palette.clear();
     scene.items.clear();
     CHECK_FALSE(is_accepted(scene));
-}
-
-TEST_CASE("the edges of the scene are those of its objects together, or more")
-{
-    RawScene scene;
-    scene.items = repeated(triangle(), 3);
-    scene.edges = 3 * triangle_edges;
-    CHECK(is_accepted(scene));
-    --scene.edges;
-    CHECK_FALSE(is_accepted(scene));
-    SUBCASE("what a symbol needs counts wherever it is used")
-    {
-        scene.add_symbol(triangle());
-        scene.items = repeated(use(0), 3);
-        CHECK_FALSE(is_accepted(scene));
-        ++scene.edges;
-        CHECK(is_accepted(scene));
-    }
-    SUBCASE("an object's own figure may be too large, not too small")
-    {
-        CHECK(takes_items(bytes({0x08, 1, 5, 4, 0, 0, 1, 0})));
-        CHECK_FALSE(takes_items(bytes({0x08, 1, 3, 4, 0, 0, 1, 0})));
-        CHECK_FALSE(takes_items(joined({bytes({0x08, 1}), varint(65535), bytes({4, 0, 0, 1, 0})})));
-        CHECK_FALSE(takes_items(joined({bytes({0x08, 1}), varint(0xFFFFFFFF), bytes({4, 0, 0, 1, 0})})));
-    }
 }
 
 TEST_CASE("laws have a known kind and parameters in their ranges")
@@ -230,13 +205,13 @@ TEST_CASE("events have a name and come within the scene")
 
 TEST_CASE("items have no bits without a meaning")
 {
-    CHECK_FALSE(takes_items(bytes({0x88, 1, 4, 4, 0, 0, 1, 0})));
+    CHECK_FALSE(takes_items(bytes({0x88, 1, 3, 0, 0, 0})));
     CHECK_FALSE(takes_items(bytes({3})));
     CHECK_FALSE(takes_items(bytes({3, 0})));
     for (const int bit : {0x08, 0x10, 0x20, 0x40, 0x80})
         CHECK_FALSE(takes_items(bytes({1 | bit, 0})));
-    CHECK_FALSE(takes_items(bytes({0x00, 4, 4, 0, 0, 1, 0}))); // neither filled nor stroked
-    CHECK_FALSE(takes_items(bytes({0x05, 0, 0})));             // tracks, but none
+    CHECK_FALSE(takes_items(bytes({0x00, 3, 0, 0, 0}))); // neither filled nor stroked
+    CHECK_FALSE(takes_items(bytes({0x05, 0, 0})));       // tracks, but none
 }
 
 TEST_CASE("items end where their section ends")
@@ -293,11 +268,10 @@ TEST_CASE("tracks of colours and widths need what they colour")
     const Bytes stroke = bytes({1, 0x8F, 2});
     const Bytes width = bytes({1, 0x90, 2});
     const auto on_filled = [](const Bytes& tracks) {
-        return takes_items(joined({bytes({0x0C}), tracks, bytes({1, 4, 4, 0, 0, 1, 0})}));
+        return takes_items(joined({bytes({0x0C}), tracks, bytes({1}), one_key()}));
     };
     const auto on_stroked = [](const Bytes& tracks) {
-        return takes_items(
-            joined({bytes({0x14}), tracks, bytes({1, 16, 8, 16}), varint(900), bytes({4, 0, 0, 1, 0})}));
+        return takes_items(joined({bytes({0x14}), tracks, bytes({1, 16, 8}), one_key()}));
     };
     CHECK(on_filled(fill));
     CHECK_FALSE(on_filled(stroke));
@@ -366,7 +340,7 @@ TEST_CASE("a path is one stroke with an extent, and each of its segments has a l
         RawScene scene;
         scene.drawings = joined({scene.drawings, packed(drawing)});
         scene.items =
-            joined({bytes({0x0C, 1}), fixed_track(Property::along, 7), path, bytes({1, 4, 4, 0, 0, 1, 0})});
+            joined({bytes({0x0C, 1}), fixed_track(Property::along, 7), path, bytes({1}), one_key()});
         return is_accepted(scene);
     };
     constexpr std::uint32_t offset = 11;
@@ -397,7 +371,7 @@ TEST_CASE("a path is one stroke with an extent, and each of its segments has a l
             RawScene scene;
             scene.drawings = joined({scene.drawings, drawing});
             scene.items = joined({bytes({0x0C, 1}), fixed_track(Property::along, 7),
-                                  path_bytes(false, offset, {160, 160}), bytes({1, 4, 4, 0, 0, 1, 0})});
+                                  path_bytes(false, offset, {160, 160}), bytes({1}), one_key()});
             CHECK_FALSE(is_accepted(scene));
         }
     }
@@ -422,51 +396,44 @@ TEST_CASE("groups and uses may follow a path, too, and a share of it is 0 to 1")
     CHECK_FALSE(is_accepted(scene));
 }
 
-TEST_CASE("keys of objects rise in time, have known laws and pieces, and drawings that are there")
+TEST_CASE("keys of objects rise in time, have known laws, and drawings that are there")
 {
-    CHECK(takes_keys(bytes({0, 0, 1, 0, 3, 0, 1, 0})));
+    CHECK(takes_keys(bytes({0, 0, 0, 3, 0, 0})));
     CHECK_FALSE(takes_keys({}));
-    CHECK_FALSE(takes_keys(bytes({2, 0, 1, 0, 0, 0, 1, 0})));
-    CHECK(takes_keys(bytes({0, 1, 1, 0}), bytes({0x21}), 1));
-    CHECK_FALSE(takes_keys(bytes({0, 2, 1, 0}), bytes({0x21}), 1));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 0, 0})));
-    CHECK(takes_keys(joined({bytes({0, 0}), varint(1024), bytes({0})})));
-    CHECK_FALSE(takes_keys(joined({bytes({0, 0}), varint(1025), bytes({0})})));
-    CHECK(takes_keys(joined({varint(2 * 1'000'000), bytes({0, 1, 0})})));
-    CHECK_FALSE(takes_keys(joined({varint(2 * 1'000'000 + 2), bytes({0, 1, 0})})));
-    CHECK(takes_keys(bytes({0, 0, 1, 10})));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 1, 11}))); // behind the last drawing
-    CHECK_FALSE(takes_keys(joined({bytes({0, 0, 1}), varint(0xFFFFFFFF)})));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 1, 0, 2, 0, 1}))); // breaks off
+    CHECK_FALSE(takes_keys(bytes({2, 0, 0, 0, 0, 0})));
+    CHECK(takes_keys(bytes({0, 1, 0}), bytes({0x21}), 1));
+    CHECK_FALSE(takes_keys(bytes({0, 2, 0}), bytes({0x21}), 1));
+    CHECK(takes_keys(joined({varint(2 * 1'000'000), bytes({0, 0})})));
+    CHECK_FALSE(takes_keys(joined({varint(2 * 1'000'000 + 2), bytes({0, 0})})));
+    CHECK(takes_keys(bytes({0, 0, 10})));
+    CHECK_FALSE(takes_keys(bytes({0, 0, 11}))); // behind the last drawing
+    CHECK_FALSE(takes_keys(joined({bytes({0, 0}), varint(0xFFFFFFFF)})));
+    CHECK_FALSE(takes_keys(bytes({0, 0, 0, 2, 0}))); // breaks off
 }
 
-TEST_CASE("arrival drawings are there, and count for the edges")
+TEST_CASE("arrival drawings are there")
 {
-    CHECK(takes_items(bytes({0x48, 1, 4, 5, 0, 0, 1, 10, 0})));
-    CHECK_FALSE(takes_items(bytes({0x48, 1, 3, 5, 0, 0, 1, 10, 0})));
-    CHECK_FALSE(takes_items(bytes({0x48, 1, 4, 5, 0, 0, 1, 0, 11})));
-    CHECK_FALSE(takes_items(bytes({0x48, 1, 4, 4, 0, 0, 1, 0})));
+    CHECK(takes_items(bytes({0x48, 1, 4, 0, 0, 10, 0})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 4, 0, 0, 0, 11})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 3, 0, 0, 0})));
 }
 
 TEST_CASE("styles have known words, colours of the palette and parameters in their ranges")
 {
-    CHECK(takes_items(bytes({0x28, 2, 4, 4, 0, 0, 1, 0})));
-    CHECK_FALSE(takes_items(bytes({0x28, 3, 4, 4, 0, 0, 1, 0}))); // the fourth colour of three
-    CHECK(takes_stroke(bytes({2, 1, 0x0A, 4})));
-    CHECK_FALSE(takes_stroke(bytes({3, 1, 0x0A, 4})));
-    CHECK_FALSE(takes_stroke(bytes({2, 0, 0x0A, 4}))); // no width
-    CHECK(takes_stroke(joined({bytes({2}), varint(65535), bytes({0x0A, 4})})));
-    CHECK_FALSE(takes_stroke(joined({bytes({2}), varint(65536), bytes({0x0A, 4})})));
-    CHECK_FALSE(takes_stroke(joined({bytes({2}), varint(0xFFFFFFFF), bytes({0x0A, 4})})));
-    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0B, 4}))); // a fourth cap
-    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0E, 4}))); // a fourth join
+    CHECK(takes_items(bytes({0x28, 2, 3, 0, 0, 0})));
+    CHECK_FALSE(takes_items(bytes({0x28, 3, 3, 0, 0, 0}))); // the fourth colour of three
+    CHECK(takes_stroke(bytes({2, 1, 0x0A})));
+    CHECK_FALSE(takes_stroke(bytes({3, 1, 0x0A})));
+    CHECK_FALSE(takes_stroke(bytes({2, 0, 0x0A}))); // no width
+    CHECK(takes_stroke(joined({bytes({2}), varint(65535), bytes({0x0A})})));
+    CHECK_FALSE(takes_stroke(joined({bytes({2}), varint(65536), bytes({0x0A})})));
+    CHECK_FALSE(takes_stroke(joined({bytes({2}), varint(0xFFFFFFFF), bytes({0x0A})})));
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0B}))); // a fourth cap
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0E}))); // a fourth join
     for (const int bit : {0x10, 0x20, 0x40, 0x80})
-        CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0A | bit, 4})));
-    CHECK(takes_stroke(bytes({2, 1, 0x00, 8, 4})));
-    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x00, 7, 4}))); // a miter shorter than the width
-    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x08, 3})));
-    CHECK(takes_stroke(joined({bytes({2, 1, 0x08}), varint(1024)})));
-    CHECK_FALSE(takes_stroke(joined({bytes({2, 1, 0x08}), varint(1025)})));
+        CHECK_FALSE(takes_stroke(bytes({2, 1, 0x0A | bit})));
+    CHECK(takes_stroke(bytes({2, 1, 0x00, 8})));
+    CHECK_FALSE(takes_stroke(bytes({2, 1, 0x00, 7}))); // a miter shorter than the width
 }
 
 TEST_CASE("drawings are whole, and their points have coordinates of 16 bits")
@@ -587,8 +554,8 @@ TEST_CASE("drawings of all keys have at most 4,194,304 points, each key one more
     const auto takes_keys_of = [&line](std::size_t count) {
         RawScene scene;
         scene.drawings = line;
-        const Bytes keys = joined({bytes({0, 0, 1, 0}), repeated(bytes({3, 0, 1, 0}), count - 1)});
-        scene.items = joined({bytes({0x08, 1}), varint(200), block(keys)});
+        const Bytes keys = joined({bytes({0, 0, 0}), repeated(bytes({3, 0, 0}), count - 1)});
+        scene.items = joined({bytes({0x08, 1}), block(keys)});
         return is_accepted(scene);
     };
     CHECK(takes_keys_of(4'194'304 / 128));

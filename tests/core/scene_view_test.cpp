@@ -166,19 +166,6 @@ TEST_CASE("other files and other versions are named as such")
     CHECK(error_of(Bytes(200)) == Error::bad_magic);
 }
 
-TEST_CASE("the player has room for as many edges as the header says")
-{
-    Bytes bytes = compiled(two_objects);
-    const SceneView scene = *SceneView::parse(bytes);
-    bytes[12] = static_cast<std::byte>(scene.max_edges() + 7);
-    const Bytes generous_bytes = resealed(bytes);
-    const auto generous = SceneView::parse(generous_bytes);
-    REQUIRE(generous);
-    CHECK(generous->max_edges() == scene.max_edges() + 7);
-    CHECK(Player::block_bytes(*generous, {16, 16}) ==
-          Player::block_bytes(scene, {16, 16}) + 7 * sizeof(Edge));
-}
-
 TEST_CASE("whatever a wrong writer seals is refused or can be played")
 {
     std::mt19937 random{21};
@@ -197,7 +184,6 @@ TEST_CASE("whatever a wrong writer seals is refused or can be played")
         auto player = Player::create(*scene, panel, Fit::contain, block);
         REQUIRE(player);
         player->show({static_cast<std::int32_t>(random())});
-        REQUIRE(player->edge_count() <= scene->max_edges());
         REQUIRE(player->step_count() <= scene->paint_steps());
         Bytes pixels(16 * 16 * 2);
         player->draw_rows<PixelFormat::rgb565>(16, pixels);

@@ -126,7 +126,7 @@ void play(std::span<const std::byte> bytes)
     std::size_t drawn = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
         player->show(time);
-        demand(player->edge_count() <= scene->max_edges() && player->step_count() <= scene->paint_steps());
+        demand(player->step_count() <= scene->paint_steps());
         if (player->edge_count() <= most_drawn_edges)
             draw(*player, pixel_formats[drawn++ % pixel_formats.size()]);
     }

@@ -110,7 +110,7 @@ class InputTest(CommandTest):
 
     def test_contradicting(self):
         scene = self.compiled()
-        scene[24:26] = b"\0\0"  # the width of the canvas
+        scene[26:28] = b"\0\0"  # the width of the canvas
         scene[4:8] = zlib.crc32(scene[8:]).to_bytes(4, "little")
         self.everywhere(self.write("bad.kfb", scene), "contradicts itself")
 

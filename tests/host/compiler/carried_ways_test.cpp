@@ -1,12 +1,9 @@
 #include "host/compiler/carried_ways.hpp"
 
-#include "core/equalize.hpp"
-#include "core/key_interval.hpp"
 #include "core/player.hpp"
 #include "host/compiler/backbone_timeline.hpp"
 #include "host/compiler/compile.hpp"
 #include "host/compiler/key_writer.hpp"
-#include "host/compiler/model_reader.hpp"
 #include "host/scene/outline.hpp"
 #include "tests/host/compiler/backbone_parts.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
@@ -31,7 +28,7 @@ struct Carried {
 Carried carry(const scene::Object& object)
 {
     Diagnostics diagnostics;
-    KeyWays ways = key_ways(object, 1, diagnostics);
+    KeyWays ways = key_ways(object, diagnostics);
     return {std::move(ways), diagnostics.sorted()};
 }
 
@@ -271,80 +268,6 @@ TEST_CASE("points outside of the skeleton are a warning at their key")
     CHECK(carry(object).findings[0].message ==
           "1 point of this drawing lies outside of the skeleton, the first at "
           "-12.5 30; 1 point had to be moved to its edge");
-}
-
-TEST_CASE("curves are flattened for how they are bent at any moment")
-{
-    const scene::Drawing arch = curve({160, 480}, {220, 470}, {260, 470}, {320, 480});
-    const auto pieces = [&](const scene::Backbone& later) {
-        return carry(
-                   carried(filled({key(0, arch)}), {skeleton(0, {straight_band(1)}), skeleton(50, {later})}))
-            .ways.ways[0]
-            .curve_pieces;
-    };
-    scene::Backbone high = straight_band(1);
-    for (scene::Point& point : high.left)
-        point.y = -9600;
-    CHECK(pieces(straight_band(1)) < 4);
-    CHECK(pieces(high) > 8);
-}
-
-namespace {
-
-/// How far the middles of the pieces of a curve are from it at most, in pixels.
-double worst_distance(const Segment& curve, std::uint32_t pieces)
-{
-    const auto spot_at = [&curve](double share) {
-        const Point at = point_at(curve, Share{static_cast<std::uint32_t>(share * Share::one)});
-        return Spot{at.x.raw() / 65536.0, at.y.raw() / 65536.0};
-    };
-    double worst = 0;
-    for (std::uint32_t i = 0; i < pieces; ++i) {
-        const Spot middle = 0.5 * (spot_at(1.0 * i / pieces) + spot_at((i + 1.0) / pieces));
-        worst = std::max(worst, distance(middle, spot_at((i + 0.5) / pieces)));
-    }
-    return worst;
-}
-
-/// Of all curves of a way from 0 to frame 30, at a moment.
-double worst_distance(const scene::Object& object, const KeyWays& ways, Time time)
-{
-    const BackboneTimeline backbones{object.backbone_keys};
-    std::vector<BackboneNode> nodes(backbones.node_count());
-    const LiveBackbones live = backbones.at(time, ways.unit_bits, nodes);
-    const KeyWay& way = ways.ways[0];
-    const Progress progress = progress_between({}, Time::frame(30), time, way.laws);
-    double worst = 0;
-    EqualizedPair pair{ModelReader{way.ends.from}, ModelReader{way.ends.to}};
-    while (const std::uint32_t segments = pair.next_stroke())
-        for (std::uint32_t i = 0; i < segments; ++i) {
-            const Pair<Segment> both = pair.next_segment();
-            worst = std::max(worst, worst_distance(live.between(both.a, both.b, progress), way.curve_pieces));
-        }
-    return worst;
-}
-
-}
-
-TEST_CASE("no piece of a curve is further than 1/32 px away from it, at any moment")
-{
-    RandomBand random;
-    for (int round = 0; round < 50; ++round) {
-        const int nodes = 2 + round % 7;
-        const std::vector bands{random.backbone(nodes), random.backbone(nodes), random.backbone(nodes)};
-        const auto arc = [&random](const scene::Backbone& band) {
-            return curve(random.in_cell(band), random.in_cell(band), random.in_cell(band),
-                         random.in_cell(band));
-        };
-        const LawPair laws{VelocityLaw::accelerate, VelocityLaw::decelerate};
-        const scene::Object object =
-            carried(filled({key(0, arc(bands[0]), laws), key(30, arc(bands[2]))}),
-                    {skeleton(0, {bands[0]}), skeleton(11, {bands[1]}), skeleton(30, {bands[2]})});
-        const KeyWays ways = carry(object).ways;
-        for (int moment = 0; moment < 30; ++moment)
-            CHECK(worst_distance(object, ways, {static_cast<std::int32_t>(random.number(0, 30 * 1024))}) <
-                  1.0 / 32);
-    }
 }
 
 namespace {

@@ -11,24 +11,6 @@ namespace {
 
 std::string with_object(const std::string& object) { return "kfast 1\ncanvas 64 64\n" + object; }
 
-std::string first_message(const std::string& text)
-{
-    Diagnostics diagnostics;
-    const SourceText source{"s.kfast", text};
-    REQUIRE(!compile(source, diagnostics));
-    REQUIRE(diagnostics.has_errors());
-    return format(diagnostics.sorted().front(), source);
-}
-
-/// A path of `count` curves, each as bent as fits.
-std::string bent_path(int count)
-{
-    std::string path = "path \"M 0 0";
-    for (int i = 0; i < count; ++i)
-        path += " C 2000 -2000 -2000 2000 " + std::to_string(i % 60) + " 9";
-    return path + "\"";
-}
-
 }
 
 TEST_CASE("a drawing that is shown again is stored once, also in another object")
@@ -37,11 +19,11 @@ TEST_CASE("a drawing that is shown again is stored once, also in another object"
     const auto once = compiled(with_object("object a fill=white { key 0 " + shape + " }")).size();
     const auto again =
         compiled(with_object("object a fill=white { key 0 " + shape + "; key 9 " + shape + " }")).size();
-    CHECK(again == once + 4); // one more key
+    CHECK(again == once + 3); // one more key
     const auto twice = compiled(with_object("object a fill=white { key 0 " + shape + " }\n" +
                                             "object b fill=white { key 0 " + shape + " }"))
                            .size();
-    CHECK(twice == once + 4 + 4); // style, colour, edges, length of the keys; one key
+    CHECK(twice == once + 3 + 3); // style, colour, length of the keys; one key
 }
 
 TEST_CASE("times of every kind come back as they were written")
@@ -67,17 +49,6 @@ TEST_CASE("whatever compiles can be parsed and played")
     REQUIRE(scene);
     std::vector<std::byte> block(Player::block_bytes(*scene, {4, 4}));
     CHECK(Player::create(*scene, {4, 4}, Fit::cover, block));
-}
-
-TEST_CASE("a scene with too many edges is refused at its largest object, with the figures")
-{
-    const std::string text = with_object("object small fill=white { rect 0 0 9 9 }\n"
-                                         "object large fill=white { " +
-                                         bent_path(400) + " }");
-    const std::string message = first_message(text);
-    CHECK(message.find("s.kfast:4:") == 0);
-    CHECK(message.find("edges, the format holds 65534; object \"large\" alone needs ") != std::string::npos);
-    CHECK(message.find("help: ") != std::string::npos);
 }
 
 TEST_CASE("a syntax error is reported without errors that only follow from it")

@@ -1,6 +1,5 @@
 #include "host/compiler/key_writer.hpp"
 
-#include "core/item_view.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>
@@ -13,13 +12,7 @@ PackedKeys packed(const scene::Object& object)
     LawTable laws;
     DrawingPool drawings;
     Diagnostics diagnostics;
-    return packed_keys(object, 1, laws, drawings, diagnostics);
-}
-
-std::uint32_t first_pieces(const scene::Object& object)
-{
-    const PackedKeys keys = packed(object);
-    return KeyCursor{ByteReader{keys.bytes}, has_arrivals(object), false}.next().curve_pieces;
+    return packed_keys(object, laws, drawings, diagnostics);
 }
 
 /// A line in `count` steps of 10 px, and one stroke.
@@ -40,15 +33,6 @@ TEST_CASE("every drawing of every key counts with its points and one more, arriv
     CHECK(packed(object).points == 6 + 6 + 1);
     object.keys[0].match = scene::Match::length; // points meet already: nothing is added
     CHECK(packed(object).points == 6 + 6 + 6 + 1 + 1 + 1);
-}
-
-TEST_CASE("a curve that is divided on its way has the pieces that it takes while it is whole")
-{
-    const scene::Drawing whole = curve({0, 0}, {0, 1600}, {1600, 1600}, {1600, 0});
-    const std::uint32_t alone = first_pieces(filled({key(0, whole)}));
-    CHECK(alone > 20);
-    CHECK(first_pieces(filled({key(0, whole), key(1, steps(16))})) == alone);
-    CHECK(first_pieces(filled({key(0, steps(16)), key(1, whole)})) < alone / 2);
 }
 
 TEST_CASE("a way by length that takes too many points is an error at its key")

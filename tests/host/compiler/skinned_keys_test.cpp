@@ -1,10 +1,8 @@
 #include "core/carried_drawing.hpp"
-#include "core/equalize.hpp"
 #include "core/key_interval.hpp"
-#include "host/compiler/curve_pieces.hpp"
-#include "host/compiler/posed_drawing.hpp"
 #include "host/scene/bone_frames.hpp"
 #include "tests/core/stage.hpp"
+#include "tests/host/compiler/posed_drawing.hpp"
 #include "tests/host/compiler/random_scene.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
@@ -52,19 +50,6 @@ private:
     ObjectView object_;
     std::vector<LiveBone> bones_;
 };
-
-double most_bend(Played& played, Time time)
-{
-    const auto [from, to, way] = played.at(time);
-    double most = 0;
-    EqualizedPair pair{played.drawing(from), played.drawing(to)};
-    while (const std::uint32_t segments = pair.next_stroke())
-        for (std::uint32_t i = 0; i < segments; ++i) {
-            const Pair<Segment> both = pair.next_segment();
-            most = std::max(most, bend_of(tween(both.a, both.b, way.x, way.y)));
-        }
-    return most;
-}
 
 double pixels(Fixed value) { return static_cast<double>(value.raw()) / Fixed::one; }
 
@@ -124,33 +109,14 @@ TEST_CASE("the player carries points to where the compiler foresees them")
     }
 }
 
-TEST_CASE("curves have pieces enough however bones bend them")
-{
-    std::mt19937 random{42};
-    double worst = 0;
-    for (int round = 0; round < 1000; ++round) {
-        const std::vector<std::byte> bytes = written(random_carried_scene(random));
-        const auto view = SceneView::parse(bytes);
-        REQUIRE(view);
-        Played played{*view};
-        for (int moment = 0; moment < 100; ++moment) {
-            const Time time = some_time(random);
-            const std::uint32_t pieces = played.at(time).from.curve_pieces;
-            const double off = 6 * most_bend(played, time) / (8.0 * pieces * pieces);
-            worst = std::max(worst, off);
-        }
-    }
-    CHECK(worst <= 1.0 / 32);
-    CHECK(worst > 1.0 / 40);
-}
-
 TEST_CASE("what drawings change stays as it is on the canvas, or turns with the bones")
 {
     const auto eye = [](const std::string& properties, const std::string& keys) {
-        return Stage{"kfast 1\ncanvas 90 90 loop=once\nbones b { bone head 20 45 45 45; pose 0 { head turn=90 } }\n"
-                     "object eye fill=white skin=b bone=head" +
-                         properties + " {" + keys + "}",
-                     {90, 90}}
+        return Stage{
+            "kfast 1\ncanvas 90 90 loop=once\nbones b { bone head 20 45 45 45; pose 0 { head turn=90 } }\n"
+            "object eye fill=white skin=b bone=head" +
+                properties + " {" + keys + "}",
+            {90, 90}}
             .picture(Time::frame(10));
     };
     const std::string wide = "rect 30 30 16 30";

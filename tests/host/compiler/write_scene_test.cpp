@@ -1,5 +1,6 @@
 #include "host/compiler/write_scene.hpp"
 
+#include "core/crc32.hpp"
 #include "core/scene_view.hpp"
 #include "tests/bytes.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
@@ -17,7 +18,7 @@ Bytes behind(const Bytes& bytes, std::size_t offset)
     return {bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.end()};
 }
 
-constexpr std::size_t header_and_two_colours = 32 + 2 * 4;
+constexpr std::size_t header_and_two_colours = 34 + 2 * 4;
 
 std::size_t size_of(std::vector<scene::Item> items) { return written(scene_of(std::move(items))).size(); }
 
@@ -30,18 +31,24 @@ TEST_CASE("a small scene, byte by byte")
     scene.frame_rate = 25'000;
     scene.loop = Loop::ping_pong;
     scene.palette = {{0x10, 0x20, 0x30}, {0x4c, 0xc9, 0xf0, 0x80}};
-    CHECK(written(scene) ==
+    const Bytes all = written(scene);
+    CHECK(Bytes{all.begin(), all.begin() + 4} == bytes({'K', 'F', 'B', 1}));
+    constexpr std::size_t size_at = 8;
+    Crc32 checksum;
+    checksum.add(behind(all, size_at));
+    CHECK(ByteReader{std::span{all}.subspan(4)}.u32() == checksum.value());
+    CHECK(ByteReader{std::span{all}.subspan(size_at)}.u32() == all.size());
+    constexpr std::size_t laws_at = 16; // behind the bytes for outlines
+    CHECK(behind(all, laws_at) ==
           bytes({
-              'K',  'F',  'B',  1,    0x13, 0x29, 0xC9, 0x92,             // checksum: zlib's crc32
-              63,   0,    0,    0,                                        // size
-              4,    0,    0,    2,                                        // edges, pairs of laws, ping-pong
+              0,    2,                                                    // pairs of laws, ping-pong
               0x00, 0xA0, 0x00, 0x00,                                     // 40 frames
               0xA8, 0x61, 0x00, 0x00,                                     // 25 frames a second
               64,   0,    48,   0,    2,    0,    0xE0, 0x01,             // canvas, colours, symbols, camera
               0x10, 0x20, 0x30, 0xFF, 0x4C, 0xC9, 0xF0, 0x80,             //
               1,    0,                                                    // marks: no clips, no events
               0,    0,                                                    // bones, symbols
-              8,    0x08, 1,    4,    4,    0,    0,    1,    0,          // filled, colour, edges, one key
+              6,    0x08, 1,    3,    0,    0,    0,                      // filled, colour, one key
               1,    6,    2,    16,   0,    32,   0,    0x10, 0x00, 0x03, // 6 bits: 16, 0, -16, 0
           }));
 }
@@ -66,8 +73,7 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
     scene.events = {{"a", Time::frame(3)}, {"é", Time::frame(3)}};
 
     const Bytes all = written(scene);
-    CHECK(all[12] == std::byte{34 + 3}); // edges
-    CHECK(all[14] == std::byte{2});      // pairs of laws
+    CHECK(all[16] == std::byte{2}); // pairs of laws
     CHECK(behind(all, header_and_two_colours) ==
           bytes({
               0x21,                                                          // accelerate, decelerate
@@ -76,18 +82,16 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
               2,    'g',  'o',  20,   0x81, 0x58, 1,                         // from frame 10, 5632 ticks long
               6,    1,    'a',  0,    2,    0xC3, 0xA9,                      // events
               0,                                                             // bones
-              13,   12,                                                      // one symbol
-              0x10, 1,    40,   1,    32,   11,   34,            // its arcs are for twice the width
-              4,    0,    0,    1,    0,                         //
-              34,                                                // items
-              0x05, 2,    0x85, 0x80, 0x80, 2,                   // group: a quarter turn,
-              11,   7,    0,    1,    0xFE, 3,    20,   0,    0, // opacity from 255 to 0
-              6,    0x06, 1,    0x86, 0xFF, 0x7F, 0,             // the use, mirrored
-              0x28, 0,    3,    8,    0,    2,    1,    7,    3,    0, 1,
-              15,                                             // even-odd; 1 tick to the second key
-              1,    0,    0,    10,   0,    11,   0,          // the single point
-              1,    2,    1,    0,    0,    0,    0,    0x01, // the line
-              0,                                              // the empty drawing
+              10,   9,                                                       // one symbol
+              0x10, 1,    40,   1,    32,   3,    0,    0,    0,             //
+              31,                                                            // items
+              0x05, 2,    0x85, 0x80, 0x80, 2,                               // group: a quarter turn,
+              11,   7,    0,    1,    0xFE, 3,    20,   0,    0,             // opacity from 255 to 0
+              6,    0x06, 1,    0x86, 0xFF, 0x7F, 0,                         // the use, mirrored
+              0x28, 0,    6,    0,    2,    7,    3,    0,    15, // even-odd; 1 tick to the second key
+              1,    0,    0,    10,   0,    11,   0,              // the single point
+              1,    2,    1,    0,    0,    0,    0,    0x01,     // the line
+              0,                                                  // the empty drawing
           }));
 }
 
@@ -182,11 +186,11 @@ TEST_CASE("a drawing is stored once, whoever shows it")
     const scene::Drawing shape = curve({0, 0}, {900, 0}, {0, 900}, {900, 900});
     const auto shown = [&shape](int frame) { return key(frame, shape); };
     const std::size_t once = size_of({item(filled({shown(0)}))});
-    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 4); // a key
-    CHECK(size_of({item(filled({shown(0)})), item(filled({shown(0)}))}) == once + 3 + 5);
+    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 3); // a key
+    CHECK(size_of({item(filled({shown(0)})), item(filled({shown(0)}))}) == once + 2 + 4);
     const scene::Scene with_symbol =
         scene_of({item(filled({shown(0)})), item(scene::Use{0})}, {{"again", {item(filled({shown(0)}))}}});
-    CHECK(written(with_symbol).size() == once + 1 + 8 + 2); // length of the symbol, its object, the use
+    CHECK(written(with_symbol).size() == once + 1 + 6 + 2); // length of the symbol, its object, the use
 }
 
 TEST_CASE("keys that match by length have arrival drawings, the others of the object too")

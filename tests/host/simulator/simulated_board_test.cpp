@@ -2,46 +2,29 @@
 
 #include "firmware/run.hpp"
 #include "tests/bytes.hpp"
-#include "tests/event_bytes.hpp"
+#include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kfast::test {
 namespace {
 
-std::vector<std::byte> little_endian(std::uint32_t value)
-{
-    const auto byte = [value](int shift) { return static_cast<int>(value >> shift & 255); };
-    return bytes({byte(0), byte(8), byte(16), byte(24)});
-}
-
-std::vector<std::byte> joined(std::initializer_list<std::vector<std::byte>> parts)
-{
-    std::vector<std::byte> result;
-    for (const auto& part : parts)
-        result.insert(result.end(), part.begin(), part.end());
-    return result;
-}
-
 /// 30 fps, 128 x 64, nothing but a grey ground of level 9, and events.
-std::vector<std::byte> empty_scene(Time length, Loop loop, const std::vector<EventView>& events = {})
+std::vector<std::byte> empty_scene(Time length, Loop loop, std::vector<scene::Event> events = {})
 {
-    const auto timing =
-        joined({little_endian(static_cast<std::uint32_t>(length.ticks)), little_endian(30'000)});
-    const auto counts = bytes({128, 0, 64, 0, 1, 0, 0, 1}); // seen from 256 px away
-    const auto palette = bytes({9 * 17, 9 * 17, 9 * 17, 255});
-    const auto marks = joined({bytes({0}), event_bytes(events)});
-    const auto sections = joined({bytes({static_cast<int>(marks.size())}), marks, bytes({0, 0, 0})});
-    const auto rest = joined({bytes({0, 0, 0, static_cast<int>(loop)}), timing, counts, palette, sections});
-    const auto checked = joined({little_endian(static_cast<std::uint32_t>(12 + rest.size())), rest});
-    Crc32 checksum;
-    checksum.add(checked);
-    return joined({bytes({'K', 'F', 'B', 1}), little_endian(checksum.value()), checked});
+    constexpr std::uint8_t grey = 9 * 17;
+    scene::Scene scene;
+    scene.canvas = {128, 64};
+    scene.length = length;
+    scene.loop = loop;
+    scene.palette = {{grey, grey, grey}};
+    scene.events = std::move(events);
+    return written(scene);
 }
 
 std::vector<ShownFrame> played(std::span<const std::byte> scene, std::size_t frames)

@@ -1,9 +1,9 @@
-#include "host/compiler/posed_drawing.hpp"
+#include "tests/host/compiler/posed_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace kfast {
+namespace kfast::test {
 namespace {
 
 using scene::Spot;
