@@ -35,14 +35,4 @@ std::int32_t row_slope(const ChainEdge& edge)
     return static_cast<std::int32_t>(floor_divide<std::int64_t>(way * subrows, edge.height()));
 }
 
-ChainEdge current_edge(const OutlineStore& store, const Chain& chain)
-{
-    if (chain.runs_up != 0) {
-        const std::int32_t upper = chain.first - chain.passed;
-        return {store.corner(upper), store.corner(upper - 1)};
-    }
-    const std::int32_t upper = chain.first + chain.passed;
-    return {store.corner(upper), store.corner(upper + 1)};
-}
-
 }

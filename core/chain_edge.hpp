@@ -21,7 +21,19 @@ struct ChainEdge {
 /// How far an edge that is at least a row high moves to the right in a row, in 1/65536 px, rounded down.
 std::int32_t row_slope(const ChainEdge& edge);
 
-/// Only while edges are left: chain.passed < chain.edges.
-ChainEdge current_edge(const OutlineStore& store, const Chain& chain);
+/// The lower end of the edge that a sweep stands in. Only while edges are left: chain.passed < chain.edges.
+inline const Corner& lower_end(const OutlineStore& store, const Chain& chain)
+{
+    const std::int32_t way = chain.passed + 1;
+    return store.corner(chain.runs_up != 0 ? chain.first - way : chain.first + way);
+}
+
+/// Likewise.
+inline ChainEdge current_edge(const OutlineStore& store, const Chain& chain)
+{
+    const std::int32_t way = chain.runs_up != 0 ? -1 : 1;
+    const std::int32_t upper = chain.first + way * chain.passed;
+    return {store.corner(upper), store.corner(upper + way)};
+}
 
 }

@@ -33,58 +33,70 @@ public:
         end_ = first;
         for (std::size_t i = 0; i < coming_.step_count; ++i) {
             const std::uint16_t begin = end_;
-            sweep(i, row);
-            mark_changes(coming_.steps()[i], row, storage_.subspan(begin, end_ - begin), changed);
+            coming_borders_.count = 0;
+            const bool runs_through = sweep(i, row);
+            PaintStep& step = coming_.steps()[i];
+            if (step.change == Change::outlines)
+                compare(shown_.steps()[step.partner], row, runs_through, spans_from(begin), changed);
+            else if (step.change == Change::all)
+                mark_all(step, row, spans_from(begin), changed);
         }
         for (PaintStep& step : shown_.steps())
             if (step.partner == PaintStep::no_partner)
-                mark_all(step, row, changed);
+                mark_shown(step, row, changed);
         return end_;
     }
 
     bool has_room() const { return has_room_; }
 
 private:
-    void sweep(std::size_t number, int row)
+    /// Whether the borders of the layer run through the row.
+    bool sweep(std::size_t number, int row)
     {
         Layer& layer = coming_.steps()[number].layer;
         if (!layer.reaches(row))
-            return;
-        sweep_row(coming_.outlines, layer, row, coverage_);
+            return true;
+        const bool runs_through =
+            sweep_row(coming_.outlines, layer, row, coverage_, coming_borders_, true);
         coverage_.take_spans([&](int begin, int end, std::int32_t level) {
             has_room_ = has_room_ && end_ < storage_.size();
             if (has_room_)
                 storage_[end_++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end),
                                     static_cast<std::uint16_t>(number), static_cast<std::uint8_t>(level)};
         });
+        return runs_through;
     }
 
-    void mark_changes(const PaintStep& step, int row, std::span<const CoveredSpan> spans, RunList& changed)
+    std::span<const CoveredSpan> spans_from(std::uint16_t begin) const
     {
-        if (step.change == Change::none)
-            return;
-        PaintStep* const partner =
-            step.partner == PaintStep::no_partner ? nullptr : &shown_.steps()[step.partner];
-        if (step.change == Change::outlines)
-            return compare(*partner, row, spans, changed);
-        for (const CoveredSpan& span : spans)
-            changed.add(span.begin, span.end);
-        if (partner != nullptr)
-            mark_all(*partner, row, changed);
+        return storage_.subspan(begin, end_ - begin);
     }
 
-    void compare(PaintStep& before, int row, std::span<const CoveredSpan> spans, RunList& changed)
+    void compare(PaintStep& before, int row, bool coming_runs_through, std::span<const CoveredSpan> spans,
+                 RunList& changed)
     {
+        bool runs_through = true;
+        shown_borders_.count = 0;
+        if (before.layer.reaches(row))
+            runs_through = sweep_row(shown_.outlines, before.layer, row, coverage_, shown_borders_,
+                                     !coming_runs_through);
+        if (runs_through && coming_runs_through)
+            return mark_between(shown_borders_.list(), coming_borders_.list(), width_, changed);
         SpanComparison comparison{spans, changed};
-        if (before.layer.reaches(row)) {
-            sweep_row(shown_.outlines, before.layer, row, coverage_);
-            coverage_.take_spans(
-                [&](int begin, int end, std::int32_t level) { comparison.take(begin, end, level); });
-        }
+        coverage_.take_spans(
+            [&](int begin, int end, std::int32_t level) { comparison.take(begin, end, level); });
         comparison.finish(width_);
     }
 
-    void mark_all(PaintStep& before, int row, RunList& changed)
+    void mark_all(const PaintStep& step, int row, std::span<const CoveredSpan> spans, RunList& changed)
+    {
+        for (const CoveredSpan& span : spans)
+            changed.add(span.begin, span.end);
+        if (step.partner != PaintStep::no_partner)
+            mark_shown(shown_.steps()[step.partner], row, changed);
+    }
+
+    void mark_shown(PaintStep& before, int row, RunList& changed)
     {
         if (!before.layer.reaches(row))
             return;
@@ -97,6 +109,8 @@ private:
     CoverageRow& coverage_;
     std::span<CoveredSpan> storage_;
     int width_;
+    Crossings coming_borders_;
+    Crossings shown_borders_;
     std::uint16_t end_ = 0;
     bool has_room_ = true;
 };

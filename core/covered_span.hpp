@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/run_list.hpp"
+#include "core/sweep.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,5 +41,9 @@ private:
     RunList& changed_;
     int x_ = 0; ///< what lies to the left of it has been compared
 };
+
+/// Marks where the coverages differ of two layers whose borders run through a row of `width` columns: nowhere
+/// but between a border of one and that of the other that stands in its place.
+void mark_between(std::span<const Crossing> a, std::span<const Crossing> b, int width, RunList& changed);
 
 }

@@ -14,7 +14,7 @@ void ObjectOutline::begin(Point from)
 
 void ObjectOutline::add(const Segment& segment)
 {
-    flatten(segment, halvings_of(segment), [this](Point to) { line_to(seen(to)); });
+    flatten(segment, halvings_of(segment), [this](Point to) { line_to(to); });
 }
 
 void ObjectOutline::end(Point hub, bool is_closed)
@@ -39,9 +39,9 @@ int ObjectOutline::halvings_of(const Segment& segment) const
 void ObjectOutline::line_to(Point to)
 {
     if (stroke_)
-        stroke_->line_to(to);
+        stroke_->line_to(seen(to));
     else
-        fill_.line_to(to);
+        fill_.line_to(seen(to));
 }
 
 }

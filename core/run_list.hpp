@@ -30,13 +30,17 @@ public:
     /// 0 <= begin < end <= 4098.
     void add(int begin, int end)
     {
-        if (count_ != 0 && begin >= runs_[count_ - 1].begin) { // mostly they come from left to right
-            if (begin < runs_[count_ - 1].end + gap_) {
-                runs_[count_ - 1].end = std::max(runs_[count_ - 1].end, static_cast<std::int16_t>(end));
-                return;
-            }
-        }
-        insert({static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end)});
+        const Run run{static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end)};
+        if (count_ == 0)
+            runs_[count_++] = run;
+        else if (Run& last = runs_[count_ - 1]; begin < last.begin) // mostly they come from left to right
+            insert(run);
+        else if (begin < last.end + gap_)
+            last.end = std::max(last.end, run.end);
+        else if (count_ < most)
+            runs_[count_++] = run;
+        else
+            insert(run);
     }
 
     void clear() { count_ = 0; }

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace kfast {
@@ -31,17 +30,20 @@ public:
     {
     }
 
-    /// From the border of rows on that the sweep stands at.
-    void run()
+    /// From the border of rows on that the sweep stands at; as sweep_row().
+    bool run(Crossings& crossings, bool wants_coverage)
     {
         activate();
-        const bool none_begins_within = layer_.waiting == layer_.outlines.end_chain || next_top() >= bottom_;
-        if (layer_.active == Chain::none && none_begins_within)
-            return;
-        if (none_begins_within && chains_stand_apart())
-            fill_row();
-        else
-            fill_slabs();
+        crossings.count = 0;
+        if ((layer_.waiting == layer_.outlines.end_chain || next_top() >= bottom_) && run_through(crossings)) {
+            if (wants_coverage)
+                fill_row();
+            else
+                pass_row();
+            return true;
+        }
+        fill_slabs();
+        return false;
     }
 
     /// Brings the sweep, which stands at a border above it, to the upper border of the row.
@@ -96,48 +98,74 @@ private:
 
     /// Whether all chains under the sweep reach the lower border of the row, and each lies wholly to the
     /// left of the next.
-    bool chains_stand_apart() const
+    bool run_through(Crossings& crossings) const
     {
-        Fixed border = Fixed::from_raw(std::numeric_limits<std::int32_t>::min());
-        for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next) {
+        Fixed last = Fixed::from_raw(std::numeric_limits<std::int32_t>::min());
+        std::int32_t winding = 0;
+        for (std::uint16_t i = layer_.active; i != Chain::none;) {
             const Chain& chain = store_.chain(i);
-            const std::optional<Reach> within = reach(chain);
-            if (!within || within->left < border)
+            i = chain.next;
+            Crossing border;
+            if (!find_reach(chain, border) || border.left < last)
                 return false;
-            border = within->right;
+            last = border.right;
+            border.is_left_border = is_inside(winding + chain.winding());
+            const bool was_inside = is_inside(winding);
+            winding += chain.winding();
+            if (border.is_left_border == was_inside)
+                continue;
+            if (crossings.count == Crossings::most)
+                return false;
+            crossings.borders[crossings.count++] = border;
         }
         return true;
     }
 
-    struct Reach {
-        Fixed left;
-        Fixed right;
-    };
-
-    /// Of a chain within the row; nothing if it ends above the lower border.
-    std::optional<Reach> reach(const Chain& chain) const
+    /// Of a chain within the row; false if it ends above the lower border.
+    bool find_reach(const Chain& chain, Crossing& border) const
     {
-        const ChainEdge edge = current_edge(store_, chain);
-        if (edge.lower.y < bottom_)
-            return reach_around_corners(chain);
-        const Fixed end = edge.lower.y == bottom_ ? edge.lower.x : chain.x + Fixed::from_raw(chain.slope);
-        return Reach{std::min(chain.x, end), std::max(chain.x, end)};
+        const std::int32_t lower = lower_end(store_, chain).y;
+        if (lower < bottom_)
+            return find_bent_reach(chain, border);
+        const Fixed end = lower == bottom_ ? lower_end(store_, chain).x
+                                           : chain.x + Fixed::from_raw(chain.slope);
+        border.leans_left = end < chain.x;
+        border.left = border.leans_left ? end : chain.x;
+        border.right = border.leans_left ? chain.x : end;
+        return true;
     }
 
-    std::optional<Reach> reach_around_corners(Chain chain) const
+    bool find_bent_reach(Chain chain, Crossing& border) const
     {
-        Reach reach{chain.x, chain.x};
-        const auto stretch = [&reach](Fixed x) {
-            reach = {std::min(reach.left, x), std::max(reach.right, x)};
+        border = {.left = chain.x, .right = chain.x, .is_bent = true};
+        const auto stretch = [&border](Fixed x) {
+            border.left = std::min(border.left, x);
+            border.right = std::max(border.right, x);
         };
         ChainEdge edge = current_edge(store_, chain);
         for (; edge.lower.y < bottom_; edge = current_edge(store_, chain)) {
             stretch(edge.lower.x);
             if (++chain.passed == chain.edges)
-                return std::nullopt;
+                return false;
         }
         stretch(edge.x_at(bottom_, edge.height() >= subrows ? row_slope(edge) : 0));
-        return reach;
+        return true;
+    }
+
+    /// Moves all chains to the lower border of the row.
+    void pass_row()
+    {
+        std::uint16_t* link = &layer_.active;
+        while (*link != Chain::none) {
+            Chain& chain = store_.chain(*link);
+            if (lower_end(store_, chain).y > bottom_)
+                chain.x = chain.x + Fixed::from_raw(chain.slope);
+            else if (!move_to(chain, bottom_)) {
+                *link = chain.next;
+                continue;
+            }
+            link = &chain.next;
+        }
     }
 
     void fill_row()
@@ -159,6 +187,16 @@ private:
     /// Adds what a chain bounds in the row and moves it down. Whether anything of it is left below.
     bool fill_along(Chain& chain, std::int32_t sign)
     {
+        if (lower_end(store_, chain).y <= bottom_)
+            return fill_around_corners(chain, sign);
+        const Fixed end = chain.x + Fixed::from_raw(chain.slope);
+        coverage_.add(chain.x, end, subrows, sign);
+        chain.x = end;
+        return true;
+    }
+
+    bool fill_around_corners(Chain& chain, std::int32_t sign)
+    {
         std::int32_t y = y_;
         ChainEdge edge = current_edge(store_, chain);
         for (; edge.lower.y <= bottom_; edge = current_edge(store_, chain)) {
@@ -168,7 +206,7 @@ private:
                 return false;
             enter_edge(chain);
         }
-        const Fixed end = y == y_ ? chain.x + Fixed::from_raw(chain.slope) : edge.x_at(bottom_, chain.slope);
+        const Fixed end = edge.x_at(bottom_, chain.slope);
         coverage_.add(chain.x, end, bottom_ - y, sign);
         chain.x = end;
         return true;
@@ -312,15 +350,22 @@ Layer layer_of(OutlineStore& store, const OutlineRange& outlines)
     return layer;
 }
 
-void sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage)
+bool sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage, Crossings& crossings,
+               bool wants_coverage)
 {
     if (row < layer.row)
         layer.rewind();
     RowSweep sweep{store, layer, row, coverage};
     if (layer.row != row)
         sweep.bring_down();
-    sweep.run();
     layer.row = static_cast<std::int16_t>(row + 1);
+    return sweep.run(crossings, wants_coverage);
+}
+
+void sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage)
+{
+    Crossings crossings;
+    sweep_row(store, layer, row, coverage, crossings, true);
 }
 
 }

@@ -4,13 +4,45 @@
 #include "core/layer.hpp"
 #include "core/outline_store.hpp"
 
+#include <array>
+#include <cstddef>
+#include <span>
+
 namespace kfast {
 
 /// Makes a layer of outlines that are in `store`, ready to be swept.
 Layer layer_of(OutlineStore& store, const OutlineRange& outlines);
 
-/// Adds what the outlines of `layer` enclose in one row, by its fill rule, to `coverage`, which is empty.
+/// Where a border of what is filled runs through a row.
+struct Crossing {
+    Fixed left;
+    Fixed right;
+    bool is_left_border = false; ///< what lies to its right is filled
+    bool leans_left = false;     ///< it enters the row at its right end
+    bool is_bent = false;        ///< it is not straight
+
+    friend bool operator==(const Crossing&, const Crossing&) = default;
+};
+
+/// The borders in a row, from left to right, none touching the next.
+struct Crossings {
+    static constexpr std::size_t most = 12;
+
+    std::array<Crossing, most> borders;
+    std::size_t count = 0;
+
+    std::span<const Crossing> list() const { return std::span{borders}.first(count); }
+};
+
+/// Sweeps one row. If borders run through all of it without touching each other, it tells where and returns
+/// true. What they enclose, by the fill rule of the layer, is added to `coverage`, which is empty; this is left
+/// out if they run through and `wants_coverage` is false.
+///
 /// Rows may come in any order; from one to the next below it is cheap.
+bool sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage, Crossings& crossings,
+               bool wants_coverage);
+
+/// Adds what the layer encloses in a row to `coverage`, which is empty.
 void sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage);
 
 }

@@ -1,35 +1,35 @@
 #pragma once
 
-#include "core/edge_list.hpp"
 #include "core/sweep.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace kfast::test {
 
-/// A picture of coverages 0 … 255, drawn from one layer of edges.
+/// A picture of coverages 0 … 255, drawn from one layer of outlines.
 class CoveragePicture {
 public:
     CoveragePicture(int width, int height)
-        : width_{width}, height_{height}, storage_(65534), edges_{storage_, height},
+        : width_{width}, height_{height}, storage_(1 << 20), store_{storage_, height},
           levels_(static_cast<std::size_t>(width * height))
     {
     }
 
-    EdgeList& edges() { return edges_; }
-    Layer& layer() { return layer_; }
+    OutlineStore& store() { return store_; }
 
-    /// Sweeps the edges that were added.
-    void draw()
+    /// Sweeps the outlines that were added.
+    void draw(FillRule rule = FillRule::nonzero)
     {
         std::vector<std::int32_t> cells(CoverageRow::cells_for(width_));
         CoverageRow coverage{cells, width_};
-        edges_.sort(layer_);
+        Layer layer = layer_of(store_, store_.range_from({}));
+        layer.rule = rule;
         for (int row = 0; row < height_; ++row) {
-            sweep_row(edges_, layer_, row, coverage);
-            coverage.take_spans([&](int x, int count, std::int32_t level) {
-                for (int i = 0; i < count; ++i)
-                    levels_.at(static_cast<std::size_t>(row * width_ + x + i)) = level;
+            sweep_row(store_, layer, row, coverage);
+            coverage.take_spans([&](int x, int end, std::int32_t level) {
+                for (; x < end; ++x)
+                    levels_.at(static_cast<std::size_t>(row * width_ + x)) = level;
             });
         }
     }
@@ -42,9 +42,8 @@ public:
 private:
     int width_;
     int height_;
-    std::vector<Edge> storage_;
-    EdgeList edges_;
-    Layer layer_;
+    std::vector<std::byte> storage_;
+    OutlineStore store_;
     std::vector<int> levels_;
 };
 

@@ -104,26 +104,26 @@ CoveragePicture new_picture() { return {40, 40}; }
 
 void draw(CoveragePicture& picture)
 {
-    REQUIRE(picture.edges().count() < Layer::no_edge);
+    REQUIRE_FALSE(picture.store().is_full());
     picture.draw();
 }
 
-/// Where curves are involved both pictures are approximations, each within half a level of the curve.
-void check_same(const CoveragePicture& one, const CoveragePicture& other, Curves curves)
+int worst_difference(const CoveragePicture& one, const CoveragePicture& other)
 {
     int worst = 0;
     for (std::size_t i = 0; i < one.levels().size(); ++i)
         worst = std::max(worst, std::abs(one.levels()[i] - other.levels()[i]));
-    CHECK(worst <= (curves == Curves::none ? 1 : 2));
+    return worst;
 }
 
+/// Where curves are involved both pictures are approximations, each within half a level of the curve.
 void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
 {
     std::mt19937 random{seed};
     for (int round = 0; round < rounds; ++round) {
         const ArrayDrawing a = random_drawing(random, curves);
         CoveragePicture original = new_picture();
-        FillOutline plain{original.edges(), original.layer()};
+        FillOutline plain{original.store()};
         for (const ArrayStroke& stroke : a) {
             if (stroke.segments.empty())
                 continue;
@@ -132,15 +132,19 @@ void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
         }
         draw(original);
         CoveragePicture matched = new_picture();
-        FillOutline parts{matched.edges(), matched.layer()};
+        FillOutline parts{matched.store()};
         for (const MatchedStroke& stroke : equalized(a, random_drawing(random, curves))) {
             trace(parts, stroke.a);
             parts.end(stroke.hub.a);
         }
         draw(matched);
-        check_same(original, matched, curves);
+        CHECK(worst_difference(original, matched) <= (curves == Curves::none ? 1 : 2));
     }
 }
+
+/// Where a stroke was broken, a join becomes two caps, and their arcs have other pieces: each may be 1/24 px
+/// off, along the diagonal of a pixel at most.
+constexpr int levels_of_arcs = 2 * 255 / 24 * 3 / 4;
 
 void check_stroked_alike(std::uint32_t seed, int rounds, Curves curves)
 {
@@ -148,11 +152,10 @@ void check_stroked_alike(std::uint32_t seed, int rounds, Curves curves)
     for (int round = 0; round < rounds; ++round) {
         const ArrayDrawing a = random_drawing(random, curves);
         const Pen pen{.half_width = Fixed::from_raw(static_cast<std::int32_t>(16384 + random() % 250000)),
-                      .arc_pieces = 64,
                       .cap = Cap::round,
                       .join = Join::round};
         CoveragePicture original = new_picture();
-        StrokeOutline plain{original.edges(), original.layer(), pen};
+        StrokeOutline plain{original.store(), pen, 0};
         for (const ArrayStroke& stroke : a) {
             if (stroke.segments.empty())
                 plain.begin(stroke.start);
@@ -162,13 +165,13 @@ void check_stroked_alike(std::uint32_t seed, int rounds, Curves curves)
         }
         draw(original);
         CoveragePicture matched = new_picture();
-        StrokeOutline parts{matched.edges(), matched.layer(), pen};
+        StrokeOutline parts{matched.store(), pen, 0};
         for (const MatchedStroke& stroke : equalized(a, random_drawing(random, curves))) {
             trace(parts, stroke.a);
             parts.end(stroke.is_whole && stroke.a.front().from == stroke.a.back().to);
         }
         draw(matched);
-        check_same(original, matched, curves);
+        CHECK(worst_difference(original, matched) <= levels_of_arcs);
     }
 }
 
@@ -306,8 +309,7 @@ TEST_CASE("an equalized drawing, filled, is the original picture to within one l
     check_filled_alike(14, 20, Curves::some);
 }
 
-TEST_CASE(
-    "an equalized drawing, stroked with round caps and joins, is the original picture to within one level")
+TEST_CASE("an equalized drawing, stroked with round caps and joins, is the original picture but for its arcs")
 {
     check_stroked_alike(15, 300, Curves::none);
     check_stroked_alike(16, 20, Curves::some);

@@ -141,7 +141,7 @@ TEST_CASE("32 bits are enough up to where the fast way ends, and both ways give 
         ++fast;
         std::vector<Point> wide;
         const auto add = [&wide](Point to) { wide.push_back(to); };
-        flatten_in<std::int64_t, std::uint64_t>(cubic, halvings, 32, add);
+        flatten_in<std::uint64_t>(cubic, halvings, add);
         wide.push_back(cubic.to);
         REQUIRE(flattened(cubic, halvings) == wide);
     }

@@ -16,15 +16,14 @@ using Polygon = std::vector<Point>;
 
 void fill(CoveragePicture& picture, const std::vector<Polygon>& polygons, FillRule rule = FillRule::nonzero)
 {
-    picture.layer().rule = rule;
-    FillOutline outline{picture.edges(), picture.layer()};
+    FillOutline outline{picture.store()};
     for (const Polygon& polygon : polygons) {
         outline.begin(polygon.front());
         for (const Point& point : polygon)
             outline.line_to(point);
         outline.end(polygon.front());
     }
-    picture.draw();
+    picture.draw(rule);
 }
 
 int winding_at(const std::vector<Polygon>& polygons, double x, double y)
