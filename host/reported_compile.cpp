@@ -1,49 +1,18 @@
 #include "host/reported_compile.hpp"
 
 #include "host/compiler/compile.hpp"
-
-#include <algorithm>
-#include <cstdlib>
-#include <iostream>
-#include <string>
-#include <string_view>
-#include <unistd.h>
+#include "host/reported_diagnostics.hpp"
 
 namespace kfast {
-namespace {
-
-bool colour_wanted() { return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
-
-/// With the word "error:" or "warning:" of the first line in colour.
-std::string coloured(std::string text, Severity severity)
-{
-    const std::string_view word = severity == Severity::error ? "error:" : "warning:";
-    const std::size_t at = text.find(word);
-    if (at == std::string::npos)
-        return text;
-    text.insert(at + word.size(), "\x1b[0m");
-    return text.insert(at, severity == Severity::error ? "\x1b[1;31m" : "\x1b[1;35m");
-}
-
-void print(const std::vector<Diagnostic>& list, const SourceText& source)
-{
-    for (const Diagnostic& diagnostic : list) {
-        const std::string text = format(diagnostic, source);
-        std::cerr << (colour_wanted() ? coloured(text, diagnostic.severity) : text);
-    }
-}
-
-}
 
 CompiledText compile_and_report(const SourceText& source)
 {
     Diagnostics diagnostics;
-    std::optional<std::vector<std::byte>> bytes = compile(source, diagnostics);
-    const std::vector<Diagnostic> list = diagnostics.sorted();
-    print(list, source);
-    const auto errors =
-        static_cast<std::size_t>(std::ranges::count(list, Severity::error, &Diagnostic::severity));
-    return {std::move(bytes), errors, list.size() - errors};
+    auto compiled = compile_with_names(source, diagnostics);
+    const auto [errors, warnings] = report(diagnostics, source);
+    if (!compiled)
+        return {std::nullopt, {}, errors, warnings};
+    return {std::move(compiled->bytes), std::move(compiled->item_names), errors, warnings};
 }
 
 }

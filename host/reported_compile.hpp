@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace kfast {
@@ -11,6 +12,7 @@ namespace kfast {
 /// What the compiler made of a text, apart from what it said about it.
 struct CompiledText {
     std::optional<std::vector<std::byte>> bytes; ///< present exactly when there were no errors
+    std::vector<std::string> item_names;         ///< in the order in which the scene stores items
     std::size_t errors = 0;
     std::size_t warnings = 0;
 };

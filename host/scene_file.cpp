@@ -48,12 +48,12 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
     return {};
 }
 
-SceneFile checked(const fs::path& path, std::vector<std::byte> bytes, bool was_text, std::size_t warnings)
+SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)
 {
     const Result<SceneView> view = SceneView::parse(bytes);
     if (!view)
         refuse(path, in_words(view.error(), bytes));
-    return {std::move(bytes), *view, was_text, warnings};
+    return {std::move(bytes), *view};
 }
 
 SceneFile from_text(const fs::path& path, std::string text)
@@ -65,7 +65,11 @@ SceneFile from_text(const fs::path& path, std::string text)
     CompiledText compiled = compile_and_report({path.string(), std::move(text), path.parent_path().string()});
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));
-    return checked(path, std::move(*compiled.bytes), true, compiled.warnings);
+    SceneFile scene = checked(path, std::move(*compiled.bytes));
+    scene.was_text = true;
+    scene.warnings = compiled.warnings;
+    scene.item_names = std::move(compiled.item_names);
+    return scene;
 }
 
 }
@@ -76,7 +80,7 @@ SceneFile load_scene(const fs::path& path)
     if (!content.starts_with(magic))
         return from_text(path, std::move(content));
     const auto bytes = std::as_bytes(std::span{content});
-    return checked(path, {bytes.begin(), bytes.end()}, false, 0);
+    return checked(path, {bytes.begin(), bytes.end()});
 }
 
 }

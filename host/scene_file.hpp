@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,8 +12,7 @@ namespace kfast {
 
 /// A scene read from disk. `view` looks into `bytes`, hence no copies.
 struct SceneFile {
-    SceneFile(std::vector<std::byte> compiled, SceneView checked, bool text, std::size_t warning_count)
-        : bytes{std::move(compiled)}, view{checked}, was_text{text}, warnings{warning_count}
+    SceneFile(std::vector<std::byte> compiled, SceneView checked) : bytes{std::move(compiled)}, view{checked}
     {
     }
     SceneFile(SceneFile&&) = default;
@@ -20,8 +20,9 @@ struct SceneFile {
 
     std::vector<std::byte> bytes; ///< a .kfb
     SceneView view;
-    bool was_text;        ///< compiled just now, rather than read as a .kfb
-    std::size_t warnings; ///< of the compiler
+    bool was_text = false;               ///< compiled just now, rather than read as a .kfb
+    std::size_t warnings = 0;            ///< of the compiler
+    std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
 };
 
 /// Reads a compiled scene (known by its first bytes, "KFB") or reads and compiles a scene text, whatever the

@@ -3,7 +3,7 @@
 #include "boards/lm3s6965evb/clocks.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
 #include "core/crc32.hpp"
-#include "firmware/error_text.hpp"
+#include "core/error_text.hpp"
 #include "firmware/panel_mirror.hpp"
 #include "firmware/version.hpp"
 

@@ -16,8 +16,9 @@ namespace {
 constexpr int input_is_wrong = 1;
 constexpr int usage_is_wrong = 2;
 
-constexpr std::array commands{&new_command,    &compile_command, &check_command, &info_command,
-                              &render_command, &preview_command, &hash_command};
+constexpr std::array commands{&new_command,  &compile_command, &check_command,
+                              &info_command, &render_command,  &preview_command,
+                              &hash_command, &fit_command,     &export_command};
 
 std::string usage_message(const CLI::App* kfast, const CLI::Error& error)
 {

@@ -21,6 +21,8 @@ extern const Command info_command;
 extern const Command render_command;
 extern const Command preview_command;
 extern const Command hash_command;
+extern const Command export_command;
+extern const Command fit_command;
 
 /// The whole program. Returns its exit status: 0, 1 (the input is wrong, or a file cannot be read or
 /// written) or 2 (the usage is wrong).

@@ -1,5 +1,6 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/fit_options.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/summary.hpp"
 #include "host/failure.hpp"
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 struct CompileOptions {
     std::string scene;
     std::string output;
+    FitOptions fit;
 };
 
 fs::path chosen_output(const CompileOptions& options)
@@ -23,11 +25,20 @@ fs::path chosen_output(const CompileOptions& options)
                                   : fs::path{options.output};
 }
 
+void require_fit(const CompileOptions& options, const SceneFile& scene)
+{
+    if (!options.fit.board)
+        return;
+    const fit::Target target = chosen_target(options.fit);
+    require_fit(options.scene, target, fit_report(options.fit, target, scene));
+}
+
 void compile_scene(const CompileOptions& options)
 {
     const SceneFile scene = load_scene(options.scene);
     if (!scene.was_text)
         throw Failure(options.scene + ": compiled already: name the .kfast file it was made from");
+    require_fit(options, scene);
     const fs::path output = output_path(chosen_output(options), options.scene);
     write_file(output, scene.bytes);
     std::cout << output.string() << ": " << summary(scene) << '\n';
@@ -38,6 +49,7 @@ void declare(CLI::App& app)
     const auto options = std::make_shared<CompileOptions>();
     app.add_option("SCENE", options->scene, "The scene text (.kfast)")->required();
     app.add_option("-o,--output", options->output, "The compiled scene (default: SCENE's name with .kfb)");
+    declare_fit_options(app, options->fit);
     app.callback([options] { compile_scene(*options); });
 }
 

@@ -1,5 +1,6 @@
 #include "host/commands/picture_options.hpp"
 
+#include "host/picture/format_name.hpp"
 #include "host/picture/player_source.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -21,16 +22,6 @@ constexpr std::array fits{
     Named<Fit>{"contain", Fit::contain},
     Named<Fit>{"cover", Fit::cover},
     Named<Fit>{"none", Fit::none},
-};
-
-constexpr std::array formats{
-    Named<PixelFormat>{"rgb565", PixelFormat::rgb565},
-    Named<PixelFormat>{"rgb565_be", PixelFormat::rgb565_be},
-    Named<PixelFormat>{"rgb444", PixelFormat::rgb444},
-    Named<PixelFormat>{"rgb666", PixelFormat::rgb666},
-    Named<PixelFormat>{"grey4", PixelFormat::grey4},
-    Named<PixelFormat>{"mono1", PixelFormat::mono1},
-    Named<PixelFormat>{"mono1_dithered", PixelFormat::mono1_dithered},
 };
 
 template <class Rows>
@@ -101,9 +92,10 @@ CLI::Option* add_panel(CLI::App& app, PictureOptions& options)
 
 CLI::Option* add_format(CLI::App& app, PictureOptions& options)
 {
-    return add(
-        app, "--format", "NAME", "Pixels: " + names_of(formats) + " (default: rgb565)",
-        [&options](const std::string& name) { options.format = named(formats, "--format", name).value; });
+    return add(app, "--format", "NAME", "Pixels: " + names_of(format_names()) + " (default: rgb565)",
+               [&options](const std::string& name) {
+                   options.format = named(format_names(), "--format", name).value;
+               });
 }
 
 CLI::Option* add_fit(CLI::App& app, PictureOptions& options)

@@ -1,5 +1,6 @@
 #include "host/compiler/compile.hpp"
 
+#include "host/compiler/item_names.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
@@ -8,13 +9,24 @@ namespace kfast {
 
 std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnostics& diagnostics)
 {
+    auto compiled = compile_with_names(source, diagnostics);
+    if (!compiled)
+        return std::nullopt;
+    return std::move(compiled->bytes);
+}
+
+std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics)
+{
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors()) // what was not read would only cause errors that follow from these
         return std::nullopt;
     const std::optional<scene::Scene> scene = scene::read_scene(document, source, diagnostics);
     if (!scene)
         return std::nullopt;
-    return write_scene(*scene, diagnostics);
+    auto bytes = write_scene(*scene, diagnostics);
+    if (!bytes)
+        return std::nullopt;
+    return CompiledScene{std::move(*bytes), item_names(*scene)};
 }
 
 }

@@ -93,18 +93,21 @@ TEST_CASE("a player writes to its block and to the rows it is asked for, nowhere
     const auto is_untouched = [](std::span<const std::byte> part) {
         return std::ranges::all_of(part, [](std::byte byte) { return byte == mark; });
     };
-    const auto draw = [&]<PixelFormat format>() {
+    const auto draw = [&]<PixelFormat format>(std::integral_constant<PixelFormat, format>) {
         const std::size_t picture = row_bytes(format, panel.width) * panel.height;
         Bytes pixels(picture + 2 * guard, mark);
         player->draw_rows<format>(panel.height, std::span{pixels}.subspan(guard, picture));
         CHECK(is_untouched(std::span{pixels}.first(guard)));
         CHECK(is_untouched(std::span{pixels}.last(guard)));
     };
-    for (int frame = 0; frame < 30; ++frame)
-        for (const PixelFormat format : pixel_formats) {
-            player->show(Time::frame(frame));
-            with_format(format, draw);
-        }
+    for (int frame = 0; frame < 30; ++frame) {
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::rgb565>{});
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::grey4>{});
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::mono1>{});
+    }
     CHECK(is_untouched(std::span{memory}.first(guard)));
     CHECK(is_untouched(std::span{memory}.last(guard)));
 }
@@ -116,9 +119,8 @@ TEST_CASE("a block has room for edges, a row of coverage, steps and a row for ea
                                      " { group opacity=0.5 { object o fill=red { rect 0 0 9 9 } } }");
         return Player::block_bytes(*SceneView::parse(bytes), {20, 10});
     };
-    const std::size_t edges = 4 + 2; // of a rectangle, and for its hub
-    CHECK(block_bytes("opacity=1") == edges * 24 + 22 * 4 + 3 * sizeof(PaintStep) + 1 * 20 * 3);
-    CHECK(block_bytes("opacity=0.5") == edges * 24 + 22 * 4 + 5 * sizeof(PaintStep) + 2 * 20 * 3);
+    constexpr std::size_t steps = 2 * 2; // to begin and to end blending, of two pictures
+    CHECK(block_bytes("opacity=0.5") - block_bytes("opacity=1") == steps * sizeof(PaintStep) + 20 * 3);
 }
 
 TEST_CASE("a block that is one byte short is refused")

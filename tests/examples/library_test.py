@@ -5,6 +5,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 from PIL import Image
 
@@ -13,9 +14,13 @@ PROGRAMS = pathlib.Path(sys.argv.pop(1)).resolve()
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
 
-def run(program, *arguments):
-    return subprocess.run([program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+def run(program, *arguments, text=True):
+    return subprocess.run([program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=text,
                           timeout=60)
+
+
+def hashes_of(frames, size):
+    return [f"{zlib.crc32(frames[at:at + size]):08x}" for at in range(0, len(frames), size)]
 
 
 def greys_of_pgm(text):
@@ -37,6 +42,17 @@ class Library(unittest.TestCase):
         self.assertEqual(list(heights), [*range(25)])
         self.assertEqual([heights[frame] for frame in (0, 6, 12, 18, 24)], [0, 135, 180, 135, 0])
         self.assertEqual(heights[3], 56.25)
+
+    def assert_frames(self, program, count, *options):
+        frames = run(PROGRAMS / program, text=False).stdout
+        printed = run(KFAST, "hash", EXAMPLES / "robot-eyes.kfast", *options).stdout
+        self.assertEqual(hashes_of(frames, 2 * 240 * 240), [line.split()[1] for line in printed.splitlines()][:count])
+
+    def test_eyes_draws_what_the_command_draws(self):
+        self.assert_frames("eyes", 60)
+
+    def test_wink_draws_what_the_command_draws(self):
+        self.assert_frames("wink", 11, "--clip", "blink")
 
     def test_play_draws_what_the_command_draws(self):
         scene, picture = self.folder / "scene.kfb", self.folder / "picture.png"

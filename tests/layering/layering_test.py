@@ -22,6 +22,9 @@ class Layering(unittest.TestCase):
             "firmware/a.hpp": '#include "core/b.hpp"\n#include <span>\n',
             "boards/x/a.cpp": '#include "firmware/a.hpp"\n#include <atomic>\n',
             "host/a.cpp": '#include "firmware/a.hpp"\n#include <vector>\n#include <SDL2/SDL.h>\n',
+            "library/a.h": "#include <stddef.h>\n",
+            "library/a.cpp": '#include "library/a.h"\n#include "core/b.hpp"\n#include <new>\n',
+            "examples/library/a.c": '#include "a.h"\n#include <stdio.h>\n',
             "examples/library/a.cpp": '#include "core/b.hpp"\n#include <vector>\n',
             "tests/a.cpp": '#include "host/a.hpp"\n#include "boards/x/a.hpp"\n',
         }))
@@ -29,7 +32,8 @@ class Layering(unittest.TestCase):
     def test_refuses_an_upward_include(self):
         for place, included in [("core/a.hpp", "firmware/b.hpp"), ("firmware/a.hpp", "boards/x/b.hpp"),
                                 ("firmware/a.cpp", "host/b.hpp"), ("boards/x/a.cpp", "host/b.hpp"),
-                                ("host/a.cpp", "boards/x/b.hpp"), ("examples/a.cpp", "host/b.hpp"), ("host/a.cpp", "tests/b.hpp")]:
+                                ("host/a.cpp", "boards/x/b.hpp"), ("examples/a.cpp", "host/b.hpp"), ("host/a.cpp", "tests/b.hpp"),
+                                ("core/a.cpp", "library/b.hpp"), ("library/a.cpp", "firmware/b.hpp")]:
             with self.subTest(place=place):
                 found = self.mistakes({place: f'#include "{included}"\n'})
                 self.assertEqual(1, len(found))
@@ -40,7 +44,7 @@ class Layering(unittest.TestCase):
         self.assertIn("from the root", self.mistakes({"core/a.hpp": '#  include "b.hpp"\n'})[0])
 
     def test_refuses_hosted_headers_on_the_device(self):
-        for folder in ["core", "firmware"]:
+        for folder in ["core", "firmware", "library"]:
             for header in ["vector", "string", "cstdio", "math.h"]:
                 with self.subTest(folder=folder, header=header):
                     self.assertEqual(1, len(self.mistakes({f"{folder}/a.hpp": f"#include <{header}>\n"})))

@@ -1,0 +1,41 @@
+#include "host/commands/command.hpp"
+#include "host/commands/fit_options.hpp"
+#include "host/commands/fit_print.hpp"
+
+#include <iostream>
+
+namespace kfast {
+namespace {
+
+struct Options {
+    std::string file;
+    FitOptions fit;
+    bool json = false;
+};
+
+void print_fit(const Options& options)
+{
+    const fit::Target target = chosen_target(options.fit);
+    const SceneFile scene = load_scene(options.file);
+    const fit::FitReport report = fit_report(options.fit, target, scene);
+    const FitFacts facts{options.file, scene.view, target, report};
+    std::cout << (options.json ? json_text(facts) : fit_text(facts));
+    std::cout.flush(); // before the reasons
+    require_fit(options.file, target, report);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    declare_fit_options(app, options->fit)->required();
+    app.add_flag("--json", options->json, "For programs: a JSON object");
+    app.callback([options] { print_fit(*options); });
+}
+
+}
+
+const Command fit_command{"fit", "Tell whether a scene fits a board, and how fast it plays there",
+                          "kfast fit eyes.kfast --board pico", declare};
+
+}

@@ -1,0 +1,73 @@
+#include "host/commands/fit_options.hpp"
+
+#include "host/failure.hpp"
+#include "host/fit/board_choice.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+constexpr double fastest = 1000;
+
+fit::Display display_named(const std::string& name)
+{
+    std::vector<std::string_view> known;
+    for (const fit::Display& display : fit::known_displays()) {
+        if (display.name == name)
+            return display;
+        known.push_back(display.name);
+    }
+    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + suggestion(name, known) +
+                                              "; others are described with the board");
+}
+
+}
+
+CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
+{
+    CLI::Option* const board = app.add_option("--board", options.board,
+                                              "A known board, or the file that describes yours (docs/fit.md)")
+                                   ->type_name("NAME");
+    app.add_option_function<std::string>(
+           "--panel", [&options](const std::string& name) { options.panel = display_named(name); },
+           "Another panel than the board's")
+        ->type_name("NAME")
+        ->needs(board);
+    app.add_option("--fps", options.frames_per_second,
+                   "Frames per second to be reached (default: the scene's)")
+        ->type_name("NUMBER")
+        ->check(CLI::Range(1.0, fastest))
+        ->needs(board);
+    return board;
+}
+
+fit::Target chosen_target(const FitOptions& options)
+{
+    fit::Target target = fit::chosen_board(*options.board);
+    if (options.panel)
+        target.display = *options.panel;
+    return target;
+}
+
+fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, const SceneFile& scene)
+{
+    return fit::fit_report({.scene = scene.view,
+                            .item_names = scene.item_names,
+                            .target = target,
+                            .frames_per_second = options.frames_per_second});
+}
+
+void require_fit(const std::string& file, const fit::Target& target, const fit::FitReport& report)
+{
+    if (report.fits())
+        return;
+    std::string text = file + ": does not fit " + target.name;
+    for (const std::string& reason : report.reasons)
+        text += "\n  " + reason;
+    throw Failure(text);
+}
+
+}

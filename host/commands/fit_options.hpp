@@ -1,0 +1,31 @@
+#pragma once
+
+#include "host/fit/fit_report.hpp"
+#include "host/scene_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+namespace kfast {
+
+/// The board that a scene is to fit, as chosen by --board, --panel and --fps.
+struct FitOptions {
+    std::optional<std::string> board;
+    std::optional<fit::Display> panel; ///< instead of the board's
+    double frames_per_second = 0;      ///< 0: those of the scene
+};
+
+/// Adds --board, and what only means something together with it: --panel and --fps. `options` must outlive
+/// the parsing of `app`.
+CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options);
+
+/// With the panel that was chosen. Throws Failure for a board that there is not.
+fit::Target chosen_target(const FitOptions& options);
+
+fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, const SceneFile& scene);
+
+/// Throws Failure with all reasons if `scene` does not fit.
+void require_fit(const std::string& file, const fit::Target& target, const fit::FitReport& report);
+
+}

@@ -1,0 +1,160 @@
+#include "host/commands/fit_print.hpp"
+
+#include "host/fit/wording.hpp"
+#include "host/picture/format_name.hpp"
+#include "host/text/glyph.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace fit;
+
+double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
+
+Json panel_facts(const Display& display)
+{
+    return {{"name", display.name},
+            {"width", display.size.width},
+            {"height", display.size.height},
+            {"format", name_of(display.format)}};
+}
+
+Json flash_facts(const FlashNeed& need, std::size_t available)
+{
+    return {{"player", need.player},
+            {"scene", need.scene},
+            {"reserved", need.reserved},
+            {"used", need.sum()},
+            {"available", available}};
+}
+
+Json ram_facts(const RamNeed& need, std::size_t available)
+{
+    return {{"block", need.block},   {"bands", need.bands},       {"static", need.fixed},
+            {"stack", need.stack},   {"reserved", need.reserved}, {"used", need.sum()},
+            {"available", available}};
+}
+
+Json frame_facts(const FrameCost& frame)
+{
+    return {{"frame", frames(frame.moment)},
+            {"instructions", std::llround(frame.instructions)},
+            {"cpu_ms", frame.cpu_seconds * 1000},
+            {"bus_ms", frame.bus_seconds * 1000},
+            {"bytes", frame.bytes},
+            {"areas", frame.areas}};
+}
+
+Json worst_facts(const FitReport& report)
+{
+    Json facts = frame_facts(report.speed.worst());
+    facts["object"] = report.heaviest_object;
+    facts["object_share"] = report.speed.heaviest.share;
+    return facts;
+}
+
+Json outline_facts(const FitReport& report)
+{
+    const LargestOutlines& outlines = report.speed.outlines;
+    return {{"frame", frames(outlines.moment)},
+            {"bytes", outlines.bytes},
+            {"object", report.largest_object},
+            {"object_bytes", outlines.item_bytes}};
+}
+
+/// null where nothing sets a limit: no frame of a still scene sends anything.
+Json rate(double seconds) { return seconds > 0 ? Json(1 / seconds) : Json(nullptr); }
+
+Json facts_of(const FitFacts& facts)
+{
+    const auto& [file, scene, target, report] = facts;
+    return {{"file", file},
+            {"board", target.name},
+            {"processor", target.processor_name},
+            {"panel", panel_facts(target.display)},
+            {"fits", report.fits()},
+            {"reasons", report.reasons},
+            {"notes", report.notes},
+            {"flash", flash_facts(report.flash, target.flash)},
+            {"ram", ram_facts(report.ram, target.ram)},
+            {"first_picture", frame_facts(report.speed.first)},
+            {"median", frame_facts(report.speed.median())},
+            {"worst", worst_facts(report)},
+            {"largest_outlines", outline_facts(report)},
+            {"fps",
+             {{"wanted", report.wanted_rate},
+              {"cpu_median", rate(report.speed.by_cpu.median)},
+              {"cpu_worst", rate(report.speed.by_cpu.worst)},
+              {"bus_median", rate(report.speed.by_bus.median)},
+              {"bus_worst", rate(report.speed.by_bus.worst)}}}};
+}
+
+std::string line(const std::string& name, const std::string& text)
+{
+    return "  " + name + std::string(name.size() < 12 ? 12 - name.size() : 1, ' ') + text + '\n';
+}
+
+std::string memory_line(const std::string& name, std::size_t used, std::size_t available,
+                        const std::string& parts)
+{
+    return line(name, std::to_string(used) + " of " + bytes_text(available) + ": " + parts);
+}
+
+std::string time_text(const FrameCost& frame)
+{
+    return std::to_string(std::llround(frame.instructions)) + " instructions, " +
+           milliseconds_text(frame.cpu_seconds) + "; " + bytes_text(frame.bytes) + " in " +
+           milliseconds_text(frame.bus_seconds);
+}
+
+std::string limits_text(const Limits& limits)
+{
+    return limits.worst > 0 ? rate_text(1 / limits.median) + ", at worst " + rate_text(1 / limits.worst)
+                            : "nothing to do";
+}
+
+std::string heaviest_text(const FitReport& report)
+{
+    if (report.heaviest_object.empty())
+        return "";
+    return "; " + visible(report.heaviest_object) + " takes " +
+           std::to_string(std::lround(report.speed.heaviest.share * 100)) + " % of it";
+}
+
+}
+
+std::string fit_text(const FitFacts& facts)
+{
+    const auto& [file, scene, target, report] = facts;
+    const Display& display = target.display;
+    const Speed& speed = report.speed;
+    std::string text = file + " on " + visible(target.name) + '\n';
+    text += line("board", target.processor_name + " at " + frequency_text(target.clock) + ", " +
+                              std::string{display.name} + (display.name.empty() ? "" : " ") +
+                              std::to_string(display.size.width) + 'x' + std::to_string(display.size.height) +
+                              ' ' + std::string{name_of(display.format)} + ", bus at " +
+                              frequency_text(target.bus.clock));
+    text += memory_line("flash", report.flash.sum(), target.flash, parts_text(report.flash));
+    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram));
+    text += line("first", time_text(speed.first));
+    text += line("median", time_text(speed.median()));
+    text += line("worst", time_text(speed.worst()));
+    text += line("", "frame " + frame_text(speed.worst().moment) + heaviest_text(report));
+    text += line("by CPU", limits_text(speed.by_cpu));
+    text += line("by bus", limits_text(speed.by_bus));
+    for (const std::string& note : report.notes)
+        text += line("note", note);
+    return text + line("fits", report.fits() ? "yes" : "no");
+}
+
+std::string json_text(const FitFacts& facts)
+{
+    return facts_of(facts).dump(2, ' ', false, Json::error_handler_t::replace) +
+           '\n'; // names need not be UTF-8
+}
+
+}

@@ -1,0 +1,50 @@
+#include "host/fit/board_choice.hpp"
+
+#include "host/counted.hpp"
+#include "host/failure.hpp"
+#include "host/fit/board_reader.hpp"
+#include "host/fit/board_texts.hpp"
+#include "host/input_file.hpp"
+#include "host/reported_diagnostics.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace kfast::fit {
+namespace {
+
+constexpr InputKind board_input{"board", "a .kdl file", "a description begins with 'board'"};
+
+Target board_of(const SourceText& source)
+{
+    Diagnostics diagnostics;
+    const auto target = read_board(source, diagnostics);
+    const std::size_t errors = report(diagnostics, source).errors;
+    if (!target)
+        throw Failure(source.name + ": " + counted(errors, "error"));
+    return *target;
+}
+
+[[noreturn]] void refuse(const std::string& name)
+{
+    std::vector<std::string_view> known;
+    std::ranges::transform(board_texts(), std::back_inserter(known), &BoardText::name);
+    throw Failure("there is no board " + kfast::quoted(name) + ": " + suggestion(name, known) +
+                  ", or name the file that describes it, like my-board.kdl");
+}
+
+}
+
+Target chosen_board(const std::string& name)
+{
+    if (name.find_first_of("./") != name.npos)
+        return board_of({name, read_input(name, board_input)});
+    const auto built_in = std::ranges::find(board_texts(), name, &BoardText::name);
+    if (built_in == board_texts().end())
+        refuse(name);
+    return board_of({name, std::string{built_in->text}});
+}
+
+}

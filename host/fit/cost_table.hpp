@@ -1,0 +1,28 @@
+#pragma once
+
+#include "host/fit/processor.hpp"
+#include "host/fit/work_count.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace kfast::fit {
+
+/// What the player costs on a processor. Memory in bytes, as in the images that the benchmark measures.
+struct ProcessorCosts {
+    std::size_t code = 0;      ///< of the player and its constants, for one pixel format
+    std::size_t fixed_ram = 0; ///< besides the lent block: the player and the loop
+    std::size_t stack = 0;     ///< at most
+    double cycles = 0;         ///< for an instruction, on average, from memory without wait states
+    double frame = 0;          ///< instructions for every frame …
+    double area = 0;           ///< … and for every area that is sent
+    std::array<double, work_kinds> work{}; ///< instructions for each kind of work
+};
+
+/// Found by scripts/calibrate: see docs/fit.md.
+const ProcessorCosts& costs_of(Processor processor);
+
+/// The instructions that a picture takes besides its frame and areas.
+double instructions(const WorkCount& work, const ProcessorCosts& costs);
+
+}

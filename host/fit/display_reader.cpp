@@ -1,0 +1,110 @@
+#include "host/fit/display_reader.hpp"
+
+#include "core/player.hpp"
+#include "host/picture/format_name.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace kfast::fit {
+namespace {
+
+using scene::assign, scene::PropertyRule, scene::Range, scene::Reading;
+
+constexpr Range sides{1, Player::max_panel};
+constexpr Range window_bytes{0, 64};
+
+bool read_format(const kdl::Value& value, Display& display, Reading& reading)
+{
+    const auto name = read_text(value, reading);
+    if (!name)
+        return false;
+    const auto format = std::ranges::find(format_names(), *name, &FormatName::name);
+    if (format == format_names().end()) {
+        std::vector<std::string_view> known;
+        std::ranges::transform(format_names(), std::back_inserter(known), &FormatName::name);
+        report_unknown_word(value, *name, known, reading);
+        return false;
+    }
+    display.format = format->value;
+    display.granularity = {8 / std::min(8, bits_per_pixel(format->value)), 1};
+    return true;
+}
+
+bool read_window(const kdl::Value& value, Display& display, Reading& reading)
+{
+    return assign(read_whole_number(value, window_bytes, reading), display.window_bytes);
+}
+
+constexpr std::array rules{
+    PropertyRule<Display>{"format", read_format},
+    PropertyRule<Display>{"window", read_window},
+};
+
+std::optional<Display> named_display(const kdl::Value& value, Reading& reading)
+{
+    const auto name = read_text(value, reading);
+    if (!name)
+        return std::nullopt;
+    std::vector<std::string_view> known;
+    for (const Display& display : known_displays()) {
+        if (display.name == *name)
+            return display;
+        known.push_back(display.name);
+    }
+    reading.report.error(value.place, "unknown panel " + quoted(*name),
+                         suggestion(*name, known) + ", or describe it: panel 240 240 format=rgb565");
+    return std::nullopt;
+}
+
+bool read_size(std::span<const kdl::Value> values, Display& display, Reading& reading)
+{
+    const auto width = read_whole_number(values[0], sides, reading);
+    const auto height = read_whole_number(values[1], sides, reading);
+    if (!width || !height)
+        return false;
+    display.size = {*width, *height};
+    return true;
+}
+
+bool is_in_steps(const kdl::Node& node, const Display& display, Reading& reading)
+{
+    const Size step = display.granularity;
+    if (display.size.width % step.width == 0 && display.size.height % step.height == 0)
+        return true;
+    return reading.report.error(node.name_place,
+                                "the bytes of this panel hold " + std::to_string(step.width) + " x " +
+                                    std::to_string(step.height) + " pixels",
+                                "let its sides be multiples of that");
+}
+
+}
+
+std::optional<Display> read_display(const kdl::Node& node, Reading& reading)
+{
+    std::span<const kdl::Value> values = node.arguments;
+    std::optional<Display> display = Display{};
+    const bool is_named = !values.empty() && values.front().string() != nullptr;
+    if (is_named) {
+        display = named_display(values.front(), reading);
+        values = values.subspan(1);
+    }
+    if (!display)
+        return std::nullopt;
+    if (values.size() != 2 && !(is_named && values.empty())) {
+        reading.report.error(node.name_place, "a panel has a width and a height",
+                             "write panel st7789, panel st7789 240 320 or panel 240 240 format=rgb565");
+        return std::nullopt;
+    }
+    const bool has_size = values.empty() || read_size(values, *display, reading);
+    if (!read_properties(node, rules, *display, reading) || !has_size ||
+        !is_in_steps(node, *display, reading))
+        return std::nullopt;
+    return display;
+}
+
+}

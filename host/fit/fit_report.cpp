@@ -1,0 +1,118 @@
+#include "host/fit/fit_report.hpp"
+
+#include "host/counted.hpp"
+#include "host/fit/item_labels.hpp"
+#include "host/fit/wording.hpp"
+
+#include <algorithm>
+
+namespace kfast::fit {
+namespace {
+
+constexpr double slack = 1.0001; ///< of figures that were rounded: 16.667 ms are 60 fps
+
+std::string excess(const std::string& what, std::size_t needed, std::size_t available,
+                   const std::string& parts)
+{
+    return what + ": " + bytes_text(needed) + " are needed (" + parts + "), " + std::to_string(available) +
+           " are there: " + std::to_string(needed - available) + " too many";
+}
+
+void check_flash(const FitReport& report, const Target& target, std::vector<std::string>& reasons)
+{
+    const FlashNeed& need = report.flash;
+    if (need.sum() > target.flash)
+        reasons.push_back(excess("flash", need.sum(), target.flash, parts_text(need)));
+}
+
+void check_ram(const FitReport& report, const Target& target, std::vector<std::string>& reasons)
+{
+    const RamNeed& need = report.ram;
+    if (need.sum() <= target.ram)
+        return;
+    const LargestOutlines& outlines = report.speed.outlines;
+    reasons.push_back(excess("RAM", need.sum(), target.ram, parts_text(need)) +
+                      "; the largest outlines are those of frame " + frame_text(outlines.moment) + ", " +
+                      bytes_text(outlines.bytes) + ", of which " + std::to_string(outlines.item_bytes) +
+                      " are of " + report.largest_object);
+}
+
+void check_bands(const Target& target, std::vector<std::string>& reasons)
+{
+    const std::size_t least = least_band(target.display);
+    if (target.band_bytes < least)
+        reasons.push_back("bands: each has " + bytes_text(target.band_bytes) + ", but " +
+                          counted(static_cast<std::size_t>(target.display.granularity.height), "row") +
+                          " of the panel take " + std::to_string(least));
+}
+
+void check_speed(const FitReport& report, std::vector<std::string>& reasons)
+{
+    const double seconds = report.speed.median().seconds();
+    if (seconds * report.wanted_rate > slack)
+        reasons.push_back("speed: every second frame takes " + milliseconds_text(seconds) + " or more, but " +
+                          rate_text(report.wanted_rate) + " leave " +
+                          milliseconds_text(1 / report.wanted_rate) + " for each; " + rate_text(1 / seconds) +
+                          " can be reached");
+}
+
+std::size_t late_frames(const FitReport& report)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(report.speed.frames, [&](const FrameCost& frame) {
+        return frame.seconds() * report.wanted_rate > slack;
+    }));
+}
+
+void note_late_frames(const FitReport& report, std::vector<std::string>& notes)
+{
+    const std::size_t late = late_frames(report);
+    if (late != 0)
+        notes.push_back(std::to_string(late) + " of " + std::to_string(report.speed.frames.size()) +
+                        " pictures, at frames and between them, come late at " +
+                        rate_text(report.wanted_rate));
+}
+
+void note_bus(const Target& target, std::vector<std::string>& notes)
+{
+    const Display& display = target.display;
+    if (target.bus.kind == BusKind::spi && display.rated_spi != 0 && target.bus.clock > display.rated_spi)
+        notes.push_back("the maker of the " + std::string{display.name} + " allows " +
+                        frequency_text(display.rated_spi) + " on its bus; here it runs at " +
+                        frequency_text(target.bus.clock));
+}
+
+void note_stride(const FitReport& report, std::vector<std::string>& notes)
+{
+    if (report.speed.stride > 1)
+        notes.push_back("the scene is long: one frame of " + std::to_string(report.speed.stride) +
+                        " was looked at");
+}
+
+void judge(const Target& target, FitReport& report)
+{
+    check_flash(report, target, report.reasons);
+    check_ram(report, target, report.reasons);
+    check_bands(target, report.reasons);
+    check_speed(report, report.reasons);
+    note_late_frames(report, report.notes);
+    note_bus(target, report.notes);
+    note_stride(report, report.notes);
+}
+
+}
+
+FitReport fit_report(const FitWish& wish)
+{
+    FitReport report{.flash = flash_need(wish.scene, wish.target),
+                     .ram = ram_need(wish.scene, wish.target),
+                     .speed = measured_speed(wish.scene, wish.target, wish.fit)};
+    report.wanted_rate =
+        wish.frames_per_second != 0 ? wish.frames_per_second : wish.scene.frame_rate() / 1000.0;
+    const ItemLabels labels{wish.scene, wish.item_names};
+    report.heaviest_object = labels[report.speed.heaviest.path];
+    report.largest_object = labels[report.speed.outlines.path];
+    judge(wish.target, report);
+    return report;
+}
+
+}

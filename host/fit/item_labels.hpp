@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/scene_view.hpp"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+namespace kfast::fit {
+
+/// What the objects of a scene are called, by their paths (core/item_path.hpp).
+class ItemLabels {
+public:
+    /// `names` are those of the items in the order in which the scene stores them, or none.
+    ItemLabels(const SceneView& scene, std::span<const std::string> names);
+
+    /// "gaze/left-eye/shape"; "object 3" if it has no name, "" if there is no such object.
+    std::string operator[](std::uint32_t path) const;
+
+private:
+    struct Outer {
+        std::uint32_t path = 0;
+        std::string label;
+    };
+
+    void add(ItemCursor items, const Outer& outer);
+    std::string name_of(const ItemView& item) const;
+
+    const SceneView& scene_;
+    std::map<const std::byte*, std::string> names_; ///< by the places of items
+    std::map<std::uint32_t, std::string> labels_;   ///< by the paths of objects
+};
+
+}

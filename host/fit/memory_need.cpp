@@ -1,0 +1,23 @@
+#include "host/fit/memory_need.hpp"
+
+namespace kfast::fit {
+
+FlashNeed flash_need(const SceneView& scene, const Target& target)
+{
+    return {costs_of(target.processor).code, scene.size(), target.reserved.flash};
+}
+
+RamNeed ram_need(const SceneView& scene, const Target& target)
+{
+    const ProcessorCosts& costs = costs_of(target.processor);
+    return {Player::block_bytes(scene, target.display.size), 2 * target.band_bytes, costs.fixed_ram,
+            costs.stack, target.reserved.ram};
+}
+
+std::size_t least_band(const Display& display)
+{
+    return row_bytes(display.format, display.size.width) *
+           static_cast<std::size_t>(display.granularity.height);
+}
+
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "host/fit/cost_table.hpp"
+#include "host/fit/target.hpp"
+
+#include <cstddef>
+
+namespace kfast::fit {
+
+/// Bytes of flash that a scene takes on a board.
+struct FlashNeed {
+    std::size_t player = 0;
+    std::size_t scene = 0;
+    std::size_t reserved = 0;
+
+    std::size_t sum() const { return player + scene + reserved; }
+};
+
+/// Bytes of RAM: enough for every moment of the scene.
+struct RamNeed {
+    std::size_t block = 0;
+    std::size_t bands = 0;
+    std::size_t fixed = 0;
+    std::size_t stack = 0;
+    std::size_t reserved = 0;
+
+    std::size_t sum() const { return block + bands + fixed + stack + reserved; }
+};
+
+FlashNeed flash_need(const SceneView& scene, const Target& target);
+RamNeed ram_need(const SceneView& scene, const Target& target);
+/// Of one of the bands: a row of the panel, or as many as it takes together.
+std::size_t least_band(const Display& display);
+
+}

@@ -1,0 +1,61 @@
+#include "host/fit/quantity_reader.hpp"
+
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace kfast::fit {
+namespace {
+
+/// In the largest unit of which it has at least one.
+std::string text_of(double quantity, const QuantityForm& form)
+{
+    const auto value_in = [quantity](const QuantityUnit& unit) { return quantity / unit.factor; };
+    const auto best = std::ranges::min_element(form.units, {}, [&](const QuantityUnit& unit) {
+        return value_in(unit) >= 1 ? value_in(unit) : std::numeric_limits<double>::max();
+    });
+    return '(' + std::string{best->name} + ')' + scene::text_of(value_in(*best));
+}
+
+const QuantityUnit* unit_of(const kdl::Value& value, const QuantityForm& form, scene::Reading& reading)
+{
+    if (!value.type) {
+        reading.report.error(value.place, std::string{form.noun} + " needs a unit",
+                             "write it like " + std::string{form.example});
+        return nullptr;
+    }
+    const auto unit = std::ranges::find(form.units, *value.type, &QuantityUnit::name);
+    if (unit != form.units.end())
+        return &*unit;
+    std::vector<std::string_view> known;
+    std::ranges::transform(form.units, std::back_inserter(known), &QuantityUnit::name);
+    reading.report.error(value.place, "unknown unit " + quoted(*value.type), suggestion(*value.type, known));
+    return nullptr;
+}
+
+}
+
+std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, scene::Range range,
+                                    scene::Reading& reading)
+{
+    const kdl::Number* const number = value.number();
+    if (number == nullptr) {
+        reading.report.error(value.place, std::string{form.noun} + " is expected here",
+                             "write it like " + std::string{form.example});
+        return std::nullopt;
+    }
+    const QuantityUnit* const unit = unit_of(value, form, reading);
+    if (unit == nullptr)
+        return std::nullopt;
+    const double quantity = number->value * unit->factor;
+    if (quantity >= range.low && quantity <= range.high)
+        return quantity;
+    reading.report.error(value.place, "this number is out of range",
+                         "allowed: " + text_of(range.low, form) + " to " + text_of(range.high, form));
+    return std::nullopt;
+}
+
+}

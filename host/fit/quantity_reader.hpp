@@ -1,0 +1,36 @@
+#pragma once
+
+#include "host/scene/value_reader.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace kfast::fit {
+
+/// A unit that numbers of a kind are written with, as in (MHz)125.
+struct QuantityUnit {
+    std::string_view name;
+    double factor;
+};
+
+/// What a number with a unit stands for.
+struct QuantityForm {
+    std::string_view noun;               ///< "a frequency"
+    std::string_view example;            ///< "(MHz)125"
+    std::span<const QuantityUnit> units; ///< the likeliest first
+};
+
+inline constexpr std::array frequency_units{QuantityUnit{"Hz", 1}, QuantityUnit{"kHz", 1e3},
+                                            QuantityUnit{"MHz", 1e6}};
+inline constexpr std::array memory_units{QuantityUnit{"KiB", 1024}, QuantityUnit{"MiB", 1024 * 1024},
+                                         QuantityUnit{"B", 1}};
+inline constexpr QuantityForm frequency{"a frequency", "(MHz)125", frequency_units};
+inline constexpr QuantityForm memory_size{"a size of memory", "(KiB)264", memory_units};
+
+/// In Hz or bytes. Reports what is wrong and then returns nothing.
+std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, scene::Range range,
+                                    scene::Reading& reading);
+
+}

@@ -1,0 +1,99 @@
+#include "host/fit/scene_run.hpp"
+
+#include <algorithm>
+
+namespace kfast::fit {
+namespace {
+
+/// As the scene says, but what would end comes round again: it may be played again at any time.
+Stretch steady_stretch(const SceneView& scene)
+{
+    Stretch stretch = stretch_of(scene);
+    if (stretch.loop == Loop::once)
+        stretch.loop = Loop::repeat;
+    return stretch;
+}
+
+int frames_in_turn(const Stretch& stretch)
+{
+    const std::int32_t ticks = stretch.length().ticks * (stretch.loop == Loop::ping_pong ? 2 : 1);
+    return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
+}
+
+std::vector<std::uint32_t> block_for(const SceneView& scene, Size panel)
+{
+    return std::vector<std::uint32_t>((Player::block_bytes(scene, panel) + 3) / 4);
+}
+
+/// Never less than a row that the panel takes: whether the real ones hold it is told elsewhere.
+std::vector<std::byte> band_for(const Target& target)
+{
+    const Display& display = target.display;
+    const std::size_t least =
+        row_bytes(display.format, display.size.width) * static_cast<std::size_t>(display.granularity.height);
+    return std::vector<std::byte>(std::max(target.band_bytes, least));
+}
+
+}
+
+WorkCount FrameWork::work() const
+{
+    WorkCount sum{};
+    for (const auto& [path, count] : by_item)
+        sum += count;
+    return sum;
+}
+
+SceneRun::SceneRun(const SceneView& scene, const Target& target, Fit fit)
+    : target_{target}, stretch_{steady_stretch(scene)}, frames_{frames_in_turn(stretch_)},
+      stride_{(frames_ + most_frames - 1) / most_frames}, block_{block_for(scene, target.display.size)},
+      band_{band_for(target)}, player_{*Player::create(scene, target.display.size, fit,
+                                                       std::as_writable_bytes(std::span{block_}))}
+{
+}
+
+void SceneRun::visit_first(Time offset, const VisitFrame& visit)
+{
+    player_.redraw();
+    draw(moment_of(0, offset), visit);
+}
+
+void SceneRun::visit_turn(Time offset, const VisitFrame& visit)
+{
+    const auto ignore = [](const FrameWork&) {};
+    for (int frame = 0; frame < frames_; frame += stride_) {
+        if (frame == 0 || stride_ > 1)
+            draw(moment_of(frame == 0 ? frames_ - 1 : frame - 1, offset), ignore);
+        draw(moment_of(frame, offset), visit);
+    }
+}
+
+void SceneRun::draw(Time moment, const VisitFrame& visit)
+{
+    WorkLog log;
+    player_.show_moment(moment);
+    std::size_t areas = 0;
+    std::size_t bytes = 0;
+    const Display& display = target_.display;
+    const auto draw_all = [&]<PixelFormat format>() {
+        const int area_bytes = static_cast<int>(display.window_bytes);
+        for (;;) {
+            const auto changes = player_.draw_changes<format>(band_, display.granularity, area_bytes);
+            if (changes.empty())
+                return;
+            areas += changes.size();
+            for (const Change& change : changes)
+                bytes += change.pixels.size() + display.window_bytes;
+        }
+    };
+    with_format(display.format, draw_all);
+    visit({moment, log.by_item(), player_.picture(), areas, bytes});
+}
+
+Time SceneRun::moment_of(int frame, Time offset) const
+{
+    const Time place = wrap(Time::frame(frame) + offset, stretch_.length(), stretch_.loop);
+    return stretch_.begin + place;
+}
+
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "core/stretch.hpp"
+#include "host/fit/target.hpp"
+#include "host/fit/work_log.hpp"
+
+#include <cstddef>
+#include <functional>
+
+namespace kfast::fit {
+
+/// What the core did for one picture, and what went over the bus.
+struct FrameWork {
+    Time moment;
+    const std::map<std::uint32_t, WorkCount>& by_item; ///< valid during the call
+    const Picture& picture;                            ///< likewise
+    std::size_t areas = 0;
+    std::size_t bytes = 0; ///< of pixels and of the commands for areas
+
+    WorkCount work() const;
+};
+
+using VisitFrame = std::function<void(const FrameWork&)>;
+
+/// Plays one turn of a scene as a board does, in steps of a frame, and calls visit() for every frame. Of a
+/// scene that is longer than `most_frames`, some frames are left out.
+class SceneRun {
+public:
+    static constexpr int most_frames = 4096;
+
+    /// `scene` and `target` must outlive it.
+    SceneRun(const SceneView& scene, const Target& target, Fit fit);
+
+    /// The whole panel, as at the beginning of `offset`.
+    void visit_first(Time offset, const VisitFrame& visit);
+    /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
+    void visit_turn(Time offset, const VisitFrame& visit);
+    /// 1, or of how many frames one is visited.
+    int stride() const { return stride_; }
+
+private:
+    void draw(Time moment, const VisitFrame& visit);
+    Time moment_of(int frame, Time offset) const;
+
+    const Target& target_;
+    Stretch stretch_;
+    int frames_; ///< until the picture comes round again
+    int stride_;
+    std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
+    std::vector<std::byte> band_;
+    Player player_;
+};
+
+}

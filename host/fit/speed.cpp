@@ -1,0 +1,115 @@
+#include "host/fit/speed.hpp"
+
+#include "host/fit/cost_table.hpp"
+#include "host/fit/scene_run.hpp"
+
+#include <algorithm>
+
+namespace kfast::fit {
+namespace {
+
+std::size_t bytes_of(const OutlineRange& outlines)
+{
+    return static_cast<std::size_t>(outlines.end_corner - outlines.first_corner) * sizeof(Corner) +
+           static_cast<std::size_t>(outlines.end_chain - outlines.first_chain) * sizeof(Chain);
+}
+
+/// What the outlines of each item take.
+std::map<std::uint32_t, std::size_t> outline_bytes(const Picture& picture)
+{
+    std::map<std::uint32_t, std::size_t> bytes;
+    for (const PaintStep& step : picture.steps())
+        bytes[step.item] += bytes_of(step.layer.outlines);
+    return bytes;
+}
+
+LargestOutlines outlines_of(const FrameWork& frame)
+{
+    LargestOutlines outlines{.moment = frame.moment, .bytes = frame.picture.outlines.used_bytes()};
+    for (const auto& [path, bytes] : outline_bytes(frame.picture))
+        if (bytes > outlines.item_bytes) {
+            outlines.path = path;
+            outlines.item_bytes = bytes;
+        }
+    return outlines;
+}
+
+class SpeedMeter {
+public:
+    SpeedMeter(const Target& target, Speed& speed)
+        : target_{target}, costs_{costs_of(target.processor)},
+          cycles_{target.cycles != 0 ? target.cycles : costs_.cycles}, speed_{speed}
+    {
+    }
+
+    void take_first(const FrameWork& frame) { speed_.first = cost_of(frame); }
+
+    void take(const FrameWork& frame)
+    {
+        const FrameCost cost = cost_of(frame);
+        if (speed_.frames.empty() || cost.seconds() > worst_seconds_) {
+            worst_seconds_ = cost.seconds();
+            speed_.heaviest = heaviest_of(frame, cost);
+        }
+        speed_.frames.push_back(cost);
+        if (frame.picture.outlines.used_bytes() > speed_.outlines.bytes)
+            speed_.outlines = outlines_of(frame);
+    }
+
+private:
+    FrameCost cost_of(const FrameWork& frame) const
+    {
+        const double count = costs_.frame + costs_.area * static_cast<double>(frame.areas) +
+                             instructions(frame.work(), costs_);
+        return {.moment = frame.moment,
+                .instructions = count,
+                .cpu_seconds = count * cycles_ / target_.clock,
+                .bus_seconds = static_cast<double>(frame.bytes) / target_.bus.bytes_per_second(),
+                .areas = frame.areas,
+                .bytes = frame.bytes};
+    }
+
+    HeaviestItem heaviest_of(const FrameWork& frame, const FrameCost& cost) const
+    {
+        HeaviestItem heaviest;
+        for (const auto& [path, work] : frame.by_item) {
+            const double share = instructions(work, costs_) / cost.instructions;
+            if (path != 0 && share > heaviest.share)
+                heaviest = {path, share};
+        }
+        return heaviest;
+    }
+
+    const Target& target_;
+    const ProcessorCosts& costs_;
+    double cycles_;
+    Speed& speed_;
+    double worst_seconds_ = 0;
+};
+
+Limits limits_of(const std::vector<FrameCost>& frames, double FrameCost::*seconds)
+{
+    std::vector<double> sorted;
+    std::ranges::transform(frames, std::back_inserter(sorted), seconds);
+    std::ranges::sort(sorted);
+    return {sorted[sorted.size() / 2], sorted.back()};
+}
+
+}
+
+Speed measured_speed(const SceneView& scene, const Target& target, Fit fit)
+{
+    Speed speed;
+    SpeedMeter meter{target, speed};
+    SceneRun run{scene, target, fit};
+    run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
+    for (const Time offset : {Time{0}, Time{Time::ticks_per_frame / 2}})
+        run.visit_turn(offset, [&](const FrameWork& frame) { meter.take(frame); });
+    speed.stride = run.stride();
+    std::ranges::stable_sort(speed.frames, {}, &FrameCost::seconds);
+    speed.by_cpu = limits_of(speed.frames, &FrameCost::cpu_seconds);
+    speed.by_bus = limits_of(speed.frames, &FrameCost::bus_seconds);
+    return speed;
+}
+
+}

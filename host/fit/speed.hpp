@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/canvas_map.hpp"
+#include "core/scene_view.hpp"
+#include "core/time.hpp"
+#include "host/fit/target.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kfast::fit {
+
+/// What a picture costs.
+struct FrameCost {
+    Time moment;
+    double instructions = 0;
+    double cpu_seconds = 0;
+    double bus_seconds = 0;
+    std::size_t areas = 0;
+    std::size_t bytes = 0; ///< over the bus
+
+    /// One band is drawn while the other is sent.
+    double seconds() const { return cpu_seconds > bus_seconds ? cpu_seconds : bus_seconds; }
+};
+
+/// The object that costs most in a picture, by its path (core/item_path.hpp); and its part of the work.
+struct HeaviestItem {
+    std::uint32_t path = 0;
+    double share = 0;
+};
+
+/// The picture whose outlines take most room.
+struct LargestOutlines {
+    Time moment;
+    std::size_t bytes = 0;
+    std::uint32_t path = 0;     ///< of the object that has most of them
+    std::size_t item_bytes = 0; ///< of that object
+};
+
+/// Seconds that frames take.
+struct Limits {
+    double median = 0;
+    double worst = 0;
+};
+
+/// How fast a scene plays: by frames, and by frames half a frame later, for a panel may be faster than the
+/// scene.
+struct Speed {
+    std::vector<FrameCost> frames; ///< the cheapest first
+    FrameCost first;               ///< at the beginning: the whole panel
+    HeaviestItem heaviest;         ///< of the dearest frame
+    LargestOutlines outlines;
+    Limits by_cpu;
+    Limits by_bus;
+    int stride = 1; ///< of how many frames one was looked at
+
+    const FrameCost& median() const { return frames[frames.size() / 2]; }
+    const FrameCost& worst() const { return frames.back(); }
+};
+
+Speed measured_speed(const SceneView& scene, const Target& target, Fit fit);
+
+}

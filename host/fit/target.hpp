@@ -1,0 +1,56 @@
+#pragma once
+
+#include "host/fit/display.hpp"
+#include "host/fit/processor.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace kfast::fit {
+
+enum class BusKind : std::uint8_t { spi, parallel_8, parallel_16, i2c };
+
+/// The wires to the panel.
+struct Bus {
+    BusKind kind = BusKind::spi;
+    double clock = 0; ///< Hz: bits of spi and i2c, writes of the parallel ones
+
+    double bytes_per_second() const
+    {
+        switch (kind) {
+        case BusKind::spi:
+            return clock / 8;
+        case BusKind::i2c:
+            return clock / 9; // every byte is acknowledged
+        case BusKind::parallel_8:
+            return clock;
+        case BusKind::parallel_16:
+            return clock * 2;
+        }
+        return 0;
+    }
+};
+
+/// What the rest of a program takes, besides the player.
+struct Reserved {
+    std::size_t flash = 0;
+    std::size_t ram = 0;
+};
+
+/// A board with its panel, as a fit report sees it. Memory in bytes.
+struct Target {
+    std::string name;
+    Processor processor = Processor::cortex_m0;
+    std::string processor_name; ///< as its maker calls it: "cortex-m0+"
+    double clock = 0;           ///< Hz
+    double cycles = 0; ///< of the clock for an instruction, on average; 0: as usual for the processor
+    std::size_t flash = 0;
+    std::size_t ram = 0;
+    Bus bus;
+    Display display;
+    std::size_t band_bytes = 4096; ///< of each of the two buffers that rows are drawn into
+    Reserved reserved;
+};
+
+}

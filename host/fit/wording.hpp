@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/time.hpp"
+#include "host/fit/memory_need.hpp"
+
+#include <cstddef>
+#include <string>
+
+/// Figures as a fit report tells them.
+namespace kfast::fit {
+
+std::string bytes_text(std::size_t bytes);
+/// In frames: "37", "37.5"
+std::string frame_text(Time moment);
+/// "12.3 ms"
+std::string milliseconds_text(double seconds);
+/// "30 fps", "24.4 fps"; never more than it is. "any rate" for infinity.
+std::string rate_text(double per_second);
+/// "62.5 MHz", "400 kHz"
+std::string frequency_text(double hertz);
+
+/// "player 14000, scene 426": what is more than nothing.
+std::string parts_text(const FlashNeed& need);
+std::string parts_text(const RamNeed& need);
+
+}

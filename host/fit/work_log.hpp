@@ -1,0 +1,26 @@
+#pragma once
+
+#include "host/fit/work_count.hpp"
+
+#include <map>
+
+namespace kfast::fit {
+
+/// Counts the work of the core while it lives; there is only one at a time.
+class WorkLog : private WorkTally {
+public:
+    WorkLog();
+    ~WorkLog() override;
+    WorkLog(const WorkLog&) = delete;
+
+    /// Since the beginning or clear(), by the paths of items; what is done for none of them under 0.
+    const std::map<std::uint32_t, WorkCount>& by_item() const { return counts_by_item_; }
+    void clear();
+
+private:
+    std::uint32_t* counts_for(std::uint32_t path) override { return counts_by_item_[path].data(); }
+
+    std::map<std::uint32_t, WorkCount> counts_by_item_;
+};
+
+}

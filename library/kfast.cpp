@@ -1,0 +1,159 @@
+#include "library/kfast.h"
+
+#include "core/error_text.hpp"
+#include "library/kfast.hpp"
+
+#include <array>
+#include <new>
+#include <type_traits>
+
+struct kfast_player {
+    kfast::Animation animation;
+};
+
+// Whoever lent the block takes it back without asking.
+static_assert(std::is_trivially_destructible_v<kfast_player>);
+
+namespace {
+
+using kfast::Animation, kfast::Error, kfast::PixelFormat, kfast::Player, kfast::Rect, kfast::Size;
+
+constexpr kfast_error code_of(Error error)
+{
+    switch (error) {
+    case Error::truncated:
+        return KFAST_TRUNCATED;
+    case Error::bad_magic:
+        return KFAST_BAD_MAGIC;
+    case Error::unsupported_version:
+        return KFAST_UNSUPPORTED_VERSION;
+    case Error::bad_checksum:
+        return KFAST_BAD_CHECKSUM;
+    case Error::bad_scene:
+        return KFAST_BAD_SCENE;
+    case Error::block_too_small:
+        return KFAST_BLOCK_TOO_SMALL;
+    }
+    return KFAST_BAD_SCENE;
+}
+
+/// In the order of kfast_error.
+constexpr std::array error_texts{
+    "ok",
+    error_text(Error::truncated),
+    error_text(Error::bad_magic),
+    error_text(Error::unsupported_version),
+    error_text(Error::bad_checksum),
+    error_text(Error::bad_scene),
+    error_text(Error::block_too_small),
+    "buffer_too_small: the buffer does not hold a row of the panel",
+    "bad_panel_size: a side of the panel is not 1 to 4096 pixels long",
+    "no_such_clip: the scene has no clip of this name",
+};
+static_assert(error_texts.size() == KFAST_NO_SUCH_CLIP + 1 && code_of(Error::block_too_small) == 6);
+
+/// Bytes of the block before the player, at most: its alignment is not known before.
+constexpr std::size_t widest_gap = alignof(kfast_player) - 1;
+
+/// Where a player may lie, and what is left for its animation; nothing if there is not that much.
+struct Room {
+    void* player = nullptr;
+    std::span<std::byte> rest;
+
+    Room(void* block, std::size_t bytes)
+    {
+        const std::size_t gap = -reinterpret_cast<std::uintptr_t>(block) % alignof(kfast_player);
+        if (bytes < gap + sizeof(kfast_player))
+            return;
+        const auto aligned = std::span{static_cast<std::byte*>(block), bytes}.subspan(gap);
+        player = aligned.data();
+        rest = aligned.subspan(sizeof(kfast_player));
+    }
+};
+
+std::span<const std::byte> bytes_of(const void* scene, std::size_t bytes)
+{
+    return {static_cast<const std::byte*>(scene), bytes};
+}
+
+bool is_panel(Size size)
+{
+    const auto is_side = [](int length) { return length >= 1 && length <= Player::max_panel; };
+    return is_side(size.width) && is_side(size.height);
+}
+
+template <PixelFormat format>
+kfast_error draw(Animation& animation, void* buffer, std::size_t bytes, kfast_draw_rectangle draw_rectangle,
+                 void* user)
+{
+    const auto hand_out = [=](Rect area, std::span<const std::byte> pixels) {
+        draw_rectangle(area.x, area.y, area.width, area.height, pixels.data(), user);
+    };
+    const bool is_drawn = animation.draw<format>(std::span{static_cast<std::byte*>(buffer), bytes}, hand_out);
+    return is_drawn ? KFAST_OK : KFAST_BUFFER_TOO_SMALL;
+}
+
+}
+
+const char* kfast_error_text(kfast_error error)
+{
+    const auto place = static_cast<std::size_t>(error);
+    return place < error_texts.size() ? error_texts[place] : "unknown";
+}
+
+size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int height)
+{
+    if (!is_panel({width, height}))
+        return 0;
+    const auto bytes = Animation::block_bytes(bytes_of(scene, scene_bytes), {width, height});
+    return bytes ? widest_gap + sizeof(kfast_player) + *bytes : 0;
+}
+
+kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes, const void* scene,
+                         size_t scene_bytes, int width, int height)
+{
+    *player = nullptr;
+    if (!is_panel({width, height}))
+        return KFAST_BAD_PANEL_SIZE;
+    const Room room{block, block_bytes};
+    const auto animation = Animation::create(bytes_of(scene, scene_bytes), {width, height}, room.rest);
+    if (!animation)
+        return code_of(animation.error());
+    *player = new (room.player) kfast_player{*animation};
+    return KFAST_OK;
+}
+
+kfast_error kfast_choose_clip(kfast_player* player, const char* name)
+{
+    if (name != nullptr)
+        return player->animation.choose_clip(name) ? KFAST_OK : KFAST_NO_SUCH_CLIP;
+    player->animation.choose_scene();
+    return KFAST_OK;
+}
+
+void kfast_show(kfast_player* player, int32_t time) { player->animation.show({time}); }
+
+void kfast_show_after(kfast_player* player, uint32_t milliseconds)
+{
+    player->animation.show_after(milliseconds);
+}
+
+kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_bytes,
+                              kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::rgb565>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
+kfast_error kfast_draw_grey4(kfast_player* player, void* buffer, size_t buffer_bytes,
+                             kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::grey4>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
+kfast_error kfast_draw_mono1(kfast_player* player, void* buffer, size_t buffer_bytes,
+                             kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::mono1>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
+void kfast_redraw(kfast_player* player) { player->animation.redraw(); }

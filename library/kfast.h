@@ -1,0 +1,82 @@
+/* KFAST for C, and for whatever can call C: a compiled scene on a display that something else drives.
+ *
+ * A player lives in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no
+ * clock and no thread behind it. docs/library.md shows a whole program; kfast.hpp is the same in C++. */
+#ifndef KFAST_H
+#define KFAST_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum kfast_error {
+    KFAST_OK,
+    KFAST_TRUNCATED,           /* the bytes end before the scene does */
+    KFAST_BAD_MAGIC,           /* not a compiled scene */
+    KFAST_UNSUPPORTED_VERSION, /* compiled for another version of the format */
+    KFAST_BAD_CHECKSUM,        /* the bytes were damaged on the way */
+    KFAST_BAD_SCENE,           /* a value in the scene is out of its range, or refers to nothing */
+    KFAST_BLOCK_TOO_SMALL,     /* less memory was lent than the scene needs */
+    KFAST_BUFFER_TOO_SMALL,    /* the buffer for pixels does not hold a row of the panel */
+    KFAST_BAD_PANEL_SIZE,      /* a side of the panel is not 1 to 4096 pixels long */
+    KFAST_NO_SUCH_CLIP         /* the scene has no clip of this name */
+} kfast_error;
+
+/* The name of an error and what it means, for people. */
+const char* kfast_error_text(kfast_error error);
+
+/* A scene that plays: in the lent block, as long as that stays where it is. */
+typedef struct kfast_player kfast_player;
+
+/* Bytes that kfast_create() must be lent for a panel of this size, for every moment of the scene. 0 if the
+ * scene or the size is wrong; kfast_create() says what. */
+size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int height);
+
+/* Makes a player for the scene that `kfast compile` or `kfast export` wrote, at its beginning. The scene and
+ * the block must stay where they are as long as the player is used; there is nothing to give back. The block
+ * need not be aligned. Unless the result is KFAST_OK, *player is NULL. */
+kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes, const void* scene,
+                         size_t scene_bytes, int width, int height);
+
+/* What times count from: a clip of the scene, or with NULL the whole scene again, as at first. If there is no
+ * such clip, nothing changes. */
+kfast_error kfast_choose_clip(kfast_player* player, const char* name);
+
+/* Times are in 1/1024 frame; KFAST_FRAME * 12 is the 13th frame. */
+#define KFAST_FRAME INT32_C(1024)
+
+/* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
+ * stands for. */
+void kfast_show(kfast_player* player, int32_t time);
+
+/* As kfast_show(), after so many milliseconds; rounded down to 1/1024 frame. */
+void kfast_show_after(kfast_player* player, uint32_t milliseconds);
+
+/* Takes the pixels of one rectangle: its rows from the top down, each of them starting on a byte. They are
+ * gone after the call. */
+typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const void* pixels, void* user);
+
+/* Hands out the pixels that differ from what was drawn before. The buffer is where they are drawn; the
+ * larger, the fewer the calls. KFAST_OK, or KFAST_BUFFER_TOO_SMALL with nothing drawn.
+ *
+ *     rgb565   2 bytes a pixel, little-endian, red in the highest 5 bits
+ *     grey4    2 pixels a byte, the left one in the high nibble; 15 is white
+ *     mono1    8 pixels a byte, the leftmost in the highest bit; 1 is lit */
+kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_bytes,
+                              kfast_draw_rectangle draw_rectangle, void* user);
+kfast_error kfast_draw_grey4(kfast_player* player, void* buffer, size_t buffer_bytes,
+                             kfast_draw_rectangle draw_rectangle, void* user);
+kfast_error kfast_draw_mono1(kfast_player* player, void* buffer, size_t buffer_bytes,
+                             kfast_draw_rectangle draw_rectangle, void* user);
+
+/* The display shows something else by now: the next drawing hands out the whole panel. */
+void kfast_redraw(kfast_player* player);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

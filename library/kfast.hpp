@@ -1,0 +1,116 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "core/stretch.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace kfast {
+
+/// A compiled scene on a display that something else drives: a framework, a driver of your own.
+///
+/// It lives in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no clock
+/// and no thread behind it.
+class Animation {
+public:
+    /// Bytes that create() must be lent, for every moment of the scene. `scene` holds what `kfast compile` or
+    /// `kfast export` wrote; the sides of the panel are 1 … Player::max_panel.
+    /// Fails with truncated, bad_magic, unsupported_version, bad_checksum or bad_scene.
+    static Result<std::size_t> block_bytes(std::span<const std::byte> scene, Size panel)
+    {
+        const Result<SceneView> view = SceneView::parse(scene);
+        if (!view)
+            return view.error();
+        return Player::block_bytes(*view, panel);
+    }
+
+    /// `scene` and `block` (aligned to 4 bytes) must outlive the animation. It shows the beginning.
+    /// Fails as block_bytes() does, or with block_too_small.
+    static Result<Animation> create(std::span<const std::byte> scene, Size panel, std::span<std::byte> block,
+                                    Fit fit = Fit::contain)
+    {
+        const Result<SceneView> view = SceneView::parse(scene);
+        if (!view)
+            return view.error();
+        const Result<Player> player = Player::create(*view, panel, fit, block);
+        if (!player)
+            return player.error();
+        return Animation{*player};
+    }
+
+    /// What show() counts from: a clip, or the whole scene again. A clip that the scene has not changes
+    /// nothing, and the answer is false.
+    bool choose_clip(std::string_view name)
+    {
+        const auto clip = scene().clip(name);
+        if (clip)
+            stretch_ = stretch_of(*clip);
+        return clip.has_value();
+    }
+    void choose_scene() { stretch_ = stretch_of(scene()); }
+
+    /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
+    /// its loop decides what it stands for.
+    void show(Time time)
+    {
+        moment_ = stretch_.begin + wrap(time, stretch_.length(), stretch_.loop);
+        redraw();
+    }
+
+    /// As show(), after so many milliseconds; rounded down to 1/1024 frame.
+    void show_after(std::uint32_t milliseconds)
+    {
+        const std::uint64_t ticks =
+            std::uint64_t{milliseconds} * scene().frame_rate() * Time::ticks_per_frame / 1'000'000;
+        const auto turn = static_cast<std::uint32_t>(2 * stretch_.length().ticks); // there and back
+        show({static_cast<std::int32_t>(stretch_.loop == Loop::once ? std::min<std::uint64_t>(ticks, turn)
+                                                                    : ticks % turn)});
+    }
+
+    /// Hands out the pixels that differ from what was drawn before, by calling
+    /// draw_rectangle(Rect area, std::span<const std::byte> pixels) for each rectangle: its rows from the top
+    /// down, each of them starting on a byte. `buffer` is where they are drawn; the larger, the fewer the
+    /// calls. False, and nothing is drawn, if it does not hold a row of the panel.
+    template <PixelFormat format, class DrawRectangle>
+    bool draw(std::span<std::byte> buffer, DrawRectangle&& draw_rectangle)
+    {
+        const Size size = panel();
+        const std::size_t stride = row_bytes(format, size.width);
+        if (buffer.size() < stride)
+            return false;
+        const int rows_at_once =
+            static_cast<int>(std::min(buffer.size() / stride, static_cast<std::size_t>(size.height)));
+        while (next_row_ < size.height) {
+            const int rows = std::min(rows_at_once, size.height - next_row_);
+            const auto pixels = buffer.first(static_cast<std::size_t>(rows) * stride);
+            player_.template draw_rows<format>(rows, pixels);
+            draw_rectangle(Rect{0, next_row_, size.width, rows}, std::span<const std::byte>{pixels});
+            next_row_ += rows;
+        }
+        return true;
+    }
+
+    /// The display shows something else by now: the next draw() hands out the whole panel.
+    void redraw()
+    {
+        player_.show_moment(moment_);
+        next_row_ = 0;
+    }
+
+    const SceneView& scene() const { return player_.scene(); }
+    Size panel() const { return player_.panel(); }
+
+private:
+    explicit Animation(const Player& player) : player_{player}, stretch_{stretch_of(player.scene())} {}
+
+    Player player_;
+    Stretch stretch_;
+    Time moment_;
+    int next_row_ = 0; ///< of those that are not drawn yet
+};
+
+}
