@@ -142,6 +142,19 @@ RunList joined(const RunList& a, const RunList& b)
     return both;
 }
 
+/// Whether each of `runs` lies within one of `outer`.
+bool lie_within(std::span<const Run> runs, std::span<const Run> outer)
+{
+    auto at = outer.begin();
+    for (const Run run : runs) {
+        while (at != outer.end() && at->end < run.end)
+            ++at;
+        if (at == outer.end() || at->begin > run.begin)
+            return false;
+    }
+    return true;
+}
+
 }
 
 void ChangedStrips::begin(const Picture& shown, const Picture& coming)
@@ -162,7 +175,7 @@ void ChangedStrips::begin(const Picture& shown, const Picture& coming)
 const Strip& ChangedStrips::next(Picture& shown, Picture& coming, CoverageRow& coverage,
                                  const AreaRules& rules)
 {
-    begin_strip();
+    begin_strip(rules);
     RowSearch search{shown, coming, coverage, storage_, panel_.width};
     row_ = rounded_down(row_, rules.granularity.height);
     while (row_ < bottom_ && strip_.rows + rules.granularity.height <= Strip::most_rows &&
@@ -173,11 +186,12 @@ const Strip& ChangedStrips::next(Picture& shown, Picture& coming, CoverageRow& c
 }
 
 /// With the group that was not worth joining the last strip.
-void ChangedStrips::begin_strip()
+void ChangedStrips::begin_strip(const AreaRules& rules)
 {
     const auto first = static_cast<std::size_t>(strip_.rows);
     const std::uint16_t shift = ends_[first];
     strip_ = {};
+    strip_.columns = RunList{std::max(rules.overhead, 1)};
     ends_[0] = 0;
     if (rejected_rows_ == 0)
         return;
@@ -218,7 +232,8 @@ bool ChangedStrips::add_group(RowSearch& search, const AreaRules& rules)
         rejected_rows_ = rows;
         return false;
     }
-    strip_.columns = strip_.rows == 0 ? columns : joined(strip_.columns, columns);
+    for (const Run run : columns.runs())
+        strip_.columns.add(run.begin, run.end);
     strip_.top = row_ - rows - strip_.rows;
     strip_.rows += rows;
     return true;
@@ -227,10 +242,14 @@ bool ChangedStrips::add_group(RowSearch& search, const AreaRules& rules)
 bool ChangedStrips::is_worth_joining(const RunList& columns, const AreaRules& rules) const
 {
     const int rows = rules.granularity.height;
-    const RunList both = joined(strip_.columns, columns);
-    const int together = cost(both, strip_.rows + rows, rules);
     const int apart = cost(strip_.columns, strip_.rows, rules) + cost(columns, rows, rules);
-    return together <= apart && static_cast<std::size_t>(both.width() * (strip_.rows + rows)) <= rules.room;
+    const auto is_worth = [&](const RunList& both) {
+        return cost(both, strip_.rows + rows, rules) <= apart &&
+               static_cast<std::size_t>(both.width() * (strip_.rows + rows)) <= rules.room;
+    };
+    if (lie_within(columns.runs(), strip_.columns.runs())) // mostly
+        return is_worth(strip_.columns);
+    return is_worth(joined(strip_.columns, columns));
 }
 
 void ChangedStrips::draw_whole(int rows)

@@ -51,7 +51,7 @@ public:
 private:
     static constexpr int tallest_group = 8;
 
-    void begin_strip();
+    void begin_strip(const AreaRules& rules);
     bool add_group(class RowSearch& search, const AreaRules& rules);
     bool is_worth_joining(const RunList& columns, const AreaRules& rules) const;
     void draw_whole(int rows);

@@ -31,14 +31,12 @@ public:
     void add(int begin, int end)
     {
         const Run run{static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end)};
-        if (count_ == 0)
+        Run* const last = runs_.data() + count_ - 1;
+        const bool is_behind = count_ == 0 || begin >= last->end + gap_;
+        if (is_behind && count_ < most) // mostly they come from left to right
             runs_[count_++] = run;
-        else if (Run& last = runs_[count_ - 1]; begin < last.begin) // mostly they come from left to right
-            insert(run);
-        else if (begin < last.end + gap_)
-            last.end = std::max(last.end, run.end);
-        else if (count_ < most)
-            runs_[count_++] = run;
+        else if (!is_behind && begin >= last->begin)
+            last->end = std::max(last->end, run.end);
         else
             insert(run);
     }

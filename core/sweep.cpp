@@ -35,6 +35,8 @@ public:
     {
         activate();
         crossings.count = 0;
+        if (take_straight_row(crossings, wants_coverage))
+            return true;
         if (!find_parts() || !parts_stand_apart()) {
             fill_slabs();
             return false;
@@ -92,6 +94,42 @@ private:
             edge = current_edge(store_, chain);
         }
         chain.x = edge.x_at(subrow, chain.slope);
+        return true;
+    }
+
+    /// Most rows: single edges run through, each to the left of the next. Whether it was such a row.
+    bool take_straight_row(Crossings& crossings, bool wants_coverage)
+    {
+        if (layer_.waiting != layer_.outlines.end_chain && next_top() < bottom_)
+            return false;
+        Fixed last = Fixed::from_raw(std::numeric_limits<std::int32_t>::min());
+        std::size_t count = 0;
+        for (std::uint16_t i = layer_.active; i != Chain::none; ++count) {
+            const Chain& chain = store_.chain(i);
+            if (lower_end(store_, chain).y <= bottom_ || count == Crossings::most)
+                return false;
+            const Fixed end = chain.x + Fixed::from_raw(chain.slope);
+            if (chain.x < last || end < last)
+                return false;
+            last = std::max(chain.x, end);
+            i = chain.next;
+        }
+        std::int32_t winding = 0;
+        for (std::uint16_t i = layer_.active; i != Chain::none;) {
+            Chain& chain = store_.chain(i);
+            const Fixed begin = chain.x;
+            chain.x = begin + Fixed::from_raw(chain.slope);
+            i = chain.next;
+            const bool was_inside = is_inside(winding);
+            winding += chain.winding();
+            if (is_inside(winding) == was_inside)
+                continue;
+            crossings.borders[crossings.count++] = {.left = std::min(begin, chain.x),
+                                                    .right = std::max(begin, chain.x),
+                                                    .leans_left = chain.x < begin};
+            if (wants_coverage)
+                coverage_.add(begin, chain.x, subrows, was_inside ? -1 : 1);
+        }
         return true;
     }
 
