@@ -2,6 +2,7 @@
 
 #include "core/distribution.hpp"
 #include "core/drawing_reader.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -54,6 +55,7 @@ public:
         advance();
         if (count == 1)
             return segment_;
+        did(Work::split);
         return stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count));
     }
 

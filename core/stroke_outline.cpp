@@ -2,6 +2,7 @@
 
 #include "core/corner_at.hpp"
 #include "core/flatten.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <array>
@@ -187,6 +188,7 @@ void StrokeOutline::end(bool is_closed)
 
 StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
 {
+    did(Work::pen_piece);
     const auto [heading, length] = stride_along(step);
     const auto half_width_times = [this](std::int32_t unit) {
         return Fixed::from_raw(multiply_q16(pen_.half_width.raw(), 2 * unit));
@@ -221,6 +223,7 @@ void StrokeOutline::join(const Piece& after)
 /// outline turns the same way, however short the pieces are.
 void StrokeOutline::add_inner(const Bend& bend)
 {
+    did(Work::bend);
     const Side side = bend.inner();
     if (bend.cosine >= -one_q30 / 2 && bend.is_roomy(false)) {
         add(side, bend.at + bend.tip());

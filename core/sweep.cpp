@@ -12,6 +12,7 @@
 #include "core/sweep.hpp"
 
 #include "core/chain_edge.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -35,7 +36,8 @@ public:
     {
         activate();
         crossings.count = 0;
-        if ((layer_.waiting == layer_.outlines.end_chain || next_top() >= bottom_) && run_through(crossings)) {
+        if ((layer_.waiting == layer_.outlines.end_chain || next_top() >= bottom_) &&
+            run_through(crossings)) {
             if (wants_coverage)
                 fill_row();
             else
@@ -76,6 +78,7 @@ private:
 
     void enter_edge(Chain& chain) const
     {
+        did(Work::edge);
         const ChainEdge edge = current_edge(store_, chain);
         chain.x = edge.upper.x;
         if (edge.height() >= subrows)
@@ -127,8 +130,8 @@ private:
         const std::int32_t lower = lower_end(store_, chain).y;
         if (lower < bottom_)
             return find_bent_reach(chain, border);
-        const Fixed end = lower == bottom_ ? lower_end(store_, chain).x
-                                           : chain.x + Fixed::from_raw(chain.slope);
+        const Fixed end =
+            lower == bottom_ ? lower_end(store_, chain).x : chain.x + Fixed::from_raw(chain.slope);
         border.leans_left = end < chain.x;
         border.left = border.leans_left ? end : chain.x;
         border.right = border.leans_left ? chain.x : end;
@@ -197,6 +200,7 @@ private:
 
     bool fill_around_corners(Chain& chain, std::int32_t sign)
     {
+        did(Work::chain_row);
         std::int32_t y = y_;
         ChainEdge edge = current_edge(store_, chain);
         for (; edge.lower.y <= bottom_; edge = current_edge(store_, chain)) {
@@ -215,6 +219,7 @@ private:
     void fill_slabs()
     {
         for (; y_ < bottom_; y_ = slab_end_) {
+            did(Work::slab);
             activate();
             slab_end_ = next_event();
             if (layer_.active == Chain::none)
@@ -296,6 +301,7 @@ private:
         std::int32_t winding = 0;
         std::uint16_t* link = &layer_.active;
         while (*link != Chain::none) {
+            did(Work::slab_edge);
             Chain& chain = store_.chain(*link);
             const bool was_inside = is_inside(winding);
             winding += chain.winding();

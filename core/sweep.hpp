@@ -35,8 +35,8 @@ struct Crossings {
 };
 
 /// Sweeps one row. If borders run through all of it without touching each other, it tells where and returns
-/// true. What they enclose, by the fill rule of the layer, is added to `coverage`, which is empty; this is left
-/// out if they run through and `wants_coverage` is false.
+/// true. What they enclose, by the fill rule of the layer, is added to `coverage`, which is empty; this is
+/// left out if they run through and `wants_coverage` is false.
 ///
 /// Rows may come in any order; from one to the next below it is cheap.
 bool sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage, Crossings& crossings,

@@ -13,8 +13,6 @@
 namespace kfast {
 namespace {
 
-bool holds(const LawPair& laws) { return laws.x == VelocityLaw::hold && laws.y == VelocityLaw::hold; }
-
 std::size_t point_count(const SegmentDrawing& drawing)
 {
     std::size_t points = 0;
