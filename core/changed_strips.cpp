@@ -49,6 +49,7 @@ public:
         for (PaintStep& step : shown_.steps())
             if (step.partner == PaintStep::no_partner)
                 mark_shown(step, row, changed);
+        work_for(0);
         return end_;
     }
 

@@ -11,9 +11,12 @@ struct Distribution {
     std::uint32_t extra = 0;
 
     constexpr Distribution() = default;
-    constexpr Distribution(std::uint32_t total, std::uint32_t count)
-        : each{total / count}, extra{total % count}
+    constexpr Distribution(std::uint32_t total, std::uint32_t count) : each{1}
     {
+        if (total == count) // most are, and small processors divide by a function
+            return;
+        each = total / count;
+        extra = total % count;
     }
 
     /// What receiver `index` (from 0) gets.

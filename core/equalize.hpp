@@ -32,6 +32,10 @@ public:
     {
         if (part_ == stroke_parts_)
             begin_stroke();
+        if (is_whole()) {
+            part_ = 1;
+            return segments_;
+        }
         const std::uint32_t begin = part_ * segments_ / stroke_parts_;
         const std::uint32_t end = (part_ + 1) * segments_ / stroke_parts_;
         ++part_;
@@ -41,36 +45,35 @@ public:
     /// How many pieces the part that was begun is to yield; `segments` is what next_part() returned.
     void divide_part(std::uint32_t pieces, std::uint32_t segments)
     {
+        is_plain_ = pieces == segments && !is_subdivided();
         pieces_ = {pieces, segments};
         segment_of_part_ = 0;
         piece_ = 0;
     }
 
-    Segment next_piece()
+    void next_piece(Segment& next)
     {
-        read_segment();
+        if (is_plain_) {
+            next = next_segment();
+            return;
+        }
+        if (piece_ == 0 && sub_segment_ == 0)
+            begin_segment();
         const std::uint32_t pieces = pieces_.at(segment_of_part_);
         const std::uint32_t number = sub_segment_ * pieces + piece_;
         const std::uint32_t count = sub_segments_ * pieces;
         advance();
-        if (count == 1)
-            return segment_;
         did(Work::split);
-        return stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count));
-    }
-
-    /// As next_piece(), but tells only its kind.
-    Segment::Kind skip_piece()
-    {
-        read_segment();
-        advance();
-        return segment_.kind;
+        next = count == 1 ? segment_
+                          : stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count));
     }
 
     /// The first point of the stroke that the part belongs to.
     Point stroke_start() const { return reader_.start(); }
     /// The part is a whole stroke.
     bool is_whole() const { return stroke_parts_ == 1; }
+    /// Goes on reading from where this stands.
+    const R& reader() const { return reader_; }
 
 private:
     bool is_subdivided() const { return segments_ < stroke_parts_; }
@@ -84,12 +87,15 @@ private:
         part_ = 0;
     }
 
-    /// The segment of the next piece, if it is not the one that was read last.
-    void read_segment()
+    Segment next_segment()
     {
-        if (piece_ != 0 || sub_segment_ != 0)
-            return;
-        segment_ = stroke_segments_ == 0 ? still_segment(reader_.start()) : reader_.next_segment();
+        return stroke_segments_ == 0 ? still_segment(reader_.start()) : reader_.next_segment();
+    }
+
+    /// Of a stroke or a segment that is divided.
+    void begin_segment()
+    {
+        segment_ = next_segment();
         sub_segments_ = is_subdivided() ? Distribution{stroke_parts_, segments_}.at(read_segments_) : 1;
         ++read_segments_;
     }
@@ -118,7 +124,8 @@ private:
     std::uint32_t sub_segments_ = 1;  ///< that segment_ is divided into, for a stroke with too few of them
     std::uint32_t sub_segment_ = 0;   ///< the next one
 
-    Distribution pieces_; ///< pieces over the segments of the part
+    bool is_plain_ = true; ///< every segment of the part is one piece
+    Distribution pieces_;  ///< pieces over the segments of the part
     std::uint32_t segment_of_part_ = 0;
     std::uint32_t piece_ = 0; ///< the next one of the segment
 };
@@ -145,12 +152,9 @@ struct Pair {
 template <DrawingReader R>
 class EqualizedPair {
 public:
-    EqualizedPair(const R& a, const R& b)
-        : a_{a.strokes() != 0 ? a : b, b.strokes()}, b_{b.strokes() != 0 ? b : a, a.strokes()},
-          a_is_empty_{a.strokes() == 0}, b_is_empty_{b.strokes() == 0}, outline_{a_is_empty_ ? b : a},
-          strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
-    {
-    }
+    EqualizedPair(const R& a, const R& b) : EqualizedPair{a, b, false} {}
+    /// A drawing beside itself, read once.
+    explicit EqualizedPair(const R& both) : EqualizedPair{both, both, true} {}
 
     /// Begins the next pair of strokes and returns the number of its segments; 0 after the last stroke.
     std::uint32_t next_stroke()
@@ -158,48 +162,63 @@ public:
         if (strokes_left_ == 0)
             return 0;
         --strokes_left_;
+        if (a_is_empty_ || b_is_empty_)
+            find_centre();
         const std::uint32_t a = a_.next_part();
+        if (is_single_) {
+            a_.divide_part(a, a);
+            return a;
+        }
         const std::uint32_t b = b_.next_part();
         const std::uint32_t pieces = std::max(a, b);
         a_.divide_part(pieces, a);
         b_.divide_part(pieces, b);
-        if (a_is_empty_ || b_is_empty_)
-            find_centre();
         return pieces;
     }
 
-    Pair<Segment> next_segment()
+    /// Stays as it is until the next call.
+    const Pair<Segment>& next_segment()
     {
-        const Pair<Segment> both{a_.next_piece(), b_.next_piece()};
-        return {a_is_empty_ ? still_segment(centre_) : both.a, b_is_empty_ ? still_segment(centre_) : both.b};
-    }
-
-    /// As next_segment(), but computes no points: tells only whether the pair is a curve.
-    bool skip_segment()
-    {
-        const Segment::Kind a = a_.skip_piece();
-        const Segment::Kind b = b_.skip_piece();
-        return a == Segment::Kind::cubic || b == Segment::Kind::cubic;
+        a_.next_piece(both_.a);
+        if (is_single_)
+            both_.b = both_.a;
+        else
+            b_.next_piece(both_.b);
+        if (a_is_empty_)
+            both_.a = still_segment(centre_);
+        if (b_is_empty_)
+            both_.b = still_segment(centre_);
+        return both_;
     }
 
     /// Where the fill of the stroke is closed: the first points of the strokes that its two sides belong to.
     /// For a whole stroke that is its own first point; the parts of a broken one share it.
     Pair<Point> hub() const
     {
-        return {a_is_empty_ ? centre_ : a_.stroke_start(), b_is_empty_ ? centre_ : b_.stroke_start()};
+        return {a_is_empty_ ? centre_ : a_.stroke_start(),
+                b_is_empty_ ? centre_ : (is_single_ ? a_ : b_).stroke_start()};
     }
 
     /// Neither side is a part of a broken stroke: closed strokes stay closed.
-    bool is_whole() const { return a_.is_whole() && b_.is_whole(); }
+    bool is_whole() const { return a_.is_whole() && (is_single_ || b_.is_whole()); }
 
 private:
+    EqualizedPair(const R& a, const R& b, bool is_single)
+        : a_{a.strokes() != 0 ? a : b, b.strokes()}, b_{b.strokes() != 0 ? b : a, a.strokes()},
+          is_single_{is_single}, a_is_empty_{a.strokes() == 0}, b_is_empty_{b.strokes() == 0},
+          strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
+    {
+    }
+
+    /// Of the stroke that comes next: both sides read the drawing that is not empty.
     void find_centre()
     {
-        const std::uint32_t segments = outline_.next_stroke();
-        Point low = outline_.start();
+        R outline = a_.reader();
+        const std::uint32_t segments = outline.next_stroke();
+        Point low = outline.start();
         Point high = low;
         for (std::uint32_t i = 0; i < segments; ++i) {
-            const Point to = outline_.next_segment().to;
+            const Point to = outline.next_segment().to;
             low = {std::min(low.x, to.x), std::min(low.y, to.y)};
             high = {std::max(high.x, to.x), std::max(high.y, to.y)};
         }
@@ -207,12 +226,13 @@ private:
     }
 
     BrokenDrawing<R> a_;
-    BrokenDrawing<R> b_;
+    BrokenDrawing<R> b_; ///< not read if the pair is single
+    bool is_single_;
     bool a_is_empty_;
     bool b_is_empty_;
-    R outline_; ///< reads the partner of an empty drawing ahead, for its centre
-    Point centre_;
     std::uint32_t strokes_left_;
+    Point centre_;
+    Pair<Segment> both_;
 };
 
 }

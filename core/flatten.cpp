@@ -43,7 +43,8 @@ template class CubicSteps<std::uint64_t>;
 
 bool is_small(const Segment& cubic, int halvings)
 {
-    const std::int32_t reach = (std::numeric_limits<std::int32_t>::max() >> 3 * halvings) - 1;
+    const int room = halvings == 1 ? 3 : 1; // for second differences: 24 times the reach / 4^halvings
+    const std::int32_t reach = std::numeric_limits<std::int32_t>::max() >> (3 * halvings + room);
     const auto is_near = [&cubic, reach](Point point) {
         const Point away = point - cubic.from;
         return std::abs(away.x.raw()) <= reach && std::abs(away.y.raw()) <= reach;

@@ -8,15 +8,17 @@
 
 namespace kfast {
 
-/// How far from a curve the straight pieces may lie that stand for it.
-inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 24);
+/// How far the middles of chords may lie from a curve. The corners of the pieces that stand for it lie beside
+/// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
+inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 8);
 
 inline constexpr int most_halvings = 8;
 
-/// One coordinate of a cubic at 2^halvings steps of equal parameter length, each rounded to nearest, halves
-/// up. n^3 times a polynomial has whole differences at n steps, and sums of these are exact. Only the value
-/// itself has to fit in a Word, with 3 bits of fraction for each halving: what its differences lose beyond
-/// it, the sums lose again.
+/// One coordinate of a cubic at 2^halvings steps of equal parameter length, each moved away from the chord
+/// between its neighbours by 5/64 of its second difference: the pieces between the points enclose about what
+/// the curve does, where 1/12 would be exact. Rounded to nearest, halves up. n^3 times a polynomial has whole
+/// differences at n steps, and sums of these are exact. Only the value itself has to fit in a Word, with 3
+/// bits of fraction for each halving: what its differences lose beyond it, the sums lose again.
 template <class Word>
 class CubicSteps {
 public:
@@ -26,11 +28,13 @@ public:
     /// The value after the next step.
     Fixed next()
     {
+        using Signed = std::make_signed_t<Word>;
         value_ += first_;
+        const auto bend = static_cast<Signed>(second_);
         first_ += second_;
         second_ += third_;
-        using Signed = std::make_signed_t<Word>;
-        return Fixed::from_raw(static_cast<std::int32_t>(static_cast<Signed>(value_) >> fraction_bits_));
+        const Signed moved = static_cast<Signed>(value_) - (bend >> 4) - (bend >> 6);
+        return Fixed::from_raw(static_cast<std::int32_t>(moved >> fraction_bits_));
     }
 
 private:
@@ -69,8 +73,7 @@ bool is_small(const Segment& cubic, int halvings);
 
 /// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
 /// 2^halvings (0 … 8) of equal parameter length for a curve. The point it begins at is not among them, the
-/// last one is exact, those between are rounded once: the pieces turn back in x or in y only where the curve
-/// does.
+/// last one is exact, those between lie beside the curve (CubicSteps).
 template <class LineTo>
 void flatten(const Segment& segment, int halvings, LineTo line_to)
 {
@@ -83,7 +86,7 @@ void flatten(const Segment& segment, int halvings, LineTo line_to)
     line_to(segment.to);
 }
 
-/// How often a segment has to be halved so that the pieces lie within `flatness` of it; no more than
+/// How often a segment has to be halved so that chords lie within `flatness` of it; no more than
 /// most_halvings.
 ///
 /// n pieces lie within 3 d / 4 n^2 of a curve, where d is the longer of |from - 2 c1 + c2| and

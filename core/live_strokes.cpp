@@ -3,6 +3,13 @@
 
 namespace kfast {
 
+LiveStrokes::LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
+                         const LiveBackbones* backbones, const Affine& placement)
+    : pair_(way.x == Way{} && way.y == Way{} ? EqualizedPair{from} : EqualizedPair{from, to}), way_{way},
+      backbones_{backbones}, place_{placement}
+{
+}
+
 void LiveStrokes::trace(ObjectOutline& outline)
 {
     while (const std::uint32_t segments = pair_.next_stroke())
@@ -12,13 +19,13 @@ void LiveStrokes::trace(ObjectOutline& outline)
 void LiveStrokes::trace_stroke(std::uint32_t segments, ObjectOutline& outline)
 {
     did(Work::stroke);
-    Pair<Segment> both = pair_.next_segment();
+    const Pair<Segment>& both = pair_.next_segment();
     const Pair<Point> first{both.a.from, both.b.from};
     Segment segment = live(both, live(first.a, first.b));
     outline.begin(segment.from);
     outline.add(segment);
     for (std::uint32_t i = 1; i < segments; ++i) {
-        both = pair_.next_segment();
+        pair_.next_segment();
         segment = live(both, segment.to);
         outline.add(segment);
     }
@@ -43,7 +50,9 @@ Segment LiveStrokes::live(const Pair<Segment>& both, Point from) const
 
 Point LiveStrokes::live(Point a, Point b) const
 {
-    return place_(backbones_ == nullptr ? lerp(a, b, way_.x, way_.y) : backbones_->between(a, b, way_));
+    if (backbones_ != nullptr)
+        return place_(backbones_->between(a, b, way_));
+    return place_(a == b ? a : lerp(a, b, way_.x, way_.y));
 }
 
 }

@@ -14,12 +14,10 @@ namespace kfast {
 /// The strokes between two drawings at one moment of their way, placed.
 class LiveStrokes {
 public:
-    /// `backbones`, which may be null, carry the drawings; they and `placement` must outlive the strokes.
+    /// At the very beginning of the way, `from` alone. `backbones`, which may be null, carry the drawings;
+    /// they and `placement` must outlive the strokes.
     LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
-                const LiveBackbones* backbones, const Affine& placement)
-        : pair_{from, to}, way_{way}, backbones_{backbones}, place_{placement}
-    {
-    }
+                const LiveBackbones* backbones, const Affine& placement);
 
     void trace(ObjectOutline& outline);
 

@@ -6,9 +6,10 @@
 
 namespace kfast {
 
-/// Everything the device side can refuse. Each function lists which of these it returns.
+/// Everything the device side can refuse. Each function lists which of these it returns. Boards show the
+/// number, so it stays what it is.
 enum class Error : std::uint8_t {
-    truncated,           ///< the bytes end before the scene does
+    truncated = 1,       ///< the bytes end before the scene does
     bad_magic,           ///< not a compiled scene
     unsupported_version, ///< compiled for another version of the format
     bad_checksum,        ///< the bytes were damaged on the way

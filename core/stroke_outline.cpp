@@ -34,12 +34,14 @@ std::int32_t cosine_q15(int angle)
     return angle <= quarter_turn ? sine_q15(quarter_turn - angle) : -sine_q15(angle - quarter_turn);
 }
 
-/// The widest step in 1/48 quarter turn with which arcs stay within `flatness`. A chord over the angle a of a
-/// circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
+constexpr std::int32_t arc_flatness = Fixed::one / 16;
+
+/// The widest step in 1/48 quarter turn with which arcs stay within arc_flatness. A chord over the angle a of
+/// a circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
 int arc_step(Fixed half_width, int coarseness)
 {
     constexpr std::array<std::uint8_t, 10> pieces{1, 2, 3, 4, 6, 8, 12, 16, 24, 48}; // of a quarter turn
-    constexpr std::int32_t radius_of_one = flatness.raw() * 16 / 5;                  // 32 / pi^2
+    constexpr std::int32_t radius_of_one = arc_flatness * 16 / 5;                    // 32 / pi^2
     const std::int32_t radius = half_width.raw() >> 2 * coarseness;
     std::size_t chosen = 0;
     while (chosen + 1 < pieces.size() && pieces[chosen] * pieces[chosen] * radius_of_one < radius)
@@ -78,49 +80,39 @@ Point meeting(Point a, Point b, std::uint32_t rest)
     return {of(a.x, b.x), of(a.y, b.y)};
 }
 
+std::int32_t cosine_between(Heading a, Heading b) { return a.x * b.x + a.y * b.y; }
+std::int32_t sine_between(Heading a, Heading b) { return a.x * b.y - a.y * b.x; }
+
+/// 1 + cos of the angle between two headings, in Q30. Near a full turn back the cosine is too coarse; 1 + cos
+/// is half the square of the sum of the vectors.
+std::uint32_t rest_of_turn(Heading a, Heading b, std::int32_t cosine)
+{
+    if (cosine >= 0)
+        return static_cast<std::uint32_t>(one_q30) + static_cast<std::uint32_t>(cosine);
+    const auto x = static_cast<std::uint32_t>(a.x + b.x);
+    const auto y = static_cast<std::uint32_t>(a.y + b.y);
+    return (x * x + y * y) / 2;
 }
 
+}
+
+/// What two pieces leave between them: where their inner sides end, and how far they turn.
 struct StrokeOutline::Bend {
-    Point at;
-    const Piece& before;
-    const Piece& after;
+    Side inner;
+    Point from;
+    Point to;
     std::int32_t cosine; ///< Q30, as the next one
-    std::int32_t sine;
-    std::uint32_t rest; ///< 1 + cosine
+    std::uint32_t rest;  ///< 1 + cosine
 
-    Bend(Point where, const Piece& from, const Piece& to)
-        : at{where}, before{from}, after{to}, cosine{std::clamp(from.heading.x * to.heading.x +
-                                                                    from.heading.y * to.heading.y,
-                                                                -one_q30, one_q30)},
-          sine{from.heading.x * to.heading.y - from.heading.y * to.heading.x}, rest{rest_of()}
+    /// Whether the inner sides cross between the ends of both pieces, the shorter of which is `length` long;
+    /// the far halves are left to what the other ends may need. They cross |to - from| / 2 / cos(a/2) before
+    /// the bend, for a turn by a.
+    bool crosses_within(std::uint32_t length, bool is_slight) const
     {
-    }
-
-    Side inner() const { return sine >= 0 ? Side::right : Side::left; }
-    Side outer() const { return sine >= 0 ? Side::left : Side::right; }
-    Point inner_before() const { return sine >= 0 ? before.side : -before.side; }
-    Point inner_after() const { return sine >= 0 ? after.side : -after.side; }
-    Point tip() const { return meeting(inner_before(), inner_after(), rest); }
-
-    /// Where the inner sides meet lies between the ends of both pieces, and the far halves are left to what
-    /// the other ends may need. They meet |after - before| / 2 / cos(a/2) before the bend, for a turn by a.
-    bool is_roomy(bool is_slight) const
-    {
-        const Point apart = after.side - before.side;
-        const std::int32_t across = rough_length(apart.x.raw(), apart.y.raw());
-        const std::int32_t needed = is_slight ? across + across / 8 : across * 2;
-        return static_cast<std::uint32_t>(needed) <= std::min(before.length, after.length);
-    }
-
-private:
-    /// Near a full turn back the cosine is too coarse; 1 + cos is half the square of the sum of the vectors.
-    std::uint32_t rest_of() const
-    {
-        if (cosine >= 0)
-            return static_cast<std::uint32_t>(one_q30) + static_cast<std::uint32_t>(cosine);
-        const auto x = static_cast<std::uint32_t>(before.heading.x + after.heading.x);
-        const auto y = static_cast<std::uint32_t>(before.heading.y + after.heading.y);
-        return (x * x + y * y) / 2;
+        const Point apart = to - from;
+        const std::int32_t gap = rough_length(apart.x.raw(), apart.y.raw());
+        const std::int32_t needed = is_slight ? gap + gap / 8 : 2 * gap;
+        return cosine >= -one_q30 / 2 && static_cast<std::uint32_t>(needed) <= length;
     }
 };
 
@@ -206,57 +198,63 @@ void StrokeOutline::add(Side side, Point at)
 
 void StrokeOutline::join(const Piece& after)
 {
-    const Bend bend{last_, last_piece_, after};
-    if (bend.sine == 0 && bend.cosine > 0)
+    const Piece& before = last_piece_;
+    const std::int32_t cosine = std::clamp(cosine_between(before.heading, after.heading), -one_q30, one_q30);
+    const std::int32_t sine = sine_between(before.heading, after.heading);
+    if (sine == 0 && cosine > 0)
         return;
-    if (bend.cosine >= one_q30 - slight_bend_ && bend.is_roomy(true)) {
-        const Point tip = slight_meeting(last_piece_.side, after.side, one_q30 - bend.cosine);
-        add(Side::right, last_ + tip);
-        add(Side::left, last_ - tip);
-        return;
-    }
-    add_inner(bend);
-    add_outer(bend);
+    const bool turns_right = sine >= 0;
+    const Bend bend{.inner = turns_right ? Side::right : Side::left,
+                    .from = turns_right ? before.side : -before.side,
+                    .to = turns_right ? after.side : -after.side,
+                    .cosine = cosine,
+                    .rest = rest_of_turn(before.heading, after.heading, cosine)};
+    const bool is_slight = cosine >= one_q30 - slight_bend_;
+    const bool sides_meet = bend.crosses_within(std::min(before.length, after.length), is_slight);
+    const bool has_tip = is_slight || has_miter(bend.rest);
+    Point tip;
+    if (is_slight)
+        tip = slight_meeting(bend.from, bend.to, one_q30 - cosine);
+    else if (sides_meet || has_tip)
+        tip = meeting(bend.from, bend.to, bend.rest);
+    did(is_slight ? Work::slight_bend : Work::bend);
+    if (sides_meet)
+        add(bend.inner, last_ + tip);
+    else
+        add_pivot(bend);
+    if (has_tip)
+        add(opposite(bend.inner), last_ - tip);
+    else
+        add_outer(bend);
 }
 
 /// Where the inner sides do not meet, the inner side goes through the corner itself: then every part of the
 /// outline turns the same way, however short the pieces are.
-void StrokeOutline::add_inner(const Bend& bend)
+void StrokeOutline::add_pivot(const Bend& bend)
 {
-    did(Work::bend);
-    const Side side = bend.inner();
-    if (bend.cosine >= -one_q30 / 2 && bend.is_roomy(false)) {
-        add(side, bend.at + bend.tip());
-        return;
-    }
-    add(side, bend.at + bend.inner_before());
-    add(side, bend.at);
-    add(side, bend.at + bend.inner_after());
+    add(bend.inner, last_ + bend.from);
+    add(bend.inner, last_);
+    add(bend.inner, last_ + bend.to);
 }
 
 void StrokeOutline::add_outer(const Bend& bend)
 {
-    const Side side = bend.outer();
-    if (has_miter(bend)) {
-        add(side, bend.at - bend.tip());
-        return;
-    }
-    const Point from = -bend.inner_before();
-    add(side, bend.at + from);
+    const Side outer = opposite(bend.inner);
+    add(outer, last_ - bend.from);
     if (pen_.join == Join::round)
-        arc(side, bend.at, from, turned(bend.before.side), bend.cosine);
-    add(side, bend.at - bend.inner_after());
+        arc(outer, last_, -bend.from, turned(last_piece_.side), bend.cosine);
+    add(outer, last_ - bend.to);
 }
 
 /// A miter is 1 / cos(a/2) half widths long, for a turn by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip stays
 /// where Fixed can hold it: corners are within 16383 px.
-bool StrokeOutline::has_miter(const Bend& bend) const
+bool StrokeOutline::has_miter(std::uint32_t rest) const
 {
     if (pen_.join != Join::miter)
         return false;
     const auto limit = static_cast<std::uint32_t>(pen_.miter_limit);
     const auto pixels = static_cast<std::uint32_t>(pen_.half_width.raw() >> 16);
-    return (bend.rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= bend.rest >> 15 << 12;
+    return (rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= rest >> 15 << 12;
 }
 
 /// The corners between `from` and the end of a turn, towards `ahead`.

@@ -39,15 +39,16 @@ private:
         Point side;               ///< half a width to its right
     };
 
-    /// How two pieces meet.
     struct Bend;
+
+    static constexpr Side opposite(Side side) { return side == Side::right ? Side::left : Side::right; }
 
     Piece piece_along(Point step) const;
     void add(Side side, Point at);
     void join(const Piece& after);
-    void add_inner(const Bend& bend);
+    void add_pivot(const Bend& bend);
     void add_outer(const Bend& bend);
-    bool has_miter(const Bend& bend) const;
+    bool has_miter(std::uint32_t rest) const;
     void arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine);
     void cap(Point at, Point side);
     void dot();

@@ -34,18 +34,16 @@ public:
     /// From the border of rows on that the sweep stands at; as sweep_row().
     bool run(Crossings& crossings, bool wants_coverage)
     {
+        did(Work::swept_row);
         activate();
         crossings.count = 0;
-        if ((layer_.waiting == layer_.outlines.end_chain || next_top() >= bottom_) &&
-            run_through(crossings)) {
-            if (wants_coverage)
-                fill_row();
-            else
-                pass_row();
-            return true;
+        if (!find_parts() || !parts_stand_apart()) {
+            fill_slabs();
+            return false;
         }
-        fill_slabs();
-        return false;
+        const bool all_run_through = find_crossings(crossings);
+        take_parts(wants_coverage || !all_run_through);
+        return all_run_through;
     }
 
     /// Brings the sweep, which stands at a border above it, to the upper border of the row.
@@ -62,7 +60,8 @@ public:
     }
 
 private:
-    std::int32_t next_top() const { return store_.corner(store_.chain(layer_.waiting).first).y; }
+    std::int32_t top_of(std::uint16_t chain) const { return store_.corner(store_.chain(chain).first).y; }
+    std::int32_t next_top() const { return top_of(layer_.waiting); }
 
     /// Takes up the chains that begin at y_ or above it.
     void activate()
@@ -99,109 +98,161 @@ private:
         return true;
     }
 
-    /// Whether all chains under the sweep reach the lower border of the row, and each lies wholly to the
-    /// left of the next.
-    bool run_through(Crossings& crossings) const
+    /// What a row cuts out of a chain.
+    struct Part {
+        std::uint16_t chain = 0;
+        bool is_bent = false;
+        std::int8_t winding = 0;
+        std::int32_t top = 0;
+        std::int32_t bottom = 0;
+        Fixed begin; ///< x at the top
+        Fixed left;
+        Fixed right;
+    };
+
+    static constexpr std::size_t most_parts = 12;
+
+    /// From left to right; false if there are too many. Nothing is moved yet.
+    bool find_parts()
     {
-        Fixed last = Fixed::from_raw(std::numeric_limits<std::int32_t>::min());
-        std::int32_t winding = 0;
-        for (std::uint16_t i = layer_.active; i != Chain::none;) {
-            const Chain& chain = store_.chain(i);
-            i = chain.next;
-            Crossing border;
-            if (!find_reach(chain, border) || border.left < last)
+        for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next)
+            if (!add_part(i, store_.chain(i)))
                 return false;
-            last = border.right;
-            border.is_left_border = is_inside(winding + chain.winding());
-            const bool was_inside = is_inside(winding);
-            winding += chain.winding();
-            if (border.is_left_border == was_inside)
-                continue;
-            if (crossings.count == Crossings::most)
+        for (std::uint16_t i = layer_.waiting; i != layer_.outlines.end_chain && top_of(i) < bottom_; ++i) {
+            Chain& chain = store_.chain(i);
+            chain.passed = 0;
+            enter_edge(chain);
+            if (!add_part(i, chain))
                 return false;
-            crossings.borders[crossings.count++] = border;
         }
         return true;
     }
 
-    /// Of a chain within the row; false if it ends above the lower border.
-    bool find_reach(const Chain& chain, Crossing& border) const
+    bool add_part(std::uint16_t number, const Chain& chain)
     {
-        const std::int32_t lower = lower_end(store_, chain).y;
-        if (lower < bottom_)
-            return find_bent_reach(chain, border);
-        const Fixed end =
-            lower == bottom_ ? lower_end(store_, chain).x : chain.x + Fixed::from_raw(chain.slope);
-        border.leans_left = end < chain.x;
-        border.left = border.leans_left ? end : chain.x;
-        border.right = border.leans_left ? chain.x : end;
+        if (part_count_ == most_parts)
+            return false;
+        did(Work::part);
+        const Part part = lower_end(store_, chain).y > bottom_ && number < layer_.waiting
+                              ? straight_part(number, chain)
+                              : bent_part(number, chain);
+        std::size_t at = part_count_++;
+        for (; at > 0 && part.left < parts_[at - 1].left; --at)
+            parts_[at] = parts_[at - 1];
+        parts_[at] = part;
         return true;
     }
 
-    bool find_bent_reach(Chain chain, Crossing& border) const
+    Part straight_part(std::uint16_t number, const Chain& chain) const
     {
-        border = {.left = chain.x, .right = chain.x, .is_bent = true};
-        const auto stretch = [&border](Fixed x) {
-            border.left = std::min(border.left, x);
-            border.right = std::max(border.right, x);
+        const Fixed end = chain.x + Fixed::from_raw(chain.slope);
+        return {.chain = number,
+                .winding = static_cast<std::int8_t>(chain.winding()),
+                .top = y_,
+                .bottom = bottom_,
+                .begin = chain.x,
+                .left = std::min(chain.x, end),
+                .right = std::max(chain.x, end)};
+    }
+
+    Part bent_part(std::uint16_t number, Chain chain) const
+    {
+        did(Work::bent_part);
+        Part part{.chain = number,
+                  .is_bent = true,
+                  .winding = static_cast<std::int8_t>(chain.winding()),
+                  .top = std::max(y_, current_edge(store_, chain).upper.y),
+                  .bottom = bottom_,
+                  .begin = chain.x,
+                  .left = chain.x,
+                  .right = chain.x};
+        const auto stretch = [&part](Fixed x) {
+            part.left = std::min(part.left, x);
+            part.right = std::max(part.right, x);
         };
         ChainEdge edge = current_edge(store_, chain);
         for (; edge.lower.y < bottom_; edge = current_edge(store_, chain)) {
             stretch(edge.lower.x);
-            if (++chain.passed == chain.edges)
-                return false;
+            if (++chain.passed == chain.edges) {
+                part.bottom = edge.lower.y;
+                return part;
+            }
         }
         stretch(edge.x_at(bottom_, edge.height() >= subrows ? row_slope(edge) : 0));
+        return part;
+    }
+
+    /// Whether each part lies wholly to the left of the next and has the same winding number to its left all
+    /// along: what does not run through the row comes in pairs that enclose something.
+    bool parts_stand_apart() const
+    {
+        for (std::size_t i = 1; i < part_count_; ++i)
+            if (parts_[i].left < parts_[i - 1].right)
+                return false;
+        for (std::size_t i = 0; i < part_count_; ++i) {
+            const Part& a = parts_[i];
+            if (a.top == y_ && a.bottom == bottom_)
+                continue;
+            if (++i == part_count_ || parts_[i].top != a.top || parts_[i].bottom != a.bottom ||
+                parts_[i].winding + a.winding != 0)
+                return false;
+        }
         return true;
     }
 
-    /// Moves all chains to the lower border of the row.
-    void pass_row()
+    /// Whether all parts run through.
+    bool find_crossings(Crossings& crossings) const
     {
-        std::uint16_t* link = &layer_.active;
-        while (*link != Chain::none) {
-            Chain& chain = store_.chain(*link);
-            if (lower_end(store_, chain).y > bottom_)
-                chain.x = chain.x + Fixed::from_raw(chain.slope);
-            else if (!move_to(chain, bottom_)) {
-                *link = chain.next;
-                continue;
-            }
-            link = &chain.next;
+        std::int32_t winding = 0;
+        for (const Part& part : std::span{parts_}.first(part_count_)) {
+            if (part.top != y_ || part.bottom != bottom_)
+                return false;
+            const bool was_inside = is_inside(winding);
+            winding += part.winding;
+            if (is_inside(winding) != was_inside)
+                crossings.borders[crossings.count++] = {.left = part.left,
+                                                        .right = part.right,
+                                                        .leans_left = part.left != part.begin,
+                                                        .is_bent = part.is_bent};
         }
+        return true;
     }
 
-    void fill_row()
+    /// Moves the chains below the row and adds what they enclose there.
+    void take_parts(bool wants_coverage)
     {
         std::int32_t winding = 0;
         std::uint16_t* link = &layer_.active;
-        while (*link != Chain::none) {
-            Chain& chain = store_.chain(*link);
+        for (const Part& part : std::span{parts_}.first(part_count_)) {
             const bool was_inside = is_inside(winding);
-            winding += chain.winding();
-            const std::int32_t sign = is_inside(winding) == was_inside ? 0 : was_inside ? -1 : 1;
-            if (fill_along(chain, sign))
+            winding += part.winding;
+            const std::int32_t sign = !wants_coverage || is_inside(winding) == was_inside ? 0
+                                      : was_inside                                        ? -1
+                                                                                          : 1;
+            Chain& chain = store_.chain(part.chain);
+            if (take_part(chain, part, sign)) {
+                *link = part.chain;
                 link = &chain.next;
-            else
-                *link = chain.next;
+            }
         }
+        *link = Chain::none;
+        while (layer_.waiting != layer_.outlines.end_chain && next_top() < bottom_)
+            ++layer_.waiting;
     }
 
-    /// Adds what a chain bounds in the row and moves it down. Whether anything of it is left below.
-    bool fill_along(Chain& chain, std::int32_t sign)
+    /// Whether anything of the chain is left below the row.
+    bool take_part(Chain& chain, const Part& part, std::int32_t sign)
     {
-        if (lower_end(store_, chain).y <= bottom_)
-            return fill_around_corners(chain, sign);
+        if (part.is_bent)
+            return take_bent_part(chain, part.top, sign);
         const Fixed end = chain.x + Fixed::from_raw(chain.slope);
         coverage_.add(chain.x, end, subrows, sign);
         chain.x = end;
         return true;
     }
 
-    bool fill_around_corners(Chain& chain, std::int32_t sign)
+    bool take_bent_part(Chain& chain, std::int32_t y, std::int32_t sign)
     {
-        did(Work::chain_row);
-        std::int32_t y = y_;
         ChainEdge edge = current_edge(store_, chain);
         for (; edge.lower.y <= bottom_; edge = current_edge(store_, chain)) {
             coverage_.add(chain.x, edge.lower.x, edge.lower.y - y, sign);
@@ -325,6 +376,8 @@ private:
     std::int32_t y_;
     std::int32_t bottom_;
     std::int32_t slab_end_ = 0;
+    std::array<Part, most_parts> parts_;
+    std::size_t part_count_ = 0;
 };
 
 void find_rows(const OutlineStore& store, Layer& layer)

@@ -17,9 +17,8 @@ Layer layer_of(OutlineStore& store, const OutlineRange& outlines);
 struct Crossing {
     Fixed left;
     Fixed right;
-    bool is_left_border = false; ///< what lies to its right is filled
-    bool leans_left = false;     ///< it enters the row at its right end
-    bool is_bent = false;        ///< it is not straight
+    bool leans_left = false; ///< it enters the row at its right end
+    bool is_bent = false;    ///< it is not straight
 
     friend bool operator==(const Crossing&, const Crossing&) = default;
 };

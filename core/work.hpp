@@ -28,7 +28,8 @@ enum class Work : std::uint8_t {
     bent_point,      ///< by a backbone
     piece,           ///< of a curve
     pen_piece,       ///< a straight piece that a pen follows
-    bend,            ///< between two of them that takes more than a corner on each side
+    bend,            ///< between two of them
+    slight_bend,     ///< likewise, a corner on each side
     corner,          ///< of an outline
     chain,           ///< of an outline
     copied_corner,   ///< of an outline that stands still
@@ -36,7 +37,8 @@ enum class Work : std::uint8_t {
     searched_row, ///< for changes
     step_visit,   ///< of a row to a step of the picture
     swept_row,    ///< of a layer
-    chain_row,    ///< of a chain that crosses a row undisturbed
+    part,         ///< of a chain within a row
+    bent_part,    ///< likewise, one that is not straight or does not run through
     edge,         ///< entered
     slab,         ///< between chains that disturb each other
     slab_edge,    ///< of a slab

@@ -38,8 +38,8 @@ concept Board = requires(B& board, Microseconds moment, const SceneView& scene, 
     { board.scene_bytes() } -> std::same_as<std::span<const std::byte>>;
     /// Memory lent to the player, aligned to 4.
     { board.block() } -> std::same_as<std::span<std::byte>>;
-    /// Two buffers of equal size: one is drawn while the other is sent. Each holds at least as
-    /// many rows as the panel takes at once.
+    /// Two buffers of equal size, aligned to 4: one is drawn while the other is sent. Each holds at
+    /// least as many rows as the panel takes at once.
     { board.bands() } -> std::same_as<std::array<std::span<std::byte>, 2>>;
 
     /// The loop ends when this is false.
@@ -48,14 +48,21 @@ concept Board = requires(B& board, Microseconds moment, const SceneView& scene, 
     { board.scene_started(scene) } -> std::same_as<void>;
     /// The whole picture has arrived in the panel.
     { board.frame_shown(report) } -> std::same_as<void>;
-    /// No scene plays, and why.
+    /// No scene plays, and why. The panel shows the number of the error.
     { board.fault(error) } -> std::same_as<void>;
 };
 
-/// A board that wants to see the pixels of every frame, from the top row down, as they go to the panel.
+/// A board that wants to see what goes to the panel: every area and its pixels, packed row by row.
 template <class B>
-concept WatchingBoard = Board<B> && requires(B& board, std::span<const std::byte> pixels) {
-    { board.watch(pixels) } -> std::same_as<void>;
+concept WatchingBoard = Board<B> && requires(B& board, Rect area, std::span<const std::byte> pixels) {
+    { board.watch(area, pixels) } -> std::same_as<void>;
+};
+
+/// A board whose panel may have lost what it showed. Asked once before every frame, which is sent
+/// whole if it does.
+template <class B>
+concept RedrawingBoard = Board<B> && requires(B& board) {
+    { board.wants_redraw() } -> std::same_as<bool>;
 };
 
 /// A board that wants to know the events of the scene as they are passed, each before its frame is drawn. It

@@ -20,6 +20,8 @@ concept Panel = requires(P& panel, void (&pause)(Microseconds), Rect area, std::
     { P::format } -> std::same_as<const PixelFormat&>;
     /// Places and sizes of areas must be multiples of this: panels whose bytes hold several pixels.
     { P::granularity } -> std::same_as<const Size&>;
+    /// What an area costs on the bus besides its pixels, in bytes.
+    { P::window_bytes } -> std::same_as<const int&>;
     { panel.size() } -> std::same_as<Size>;
     /// Sends the start-up sequence. `pause(Microseconds)` lets time pass.
     { panel.begin(pause) } -> std::same_as<void>;

@@ -3,49 +3,36 @@
 #include "core/player.hpp"
 #include "core/playhead.hpp"
 #include "firmware/board.hpp"
+#include "firmware/fault_picture.hpp"
 #include "firmware/frame_clock.hpp"
+#include "firmware/sending.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 namespace kfast {
 
-/// The rows that a buffer of `bytes` holds and that the panel takes at once.
-template <Panel P>
-int rows_per_band(const P& panel, std::size_t bytes)
-{
-    const int rows = static_cast<int>(bytes / row_bytes(P::format, panel.size().width));
-    return rows - rows % P::granularity.height;
-}
-
-/// Draws the picture that `player` shows and sends it: while one band is on its way the next one is drawn.
-/// Returns when the panel has all of it. `Animation` is Player, or draws as it does.
+/// Draws the picture that `player` shows where it differs from what the panel shows, and sends it. Returns
+/// when the panel has all of it. `Animation` is Player, or draws as it does.
+///
+/// The areas of one buffer are sent one after another; the last of them is on its way while the other buffer
+/// is drawn, and has arrived before its own is drawn again.
 template <Board B, class Animation>
 void draw_frame(B& board, Animation& player)
 {
-    auto& panel = board.panel();
-    constexpr PixelFormat format = std::remove_reference_t<decltype(panel)>::format;
-    const Size size = panel.size();
+    using P = PanelOf<B>;
     std::array bands = board.bands();
-    const int band_rows = rows_per_band(panel, bands[0].size());
-
-    for (int y = 0; y < size.height; y += band_rows) {
-        const int rows = std::min(band_rows, size.height - y);
-        const auto pixels = bands[0].first(static_cast<std::size_t>(rows) * row_bytes(format, size.width));
-        player.template draw_rows<format>(rows, pixels);
-        if constexpr (WatchingBoard<B>)
-            board.watch(pixels);
-        while (panel.busy()) {
-        }
-        panel.start({.x = 0, .y = y, .width = size.width, .height = rows}, pixels);
+    while (true) {
+        const auto changes =
+            player.template draw_changes<P::format>(bands[0], P::granularity, P::window_bytes);
+        if (changes.empty())
+            break;
+        for (const auto& [area, pixels] : changes)
+            send(board, area, pixels);
         std::swap(bands[0], bands[1]);
     }
-    while (panel.busy()) {
-    }
+    wait_for(board.panel());
 }
 
 /// Lets frames pass, and tells the board the events on the way if it asks for them.
@@ -70,6 +57,9 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
         advance(board, playhead, frames);
         report.time = playhead.moment();
         player.show_moment(report.time);
+        if constexpr (RedrawingBoard<B>)
+            if (board.wants_redraw())
+                player.redraw();
         draw_frame(board, player);
         board.frame_shown(report);
 
@@ -89,6 +79,17 @@ Playhead playhead_for(B& board, const SceneView& scene)
         return Playhead{scene};
 }
 
+/// Says on the panel, if the bands hold a row of it, and to the board why nothing is played.
+template <Board B>
+void refuse(B& board, Error error)
+{
+    if (rows_per_band(board.panel(), board.bands()[0].size()) != 0) {
+        begin_panel(board);
+        show_fault(board, error);
+    }
+    board.fault(error);
+}
+
 /// Plays the board's scene until the board stops running, or reports why it cannot be played: an error of
 /// SceneView::parse, or block_too_small, also when the bands do not hold a row.
 template <Board B>
@@ -96,14 +97,14 @@ void run(B& board)
 {
     const auto scene = SceneView::parse(board.scene_bytes());
     if (!scene)
-        return board.fault(scene.error());
+        return refuse(board, scene.error());
     if (rows_per_band(board.panel(), board.bands()[0].size()) == 0)
-        return board.fault(Error::block_too_small);
+        return refuse(board, Error::block_too_small);
     auto player = Player::create(*scene, board.panel().size(), Fit::contain, board.block());
     if (!player)
-        return board.fault(player.error());
+        return refuse(board, player.error());
 
-    board.panel().begin([&board](Microseconds time) { board.sleep_until(board.now() + time); });
+    begin_panel(board);
     board.scene_started(*scene);
     play(board, *player, playhead_for(board, *scene), {scene->frame_rate(), board.now()});
 }

@@ -2,7 +2,9 @@
 
 #include "boards/lm3s6965evb/clocks.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
+#include "core/crc32.hpp"
 #include "core/error_text.hpp"
+#include "firmware/panel_mirror.hpp"
 #include "firmware/version.hpp"
 
 #include <cstdint>
@@ -22,7 +24,8 @@ constexpr std::size_t band_rows = 8;
 constexpr std::size_t band_bytes = band_rows * row_bytes(PixelFormat::grey4, 128);
 
 alignas(4) std::array<std::byte, 32 * 1024> player_block;
-std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
+alignas(4) std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
+PanelMirror<PixelFormat::grey4, 128, 64> mirror;
 
 /// Told by the magic alone: run() reads the rest.
 bool holds_scene(std::span<const std::byte> bytes)
@@ -50,8 +53,8 @@ void Board::sleep_until(Microseconds moment)
 {
     if (mode_ != Mode::stepped)
         return clock_.sleep_until(moment);
-    if (frame_stands_ && uart::read() == 'q')
-        end();
+    if (frame_stands_)
+        obey(uart::read());
     frame_stands_ = false;
     stepped_clock_ = moment;
 }
@@ -72,8 +75,7 @@ bool Board::running()
     if (mode_ != Mode::free_running || !uart::pending())
         return mode_ != Mode::ended;
     const char wish = uart::read();
-    if (wish == 'q')
-        end();
+    obey(wish);
     if (wish != 's')
         return mode_ != Mode::ended;
     mode_ = Mode::stepped;
@@ -99,14 +101,21 @@ void Board::event_passed(const EventView& event)
     uart::write('\n');
 }
 
+void Board::watch(Rect area, std::span<const std::byte> pixels)
+{
+    mirror.take(area, pixels);
+    bytes_sent_ += static_cast<std::uint32_t>(pixels.size()) + Ssd0323<Ssi>::window_bytes;
+}
+
 void Board::frame_shown(FrameReport report)
 {
     uart::write("F ");
     uart::write_decimal(static_cast<std::uint32_t>(report.time.ticks));
     uart::write(' ');
-    uart::write_hex(picture_.value());
+    uart::write_hex(mirror.hash());
+    uart::write(' ');
+    uart::write_decimal(std::exchange(bytes_sent_, 0));
     uart::write('\n');
-    picture_ = {};
     frame_stands_ = mode_ == Mode::stepped;
 }
 
@@ -116,6 +125,14 @@ void Board::fault(Error error)
     uart::write(error_text(error));
     uart::write('\n');
     mode_ = Mode::ended;
+}
+
+void Board::obey(char wish)
+{
+    if (wish == 'q')
+        end();
+    if (wish == 'r')
+        wants_redraw_ = true;
 }
 
 void Board::end()

@@ -58,7 +58,8 @@ public:
     /// A frame is on the display. Say so, or do nothing.
     void frame_shown(FrameReport) {}
 
-    /// There is nothing to play. Blink, or write error_text(error) to a serial port.
+    /// There is nothing to play, and the display shows the number of the error. Blink, or write
+    /// error_text(error) to a serial port.
     void fault(Error) {}
 
 private:
@@ -66,7 +67,7 @@ private:
     static constexpr std::size_t band_bytes = band_rows * row_bytes(Ssd0323<Bus>::format, 128);
 
     alignas(4) static inline std::array<std::byte, 16 * 1024> block_;
-    static inline std::array<std::array<std::byte, band_bytes>, 2> bands_;
+    alignas(4) static inline std::array<std::array<std::byte, band_bytes>, 2> bands_;
     Bus bus_;
     Ssd0323<Bus> panel_{bus_};
 };

@@ -39,6 +39,7 @@ class Ssd0323 {
 public:
     static constexpr PixelFormat format = PixelFormat::grey4;
     static constexpr Size granularity{.width = 2, .height = 1};
+    static constexpr int window_bytes = 6;
 
     /// `bus` must outlive the panel.
     explicit Ssd0323(Bus& bus) : bus_{bus} {}

@@ -1,58 +1,41 @@
 #include "host/compiler/outline_bytes.hpp"
 
 #include "core/kfb_limits.hpp"
-#include "core/scene_view.hpp"
+#include "core/player.hpp"
+#include "host/compiler/header.hpp"
 
 #include <algorithm>
 
 namespace kfast {
 namespace {
 
-constexpr std::uint64_t bytes_for_segment = 24 * 128;
+constexpr std::int32_t most_moments = 4000;
+constexpr std::int32_t moments_of_frame = 4;
+constexpr std::uint32_t least_bytes = 64;
 
-std::uint64_t segment_count(PackedDrawing drawing)
+std::size_t most_used_bytes(Player& player)
 {
-    std::uint64_t count = 0;
-    for (std::uint32_t stroke = drawing.strokes(); stroke > 0; --stroke) {
-        std::uint32_t segments = drawing.next_stroke();
-        for (count += segments + 1; segments > 0; --segments)
-            drawing.next_segment();
-    }
-    return count;
-}
-
-/// Of the drawing of an object that has the most.
-std::uint64_t segment_count(const SceneView& scene, const ObjectView& object)
-{
-    std::uint64_t most = 0;
-    for (KeyCursor keys = object.keys(); !keys.at_end();) {
-        const Key key = keys.next();
-        const std::uint64_t own = segment_count(scene.drawing(key.drawing));
-        most = std::max(most, own + (object.has_arrivals ? segment_count(scene.drawing(key.arrival)) : 0));
+    const std::int32_t length = player.scene().length().ticks;
+    const std::int32_t step = std::max(Time::ticks_per_frame / moments_of_frame, length / most_moments);
+    std::size_t most = 0;
+    for (std::int32_t moment = 0; moment < length + step; moment += step) {
+        player.show_moment({std::min(moment, length)});
+        most = std::max(most, player.picture().outlines.used_bytes());
     }
     return most;
 }
 
-/// Those of symbols counted wherever they are used.
-std::uint64_t segment_count(const SceneView& scene, ItemCursor items)
-{
-    std::uint64_t count = 0;
-    while (!items.at_end() && count * bytes_for_segment < kfb::max_outline_bytes) {
-        const ItemView item = items.next();
-        count += item.kind == ItemKind::object  ? 2 * segment_count(scene, item.object)
-                 : item.kind == ItemKind::group ? segment_count(scene, ItemCursor{item.items})
-                                                : segment_count(scene, scene.symbol(item.symbol));
-    }
-    return count;
 }
 
-}
-
-std::uint32_t outline_bytes(std::span<const std::byte> file)
+std::uint32_t outline_bytes(std::vector<std::byte> file)
 {
+    set_outline_bytes(file, kfb::max_outline_bytes);
     const auto scene = SceneView::parse(file);
-    const std::uint64_t bytes = segment_count(*scene, scene->items()) * bytes_for_segment;
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(bytes, kfb::max_outline_bytes));
+    std::vector<std::uint32_t> block((Player::block_bytes(*scene, scene->canvas()) + 3) / 4);
+    auto player = Player::create(*scene, scene->canvas(), Fit::contain, std::as_writable_bytes(std::span{block}));
+    const std::size_t most = most_used_bytes(*player);
+    const std::size_t wanted = (most + most / 8 + least_bytes) / 4 * 4;
+    return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_outline_bytes));
 }
 
 }

@@ -6,7 +6,7 @@
 namespace kfast {
 namespace {
 
-std::vector<std::byte> packed(const std::vector<std::uint8_t>& levels)
+std::vector<std::byte> packed(const Ssd0323Model::Picture& levels)
 {
     std::vector<std::byte> bytes(levels.size() / 2);
     for (std::size_t i = 0; i < bytes.size(); ++i)
@@ -17,19 +17,20 @@ std::vector<std::byte> packed(const std::vector<std::uint8_t>& levels)
 }
 
 BoardSource::BoardSource(std::span<const std::byte> scene)
-    : board_{scene, 1}, frame_{PixelFormat::grey4, {Ssd0323Model::width, Ssd0323Model::height}, {}}
+    : board_{scene, 0}, player_{*Player::create(*SceneView::parse(scene), board_.panel().size(), Fit::contain,
+                                                board_.block())},
+      frame_{PixelFormat::grey4, board_.panel().size(), {}}
 {
+    begin_panel(board_);
 }
 
 const Frame& BoardSource::show(Time moment)
 {
-    board_.start_at(moment);
-    run(board_);
-    if (board_.error())
-        throw Failure("the simulated board cannot play this scene");
+    player_.show_moment(moment);
+    draw_frame(board_, player_);
     if (const auto mistake = board_.bus_error())
         throw Failure("the simulated panel was driven wrongly: " + *mistake);
-    frame_.pixels = packed(board_.frames().front().picture);
+    frame_.pixels = packed(board_.picture());
     return frame_;
 }
 

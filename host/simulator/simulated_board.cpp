@@ -15,27 +15,11 @@ SimulatedBoard::SimulatedBoard(std::span<const std::byte> scene, std::size_t fra
         band.resize(band_rows * row_bytes(PixelFormat::grey4, Ssd0323Model::width));
 }
 
-void SimulatedBoard::start_at(Time moment)
-{
-    start_ = moment;
-    frames_.clear();
-}
-
-Playhead SimulatedBoard::playhead(const SceneView& scene) const
-{
-    if (!start_)
-        return Playhead{scene};
-    Playhead playhead{{Time{0}, scene.length(), Loop::once}, scene.events()};
-    playhead.seek(*start_);
-    return playhead;
-}
-
 void SimulatedBoard::frame_shown(FrameReport report)
 {
     const auto picture = model_.picture();
     frames_.push_back(
-        {report.time, std::exchange(passed_, {}), picture_.value(), {picture.begin(), picture.end()}});
-    picture_ = {};
+        {report.time, std::exchange(passed_, {}), mirror_.hash(), {picture.begin(), picture.end()}});
 }
 
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/crc32.hpp"
 #include "firmware/board.hpp"
 #include "firmware/panel/ssd0323.hpp"
+#include "firmware/panel_mirror.hpp"
 #include "host/simulator/simulated_bus.hpp"
 #include "host/simulator/ssd0323_model.hpp"
 
@@ -19,8 +19,8 @@ namespace kfast {
 /// A frame as the panel showed it.
 struct ShownFrame {
     Time time;
-    std::vector<std::string> events;   ///< passed since the frame before
-    std::uint32_t hash = 0;            ///< CRC-32 of the bytes of a full redraw, in the panel's format
+    std::vector<std::string> events; ///< passed since the frame before
+    std::uint32_t hash = 0;          ///< CRC-32 of what was sent to make it, row by row in the panel's format
     std::vector<std::uint8_t> picture; ///< grey levels 0..15, row by row, decoded from the bus
 };
 
@@ -32,10 +32,9 @@ public:
     SimulatedBoard(std::span<const std::byte> scene, std::size_t frames);
     SimulatedBoard(const SimulatedBoard&) = delete;
 
-    /// Lets the next run begin at any moment of the timeline, without loop, and forgets the frames before.
-    void start_at(Time moment);
-
     const std::vector<ShownFrame>& frames() const { return frames_; }
+    /// What the panel shows now: grey levels, row by row.
+    Ssd0323Model::Picture picture() const { return model_.picture(); }
     /// Why the scene cannot be played.
     const std::optional<Error>& error() const { return error_; }
     /// What driver or loop did wrong on the wires.
@@ -51,9 +50,8 @@ public:
 
     bool running() const { return frames_.size() < frames_wanted_; }
     void scene_started(const SceneView&) {}
-    Playhead playhead(const SceneView& scene) const;
     void event_passed(const EventView& event) { passed_.emplace_back(event.name); }
-    void watch(std::span<const std::byte> pixels) { picture_.add(pixels); }
+    void watch(Rect area, std::span<const std::byte> pixels) { mirror_.take(area, pixels); }
     void frame_shown(FrameReport report);
     void fault(Error error) { error_ = error; }
 
@@ -67,9 +65,8 @@ private:
     SimulatedBus<Ssd0323Model> bus_{model_};
     Ssd0323<SimulatedBus<Ssd0323Model>> panel_{bus_};
     Microseconds now_;
-    Crc32 picture_;
+    PanelMirror<PixelFormat::grey4, Ssd0323Model::width, Ssd0323Model::height> mirror_;
     std::size_t frames_wanted_;
-    std::optional<Time> start_;
     std::vector<std::string> passed_;
     std::vector<ShownFrame> frames_;
     std::optional<Error> error_;

@@ -303,6 +303,30 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a drawing beside itself is read once, and every segment is paired with itself")
+{
+    std::mt19937 random{17};
+    for (int round = 0; round < 100; ++round) {
+        const ArrayDrawing a = random_drawing(random, Curves::some);
+        EqualizedPair alone{ArrayReader{a}};
+        EqualizedPair twice{ArrayReader{a}, ArrayReader{a}};
+        std::uint32_t segments = 0;
+        do {
+            segments = alone.next_stroke();
+            REQUIRE(segments == twice.next_stroke());
+            for (std::uint32_t i = 0; i < segments; ++i) {
+                const Pair<Segment>& both = alone.next_segment();
+                const Pair<Segment>& expected = twice.next_segment();
+                CHECK((both.a == expected.a && both.b == expected.b));
+            }
+            if (segments != 0)
+                CHECK((alone.is_whole() && alone.hub().a == twice.hub().a && alone.hub().b == twice.hub().b));
+        } while (segments != 0);
+    }
+    const ArrayDrawing nothing;
+    CHECK(EqualizedPair{ArrayReader{nothing}}.next_stroke() == 0);
+}
+
 TEST_CASE("an equalized drawing, filled, is the original picture to within one level")
 {
     check_filled_alike(13, 300, Curves::none);

@@ -60,17 +60,21 @@ TEST_CASE("the picture does not depend on what was shown before, nor on rows tha
     }
 }
 
-TEST_CASE("no moment needs more steps than the scene says")
+TEST_CASE("no moment needs more edges or steps than the scene says")
 {
     std::mt19937 random{32};
     for (const std::string_view text : {busy_scene, everything})
         for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
             Stage stage{text, panel};
+            std::size_t most_edges = 0;
             std::size_t most_steps = 0;
             for (int round = 0; round < 3000; ++round) {
                 stage.player.show({static_cast<std::int32_t>(random())});
+                most_edges = std::max(most_edges, stage.player.edge_count());
                 most_steps = std::max(most_steps, stage.player.step_count());
             }
+            CHECK(most_edges <= stage.scene.max_edges());
+            CHECK(most_edges > stage.scene.max_edges() / 4); // the bound is not a guess far off
             CHECK(most_steps == stage.scene.paint_steps());
         }
 }
@@ -108,16 +112,15 @@ TEST_CASE("a player writes to its block and to the rows it is asked for, nowhere
     CHECK(is_untouched(std::span{memory}.last(guard)));
 }
 
-TEST_CASE("a block has room for outlines, a row of coverage, steps and a row for each level of blending")
+TEST_CASE("a block has room for edges, a row of coverage, steps and a row for each level of blending")
 {
     const auto block_bytes = [](const std::string& properties) {
         const Bytes bytes = compiled("kfast 1\ncanvas 9 9\ngroup " + properties +
                                      " { group opacity=0.5 { object o fill=red { rect 0 0 9 9 } } }");
-        const SceneView scene = *SceneView::parse(bytes);
-        return Player::block_bytes(scene, {20, 10}) - scene.outline_bytes() / 24 * 24;
+        return Player::block_bytes(*SceneView::parse(bytes), {20, 10});
     };
-    CHECK(block_bytes("opacity=1") == 22 * 4 + 3 * sizeof(PaintStep) + 1 * 20 * 2);
-    CHECK(block_bytes("opacity=0.5") == 22 * 4 + 5 * sizeof(PaintStep) + 2 * 20 * 2);
+    constexpr std::size_t steps = 2 * 2; // to begin and to end blending, of two pictures
+    CHECK(block_bytes("opacity=0.5") - block_bytes("opacity=1") == steps * sizeof(PaintStep) + 20 * 3);
 }
 
 TEST_CASE("a block that is one byte short is refused")

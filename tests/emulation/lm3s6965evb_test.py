@@ -5,7 +5,7 @@
 The scene is put into the board's flash; with --linked it is part of the image already (KFAST_SCENE).
 Every frame must have the hash that `kfast hash` gives, the events must be those that `kfast preview --headless` tells,
 each with the frame that it was passed before, and screenshots of the emulated display must equal the
-pictures of `kfast render` in every pixel."""
+pictures of `kfast render` in every pixel. What is no scene must be refused, with the error's number on the display."""
 
 import pathlib
 import re
@@ -23,6 +23,20 @@ RAM_ADDRESS = 0x20000000
 SCREENSHOTS = 12
 PIXEL = 4  # the emulated display shows a pixel as a block of 4 x 4
 FREE_FRAMES = 20
+WHOLE_PICTURE = 128 * 64 // 2 + 8 * 6  # bytes: all pixels, and a window for each band of eight rows
+
+# The errors that boards show, by their numbers.
+NUMBERS = {"bad_magic": """
+    ###.###
+    #.....#
+    ###.###
+    #...#..
+    ###.###""", "bad_checksum": """
+    ###.#.#
+    #...#.#
+    ###.###
+    #.....#
+    ###...#"""}
 
 
 def expect(condition, message):
@@ -70,13 +84,13 @@ def wait_for(qemu, start):
 
 
 def frame(qemu):
-    """Time and hash of the next frame, and the events before it."""
+    """Time, hash and bytes of the next frame, and the events before it."""
     events = []
     while (line := qemu.line()).startswith("EVENT "):
         events.append(line.removeprefix("EVENT "))
-    match = re.fullmatch(r"F (\d+) ([0-9a-f]{8})", line)
+    match = re.fullmatch(r"F (\d+) ([0-9a-f]{8}) (\d+)", line)
     expect(match, f"a frame was to come, not {line!r}")
-    return int(match[1]), match[2], events
+    return int(match[1]), match[2], int(match[3]), events
 
 
 def expect_events(told, events, after, until):
@@ -98,20 +112,22 @@ def compare_picture(shown, expected, index):
 
 
 def check_frames(qemu, hashes, events, pictures, folder):
-    """Steps through the scene; returns the number of screenshots."""
+    """Steps through the scene, of which the last frame is asked for whole; returns the number of screenshots."""
     last = len(hashes) - 1
     moments = {round(i * last / (SCREENSHOTS - 1)) for i in range(SCREENSHOTS)}
     before = -1
     for index, expected in enumerate(hashes):
-        ticks, shown, told = frame(qemu)
+        ticks, shown, sent, told = frame(qemu)
         expect_events(told, events, before, ticks)
         before = ticks
         expect(-(-ticks // 1024) == index, f"frame {index} was shown for time {ticks}/1024")
         expect(shown == expected, f"frame {index}: hash {shown} on the board, {expected} in the preview")
+        expect(sent == WHOLE_PICTURE or index not in (0, last),
+               f"frame {index}: {sent} bytes were sent, {WHOLE_PICTURE} are all of it")
         if index in moments:
             qemu.screenshot(folder / "shown.png")
             compare_picture(folder / "shown.png", pictures / f"{index:04d}.png", index)
-        qemu.send(b"q" if index == last else b"n")
+        qemu.send(b"q" if index == last else b"r" if index == last - 1 else b"n")
     expect(qemu.line() == "END", "the board was to end")
     expect_quiet(qemu)
     return len(moments)
@@ -140,20 +156,32 @@ def check_free_running(qemu_board, hashes, events):
         wait_for(qemu, "SCENE")
         frames = [frame(qemu) for _ in range(FREE_FRAMES)]
         expect_quiet(qemu)
-    times = [ticks for ticks, _, _ in frames]
+    times = [ticks for ticks, *_ in frames]
     expect(times[0] == 0 and len(rising(times)) >= 3, f"times do not ascend: {times}")
-    for before, (ticks, _, told) in zip([-1] + times, frames[:len(rising(times))]):
+    for before, (ticks, _, _, told) in zip([-1] + times, frames[:len(rising(times))]):
         expect_events(told, events, before, ticks)  # also those of frames that were left out
-    for ticks, shown, _ in frames:
+    for ticks, shown, *_ in frames:
         if ticks % 1024 == 0 and ticks // 1024 < len(hashes):
             expect(shown == hashes[ticks // 1024], f"free-running, time {ticks}/1024: hash {shown}")
+
+
+def number_on(screenshot):
+    """The blocks of nine pixels that a fault is shown in, row by row."""
+    shown = Image.open(screenshot).convert("L")
+    middle = lambda block, first: (first + 9 * block + 4) * PIXEL
+    return "".join("\n    " + "".join("#" if shown.getpixel((middle(column, 32), middle(line, 9))) == 255 else "."
+                                     for column in range(7)) for line in range(5))
 
 
 def check_error(image, scene, expected, folder):
     with board(image, folder, scene) as qemu:
         qemu.line()
         line = qemu.line()
-    expect(line.startswith(f"ERROR {expected}: "), f"{line!r} instead of ERROR {expected}")
+        expect(line.startswith(f"ERROR {expected}: "), f"{line!r} instead of ERROR {expected}")
+        qemu.screenshot(folder / "refused.png")
+        expect_quiet(qemu)
+    number = number_on(folder / "refused.png")
+    expect(number == NUMBERS[expected], f"the display shows{number}")
 
 
 def check_damaged(image, scene, folder):

@@ -88,6 +88,11 @@ class Qemu:
         """Writes what the display shows now as PNG."""
         self._command("screendump", filename=str(pathlib.Path(path).absolute()), format="png")
 
+    def memory(self, address, size):
+        """What lies in the machine's memory now."""
+        self._command("pmemsave", val=address, size=size, filename=self._path("memory"))
+        return pathlib.Path(self._path("memory")).read_bytes()
+
     def send(self, data):
         self._uart.sendall(data)
 

@@ -48,7 +48,6 @@ std::vector<int> times_shown(Time length, Loop loop, std::size_t frames)
 
 static_assert(WatchingBoard<SimulatedBoard>);
 static_assert(EventBoard<SimulatedBoard>);
-static_assert(ChoosingBoard<SimulatedBoard>);
 
 TEST_CASE("the simulated board says why a scene cannot be played")
 {
@@ -61,13 +60,34 @@ TEST_CASE("the simulated board says why a scene cannot be played")
     CHECK(board.frames().empty());
 }
 
+TEST_CASE("the panel shows the number of what is wrong")
+{
+    const auto text = bytes({'n', 'o', ' ', 's', 'c', 'e', 'n', 'e'});
+    SimulatedBoard board{text, 1};
+    run(board);
+    CHECK(board.error() == Error::bad_magic);
+    CHECK_FALSE(board.bus_error().has_value());
+    const auto picture = board.picture();
+    std::string blocks; // of 9 x 9 pixels, from (32, 9) on
+    for (int line = 0; line < 5; ++line, blocks += '\n')
+        for (int column = 0; column < 7; ++column)
+            blocks +=
+                picture[static_cast<std::size_t>((13 + 9 * line) * 128 + 36 + 9 * column)] == 15 ? '#' : '.';
+    CHECK(blocks == "###.###\n"
+                    "#.....#\n"
+                    "###.###\n"
+                    "#...#..\n"
+                    "###.###\n");
+}
+
 TEST_CASE("a shown frame has its time, the hash of what was sent and the picture that it made")
 {
     SimulatedBoard board{{}, 1};
     board.panel().begin([](Microseconds) {});
     const std::vector<std::byte> pixels(128 * 64 / 2, std::byte{0x7C});
-    board.watch(pixels);
-    board.panel().start({.x = 0, .y = 0, .width = 128, .height = 64}, pixels);
+    const Rect whole{.x = 0, .y = 0, .width = 128, .height = 64};
+    board.watch(whole, pixels);
+    board.panel().start(whole, pixels);
     while (board.panel().busy()) {
     }
     board.event_passed({"step", Time::frame(3)});
@@ -99,19 +119,6 @@ TEST_CASE("the board tells the events with the frame that they come before")
     for (const ShownFrame& frame : played(scene, 4))
         events.push_back(frame.events);
     CHECK(events == std::vector<std::vector<std::string>>{{"a"}, {"b", "c"}, {"d", "a"}, {"b", "c"}});
-}
-
-TEST_CASE("a run may begin anywhere, at the end of a repeating scene as well")
-{
-    const auto scene = empty_scene(Time::frame(2), Loop::repeat);
-    SimulatedBoard board{scene, 1};
-    for (const Time moment : {Time{5}, Time::frame(2), Time{0}}) {
-        board.start_at(moment);
-        run(board);
-        REQUIRE(board.frames().size() == 1);
-        CHECK(board.frames().front().time == moment);
-    }
-    CHECK_FALSE(board.bus_error().has_value());
 }
 
 TEST_CASE("loop, player, driver and model together show the background of a scene")

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/crc32.hpp"
+#include "core/pixel_format.hpp"
+#include "core/size.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// What a panel shows, kept in RAM by a board that watches: for the hash of the picture, which must equal the
+/// one that `kfast hash` gives.
+template <PixelFormat format, int width, int height>
+class PanelMirror {
+public:
+    /// `pixels` are packed row by row; `area` begins and ends on whole bytes.
+    void take(Rect area, std::span<const std::byte> pixels)
+    {
+        const std::size_t bytes = row_bytes(format, area.width);
+        std::byte* row =
+            memory_.data() + static_cast<std::size_t>(area.y) * stride + row_bytes(format, area.x);
+        for (; area.height > 0; --area.height, row += stride, pixels = pixels.subspan(bytes))
+            std::ranges::copy(pixels.first(bytes), row);
+    }
+
+    /// CRC-32 of all rows.
+    std::uint32_t hash() const
+    {
+        Crc32 crc;
+        crc.add(memory_);
+        return crc.value();
+    }
+
+private:
+    static constexpr std::size_t stride = row_bytes(format, width);
+
+    std::array<std::byte, stride * height> memory_{};
+};
+
+}

@@ -1,0 +1,57 @@
+"""Where the instructions of a scene go: the CPU's timer interrupts it every so many of them."""
+
+import collections
+
+from guest import image_for, play
+from source_places import source_places
+
+INSTRUCTIONS_PER_SAMPLE = 641 / 3.2  # Sampler::period_ticks
+MOST_ROWS = 30
+
+# What makes edges of the live strokes, while they are still being tweened.
+EDGES = {"corner_at.hpp", "fill_outline.hpp", "flatten.cpp", "flatten.hpp", "heading.cpp", "heading.hpp",
+         "object_outline.hpp", "outline_store.cpp", "outline_store.hpp", "stroke_outline.cpp", "stroke_outline.hpp"}
+# What both use: who has called it decides.
+SHARED = {"memory.cpp", "point_map.cpp", "projection.cpp", "segment.cpp", "square_root.hpp"}
+
+
+def print_profile(folder, cpu, scene):
+    frames = play(folder, cpu, scene.compiled, profile=True).samples
+    counts = collections.Counter(sample.address for frame in frames for sample in frame)
+    places = source_places(image_for(folder, cpu), counts)
+    unit = INSTRUCTIONS_PER_SAMPLE / len(frames)
+    print(f"{scene.name} on {cpu}: {sum(counts.values()) * unit:,.0f} instructions per frame, mean of {len(frames)}")
+    print_table("functions as compiled", counts, unit, lambda address: places[address][-1].function)
+    print_table("functions as written, inlined ones apart", counts, unit, lambda address: places[address][0].function)
+    print_table("lines", counts, unit, lambda address: f"{places[address][0].file}:{places[address][0].line}")
+
+
+def print_table(title, counts, unit, name_of):
+    rows = collections.Counter()
+    for address, count in counts.items():
+        rows[name_of(address)] += count
+    print(f"\n{title}\n  per frame  share")
+    for name, count in rows.most_common(MOST_ROWS):
+        print(f"{count * unit:11,.0f} {100 * count / sum(counts.values()):5.1f}%  {name}")
+
+
+def edge_instructions(folder, cpu, scene):
+    """The instructions of an average frame that make edges; the rest of `update` tweens."""
+    frames = play(folder, cpu, scene.compiled, profile=True).samples
+    samples = [sample for frame in frames for sample in frame if sample.phase == "update"]
+    places = source_places(image_for(folder, cpu), {address for sample in samples
+                                                    for address in (sample.address, sample.link)})
+    edges = sum(makes_edges(places[sample.address], places[sample.link]) for sample in samples)
+    return round(edges * INSTRUCTIONS_PER_SAMPLE / len(frames))
+
+
+def makes_edges(place, caller):
+    if is_shared(place):
+        place = place + caller
+    return any(level.file in EDGES for level in place)
+
+
+def is_shared(place):
+    """Functions of ours that both use, and those of the compiler's library."""
+    file = place[-1].file
+    return file in SHARED or not file.endswith((".cpp", ".hpp"))

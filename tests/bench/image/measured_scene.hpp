@@ -1,0 +1,15 @@
+#pragma once
+
+#include "tests/bench/bench_board.hpp"
+
+namespace kfast::bench {
+
+/// Tells what a frame of the steady loop has cost.
+void report_frame(const FrameCost& frame);
+
+/// Plays the scene; reports every frame of the second turn.
+Result<std::size_t> measure_scene(const SceneView& scene, const Workspace& workspace);
+/// Plays the scene and tells which instructions are run.
+Result<std::size_t> profile_scene(const SceneView& scene, const Workspace& workspace);
+
+}
