@@ -1,6 +1,7 @@
 #include "core/changed_strips.hpp"
 
 #include "core/sweep.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -20,6 +21,7 @@ public:
 
     bool moves_within(int top, int bottom) const
     {
+        did(Work::step_visit, static_cast<std::uint32_t>(coming_.step_count + shown_.step_count));
         const auto moves = [=](const PaintStep& step) {
             return step.change != Change::none && step.layer.top < bottom && step.layer.bottom > top;
         };
@@ -30,8 +32,11 @@ public:
     /// end of the spans; has_room() tells whether these are all.
     std::uint16_t search(int row, std::uint16_t first, RunList& changed)
     {
+        did(Work::searched_row);
+        did(Work::step_visit, static_cast<std::uint32_t>(coming_.step_count + shown_.step_count));
         end_ = first;
         for (std::size_t i = 0; i < coming_.step_count; ++i) {
+            work_for(coming_.steps()[i].item);
             const std::uint16_t begin = end_;
             coming_borders_.count = 0;
             const bool runs_through = sweep(i, row);
@@ -44,6 +49,7 @@ public:
         for (PaintStep& step : shown_.steps())
             if (step.partner == PaintStep::no_partner)
                 mark_shown(step, row, changed);
+        work_for(0);
         return end_;
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/fixed.hpp"
 #include "core/run_list.hpp"
+#include "core/work.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -57,11 +58,14 @@ void CoverageRow::take_spans(Paint&& paint)
     const auto change_at = [&](int x, std::int32_t to) {
         if (to == level)
             return;
-        if (level != 0 && begin < x)
+        if (level != 0 && begin < x) {
+            did(Work::span);
             paint(begin, x, level);
+        }
         begin = x;
         level = to;
     };
+    did(Work::cell, static_cast<std::uint32_t>(touched_.width()));
     for (const Run run : touched_.runs())
         for (int x = run.begin; x < run.end && x < width_; ++x) {
             std::int32_t& cell = cells_[x];

@@ -1,4 +1,5 @@
 #include "core/covered_span.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -7,6 +8,7 @@ namespace kfast {
 void SpanComparison::compare_up_to(int end, int level)
 {
     while (x_ < end) {
+        did(Work::compared);
         while (!spans_.empty() && spans_.front().end <= x_)
             spans_ = spans_.subspan(1);
         int stop = end;

@@ -2,6 +2,7 @@
 
 #include "core/distribution.hpp"
 #include "core/drawing_reader.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -62,6 +63,7 @@ public:
         const std::uint32_t number = sub_segment_ * pieces + piece_;
         const std::uint32_t count = sub_segments_ * pieces;
         advance();
+        did(Work::split);
         next = count == 1 ? segment_
                           : stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count));
     }

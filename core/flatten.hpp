@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/segment.hpp"
+#include "core/work.hpp"
 
 #include <cstdint>
 #include <type_traits>
@@ -57,6 +58,7 @@ void flatten_in(const Segment& cubic, int halvings, LineTo& line_to)
     const Point c1 = cubic.c1 - cubic.from;
     const Point c2 = cubic.c2 - cubic.from;
     const Point to = cubic.to - cubic.from;
+    did(Work::piece, 1U << halvings);
     CubicSteps<Word> x{halvings, c1.x, c2.x, to.x};
     CubicSteps<Word> y{halvings, c1.y, c2.y, to.y};
     for (int steps = (1 << halvings) - 1; steps > 0; --steps) {

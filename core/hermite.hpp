@@ -2,6 +2,7 @@
 
 #include "core/key_interval.hpp"
 #include "core/time.hpp"
+#include "core/work.hpp"
 
 #include <cstdint>
 
@@ -45,6 +46,7 @@ HermiteSpan hermite_span_at(Cursor keys, Time time)
     KeyTime before = next();
     KeyTime from = before;
     while (!keys.at_end() && from.time <= time) {
+        did(Work::key);
         const KeyTime to = next();
         if (to.time > time)
             return {before, from, to, keys.at_end() ? to : next()};

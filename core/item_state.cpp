@@ -2,6 +2,7 @@
 
 #include "core/hermite.hpp"
 #include "core/passage.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -82,6 +83,7 @@ ItemState::ItemState(const SceneView& scene, const ItemView& item, Time time) : 
 
 void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
 {
+    did(Work::track);
     if (track.is_fixed)
         return take(scene, track.property, {track.value, track.value, {}});
     if (track.is_smooth) {
@@ -125,6 +127,7 @@ void ItemState::follow(const PathView& path, const PackedDrawing& stroke)
 
 Space ItemState::placement() const
 {
+    did(Work::placement);
     const Space turned = turning();
     const Fixed pivot_x = pixels(Property::pivot_x);
     const Fixed pivot_y = pixels(Property::pivot_y);

@@ -2,6 +2,7 @@
 
 #include "core/law_pair.hpp"
 #include "core/time.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -33,6 +34,7 @@ auto interval_at(Cursor keys, Time time)
 {
     auto from = keys.next();
     while (!keys.at_end() && from.time <= time) {
+        did(Work::key);
         const auto to = keys.next();
         if (to.time > time)
             return KeyInterval<decltype(from)>{from, to};

@@ -1,6 +1,7 @@
 #include "core/live_backbones.hpp"
 
 #include "core/held_point.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -86,6 +87,7 @@ Point LiveBackbones::place(Cell cell, Fixed across) const
 
 Point LiveBackbones::between(Point a, Point b, Progress way) const
 {
+    did(Work::bent_point);
     if (a == b)
         return place(a);
     const std::int32_t backbone = backbone_of(cell_at(a.x));

@@ -3,6 +3,7 @@
 #include "core/held_point.hpp"
 #include "core/passage.hpp"
 #include "core/sum_of_products.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <array>
@@ -130,6 +131,7 @@ void LiveBone::set_up(const BoneView& bone, const LiveBone* parent)
 void LiveBone::pose(const BoneView& bone, const LiveBone* parent,
                     std::span<const std::int32_t, bone_quantity_count> fine)
 {
+    did(Work::bone);
     const Fixed shift = parent != nullptr && bone.is_at_tip ? parent->growth_ : Fixed{};
     posed_ = frame_in(parent == nullptr ? BoneFrame{} : parent->posed_, fine, shift);
     const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
@@ -146,6 +148,7 @@ void LiveBone::pose(const BoneView& bone, const LiveBone* parent,
 
 Point LiveBone::operator()(Point point) const
 {
+    did(Work::carried_point);
     const Point from = point - rest_.origin;
     return held_point(posed_.origin.x.raw() + sum_of_products(xx_, from.x.raw(), xy_, from.y.raw()),
                       posed_.origin.y.raw() + sum_of_products(yx_, from.x.raw(), yy_, from.y.raw()));

@@ -1,4 +1,5 @@
 #include "core/live_strokes.hpp"
+#include "core/work.hpp"
 
 namespace kfast {
 
@@ -17,6 +18,7 @@ void LiveStrokes::trace(ObjectOutline& outline)
 
 void LiveStrokes::trace_stroke(std::uint32_t segments, ObjectOutline& outline)
 {
+    did(Work::stroke);
     const Pair<Segment>& both = pair_.next_segment();
     const Pair<Point> first{both.a.from, both.b.from};
     Segment segment = live(both, live(first.a, first.b));
@@ -37,6 +39,7 @@ Segment LiveStrokes::live(const Pair<Segment>& both, Point from) const
 {
     if (both.a.kind != both.b.kind)
         return live({as_cubic(both.a), as_cubic(both.b)}, from);
+    did(both.a.kind == Segment::Kind::line ? Work::line : Work::curve);
     Segment segment{.kind = both.a.kind, .from = from, .to = live(both.a.to, both.b.to)};
     if (segment.kind == Segment::Kind::cubic) {
         segment.c1 = live(both.a.c1, both.b.c1);

@@ -1,4 +1,5 @@
 #include "core/outline_store.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -36,12 +37,14 @@ bool OutlineStore::find_room(std::size_t bytes)
 
 void OutlineStore::add(Corner corner)
 {
+    did(Work::corner);
     if (find_room(sizeof corner))
         corners_[corner_count_++] = corner;
 }
 
 void OutlineStore::add_behind(Corner corner)
 {
+    did(Work::corner);
     if (!find_room(sizeof corner))
         return;
     ++behind_count_;
@@ -95,6 +98,7 @@ void OutlineStore::add_chain(std::int32_t first, std::int32_t last)
     const auto [upper, lower] = runs_up ? std::pair{last, first} : std::pair{first, last};
     if (corners_[lower].y <= 0 || corners_[upper].y >= bottom_ || !find_room(sizeof(Chain)))
         return;
+    did(Work::chain);
     Chain& added = chain(chain_count_++);
     added = {};
     added.first = static_cast<std::uint16_t>(upper);
@@ -129,6 +133,7 @@ OutlineRange OutlineStore::copy(const OutlineStore& from, const OutlineRange& ra
     OutlineRange copied = mark();
     if (!find_room(corners * sizeof(Corner) + chains * sizeof(Chain)))
         return copied;
+    did(Work::copied_corner, static_cast<std::uint32_t>(corners + 2 * chains));
     std::copy_n(from.corners_ + range.first_corner, corners, corners_ + corner_count_);
     std::copy_n(from.end_ - range.end_chain, chains, end_ - chain_count_ - chains);
     const auto shift = static_cast<std::uint16_t>(corner_count_ - range.first_corner);

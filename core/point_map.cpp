@@ -1,6 +1,7 @@
 #include "core/point_map.hpp"
 
 #include "core/held_point.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -54,7 +55,9 @@ Point PointMap::operator()(Point point) const
     const auto y0 = static_cast<std::int32_t>(map_.y0);
     if (kind_ == Kind::shift && is_within(x, modest_shift) && is_within(y, modest_shift))
         return {Fixed::from_raw(x + x0), Fixed::from_raw(y + y0)};
-    if (kind_ == Kind::modest && is_within(x, modest_reach) && is_within(y, modest_reach))
+    const bool is_short = kind_ == Kind::modest && is_within(x, modest_reach) && is_within(y, modest_reach);
+    did(is_short ? Work::point : Work::wide_point);
+    if (is_short)
         return {held_short(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
                 held_short(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
     return map_(point);

@@ -2,6 +2,7 @@
 
 #include "core/held_point.hpp"
 #include "core/sum_of_products.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -43,6 +44,7 @@ Projection::Projection(const Space& space, const Camera& camera)
 
 Point Projection::operator()(Point point) const
 {
+    did(Work::projected_point);
     const Affine& plane = space_.plane;
     const std::int64_t x = sum_of_products(plane.xx, point.x.raw(), plane.xy, point.y.raw()) + plane.x0;
     const std::int64_t y = sum_of_products(plane.yx, point.x.raw(), plane.yy, point.y.raw()) + plane.y0;

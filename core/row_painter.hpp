@@ -4,6 +4,7 @@
 #include "core/picture.hpp"
 #include "core/pixel_row.hpp"
 #include "core/run_list.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -35,10 +36,12 @@ public:
     template <class ForEachSpan>
     void paint(const Picture& picture, Colour background, ForEachSpan for_each_span)
     {
+        did(Work::step_visit, static_cast<std::uint32_t>(picture.step_count));
         for (const RowWindow& window : windows_)
-            row(window).fill(window.columns.begin, window.columns.width(), Row::ink(background));
+            fill(window, window.columns.begin, window.columns.width(), Row::ink(background));
         for (std::size_t i = 0; i < picture.step_count; ++i) {
             const PaintStep& step = picture.steps()[i];
+            work_for(step.item);
             if (step.kind == PaintStep::Kind::layer)
                 paint_layer(step.layer, y_, [&](auto paint) { for_each_span(i, paint); });
             else if (step.kind == PaintStep::Kind::begin_blend)
@@ -46,12 +49,26 @@ public:
             else
                 end_blend(step.opacity);
         }
+        work_for(0);
     }
 
 private:
     using Row = PixelRow<format>;
 
     Row row(const RowWindow& window) const { return {window.first, window.columns.begin, y_}; }
+
+    void fill(const RowWindow& window, int x, int count, std::uint32_t ink)
+    {
+        did(Work::fill);
+        did(Work::filled_pixel, static_cast<std::uint32_t>(count));
+        row(window).fill(x, count, ink);
+    }
+
+    void blend(const RowWindow& window, int x, int count, std::uint32_t ink, std::uint32_t coverage)
+    {
+        did(Work::blended_pixel, static_cast<std::uint32_t>(count));
+        row(window).blend(x, count, ink, coverage);
+    }
 
     template <class ForEachSpan>
     void paint_layer(const Layer& layer, int y, ForEachSpan for_each_span)
@@ -75,9 +92,9 @@ private:
         begin = std::max<int>(begin, window.columns.begin);
         end = std::min<int>(end, window.columns.end);
         if (coverage == 255)
-            row(window).fill(begin, end - begin, ink);
+            fill(window, begin, end - begin, ink);
         else if (coverage != 0)
-            row(window).blend(begin, end - begin, ink, coverage);
+            blend(window, begin, end - begin, ink, coverage);
     }
 
     void begin_blend()
@@ -91,6 +108,7 @@ private:
     {
         const std::byte* at = backdrop(--depth_);
         for (const RowWindow& window : windows_) {
+            did(Work::faded_pixel, static_cast<std::uint32_t>(window.columns.width()));
             row(window).fade_from(at, window.columns.begin, window.columns.width(), opacity);
             at += window.bytes;
         }

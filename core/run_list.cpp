@@ -1,4 +1,5 @@
 #include "core/run_list.hpp"
+#include "core/work.hpp"
 
 namespace kfast {
 
@@ -12,6 +13,7 @@ int RunList::width() const
 
 void RunList::insert(Run run)
 {
+    did(Work::inserted_run);
     std::size_t at = count_;
     while (at > 0 && runs_[at - 1].begin > run.begin)
         --at;

@@ -2,6 +2,7 @@
 
 #include "core/corner_at.hpp"
 #include "core/flatten.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <array>
@@ -179,6 +180,7 @@ void StrokeOutline::end(bool is_closed)
 
 StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
 {
+    did(Work::pen_piece);
     const auto [heading, length] = stride_along(step);
     const auto half_width_times = [this](std::int32_t unit) {
         return Fixed::from_raw(multiply_q16(pen_.half_width.raw(), 2 * unit));
@@ -215,6 +217,7 @@ void StrokeOutline::join(const Piece& after)
         tip = slight_meeting(bend.from, bend.to, one_q30 - cosine);
     else if (sides_meet || has_tip)
         tip = meeting(bend.from, bend.to, bend.rest);
+    did(is_slight ? Work::slight_bend : Work::bend);
     if (sides_meet)
         add(bend.inner, last_ + tip);
     else

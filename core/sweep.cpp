@@ -12,6 +12,7 @@
 #include "core/sweep.hpp"
 
 #include "core/chain_edge.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -33,6 +34,7 @@ public:
     /// From the border of rows on that the sweep stands at; as sweep_row().
     bool run(Crossings& crossings, bool wants_coverage)
     {
+        did(Work::swept_row);
         activate();
         crossings.count = 0;
         if (take_straight_row(crossings, wants_coverage))
@@ -77,6 +79,7 @@ private:
 
     void enter_edge(Chain& chain) const
     {
+        did(Work::edge);
         const ChainEdge edge = current_edge(store_, chain);
         chain.x = edge.upper.x;
         if (edge.height() >= subrows)
@@ -167,6 +170,7 @@ private:
     {
         if (part_count_ == most_parts)
             return false;
+        did(Work::part);
         const Part part = lower_end(store_, chain).y > bottom_ && number < layer_.waiting
                               ? straight_part(number, chain)
                               : bent_part(number, chain);
@@ -191,6 +195,7 @@ private:
 
     Part bent_part(std::uint16_t number, Chain chain) const
     {
+        did(Work::bent_part);
         Part part{.chain = number,
                   .is_bent = true,
                   .winding = static_cast<std::int8_t>(chain.winding()),
@@ -303,6 +308,7 @@ private:
     void fill_slabs()
     {
         for (; y_ < bottom_; y_ = slab_end_) {
+            did(Work::slab);
             activate();
             slab_end_ = next_event();
             if (layer_.active == Chain::none)
@@ -384,6 +390,7 @@ private:
         std::int32_t winding = 0;
         std::uint16_t* link = &layer_.active;
         while (*link != Chain::none) {
+            did(Work::slab_edge);
             Chain& chain = store_.chain(*link);
             const bool was_inside = is_inside(winding);
             winding += chain.winding();

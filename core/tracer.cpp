@@ -1,22 +1,17 @@
 #include "core/tracer.hpp"
 
 #include "core/blending.hpp"
+#include "core/item_path.hpp"
 #include "core/live_strokes.hpp"
 #include "core/opacity.hpp"
 #include "core/paint_order.hpp"
 #include "core/sweep.hpp"
+#include "core/work.hpp"
 
 #include <optional>
 
 namespace kfast {
 namespace {
-
-/// Items that lie beside each other begin at different bytes, and a path leads through eight of them at most.
-std::uint32_t path_to(const ItemView& item, std::uint32_t outer, const SceneView& scene)
-{
-    const auto place = static_cast<std::uint32_t>(item.tracks.rest().rest().data() - scene.drawings().data());
-    return (outer ^ place) * 0x9E37'79B1U + (outer >> 15);
-}
 
 Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 {
@@ -41,10 +36,12 @@ void Tracer::run()
 
 void Tracer::trace_scene()
 {
+    did(Work::picture);
     picture_.outlines.clear();
     picture_.step_count = 0;
     picture_.still = {};
     trace(on_panel_.scene.items(), {on_panel_.canvas, {}});
+    work_for(0);
 }
 
 /// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
@@ -60,6 +57,8 @@ void Tracer::trace(const ItemView& item, const Context& outer)
     Context context = outer;
     context.path = path_to(item, outer.path, on_panel_.scene);
     context.is_object = item.kind == ItemKind::object;
+    work_for(context.path);
+    did(Work::item);
     if (copy_still(context))
         return;
     const ItemState state{on_panel_.scene, item, moment_};
@@ -157,6 +156,7 @@ Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys) c
 void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
                            ObjectOutline& outline)
 {
+    did(Work::object);
     const auto& [from, next] = keys;
     const Progress way = progress_between(from.time, next.time, moment_, on_panel_.scene.laws(from.laws));
     const bool is_on_key = way.x == Way{} && way.y == Way{};

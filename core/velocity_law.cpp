@@ -1,6 +1,7 @@
 #include "core/velocity_law.hpp"
 
 #include "core/angle.hpp"
+#include "core/work.hpp"
 
 namespace kfast {
 namespace {
@@ -78,6 +79,7 @@ Way progress(const VelocityLaw& law, Share time)
 {
     if (time == Share{} || time.raw == Share::one)
         return way_of(time);
+    did(law.kind == VelocityLaw::Kind::bezier ? Work::bezier_law : Work::law);
     switch (law.kind) {
     case VelocityLaw::Kind::constant:
         return way_of(time);

@@ -9,14 +9,18 @@ namespace kfast {
 enum class Work : std::uint8_t {
     // From the time to outlines.
     picture,         ///< begun from scratch
-    item,            ///< evaluated
+    item,            ///< looked at
+    track,           ///< evaluated
     key,             ///< read in search of a moment
+    placement,       ///< made from the values of tracks
     law,             ///< applied
     bezier_law,      ///< likewise, one that has to be solved
     bone,            ///< posed
+    object,          ///< traced, once for its fill and once for its stroke
     stroke,          ///< of a drawing
     line,            ///< segment between two drawings
     curve,           ///< likewise
+    split,           ///< of a segment, to have as many as its partner
     point,           ///< placed by a map that has to multiply
     wide_point,      ///< likewise, in 64 bits
     projected_point, ///< in perspective
@@ -24,22 +28,24 @@ enum class Work : std::uint8_t {
     bent_point,      ///< by a backbone
     piece,           ///< of a curve
     pen_piece,       ///< a straight piece that a pen follows
-    bend,            ///< between two of them that takes more than a corner on each side
+    bend,            ///< between two of them
+    slight_bend,     ///< likewise, a corner on each side
     corner,          ///< of an outline
-    copied_corner,   ///< of an outline that stands still
     chain,           ///< of an outline
+    copied_corner,   ///< of an outline that stands still
     // From outlines to pixels.
     searched_row, ///< for changes
     step_visit,   ///< of a row to a step of the picture
     swept_row,    ///< of a layer
-    chain_row,    ///< of a chain that crosses a row undisturbed
+    part,         ///< of a chain within a row
+    bent_part,    ///< likewise, one that is not straight or does not run through
     edge,         ///< entered
     slab,         ///< between chains that disturb each other
     slab_edge,    ///< of a slab
     cell,         ///< of coverage, read
     span,         ///< of even coverage
     compared,     ///< stretch of two coverages
-    area,         ///< told
+    inserted_run, ///< into a list of runs, not behind the last one
     fill,         ///< of a stretch
     filled_pixel,
     blended_pixel,

@@ -25,7 +25,7 @@ fs::path chosen_output(const CompileOptions& options)
                                   : fs::path{options.output};
 }
 
-void require_fit(const CompileOptions& options, const SceneFile& scene)
+void check_fit(const CompileOptions& options, const SceneFile& scene)
 {
     if (!options.fit.board)
         return;
@@ -38,7 +38,7 @@ void compile_scene(const CompileOptions& options)
     const SceneFile scene = load_scene(options.scene);
     if (!scene.was_text)
         throw Failure(options.scene + ": compiled already: name the .kfast file it was made from");
-    require_fit(options, scene);
+    check_fit(options, scene);
     const fs::path output = output_path(chosen_output(options), options.scene);
     write_file(output, scene.bytes);
     std::cout << output.string() << ": " << summary(scene) << '\n';

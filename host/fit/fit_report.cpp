@@ -103,9 +103,10 @@ void judge(const Target& target, FitReport& report)
 
 FitReport fit_report(const FitWish& wish)
 {
-    FitReport report{.flash = flash_need(wish.scene, wish.target),
-                     .ram = ram_need(wish.scene, wish.target),
-                     .speed = measured_speed(wish.scene, wish.target, wish.fit)};
+    FitReport report;
+    report.flash = flash_need(wish.scene, wish.target);
+    report.ram = ram_need(wish.scene, wish.target);
+    report.speed = measured_speed(wish.scene, wish.target, wish.fit);
     report.wanted_rate =
         wish.frames_per_second != 0 ? wish.frames_per_second : wish.scene.frame_rate() / 1000.0;
     const ItemLabels labels{wish.scene, wish.item_names};

@@ -7,14 +7,16 @@
 
 #include <cstddef>
 #include <functional>
+#include <unordered_map>
+#include <vector>
 
 namespace kfast::fit {
 
 /// What the core did for one picture, and what went over the bus.
 struct FrameWork {
     Time moment;
-    const std::map<std::uint32_t, WorkCount>& by_item; ///< valid during the call
-    const Picture& picture;                            ///< likewise
+    const std::unordered_map<std::uint32_t, WorkCount>& by_item; ///< valid during the call
+    const Picture& picture;                                      ///< likewise
     std::size_t areas = 0;
     std::size_t bytes = 0; ///< of pixels and of the commands for areas
 

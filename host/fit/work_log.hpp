@@ -2,7 +2,7 @@
 
 #include "host/fit/work_count.hpp"
 
-#include <map>
+#include <unordered_map>
 
 namespace kfast::fit {
 
@@ -14,13 +14,13 @@ public:
     WorkLog(const WorkLog&) = delete;
 
     /// Since the beginning or clear(), by the paths of items; what is done for none of them under 0.
-    const std::map<std::uint32_t, WorkCount>& by_item() const { return counts_by_item_; }
+    const std::unordered_map<std::uint32_t, WorkCount>& by_item() const { return counts_by_item_; }
     void clear();
 
 private:
     std::uint32_t* counts_for(std::uint32_t path) override { return counts_by_item_[path].data(); }
 
-    std::map<std::uint32_t, WorkCount> counts_by_item_;
+    std::unordered_map<std::uint32_t, WorkCount> counts_by_item_;
 };
 
 }
