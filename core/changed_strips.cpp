@@ -13,7 +13,7 @@ using Change = PaintStep::Change;
 /// Sweeps both pictures over single rows.
 class RowSearch {
 public:
-    RowSearch(Picture& shown, Picture& coming, CoverageRow& coverage, std::span<CoveredSpan> storage,
+    RowSearch(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage, std::span<CoveredSpan> storage,
               int width)
         : shown_{shown}, coming_{coming}, coverage_{coverage}, storage_{storage}, width_{width}
     {
@@ -109,8 +109,8 @@ private:
         coverage_.take_spans([&](int begin, int end, std::int32_t) { changed.add(begin, end); });
     }
 
-    Picture& shown_;
-    Picture& coming_;
+    TracedPicture& shown_;
+    TracedPicture& coming_;
     CoverageRow& coverage_;
     std::span<CoveredSpan> storage_;
     int width_;
@@ -163,13 +163,13 @@ bool lie_within(std::span<const Run> runs, std::span<const Run> outer)
 
 }
 
-void ChangedStrips::begin(const Picture& shown, const Picture& coming)
+void ChangedStrips::begin(const TracedPicture& shown, const TracedPicture& coming)
 {
     row_ = panel_.height;
     bottom_ = 0;
     rejected_rows_ = 0;
     strip_ = {};
-    for (const Picture* picture : {&shown, &coming})
+    for (const TracedPicture* picture : {&shown, &coming})
         for (const PaintStep& step : picture->steps())
             if (step.change != Change::none && step.layer.top < step.layer.bottom) {
                 row_ = std::min<int>(row_, step.layer.top);
@@ -178,7 +178,7 @@ void ChangedStrips::begin(const Picture& shown, const Picture& coming)
     bottom_ = std::min(bottom_, panel_.height);
 }
 
-const Strip& ChangedStrips::next(Picture& shown, Picture& coming, CoverageRow& coverage,
+const Strip& ChangedStrips::next(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage,
                                  const AreaRules& rules)
 {
     begin_strip(rules);

@@ -2,7 +2,7 @@
 
 #include "core/coverage_row.hpp"
 #include "core/covered_span.hpp"
-#include "core/picture.hpp"
+#include "core/traced_picture.hpp"
 #include "core/run_list.hpp"
 #include "core/size.hpp"
 
@@ -38,9 +38,9 @@ public:
     ChangedStrips(std::span<CoveredSpan> storage, Size panel) : storage_{storage}, panel_{panel} {}
 
     /// From the top; the pictures are matched.
-    void begin(const Picture& shown, const Picture& coming);
+    void begin(const TracedPicture& shown, const TracedPicture& coming);
     /// With the same pictures, which differ from begin() in their sweeps only. `coverage` is empty.
-    const Strip& next(Picture& shown, Picture& coming, CoverageRow& coverage, const AreaRules& rules);
+    const Strip& next(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage, const AreaRules& rules);
     /// What covers row `row` of the last strip, step by step.
     std::span<const CoveredSpan> spans(int row) const
     {

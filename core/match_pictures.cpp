@@ -13,7 +13,7 @@ using Change = PaintStep::Change;
 /// Steps that may have appeared or vanished in one place before the rest is taken to be new.
 constexpr std::size_t look_ahead = 8;
 
-void forget_partners(Picture& picture)
+void forget_partners(TracedPicture& picture)
 {
     for (PaintStep& step : picture.steps()) {
         step.partner = PaintStep::no_partner;
@@ -28,7 +28,7 @@ Change change_between(const PaintStep& before, const PaintStep& after)
     return before.still == after.still ? Change::none : Change::outlines;
 }
 
-void join(Picture& shown, std::size_t before, Picture& coming, std::size_t after)
+void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::size_t after)
 {
     PaintStep& a = shown.steps()[before];
     PaintStep& b = coming.steps()[after];
@@ -51,7 +51,7 @@ std::size_t distance_to(const PaintStep& step, std::span<const PaintStep> steps)
     return look_ahead;
 }
 
-void find_partners(Picture& shown, Picture& coming)
+void find_partners(TracedPicture& shown, TracedPicture& coming)
 {
     std::size_t before = 0;
     std::size_t after = 0;
@@ -68,9 +68,9 @@ void find_partners(Picture& shown, Picture& coming)
 }
 
 /// Whether the blending steps of both pictures are the same and in the same places.
-bool blends_alike(const Picture& shown, const Picture& coming)
+bool blends_alike(const TracedPicture& shown, const TracedPicture& coming)
 {
-    const auto are_alike = [](const Picture& picture, const Picture& other) {
+    const auto are_alike = [](const TracedPicture& picture, const TracedPicture& other) {
         return std::ranges::all_of(picture.steps(), [&](const PaintStep& step) {
             return step.kind == Kind::layer || (step.partner != PaintStep::no_partner &&
                                                 step.opacity == other.steps()[step.partner].opacity);
@@ -80,7 +80,7 @@ bool blends_alike(const Picture& shown, const Picture& coming)
 }
 
 /// What is blended counts as changed, all of it.
-void change_blended(Picture& picture, Picture& other)
+void change_blended(TracedPicture& picture, TracedPicture& other)
 {
     int depth = 0;
     for (PaintStep& step : picture.steps()) {
@@ -95,7 +95,7 @@ void change_blended(Picture& picture, Picture& other)
 
 }
 
-void match(Picture& shown, Picture& coming)
+void match(TracedPicture& shown, TracedPicture& coming)
 {
     forget_partners(shown);
     forget_partners(coming);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/picture.hpp"
+#include "core/traced_picture.hpp"
 
 namespace kfast {
 
@@ -8,6 +8,6 @@ namespace kfast {
 ///
 /// Partners never cross: where all partners have the same coverage and colour, and what has no partner covers
 /// nothing, both pictures are the same, whatever belongs together.
-void match(Picture& shown, Picture& coming);
+void match(TracedPicture& shown, TracedPicture& coming);
 
 }

@@ -110,7 +110,7 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
 {
     const BlockPlan plan{scene, panel};
     BlockCutter cutter{block};
-    for (Picture& picture : pictures_) {
+    for (TracedPicture& picture : pictures_) {
         picture.outlines = OutlineStore{cutter.cut(plan.outlines), panel.height};
         picture.storage = cutter.cut_as<PaintStep>(plan.steps);
     }

@@ -3,7 +3,7 @@
 #include "core/canvas_map.hpp"
 #include "core/changed_strips.hpp"
 #include "core/coverage_row.hpp"
-#include "core/picture.hpp"
+#include "core/traced_picture.hpp"
 #include "core/pixel_format.hpp"
 #include "core/result.hpp"
 #include "core/row_painter.hpp"
@@ -65,7 +65,7 @@ public:
     const SceneView& scene() const { return on_panel_.scene; }
     Size panel() const { return panel_; }
     /// The picture that show() has computed.
-    const Picture& picture() const { return pictures_[coming_]; }
+    const TracedPicture& picture() const { return pictures_[coming_]; }
 
 private:
     /// How far draw_changes() has come with the picture.
@@ -73,8 +73,8 @@ private:
 
     Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
-    Picture& coming() { return pictures_[coming_]; }
-    Picture& shown() { return pictures_[1 - coming_]; }
+    TracedPicture& coming() { return pictures_[coming_]; }
+    TracedPicture& shown() { return pictures_[1 - coming_]; }
     void trace(Time moment);
     void begin_changes();
     const Strip& next_whole_rows(const AreaRules& rules);
@@ -91,7 +91,7 @@ private:
 
     SceneOnPanel on_panel_;
     Size panel_;
-    std::array<Picture, 2> pictures_;
+    std::array<TracedPicture, 2> pictures_;
     std::uint8_t coming_ = 0;
     Progress progress_ = Progress::none;
     bool knows_panel_ = false; ///< the other picture is what the panel shows

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/opacity.hpp"
-#include "core/picture.hpp"
+#include "core/traced_picture.hpp"
 #include "core/pixel_row.hpp"
 #include "core/run_list.hpp"
 #include "core/work.hpp"
@@ -34,7 +34,7 @@ public:
     /// for_each_span(step, paint) calls paint(begin, end, level) for what the layer of `step`, a number,
     /// covers, from left to right.
     template <class ForEachSpan>
-    void paint(const Picture& picture, Colour background, ForEachSpan for_each_span)
+    void paint(const TracedPicture& picture, Colour background, ForEachSpan for_each_span)
     {
         did(Work::step_visit, static_cast<std::uint32_t>(picture.step_count));
         for (const RowWindow& window : windows_)

@@ -6,7 +6,7 @@
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
 #include "core/object_outline.hpp"
-#include "core/picture.hpp"
+#include "core/traced_picture.hpp"
 #include "core/projection.hpp"
 #include "core/scene_view.hpp"
 #include "core/space.hpp"
@@ -32,7 +32,7 @@ struct SceneOnPanel {
 class Tracer {
 public:
     /// What `last` shares with the moment is copied; nothing is if it is null.
-    Tracer(const SceneOnPanel& scene, Time moment, Picture& picture, const Picture* last)
+    Tracer(const SceneOnPanel& scene, Time moment, TracedPicture& picture, const TracedPicture* last)
         : on_panel_{scene}, moment_{moment}, picture_{picture}, last_{last}
     {
     }
@@ -72,8 +72,8 @@ private:
 
     const SceneOnPanel& on_panel_;
     Time moment_;
-    Picture& picture_;
-    const Picture* last_;
+    TracedPicture& picture_;
+    const TracedPicture* last_;
     std::size_t last_step_ = 0; ///< of `last_`, from which on still items are looked for
 };
 

@@ -4,6 +4,7 @@
 #include "host/fit/scene_run.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace kfast::fit {
 namespace {
@@ -15,7 +16,7 @@ std::size_t bytes_of(const OutlineRange& outlines)
 }
 
 /// What the outlines of each item take.
-std::map<std::uint32_t, std::size_t> outline_bytes(const Picture& picture)
+std::map<std::uint32_t, std::size_t> outline_bytes(const TracedPicture& picture)
 {
     std::map<std::uint32_t, std::size_t> bytes;
     for (const PaintStep& step : picture.steps())

@@ -1,18 +1,20 @@
-// Plays a scene as the images of tests/bench/image do, on this computer:
+// Plays a compiled scene as the images of tests/bench/image do, on this computer:
 //
 //     bench_player frames SCENE     what each frame of the steady loop sends, and how little it could be
 //     bench_player speed SCENE      frames in a second of this computer
 //     bench_player once SCENE       nothing but the two turns; frame_shown() is called after each of their
 //     frames
-#include "host/failure.hpp"
-#include "host/scene_file.hpp"
 #include "tests/bench/bench_board.hpp"
 #include "tests/bench/steady_pictures.hpp"
 
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
+#include <iterator>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -51,7 +53,7 @@ void play_two_turns(const SceneView& scene, Meter meter, Report report)
     std::array<std::vector<std::byte>, 2> bands;
     bands.fill(std::vector<std::byte>(band_bytes));
     if (!measure(scene, {.block = block, .bands = {bands[0], bands[1]}}, meter, report))
-        throw Failure{"the scene does not fit into the block that it asks for"};
+        throw std::runtime_error{"the scene does not fit into the block that it asks for"};
 }
 
 void tell_frames(const SceneView& scene)
@@ -81,8 +83,21 @@ void tell_speed(const SceneView& scene)
     std::printf("frames_per_second %.0f\n", frames / seconds.count());
 }
 
-void run(const std::string& wish, const SceneView& scene)
+std::vector<std::byte> read(const char* path)
 {
+    std::ifstream file{path, std::ios::binary};
+    const std::vector<char> chars{std::istreambuf_iterator<char>{file}, {}};
+    const auto bytes = std::as_bytes(std::span{chars});
+    return {bytes.begin(), bytes.end()};
+}
+
+void run(const std::string& wish, const char* path)
+{
+    const std::vector<std::byte> bytes = read(path);
+    const auto parsed = SceneView::parse(bytes);
+    if (!parsed)
+        throw std::runtime_error{std::string{path} + " is no compiled scene of this version of KFAST"};
+    const SceneView& scene = *parsed;
     if (wish == "frames")
         tell_frames(scene);
     else if (wish == "speed")
@@ -101,9 +116,9 @@ int main(int argc, char** argv)
         return 2;
     }
     try {
-        kfast::bench::run(argv[1], kfast::load_scene(argv[2]).view);
-    } catch (const kfast::Failure& failure) {
-        std::cerr << failure.what() << '\n';
+        kfast::bench::run(argv[1], argv[2]);
+    } catch (const std::runtime_error& error) {
+        std::cerr << "bench_player: " << error.what() << '\n';
         return 1;
     }
     return 0;

@@ -11,7 +11,7 @@
 namespace kfast {
 
 /// A moment of a scene, ready to be swept row by row, in memory that the caller lends.
-struct Picture {
+struct TracedPicture {
     OutlineStore outlines;
     std::span<PaintStep> storage; ///< of the steps
     std::size_t step_count = 0;
