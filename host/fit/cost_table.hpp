@@ -23,6 +23,12 @@ struct ProcessorCosts {
 const ProcessorCosts& costs_of(Processor processor);
 
 /// The instructions that a picture takes besides its frame and areas.
-double instructions(const WorkCount& work, const ProcessorCosts& costs);
+inline double instructions(const WorkCount& work, const ProcessorCosts& costs)
+{
+    double sum = 0;
+    for (std::size_t kind = 0; kind < work_kinds; ++kind)
+        sum += work[kind] * costs.work[kind];
+    return sum;
+}
 
 }
