@@ -1,9 +1,11 @@
 // Tells what the core does for each frame of a scene, on a panel of its canvas's size, as the images of
-// tests/bench play it: what cost_table.cpp is made from. See scripts/calibrate.
+// tests/bench play it: what cost_table.cpp is made from (scripts/calibrate), and what it makes of that.
 //
-//     kfast-work SCENE      a line of names, then for each frame its number, areas, bytes and counts
+//     kfast-work SCENE      a line of names; then for each frame its areas, bytes, the instructions that the
+//                           table predicts for each processor, and the counts
 
 #include "host/failure.hpp"
+#include "host/fit/cost_table.hpp"
 #include "host/fit/scene_run.hpp"
 #include "host/fit/work_names.hpp"
 #include "host/scene_file.hpp"
@@ -16,9 +18,20 @@ namespace {
 
 void print_names()
 {
-    std::printf("frame areas bytes");
+    std::printf("areas bytes cortex-m0 cortex-m3 cortex-m4 cortex-m7");
     for (const std::string_view name : work_names)
         std::printf(" %.*s", static_cast<int>(name.size()), name.data());
+    std::printf("\n");
+}
+
+void print(const FrameWork& frame)
+{
+    const WorkCount work = frame.work();
+    std::printf("%zu %zu", frame.areas, frame.bytes);
+    for (std::size_t i = 0; i < processor_count; ++i)
+        std::printf(" %.0f", instructions(work, frame.areas, costs_of(static_cast<Processor>(i))));
+    for (const std::uint32_t count : work)
+        std::printf(" %u", count);
     std::printf("\n");
 }
 
@@ -27,14 +40,8 @@ void print_work(const SceneView& scene)
     Target target;
     target.display.size = scene.canvas();
     SceneRun run{scene, target, Fit::contain};
-    int number = 0;
     run.visit_first(Time{0}, [](const FrameWork&) {});
-    run.visit_turn(Time{0}, [&number](const FrameWork& frame) {
-        std::printf("%d %zu %zu", number++, frame.areas, frame.bytes);
-        for (const std::uint32_t count : frame.work())
-            std::printf(" %u", count);
-        std::printf("\n");
-    });
+    run.visit_turn(Time{0}, print);
 }
 
 }

@@ -40,7 +40,8 @@ class Work:
         told = subprocess.run([host / "kfast-work", scene], check=True, stdout=subprocess.PIPE, text=True, timeout=600).stdout
         head, *rows = (line.split() for line in told.splitlines())
         table = numpy.array([[int(cell) for cell in row] for row in rows], float)
-        return cls(head[3:], table[:, 1:2], table[:, 2:3], table[:, 3:])
+        own = 2 + len(guest.CPUS)  # columns before the counts
+        return cls(head[own:], table[:, :1], table[:, 1:2], table[:, own:])
 
 
 @dataclasses.dataclass
