@@ -11,7 +11,7 @@ T floor_divide(T dividend, std::int32_t divisor)
     return quotient - (quotient * divisor > dividend ? 1 : 0);
 }
 
-constexpr std::int32_t short_way = (1 << 21) - 1; ///< times 1024 it fits in 32 bits
+constexpr std::int32_t short_way = (1 << 20) - 1; ///< times 1024, and half a height, it fits in 32 bits
 
 }
 
@@ -30,9 +30,10 @@ Fixed ChainEdge::x_at(std::int32_t subrow, std::int32_t slope) const
 std::int32_t row_slope(const ChainEdge& edge)
 {
     const std::int64_t way = std::int64_t{edge.lower.x.raw()} - edge.upper.x.raw();
+    const std::int32_t half = edge.height() / 2;
     if (way >= -short_way && way <= short_way)
-        return floor_divide<std::int32_t>(static_cast<std::int32_t>(way) * subrows, edge.height());
-    return static_cast<std::int32_t>(floor_divide<std::int64_t>(way * subrows, edge.height()));
+        return floor_divide<std::int32_t>(static_cast<std::int32_t>(way) * subrows + half, edge.height());
+    return static_cast<std::int32_t>(floor_divide<std::int64_t>(way * subrows + half, edge.height()));
 }
 
 }

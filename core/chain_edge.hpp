@@ -18,7 +18,8 @@ struct ChainEdge {
     Fixed x_at(std::int32_t subrow, std::int32_t slope) const;
 };
 
-/// How far an edge that is at least a row high moves to the right in a row, in 1/65536 px, rounded down.
+/// How far an edge that is at least a row high moves to the right in a row, in 1/65536 px, rounded to
+/// nearest: over 480 rows x is off by 1/270 px at most.
 std::int32_t row_slope(const ChainEdge& edge);
 
 /// The lower end of the edge that a sweep stands in. Only while edges are left: chain.passed < chain.edges.

@@ -13,8 +13,8 @@ using Change = PaintStep::Change;
 /// Sweeps both pictures over single rows.
 class RowSearch {
 public:
-    RowSearch(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage, std::span<CoveredSpan> storage,
-              int width)
+    RowSearch(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage,
+              std::span<CoveredSpan> storage, int width)
         : shown_{shown}, coming_{coming}, coverage_{coverage}, storage_{storage}, width_{width}
     {
     }

@@ -2,9 +2,9 @@
 
 #include "core/coverage_row.hpp"
 #include "core/covered_span.hpp"
-#include "core/traced_picture.hpp"
 #include "core/run_list.hpp"
 #include "core/size.hpp"
+#include "core/traced_picture.hpp"
 
 #include <array>
 #include <cstddef>
@@ -40,7 +40,8 @@ public:
     /// From the top; the pictures are matched.
     void begin(const TracedPicture& shown, const TracedPicture& coming);
     /// With the same pictures, which differ from begin() in their sweeps only. `coverage` is empty.
-    const Strip& next(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage, const AreaRules& rules);
+    const Strip& next(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage,
+                      const AreaRules& rules);
     /// What covers row `row` of the last strip, step by step.
     std::span<const CoveredSpan> spans(int row) const
     {

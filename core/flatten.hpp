@@ -10,15 +10,16 @@ namespace kfast {
 
 /// How far the middles of chords may lie from a curve. The corners of the pieces that stand for it lie beside
 /// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
-inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 8);
+inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 16);
 
 inline constexpr int most_halvings = 8;
 
 /// One coordinate of a cubic at 2^halvings steps of equal parameter length, each moved away from the chord
-/// between its neighbours by 5/64 of its second difference: the pieces between the points enclose about what
-/// the curve does, where 1/12 would be exact. Rounded to nearest, halves up. n^3 times a polynomial has whole
-/// differences at n steps, and sums of these are exact. Only the value itself has to fit in a Word, with 3
-/// bits of fraction for each halving: what its differences lose beyond it, the sums lose again.
+/// between its neighbours by 5/64 (1/16 and 1/64, each rounded down) of its second difference: the pieces
+/// between the points enclose about what the curve does, where 1/12 would be exact. Rounded to nearest,
+/// halves up. n^3 times a polynomial has whole differences at n steps, and sums of these are exact. Only the
+/// value itself has to fit in a Word, with 3 bits of fraction for each halving: what its differences lose
+/// beyond it, the sums lose again.
 template <class Word>
 class CubicSteps {
 public:
@@ -28,18 +29,22 @@ public:
     /// The value after the next step.
     Fixed next()
     {
-        using Signed = std::make_signed_t<Word>;
         value_ += first_;
-        const auto bend = static_cast<Signed>(second_);
+        const std::int32_t bend = whole(second_);
         first_ += second_;
         second_ += third_;
-        const Signed moved = static_cast<Signed>(value_) - (bend >> 4) - (bend >> 6);
-        return Fixed::from_raw(static_cast<std::int32_t>(moved >> fraction_bits_));
+        return Fixed::from_raw(whole(value_) - (bend >> 4) - (bend >> 6));
     }
 
 private:
-    /// In 64 bits always 32, which costs nothing.
-    using FractionBits = std::conditional_t<sizeof(Word) == 8, std::integral_constant<int, 32>, int>;
+    /// In 64 bits as many as the most halvings need.
+    using FractionBits =
+        std::conditional_t<sizeof(Word) == 8, std::integral_constant<int, 3 * most_halvings>, int>;
+
+    std::int32_t whole(Word word) const
+    {
+        return static_cast<std::int32_t>(static_cast<std::make_signed_t<Word>>(word) >> fraction_bits_);
+    }
 
     [[no_unique_address]] FractionBits fraction_bits_;
     Word value_;

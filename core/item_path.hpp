@@ -12,7 +12,7 @@ namespace kfast {
 /// eight of them at most.
 inline std::uint32_t path_to(const ItemView& item, std::uint32_t outer, const SceneView& scene)
 {
-    const auto place = static_cast<std::uint32_t>(item.tracks.rest().rest().data() - scene.drawings().data());
+    const auto place = static_cast<std::uint32_t>(item.place - scene.drawings().data());
     return (outer ^ place) * 0x9E37'79B1U + (outer >> 15);
 }
 

@@ -96,8 +96,9 @@ Key KeyCursor::next()
 
 ItemView ItemCursor::next()
 {
-    const std::uint32_t head = bytes_.u8();
     ItemView item;
+    item.place = bytes_.rest().data();
+    const std::uint32_t head = bytes_.u8();
     item.kind = static_cast<ItemKind>(head & kind_bits);
     item.is_known = is_known(head, item.kind);
     if ((head & tracks_bit) != 0)

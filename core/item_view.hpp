@@ -74,7 +74,8 @@ enum class ItemKind : std::uint8_t { object, group, use };
 /// Something that is painted; borrows the scene's bytes.
 struct ItemView {
     ItemKind kind = ItemKind::object;
-    bool is_known = false; ///< no bit is set without a meaning
+    bool is_known = false;            ///< no bit is set without a meaning
+    const std::byte* place = nullptr; ///< where it begins in the scene's bytes
     TrackCursor tracks;
     PathView path;            ///< only if there is a track of Property::along
     ObjectView object;        ///< only of an object

@@ -21,11 +21,21 @@ void forget_partners(TracedPicture& picture)
     }
 }
 
-Change change_between(const PaintStep& before, const PaintStep& after)
+bool has_same_outlines(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
+                       const PaintStep& after)
 {
+    return (before.still == after.still && shown.coarseness == coming.coarseness) ||
+           shown.outlines.is_equal(before.layer.outlines, coming.outlines, after.layer.outlines);
+}
+
+Change change_between(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
+                      const PaintStep& after)
+{
+    if (after.kind != Kind::layer)
+        return Change::none;
     if (before.layer.colour != after.layer.colour || before.layer.rule != after.layer.rule)
         return Change::all;
-    return before.still == after.still ? Change::none : Change::outlines;
+    return has_same_outlines(shown, before, coming, after) ? Change::none : Change::outlines;
 }
 
 void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::size_t after)
@@ -34,9 +44,7 @@ void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::
     PaintStep& b = coming.steps()[after];
     a.partner = static_cast<std::uint16_t>(after);
     b.partner = static_cast<std::uint16_t>(before);
-    a.change = b.change = a.kind == Kind::layer ? change_between(a, b) : Change::none;
-    if (a.change == Change::none && shown.coarseness != coming.coarseness)
-        a.change = b.change = Change::outlines;
+    a.change = b.change = change_between(shown, a, coming, b);
 }
 
 bool is_same_step(const PaintStep& a, const PaintStep& b) { return a.item == b.item && a.kind == b.kind; }

@@ -126,6 +126,14 @@ void OutlineStore::sort(const OutlineRange& range)
                 std::swap(chain(static_cast<std::uint16_t>(j)), chain(static_cast<std::uint16_t>(j - gap)));
 }
 
+bool OutlineStore::is_equal(const OutlineRange& range, const OutlineStore& other,
+                            const OutlineRange& others) const
+{
+    return range.end_chain - range.first_chain == others.end_chain - others.first_chain &&
+           std::equal(corners_ + range.first_corner, corners_ + range.end_corner,
+                      other.corners_ + others.first_corner, other.corners_ + others.end_corner);
+}
+
 OutlineRange OutlineStore::copy(const OutlineStore& from, const OutlineRange& range)
 {
     const auto corners = static_cast<std::size_t>(range.end_corner - range.first_corner);

@@ -70,6 +70,8 @@ public:
     OutlineRange mark() const { return {corner_count_, corner_count_, chain_count_, chain_count_}; }
     /// Puts the chains of a range in the order of their upper ends.
     void sort(const OutlineRange& range);
+    /// Whether a range has the same corners, and so the same chains, as one of another store.
+    bool is_equal(const OutlineRange& range, const OutlineStore& other, const OutlineRange& others) const;
     /// Takes over a range of another store.
     OutlineRange copy(const OutlineStore& from, const OutlineRange& range);
 

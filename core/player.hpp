@@ -3,13 +3,13 @@
 #include "core/canvas_map.hpp"
 #include "core/changed_strips.hpp"
 #include "core/coverage_row.hpp"
-#include "core/traced_picture.hpp"
 #include "core/pixel_format.hpp"
 #include "core/result.hpp"
 #include "core/row_painter.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
+#include "core/traced_picture.hpp"
 #include "core/tracer.hpp"
 
 #include <array>

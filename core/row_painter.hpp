@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/opacity.hpp"
-#include "core/traced_picture.hpp"
 #include "core/pixel_row.hpp"
 #include "core/run_list.hpp"
+#include "core/traced_picture.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>

@@ -34,7 +34,7 @@ std::int32_t cosine_q15(int angle)
     return angle <= quarter_turn ? sine_q15(quarter_turn - angle) : -sine_q15(angle - quarter_turn);
 }
 
-constexpr std::int32_t arc_flatness = Fixed::one / 16;
+constexpr std::int32_t arc_flatness = Fixed::one / 24;
 
 /// The widest step in 1/48 quarter turn with which arcs stay within arc_flatness. A chord over the angle a of
 /// a circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.

@@ -139,7 +139,8 @@ private:
     /// What a row cuts out of a chain.
     struct Part {
         std::uint16_t chain = 0;
-        bool is_bent = false;
+        bool is_straight = true; ///< and runs through the row
+        bool has_corner = false; ///< within the row
         std::int8_t winding = 0;
         std::int32_t top = 0;
         std::int32_t bottom = 0;
@@ -197,7 +198,7 @@ private:
     {
         did(Work::bent_part);
         Part part{.chain = number,
-                  .is_bent = true,
+                  .is_straight = false,
                   .winding = static_cast<std::int8_t>(chain.winding()),
                   .top = std::max(y_, current_edge(store_, chain).upper.y),
                   .bottom = bottom_,
@@ -211,6 +212,7 @@ private:
         ChainEdge edge = current_edge(store_, chain);
         for (; edge.lower.y < bottom_; edge = current_edge(store_, chain)) {
             stretch(edge.lower.x);
+            part.has_corner = true;
             if (++chain.passed == chain.edges) {
                 part.bottom = edge.lower.y;
                 return part;
@@ -251,7 +253,7 @@ private:
                 crossings.borders[crossings.count++] = {.left = part.left,
                                                         .right = part.right,
                                                         .leans_left = part.left != part.begin,
-                                                        .is_bent = part.is_bent};
+                                                        .is_bent = part.has_corner};
         }
         return true;
     }
@@ -281,7 +283,7 @@ private:
     /// Whether anything of the chain is left below the row.
     bool take_part(Chain& chain, const Part& part, std::int32_t sign)
     {
-        if (part.is_bent)
+        if (!part.is_straight)
             return take_bent_part(chain, part.top, sign);
         const Fixed end = chain.x + Fixed::from_raw(chain.slope);
         coverage_.add(chain.x, end, subrows, sign);

@@ -18,6 +18,15 @@ struct TracedPicture {
     Still still;                 ///< of the whole scene, around the moment
     std::uint8_t coarseness = 0; ///< how often the pieces of curves were made twice as long to find room
 
+    /// There is room for all steps that a scene needs. If two items had the same path and one were taken for
+    /// the other, the last step would be lost, but no memory.
+    PaintStep& add_step(const PaintStep& step)
+    {
+        if (step_count < storage.size())
+            ++step_count;
+        return storage[step_count - 1] = step;
+    }
+
     std::span<PaintStep> steps() { return storage.first(step_count); }
     std::span<const PaintStep> steps() const { return storage.first(step_count); }
 };

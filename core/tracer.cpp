@@ -113,8 +113,7 @@ bool Tracer::copy_still(const Context& context)
 
 void Tracer::copy(const PaintStep& step)
 {
-    PaintStep& copied = picture_.storage[picture_.step_count++];
-    copied = step;
+    PaintStep& copied = picture_.add_step(step);
     picture_.still = picture_.still & step.still;
     copied.layer.outlines = picture_.outlines.copy(last_->outlines, step.layer.outlines);
     copied.layer.rewind();
@@ -201,9 +200,7 @@ Point Tracer::first_point(const ObjectView& object, const Key& key) const
 
 PaintStep& Tracer::add_step(PaintStep::Kind kind, const Context& context)
 {
-    PaintStep& step = picture_.storage[picture_.step_count++];
-    step = {.kind = kind, .item = context.path, .still = context.still};
-    return step;
+    return picture_.add_step({.kind = kind, .item = context.path, .still = context.still});
 }
 
 template <class Trace>

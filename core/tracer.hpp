@@ -6,12 +6,12 @@
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
 #include "core/object_outline.hpp"
-#include "core/traced_picture.hpp"
 #include "core/projection.hpp"
 #include "core/scene_view.hpp"
 #include "core/space.hpp"
 #include "core/stroke_outline.hpp"
 #include "core/time.hpp"
+#include "core/traced_picture.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -144,6 +144,24 @@ kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_
     return draw<PixelFormat::rgb565>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
 }
 
+kfast_error kfast_draw_rgb565_be(kfast_player* player, void* buffer, size_t buffer_bytes,
+                                 kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::rgb565_be>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
+kfast_error kfast_draw_rgb444(kfast_player* player, void* buffer, size_t buffer_bytes,
+                              kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::rgb444>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
+kfast_error kfast_draw_rgb666(kfast_player* player, void* buffer, size_t buffer_bytes,
+                              kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::rgb666>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
 kfast_error kfast_draw_grey4(kfast_player* player, void* buffer, size_t buffer_bytes,
                              kfast_draw_rectangle draw_rectangle, void* user)
 {
@@ -154,6 +172,12 @@ kfast_error kfast_draw_mono1(kfast_player* player, void* buffer, size_t buffer_b
                              kfast_draw_rectangle draw_rectangle, void* user)
 {
     return draw<PixelFormat::mono1>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+}
+
+kfast_error kfast_draw_mono1_dithered(kfast_player* player, void* buffer, size_t buffer_bytes,
+                                      kfast_draw_rectangle draw_rectangle, void* user)
+{
+    return draw<PixelFormat::mono1_dithered>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 void kfast_redraw(kfast_player* player) { player->animation.redraw(); }

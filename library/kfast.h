@@ -60,17 +60,30 @@ void kfast_show_after(kfast_player* player, uint32_t milliseconds);
 typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const void* pixels, void* user);
 
 /* Hands out the pixels that differ from what was drawn before. The buffer is where they are drawn; the
- * larger, the fewer the calls. KFAST_OK, or KFAST_BUFFER_TOO_SMALL with nothing drawn.
+ * larger, the fewer the calls. KFAST_OK, or KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of
+ * the panel, and a byte more if it begins at an odd address.
  *
- *     rgb565   2 bytes a pixel, little-endian, red in the highest 5 bits
- *     grey4    2 pixels a byte, the left one in the high nibble; 15 is white
- *     mono1    8 pixels a byte, the leftmost in the highest bit; 1 is lit */
+ *     rgb565          2 bytes a pixel, little-endian, red in the highest 5 bits
+ *     rgb565_be       the same with the high byte first, as LCDs on SPI take it
+ *     rgb444          2 pixels in 3 bytes: red, green, blue in 4 bits each, the first in the high nibble
+ *     rgb666          3 bytes a pixel: red, green, blue, each in the high 6 bits
+ *     grey4           2 pixels a byte, the left one in the high nibble; 15 is white
+ *     mono1           8 pixels a byte, the leftmost in the highest bit; 1 is lit, from half brightness on
+ *     mono1_dithered  the same, but as many pixels are lit as the brightness says */
 kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_bytes,
+                              kfast_draw_rectangle draw_rectangle, void* user);
+kfast_error kfast_draw_rgb565_be(kfast_player* player, void* buffer, size_t buffer_bytes,
+                                 kfast_draw_rectangle draw_rectangle, void* user);
+kfast_error kfast_draw_rgb444(kfast_player* player, void* buffer, size_t buffer_bytes,
+                              kfast_draw_rectangle draw_rectangle, void* user);
+kfast_error kfast_draw_rgb666(kfast_player* player, void* buffer, size_t buffer_bytes,
                               kfast_draw_rectangle draw_rectangle, void* user);
 kfast_error kfast_draw_grey4(kfast_player* player, void* buffer, size_t buffer_bytes,
                              kfast_draw_rectangle draw_rectangle, void* user);
 kfast_error kfast_draw_mono1(kfast_player* player, void* buffer, size_t buffer_bytes,
                              kfast_draw_rectangle draw_rectangle, void* user);
+kfast_error kfast_draw_mono1_dithered(kfast_player* player, void* buffer, size_t buffer_bytes,
+                                      kfast_draw_rectangle draw_rectangle, void* user);
 
 /* The display shows something else by now: the next drawing hands out the whole panel. */
 void kfast_redraw(kfast_player* player);

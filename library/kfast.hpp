@@ -74,12 +74,13 @@ public:
     /// Hands out the pixels that differ from what was drawn before, by calling
     /// draw_rectangle(Rect area, std::span<const std::byte> pixels) for each rectangle: its rows from the top
     /// down, each of them starting on a byte. `buffer` is where they are drawn; the larger, the fewer the
-    /// calls. False, and nothing is drawn, if it does not hold a row of the panel.
+    /// calls. False, and nothing is drawn, if it does not hold a row of the panel from an even address on.
     template <PixelFormat format, class DrawRectangle>
     bool draw(std::span<std::byte> buffer, DrawRectangle&& draw_rectangle)
     {
         const Size size = panel();
         const std::size_t stride = row_bytes(format, size.width);
+        buffer = buffer.subspan(std::min(buffer.size(), beyond_halfword(buffer.data())));
         if (buffer.size() < stride)
             return false;
         const int rows_at_once =
@@ -105,6 +106,11 @@ public:
     Size panel() const { return player_.panel(); }
 
 private:
+    static std::size_t beyond_halfword(const std::byte* at)
+    {
+        return reinterpret_cast<std::uintptr_t>(at) % 2;
+    }
+
     explicit Animation(const Player& player) : player_{player}, stretch_{stretch_of(player.scene())} {}
 
     Player player_;

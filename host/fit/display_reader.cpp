@@ -31,7 +31,7 @@ bool read_format(const kdl::Value& value, Display& display, Reading& reading)
         return false;
     }
     display.format = format->value;
-    display.granularity = {8 / std::min(8, bits_per_pixel(format->value)), 1};
+    display.granularity = {pixels_in_whole_bytes(format->value), 1};
     return true;
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("no moment of what is carried or turned needs more steps than can be t
             Stage stage{scene.file(), panel};
             for (int round = 0; round < 1000; ++round) {
                 stage.player.show({static_cast<std::int32_t>(random())});
-                CHECK(stage.player.step_count() <= stage.scene.paint_steps());
+                CHECK(stage.player.picture().step_count <= stage.scene.paint_steps());
             }
         }
 }
@@ -124,10 +124,11 @@ TEST_CASE("a block has room for all bones, and for the nodes and gaps of one obj
     const auto extra_bytes = [](const RawScene& raw) {
         const Bytes file = raw.file();
         const SceneView scene = *SceneView::parse(file);
-        const std::size_t plain = scene.outline_bytes() / 24 * 24 +
-                                  CoverageRow::cells_for(20) * sizeof(std::int32_t) +
-                                  scene.paint_steps() * sizeof(PaintStep) + scene.blended_depth() * 20 * 3;
-        return Player::block_bytes(scene, {20, 10}) - plain;
+        const std::size_t pictures = 2 * (scene.outline_bytes() + scene.paint_steps() * sizeof(PaintStep));
+        constexpr std::size_t spans = 160 * sizeof(CoveredSpan);
+        return Player::block_bytes(scene, scene.canvas()) - pictures - spans -
+               CoverageRow::cells_for(scene.canvas().width) * sizeof(std::int32_t) -
+               scene.blended_depth() * static_cast<std::size_t>(scene.canvas().width) * 3;
     };
     CHECK(extra_bytes(space_scene()) == 0);
     CHECK(extra_bytes(bones_scene()) == 5 * sizeof(LiveBone));

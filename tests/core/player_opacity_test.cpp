@@ -210,9 +210,8 @@ TEST_CASE("what has no opacity or is invisible is not even traced")
               "symbol s {\n" + overlapping + "}\nuse s " + hidden + "\n",
               "object one fill=red " + hidden + badge_shape}) {
             Stage stage{"kfast 1\ncanvas 40 40\n" + items, {40, 40}};
-            CHECK(stage.player.edge_count() == 0);
-            CHECK(stage.player.step_count() == 0);
-            CHECK(stage.scene.outline_bytes() > 0);
+            CHECK(stage.player.picture().outlines.used_bytes() == 0);
+            CHECK(stage.player.picture().step_count == 0);
             CHECK(stage.picture({}) == Bytes(40 * 40 * 2));
         }
     }
@@ -225,9 +224,9 @@ TEST_CASE("only what is transparent at the moment is blended")
                     overlapping + "}\n",
                 {40, 40}};
     CHECK(stage.scene.paint_steps() == 5);
-    CHECK(stage.player.step_count() == 3);
+    CHECK(stage.player.picture().step_count == 3);
     stage.player.show(Time::frame(5));
-    CHECK(stage.player.step_count() == 5);
+    CHECK(stage.player.picture().step_count == 5);
 }
 
 }

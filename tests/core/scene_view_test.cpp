@@ -184,7 +184,7 @@ TEST_CASE("whatever a wrong writer seals is refused or can be played")
         auto player = Player::create(*scene, panel, Fit::contain, block);
         REQUIRE(player);
         player->show({static_cast<std::int32_t>(random())});
-        REQUIRE(player->step_count() <= scene->paint_steps());
+        REQUIRE(player->picture().step_count <= scene->paint_steps());
         Bytes pixels(16 * 16 * 2);
         player->draw_rows<PixelFormat::rgb565>(16, pixels);
         ++played;

@@ -25,11 +25,14 @@ void trace(OutlineStore& store, const std::vector<Point>& points, const Pen& pen
 
 std::string text_of(const std::vector<Point>& points, const Pen& pen, bool is_closed)
 {
-    std::string text = "cap " + std::to_string(static_cast<int>(pen.cap)) + " join " +
+    std::string text = std::string{"cap "} + std::to_string(static_cast<int>(pen.cap)) + " join " +
                        std::to_string(static_cast<int>(pen.join)) + " half width " +
                        std::to_string(pen.half_width.raw() / 65536.0) + (is_closed ? " closed" : " open");
     for (const Point& point : points)
-        text += " " + std::to_string(spot(point).x) + "," + std::to_string(spot(point).y);
+        text.append(" ")
+            .append(std::to_string(spot(point).x))
+            .append(",")
+            .append(std::to_string(spot(point).y));
     return text;
 }
 

@@ -147,8 +147,25 @@ TEST_CASE("all formats of pixels are handed out")
         return count;
     };
     CHECK(bytes_of(kfast_draw_rgb565, 60) == width * height);
+    CHECK(bytes_of(kfast_draw_rgb565_be, 60) == width * height);
+    CHECK(bytes_of(kfast_draw_rgb444, 45) == width * height);
+    CHECK(bytes_of(kfast_draw_rgb666, 90) == width * height);
     CHECK(bytes_of(kfast_draw_grey4, 15) == width * height);
     CHECK(bytes_of(kfast_draw_mono1, 4) == width * height);
+    CHECK(bytes_of(kfast_draw_mono1_dithered, 4) == width * height);
+}
+
+TEST_CASE("a buffer at an odd address loses a byte")
+{
+    Screen screen{moving};
+    alignas(2) std::array<std::byte, 62> buffer{};
+    const auto take = [](int, int, int, int, const void* pixels, void*) {
+        CHECK(reinterpret_cast<std::uintptr_t>(pixels) % 2 == 0);
+    };
+    CHECK(kfast_draw_rgb565(screen.player, &buffer[1], 60, take, nullptr) == KFAST_BUFFER_TOO_SMALL);
+    CHECK(kfast_draw_rgb565(screen.player, &buffer[1], 61, take, nullptr) == KFAST_OK);
+    kfast_redraw(screen.player);
+    CHECK(kfast_draw_rgb565(screen.player, &buffer[1], 0, take, nullptr) == KFAST_BUFFER_TOO_SMALL);
 }
 
 TEST_CASE("nothing is written outside the block that is lent")

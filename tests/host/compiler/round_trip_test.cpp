@@ -371,7 +371,7 @@ void play(const SceneView& scene, std::mt19937& random)
     REQUIRE(player);
     for (int moment = 0; moment < 10; ++moment) {
         player->show({static_cast<std::int32_t>(random() % 200'000)});
-        CHECK(player->step_count() <= scene.paint_steps());
+        CHECK(player->picture().step_count <= scene.paint_steps());
     }
 }
 

@@ -1,0 +1,207 @@
+#include "core/player.hpp"
+
+#include "host/compiler/header.hpp"
+#include "tests/core/everything.hpp"
+#include "tests/core/moving_scenes.hpp"
+#include "tests/core/stage.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <doctest/doctest.h>
+#include <random>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+/// A panel's memory. It starts with rubbish in it.
+template <PixelFormat format>
+class PanelMemory {
+public:
+    explicit PanelMemory(Size size)
+        : size_{size},
+          bytes_(row_bytes(format, size.width) * static_cast<std::size_t>(size.height), std::byte{0x5A})
+    {
+    }
+
+    void take(const Change& change)
+    {
+        const std::size_t width = row_bytes(format, change.area.width);
+        REQUIRE(change.pixels.size() == width * static_cast<std::size_t>(change.area.height));
+        for (int row = 0; row < change.area.height; ++row)
+            std::memcpy(&bytes_.at(offset(change.area.x, change.area.y + row)),
+                        change.pixels.data() + width * static_cast<std::size_t>(row), width);
+    }
+
+    const Bytes& bytes() const { return bytes_; }
+
+private:
+    std::size_t offset(int x, int y) const
+    {
+        return row_bytes(format, size_.width) * static_cast<std::size_t>(y) + row_bytes(format, x);
+    }
+
+    Size size_;
+    Bytes bytes_;
+};
+
+struct Sent {
+    std::size_t areas = 0;
+    std::size_t bytes = 0;
+};
+
+/// Draws what changes, with room for `rows` rows at once.
+template <PixelFormat format>
+Sent bring_up_to_date(Stage& stage, PanelMemory<format>& memory, int rows,
+                      Size granularity = {pixels_in_whole_bytes(format), 1}, int area_bytes = 11)
+{
+    const Size panel = stage.player.panel();
+    Bytes pixels(row_bytes(format, panel.width) * static_cast<std::size_t>(rows));
+    Sent sent;
+    for (;;) {
+        const auto changes = stage.player.draw_changes<format>(pixels, granularity, area_bytes);
+        if (changes.empty())
+            return sent;
+        for (const Change& change : changes) {
+            CHECK(change.area.x % granularity.width == 0);
+            CHECK(change.area.y % granularity.height == 0);
+            memory.take(change);
+            ++sent.areas;
+            sent.bytes += change.pixels.size();
+        }
+    }
+}
+
+/// Random moments, in order and by leaps, unfinished pictures and redraws between them.
+template <PixelFormat format>
+void check_against_redraws(const Bytes& file, Size panel, Size granularity, unsigned seed)
+{
+    std::mt19937 random{seed};
+    Stage stage{file, panel};
+    Stage fresh{file, panel};
+    PanelMemory<format> memory{panel};
+    std::int32_t moment = 0;
+    for (int round = 0; round < 60; ++round) {
+        moment = random() % 3 == 0 ? static_cast<std::int32_t>(random() % 60'000)
+                                   : moment + static_cast<std::int32_t>(random() % 700);
+        stage.player.show({moment});
+        if (random() % 8 == 0)
+            stage.player.redraw();
+        if (random() % 8 == 0) { // interrupted: what was drawn does reach the panel
+            Bytes pixels(row_bytes(format, panel.width) * 8);
+            for (const Change& change : stage.player.draw_changes<format>(pixels, granularity, 11))
+                memory.take(change);
+            continue;
+        }
+        bring_up_to_date(stage, memory, granularity.height * (1 + static_cast<int>(random() % 3)),
+                         granularity, static_cast<int>(random() % 20));
+        REQUIRE(memory.bytes() == fresh.picture<format>({moment}));
+    }
+}
+
+TEST_CASE("the panel always shows what a full redraw would")
+{
+    const Bytes file = compiled(everything);
+    for (unsigned seed = 0; seed < 3; ++seed) {
+        check_against_redraws<PixelFormat::rgb565>(file, {60, 40}, {1, 1}, seed);
+        check_against_redraws<PixelFormat::rgb565>(file, {240, 120}, {4, 2}, seed);
+        check_against_redraws<PixelFormat::rgb444>(file, {60, 40}, {2, 1}, seed);
+        check_against_redraws<PixelFormat::grey4>(file, {64, 40}, {2, 1}, seed);
+        check_against_redraws<PixelFormat::mono1_dithered>(file, {64, 40}, {8, 8}, seed);
+    }
+    for (const RawScene& scene : moving_scenes())
+        check_against_redraws<PixelFormat::rgb565>(scene.file(), {60, 40}, {1, 1}, 7);
+}
+
+constexpr std::string_view two_squares = R"(
+kfast 1
+canvas 100 60 frames=20 background="#102030"
+object still fill=red { rect 5 5 30 50 }
+object moving fill="#ffffff80" { rect 50 10 20 40; key 0 x=0; key 19 x=10 }
+group opacity=0.5 { object dim fill=blue { rect 10 10 10 10 }; object over fill=red { rect 15 15 9 9 } }
+)";
+
+TEST_CASE("a picture that equals the last costs nothing")
+{
+    Stage stage{
+        "kfast 1\ncanvas 20 20 frames=20\nobject o fill=red {\n  key 0 { rect 2 2 9 9 }\n  key 10 { rect 2 2 "
+        "9 9 }\n}\n",
+        {20, 20}};
+    PanelMemory<PixelFormat::rgb565> memory{{20, 20}};
+    CHECK(bring_up_to_date(stage, memory, 20).bytes == 20 * 20 * 2);
+    for (int frame = 1; frame < 20; ++frame) {
+        stage.player.show(Time::frame(frame));
+        CHECK(bring_up_to_date(stage, memory, 20).areas == 0);
+    }
+}
+
+TEST_CASE("what stands still is not sent again, nor the inside of what moves")
+{
+    Stage stage{two_squares, {100, 60}};
+    PanelMemory<PixelFormat::rgb565> memory{{100, 60}};
+    bring_up_to_date(stage, memory, 8);
+    stage.player.show(Time::frame(1));
+    const Sent sent = bring_up_to_date(stage, memory, 8);
+    CHECK(sent.areas > 0);
+    CHECK(sent.bytes <= 2 * 2 * 2 * 40); // the two sides of one square, two pixels wide
+    CHECK(memory.bytes() == Stage{two_squares, {100, 60}}.picture(Time::frame(1)));
+}
+
+TEST_CASE("an opacity that changes is sent wherever its group covers something")
+{
+    constexpr std::string_view fading = R"(
+kfast 1
+canvas 40 40 frames=20
+group {
+    key 0 opacity=0.9; key 19 opacity=0.2
+    object one fill=red { rect 4 4 20 20 }
+    object two fill=blue { rect 10 10 20 20 }
+}
+)";
+    Stage stage{fading, {40, 40}};
+    PanelMemory<PixelFormat::rgb565> memory{{40, 40}};
+    for (const int frame : {0, 1, 2, 19, 10}) {
+        stage.player.show(Time::frame(frame));
+        bring_up_to_date(stage, memory, 4);
+        CHECK(memory.bytes() == Stage{fading, {40, 40}}.picture(Time::frame(frame)));
+    }
+}
+
+/// Vertical bars, so many that their spans do not find room.
+std::string comb(int teeth)
+{
+    std::string text = "kfast 1\ncanvas 1000 8 frames=10\nobject comb fill=red { key 0 {";
+    for (int i = 0; i < teeth; ++i)
+        text += " rect " + std::to_string(2 + 4 * i) + " 1 1.5 6;";
+    return text + "}; key 9 x=1 }\n";
+}
+
+TEST_CASE("rows with more spans than find room are drawn whole")
+{
+    const Bytes file = compiled(comb(200));
+    Stage stage{file, {1000, 8}};
+    PanelMemory<PixelFormat::rgb565> memory{{1000, 8}};
+    for (int frame = 0; frame < 10; ++frame) {
+        stage.player.show(Time::frame(frame));
+        bring_up_to_date(stage, memory, 3);
+        CHECK(memory.bytes() == Stage{file, {1000, 8}}.picture(Time::frame(frame)));
+    }
+}
+
+TEST_CASE("a picture that finds no room is drawn with coarser curves, and writes to its block alone")
+{
+    Bytes file = compiled(everything);
+    const std::uint32_t enough = SceneView::parse(file)->outline_bytes();
+    for (const std::uint32_t bytes : {0U, 4U, 64U, enough / 8 / 4 * 4, enough / 2 / 4 * 4}) {
+        set_outline_bytes(file, bytes);
+        Stage stage{file, {60, 40}}; // the end of the block is watched by the address sanitizer
+        for (int frame = 0; frame < 20; ++frame) {
+            stage.picture(Time::frame(frame));
+            CHECK(stage.player.picture().outlines.used_bytes() <= bytes);
+            CHECK(stage.player.picture().coarseness > 0);
+        }
+    }
+}
+
+}
+}
