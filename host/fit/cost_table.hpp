@@ -22,7 +22,18 @@ struct ProcessorCosts {
 /// Found by scripts/calibrate: see docs/fit.md.
 const ProcessorCosts& costs_of(Processor processor);
 
-/// The instructions that a picture takes besides its frame and areas.
-double instructions(const WorkCount& work, const ProcessorCosts& costs);
+inline double instructions(const WorkCount& work, const ProcessorCosts& costs)
+{
+    double sum = 0;
+    for (std::size_t kind = 0; kind < work_kinds; ++kind)
+        sum += work[kind] * costs.work[kind];
+    return sum;
+}
+
+/// Of a whole frame.
+inline double instructions(const WorkCount& work, std::size_t areas, const ProcessorCosts& costs)
+{
+    return costs.frame + costs.area * static_cast<double>(areas) + instructions(work, costs);
+}
 
 }

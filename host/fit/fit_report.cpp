@@ -40,10 +40,11 @@ void check_ram(const FitReport& report, const Target& target, std::vector<std::s
 void check_bands(const Target& target, std::vector<std::string>& reasons)
 {
     const std::size_t least = least_band(target.display);
-    if (target.band_bytes < least)
-        reasons.push_back("bands: each has " + bytes_text(target.band_bytes) + ", but " +
-                          counted(static_cast<std::size_t>(target.display.granularity.height), "row") +
-                          " of the panel take " + std::to_string(least));
+    if (target.band_bytes >= least)
+        return;
+    const auto rows = static_cast<std::size_t>(target.display.granularity.height);
+    reasons.push_back("bands: each has " + bytes_text(target.band_bytes) + ", but " + counted(rows, "row") +
+                      " of the panel " + (rows == 1 ? "takes " : "take ") + std::to_string(least));
 }
 
 void check_speed(const FitReport& report, std::vector<std::string>& reasons)

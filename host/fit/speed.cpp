@@ -60,8 +60,7 @@ public:
 private:
     FrameCost cost_of(const FrameWork& frame) const
     {
-        const double count = costs_.frame + costs_.area * static_cast<double>(frame.areas) +
-                             instructions(frame.work(), costs_);
+        const double count = instructions(frame.work(), frame.areas, costs_);
         return {.moment = frame.moment,
                 .instructions = count,
                 .cpu_seconds = count * cycles_ / target_.clock,

@@ -1,0 +1,32 @@
+"""host/fit/cost_table.cpp, as scripts/calibrate writes it."""
+
+HEAD = """// Written by scripts/calibrate.
+
+#include "host/fit/cost_table.hpp"
+
+namespace kfast::fit {
+namespace {
+
+constexpr std::array<ProcessorCosts, processor_count> table{{
+"""
+
+TAIL = """}};
+
+}
+
+const ProcessorCosts& costs_of(Processor processor) { return table[static_cast<std::size_t>(processor)]; }
+
+}
+"""
+
+
+def row(cpu, costs, names):
+    lines = [f"    // {cpu}", "    {", f"        .code = {costs.code},", f"        .fixed_ram = {costs.fixed_ram},",
+             f"        .stack = {costs.stack},", f"        .cycles = {costs.cycles:.2f},", f"        .frame = {costs.frame:.0f},",
+             f"        .area = {costs.area:.0f},", "        .work =", "            {"]
+    lines += [f"                {cost:.1f}, // {name}" for name, cost in zip(names, costs.work, strict=True)]
+    return "\n".join(lines + ["            },", "    },"]) + "\n"
+
+
+def write_table(path, names, table):
+    path.write_text(HEAD + "".join(row(cpu, costs, names) for cpu, costs in table.items()) + TAIL, encoding="utf-8")

@@ -1,0 +1,176 @@
+"""Whether scenes fit boards."""
+
+import json
+import unittest
+
+from command_case import ROOT, CommandTest
+
+BOARD = """board desk {{
+    core {core} clock=(MHz){clock}
+    memory flash=(KiB){flash} ram=(KiB){ram}
+    bus {bus}
+    panel {panel}
+    bands {bands}
+    reserved flash=(B){reserved} ram=(B){reserved}
+}}
+"""
+USUAL = {"core": "cortex-m0+", "clock": 100, "flash": 256, "ram": 64, "bus": "spi clock=(MHz)40", "panel": "60 40",
+         "bands": "(KiB)1", "reserved": 0}
+
+NAMED = """kfast 1
+canvas 60 40 frames=8
+symbol eye { object shape fill=white { key 0 { circle 0 0 r=6 }; key 8 { rect -8 -4 16 8 } } }
+group face { use eye 15 20 }
+object still fill=red { rect 0 0 4 4 }
+"""
+
+ZIGZAG = " ".join(f"{i * 7 % 240} {i * 13 % 240}" for i in range(10_000))
+MANY_POINTS = f"""kfast 1
+canvas 240 240 frames=2
+object small fill=red {{ rect 0 0 9 9 }}
+object large stroke=white width=2 {{ key 0 {{ line {ZIGZAG} }}; key 1 {{ line 0 0 9 9 }} }}
+"""
+MANY_OBJECTS = "kfast 1\ncanvas 240 240 frames=1\n" + "".join(
+    f"object dot{i} fill=red {{ circle {i % 240} {i // 10} r=2 }}\n" for i in range(2_000))
+
+
+class FitTest(CommandTest):
+    def board(self, **changes):
+        (self.folder / "desk.kdl").write_text(BOARD.format(**{**USUAL, **changes}))
+        return ("--board", "desk.kdl")
+
+    def report(self, *arguments, status=0):
+        return json.loads(self.run_kfast("fit", *arguments, "--json", status=status).stdout)
+
+    def refused(self, *arguments):
+        """The report, and what is said on standard error, line by line."""
+        told = self.run_kfast("fit", *arguments, "--json", status=1)
+        report = json.loads(told.stdout)
+        self.assertFalse(report["fits"])
+        first, *reasons = told.stderr.splitlines()
+        self.assertIn("does not fit", first)
+        self.assertEqual([reason.strip() for reason in reasons], report["reasons"])
+        return report
+
+    def test_a_scene_that_fits(self):
+        report = self.report("repeat.kfast", *self.board())
+        self.assertTrue(report["fits"])
+        self.assertEqual(report["reasons"], [])
+        self.assertEqual((report["board"], report["processor"]), ("desk", "cortex-m0+"))
+        self.assertEqual(report["panel"], {"name": "", "width": 60, "height": 40, "format": "rgb565"})
+        self.assertEqual(report["fps"]["wanted"], 30)
+
+    def test_memory_adds_up(self):
+        report = self.report("repeat.kfast", *self.board(reserved=1000))
+        info = json.loads(self.run_kfast("info", "repeat.kfast", "--json").stdout)
+        self.assertEqual(report["ram"]["block"], info["memory"]["bytes"])
+        self.assertEqual(report["ram"]["bands"], 2048)
+        self.assertEqual(report["ram"]["reserved"], 1000)
+        self.assertEqual(report["flash"]["scene"], info["bytes"])
+        self.assertGreater(report["flash"]["player"], 4096)
+        self.assertGreater(report["ram"]["stack"], 256)
+        for memory, available in (("ram", 64 * 1024), ("flash", 256 * 1024)):
+            *parts, used, free = report[memory].values()
+            self.assertEqual((sum(parts), available), (used, free))
+
+    def test_frames_are_told_in_time_and_bytes(self):
+        report = self.report("repeat.kfast", *self.board())
+        first, median, worst = (report[name] for name in ("first_picture", "median", "worst"))
+        self.assertEqual(first["bytes"], 60 * 40 * 2 + 11 * first["areas"])
+        self.assertGreater(first["instructions"], worst["instructions"])
+        self.assertGreaterEqual(worst["instructions"], median["instructions"])
+        self.assertAlmostEqual(worst["bus_ms"], worst["bytes"] / 5e6 * 1000)
+        self.assertAlmostEqual(report["fps"]["bus_worst"], 5e6 / max(worst["bytes"], median["bytes"]), delta=1)
+        self.assertEqual(worst["object"], "dot")
+
+    def test_a_faster_clock_or_fewer_cycles_take_less_time(self):
+        slow = self.report("repeat.kfast", *self.board(clock=50))["worst"]["cpu_ms"]
+        fast = self.report("repeat.kfast", *self.board(clock="100 cycles=1"))["worst"]["cpu_ms"]
+        self.assertEqual(self.report("repeat.kfast", *self.board(clock=100))["worst"]["cpu_ms"], slow / 2)
+        self.assertLess(fast, slow / 2)
+
+    def test_objects_have_the_names_of_all_that_they_lie_in(self):
+        (self.folder / "named.kfast").write_text(NAMED)
+        self.assertEqual(self.report("named.kfast", *self.board())["worst"]["object"], "face/shape")
+        self.run_kfast("compile", "named.kfast")
+        self.assertEqual(self.report("named.kfb", *self.board())["worst"]["object"], "object 1")
+
+    def test_too_little_ram_tells_how_much_and_where(self):
+        (self.folder / "large.kfast").write_text(MANY_POINTS)
+        report = self.refused("large.kfast", *self.board(ram=8))
+        excess = report["ram"]["used"] - report["ram"]["available"]
+        self.assertGreater(excess, 0)
+        reason = next(reason for reason in report["reasons"] if reason.startswith("RAM"))
+        self.assertIn(f"{excess} too many", reason)
+        self.assertIn("frame 0", reason)
+        self.assertIn("are of large", reason)
+        outlines = report["largest_outlines"]
+        self.assertEqual((outlines["object"], outlines["frame"]), ("large", 0))
+        self.assertLessEqual(outlines["object_bytes"], outlines["bytes"])
+
+    def test_too_many_objects(self):
+        (self.folder / "crowd.kfast").write_text(MANY_OBJECTS)
+        report = self.refused("crowd.kfast", *self.board(ram=64, panel="240 240"))
+        self.assertIn("too many", report["reasons"][0])
+        self.assertRegex(report["reasons"][0], r"are of dot\d+")
+
+    def test_too_little_flash(self):
+        report = self.refused("repeat.kfast", *self.board(flash=8))
+        excess = report["flash"]["used"] - 8192
+        self.assertIn(f"flash: {report['flash']['used']} bytes are needed", report["reasons"][0])
+        self.assertIn(f"{excess} too many", report["reasons"][0])
+
+    def test_what_is_reserved_counts(self):
+        self.assertTrue(self.report("repeat.kfast", *self.board(reserved=30_000))["fits"])
+        self.assertIn("reserved 60000", self.refused("repeat.kfast", *self.board(reserved=60_000))["reasons"][0])
+
+    def test_bands_that_hold_no_row(self):
+        self.assertIn("1 row of the panel takes 120", self.refused("repeat.kfast", *self.board(bands="(B)100"))["reasons"][0])
+        reason = self.refused("repeat.kfast", *self.board(bands="(B)100", panel="ssd1306"))["reasons"][0]
+        self.assertIn("8 rows of the panel take 128", reason)
+
+    def test_too_slow_for_the_frame_rate(self):
+        report = self.refused("repeat.kfast", *self.board(clock=1, bus="i2c clock=(kHz)100"))
+        self.assertIn("30 fps leave 33.3 ms", report["reasons"][-1])
+        self.assertTrue(self.report("repeat.kfast", *self.board(bus="i2c clock=(kHz)800"), "--fps", "1")["fits"])
+        self.refused("repeat.kfast", *self.board(), "--fps", "1000")
+
+    def test_late_frames_and_hasty_buses_are_noted(self):
+        report = self.report("repeat.kfast", *self.board(panel="st7735 60 40"))
+        self.assertIn("st7735 allows 15.15 MHz on its bus; here it runs at 40 MHz", " ".join(report["notes"]))
+
+    def test_for_people(self):
+        told = self.run_kfast("fit", "repeat.kfast", *self.board()).stdout
+        for row in ("flash", "RAM", "first", "median", "worst", "by CPU", "by bus", "fits        yes"):
+            self.assertIn(row, told)
+        told = self.run_kfast("fit", "repeat.kfast", *self.board(ram=2), status=1).stdout
+        self.assertIn("fits        no", told)
+
+    def test_known_boards_and_panels(self):
+        for board in ("blackpill", "bluepill", "lm3s6965evb", "pico"):
+            self.report(ROOT / "examples/robot-eyes.kfast", "--board", board)
+        report = self.report("repeat.kfast", "--board", "pico", "--panel", "ssd1351")
+        self.assertEqual(report["panel"], {"name": "ssd1351", "width": 128, "height": 128, "format": "rgb565"})
+
+    def test_wrong_boards(self):
+        self.refuse("fit", "repeat.kfast", "--board", "pica", status=1, says='did you mean "pico"?')
+        self.refuse("fit", "repeat.kfast", "--board", "none.kdl", status=1, says="none.kdl: there is no such file")
+        self.board(core="cortex-m5")
+        self.refuse("fit", "repeat.kfast", "--board", "desk.kdl", status=1, says="desk.kdl:2:10: error")
+        self.refuse("fit", "repeat.kfast", "--board", "./repeat.kfast", status=1, says="one node")
+        self.refuse("fit", "repeat.kfast", status=2, says="--board is required")
+        self.refuse("fit", "repeat.kfast", *self.board(), "--panel", "st7788", status=2, says='did you mean "st7789"?')
+        self.refuse("fit", "repeat.kfast", *self.board(), "--fps", "0", status=2, says="--fps")
+        self.refuse("compile", "repeat.kfast", "--fps", "20", status=2, says="--board")
+
+    def test_compile_refuses_what_does_not_fit(self):
+        self.board(ram=2)
+        self.refuse("compile", "repeat.kfast", "--board", "desk.kdl", status=1, says="RAM:")
+        self.assertFalse((self.folder / "repeat.kfb").exists())
+        self.board()
+        self.run_kfast("compile", "repeat.kfast", "--board", "desk.kdl")
+        self.assertTrue((self.folder / "repeat.kfb").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
