@@ -110,8 +110,16 @@ class Calibration:
             return None
         return found
 
+    def profiled(self, cpu):
+        """Sampling takes memory from the block: not all of them need find room."""
+        for name in PROFILED:
+            try:
+                yield guest.play(self.chosen.images, cpu, self.scenes[name], profile=True)
+            except guest.GuestError as error:
+                print(f"{cpu} {name}: not sampled: {error}", file=sys.stderr)
+
     def cycles(self, cpu):
-        runs = [guest.play(self.chosen.images, cpu, self.scenes[name], profile=True) for name in PROFILED]
+        runs = list(self.profiled(cpu))
         addresses = [sample.address for run in runs for frame in run.samples for sample in frame]
         return cycles.average(cpu, guest.image_for(self.chosen.images, cpu), addresses)
 

@@ -46,7 +46,7 @@ class Sketch:
             lambda: f"polygon {self.places(3, 8)}",
             lambda: f"curve {self.places(3, 7)}",
             self.curves,
-            lambda: f"ellipse {self.place()} {self.length(3, most)} {self.length(2, most)}",
+            lambda: f"ellipse {self.place()} rx={self.length(3, most)} ry={self.length(2, most)}",
             lambda: f'text {self.random.choice(("KFAST", "OCR", "ok"))} at="{self.place(",")}" size={self.length(8, most)}',
         ))()
 
@@ -60,7 +60,7 @@ class Sketch:
             style += f" stroke={self.random.choice(COLOURS)} width={self.length(0.3, 5)}"
             style += f" cap={self.random.choice(('butt', 'round', 'square'))}"
             style += f" join={self.random.choice(('miter', 'round', 'bevel'))}"
-        return style + self.random.choice(("", "", "", " opacity=0.6"))
+        return style
 
     def key_times(self):
         return [0, *sorted(self.random.sample(range(2, self.frames - 1), self.random.choice((0, 1, 1, 2, 4)))), self.frames]
