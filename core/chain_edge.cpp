@@ -13,6 +13,14 @@ T floor_divide(T dividend, std::int32_t divisor)
 
 constexpr std::int32_t short_way = (1 << 20) - 1; ///< times 1024, and half a height, it fits in 32 bits
 
+/// slope * subrow / 1024, rounded down.
+std::int32_t way_down(std::int32_t slope, std::int32_t part)
+{
+    if (part <= subrows && slope >= -short_way && slope <= short_way)
+        return slope * part >> 10;
+    return static_cast<std::int32_t>(std::int64_t{slope} * part >> 10);
+}
+
 }
 
 Fixed ChainEdge::x_at(std::int32_t subrow, std::int32_t slope) const
@@ -22,7 +30,7 @@ Fixed ChainEdge::x_at(std::int32_t subrow, std::int32_t slope) const
     if (part == whole)
         return lower.x;
     if (whole >= subrows)
-        return upper.x + Fixed::from_raw(static_cast<std::int32_t>(std::int64_t{slope} * part >> 10));
+        return upper.x + Fixed::from_raw(way_down(slope, part));
     const std::int32_t way = (lower.x - upper.x).raw(); // divided in 32 bits: less than a row is left
     return upper.x + Fixed::from_raw(way / whole * part + floor_divide(way % whole * part, whole));
 }

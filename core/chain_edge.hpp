@@ -29,12 +29,23 @@ inline const Corner& lower_end(const OutlineStore& store, const Chain& chain)
     return store.corner(chain.runs_up != 0 ? chain.first - way : chain.first + way);
 }
 
-/// Likewise.
+/// The edge of a chain that has `passed` others above it.
+inline ChainEdge edge_of(const OutlineStore& store, const Chain& chain, std::int32_t passed)
+{
+    const Corner& upper = store.corner(chain.runs_up != 0 ? chain.first - passed : chain.first + passed);
+    return {upper, chain.runs_up != 0 ? *(&upper - 1) : *(&upper + 1)};
+}
+
+/// The edge that a sweep stands in. Only while edges are left.
 inline ChainEdge current_edge(const OutlineStore& store, const Chain& chain)
 {
-    const std::int32_t way = chain.runs_up != 0 ? -1 : 1;
-    const std::int32_t upper = chain.first + way * chain.passed;
-    return {store.corner(upper), store.corner(upper + way)};
+    return edge_of(store, chain, chain.passed);
+}
+
+/// The edge below that. Only while another one is left.
+inline ChainEdge following_edge(const OutlineStore& store, const Chain& chain)
+{
+    return edge_of(store, chain, chain.passed + 1);
 }
 
 }

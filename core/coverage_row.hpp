@@ -65,14 +65,15 @@ void CoverageRow::take_spans(Paint&& paint)
         begin = x;
         level = to;
     };
-    did(Work::cell, static_cast<std::uint32_t>(touched_.width()));
-    for (const Run run : touched_.runs())
+    for (const Run& run : touched_.runs()) {
+        did(Work::cell, static_cast<std::uint32_t>(run.width()));
         for (int x = run.begin; x < run.end && x < width_; ++x) {
             std::int32_t& cell = cells_[x];
             area += cell;
             cell = 0;
             change_at(x, level_of(area));
         }
+    }
     change_at(width_, 0);
     cells_[width_] = cells_[width_ + 1] = 0;
     touched_.clear();

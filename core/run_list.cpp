@@ -6,7 +6,7 @@ namespace kfast {
 int RunList::width() const
 {
     int sum = 0;
-    for (const Run run : runs())
+    for (const Run& run : runs())
         sum += run.width();
     return sum;
 }
@@ -29,7 +29,7 @@ void RunList::insert(Run run)
         run.end = std::max(run.end, runs_[behind++].end);
     runs_[at] = run;
     std::copy(runs_.begin() + behind, runs_.begin() + count_, runs_.begin() + at + 1);
-    count_ -= behind - at - 1;
+    count_ = static_cast<std::uint16_t>(count_ - (behind - at - 1));
     if (count_ > most)
         join_nearest();
 }

@@ -9,9 +9,9 @@
 namespace kfast {
 
 /// A stretch of columns of a row, its end not included.
-struct Run {
-    std::int16_t begin = 0;
-    std::int16_t end = 0;
+struct alignas(4) Run { // a word is copied by a load and a store, two halves by a call
+    std::int16_t begin;
+    std::int16_t end;
 
     constexpr int width() const { return end - begin; }
     friend constexpr bool operator==(Run, Run) = default;
@@ -23,9 +23,9 @@ class RunList {
 public:
     static constexpr std::size_t most = 12;
 
-    RunList() = default;
     /// Runs with fewer than `gap` columns between them are one.
     explicit RunList(int gap) : gap_{static_cast<std::int16_t>(gap)} {}
+    RunList() : RunList{1} {}
 
     /// 0 <= begin < end <= 4098.
     void add(int begin, int end)
@@ -47,13 +47,25 @@ public:
     /// Columns of all runs.
     int width() const;
 
+    RunList(const RunList& other) : count_{other.count_}, gap_{other.gap_}
+    {
+        std::copy_n(other.runs_.data(), count_, runs_.data());
+    }
+    RunList& operator=(const RunList& other)
+    {
+        count_ = other.count_;
+        gap_ = other.gap_;
+        std::copy_n(other.runs_.data(), count_, runs_.data());
+        return *this;
+    }
+
 private:
     void insert(Run run);
     void join_nearest();
 
-    std::array<Run, most + 1> runs_;
-    std::size_t count_ = 0;
-    std::int16_t gap_ = 1;
+    std::array<Run, most + 1> runs_; // not initialized: a list is made for every row
+    std::uint16_t count_ = 0;
+    std::int16_t gap_;
 };
 
 }

@@ -15,7 +15,10 @@
 #include "core/work.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace kfast {
@@ -100,50 +103,82 @@ private:
         return true;
     }
 
-    /// Most rows: single edges run through, each to the left of the next. Whether it was such a row.
+    /// Most rows: chains run through, each to the left of the next, with no more than a slight bend. Whether
+    /// it was such a row.
     bool take_straight_row(Crossings& crossings, bool wants_coverage)
     {
         if (layer_.waiting != layer_.outlines.end_chain && next_top() < bottom_)
             return false;
-        Fixed last = Fixed::from_raw(std::numeric_limits<std::int32_t>::min());
+        std::array<std::int32_t, Crossings::most> ends;   // of the chains, in 1/65536 px
+        std::array<std::int32_t, Crossings::most> slopes; // of the next edges, of chains that are bent
+        std::uint32_t bent = 0;                           // a bit for each chain
+        std::int32_t last = std::numeric_limits<std::int32_t>::min();
         std::size_t count = 0;
         for (std::uint16_t i = layer_.active; i != Chain::none; ++count) {
             const Chain& chain = store_.chain(i);
-            if (lower_end(store_, chain).y <= bottom_ || count == Crossings::most)
+            if (count == Crossings::most)
                 return false;
-            const Fixed end = chain.x + Fixed::from_raw(chain.slope);
-            if (chain.x < last || end < last)
+            std::int32_t end = chain.x.raw() + chain.slope;
+            if (lower_end(store_, chain).y <= bottom_) {
+                const std::optional<ChainEdge> next = edge_behind_slight_bend(chain, slopes[count]);
+                if (!next)
+                    return false;
+                end = next->x_at(bottom_, slopes[count]).raw();
+                bent |= 1U << count;
+            }
+            if (chain.x.raw() < last || end < last)
                 return false;
-            last = std::max(chain.x, end);
+            ends[count] = end;
+            last = std::max(chain.x.raw(), end);
             i = chain.next;
         }
         std::int32_t winding = 0;
-        for (std::uint16_t i = layer_.active; i != Chain::none;) {
+        count = 0;
+        for (std::uint16_t i = layer_.active; i != Chain::none; ++count) {
             Chain& chain = store_.chain(i);
-            const Fixed begin = chain.x;
-            chain.x = begin + Fixed::from_raw(chain.slope);
             i = chain.next;
+            const Fixed begin = chain.x;
+            chain.x = Fixed::from_raw(ends[count]);
+            if ((bent >> count & 1) != 0) {
+                ++chain.passed;
+                chain.slope = slopes[count];
+            }
             const bool was_inside = is_inside(winding);
             winding += chain.winding();
             if (is_inside(winding) == was_inside)
                 continue;
-            crossings.borders[crossings.count++] = {.left = std::min(begin, chain.x),
-                                                    .right = std::max(begin, chain.x),
-                                                    .leans_left = chain.x < begin};
+            crossings.borders[crossings.count++] = {.top = begin, .bottom = chain.x};
             if (wants_coverage)
                 coverage_.add(begin, chain.x, subrows, was_inside ? -1 : 1);
         }
         return true;
     }
 
+    /// The next edge of a chain whose present one ends in the row, if that is all there is to it.
+    std::optional<ChainEdge> edge_behind_slight_bend(const Chain& chain, std::int32_t& slope) const
+    {
+        constexpr std::int32_t slight = Fixed::one / 8; // the triangle on the chord has an area of 1/8 of it
+        if (chain.passed + 1 == chain.edges)
+            return std::nullopt;
+        const ChainEdge before = current_edge(store_, chain);
+        const ChainEdge edge = following_edge(store_, chain);
+        if (before.height() < subrows || edge.height() < subrows || edge.lower.y <= bottom_)
+            return std::nullopt;
+        did(Work::edge);
+        slope = row_slope(edge);
+        if (before.lower.y != bottom_ && std::abs(slope - chain.slope) > slight)
+            return std::nullopt;
+        return edge;
+    }
+
     /// What a row cuts out of a chain.
     struct Part {
-        std::uint16_t chain = 0;
-        bool is_straight = true; ///< and runs through the row
-        bool has_corner = false; ///< within the row
-        std::int8_t winding = 0;
-        std::int32_t top = 0;
-        std::int32_t bottom = 0;
+        std::uint16_t chain;
+        std::int8_t winding;
+        bool is_straight; ///< and runs through the row
+        bool has_corner;  ///< within the row
+        std::int32_t top;
+        std::int32_t bottom;
         Fixed begin; ///< x at the top
         Fixed left;
         Fixed right;
@@ -172,9 +207,10 @@ private:
         if (part_count_ == most_parts)
             return false;
         did(Work::part);
-        const Part part = lower_end(store_, chain).y > bottom_ && number < layer_.waiting
-                              ? straight_part(number, chain)
-                              : bent_part(number, chain);
+        Part part = lower_end(store_, chain).y > bottom_ && number < layer_.waiting ? straight_part(chain)
+                                                                                    : bent_part(chain);
+        part.chain = number;
+        part.winding = static_cast<std::int8_t>(chain.winding());
         std::size_t at = part_count_++;
         for (; at > 0 && part.left < parts_[at - 1].left; --at)
             parts_[at] = parts_[at - 1];
@@ -182,11 +218,13 @@ private:
         return true;
     }
 
-    Part straight_part(std::uint16_t number, const Chain& chain) const
+    Part straight_part(const Chain& chain) const
     {
         const Fixed end = chain.x + Fixed::from_raw(chain.slope);
-        return {.chain = number,
-                .winding = static_cast<std::int8_t>(chain.winding()),
+        return {.chain = 0,
+                .winding = 0,
+                .is_straight = true,
+                .has_corner = false,
                 .top = y_,
                 .bottom = bottom_,
                 .begin = chain.x,
@@ -194,13 +232,16 @@ private:
                 .right = std::max(chain.x, end)};
     }
 
-    Part bent_part(std::uint16_t number, Chain chain) const
+    Part bent_part(const Chain& chain) const
     {
         did(Work::bent_part);
-        Part part{.chain = number,
+        std::int32_t passed = chain.passed;
+        ChainEdge edge = edge_of(store_, chain, passed);
+        Part part{.chain = 0,
+                  .winding = 0,
                   .is_straight = false,
-                  .winding = static_cast<std::int8_t>(chain.winding()),
-                  .top = std::max(y_, current_edge(store_, chain).upper.y),
+                  .has_corner = false,
+                  .top = std::max(y_, edge.upper.y),
                   .bottom = bottom_,
                   .begin = chain.x,
                   .left = chain.x,
@@ -209,11 +250,10 @@ private:
             part.left = std::min(part.left, x);
             part.right = std::max(part.right, x);
         };
-        ChainEdge edge = current_edge(store_, chain);
-        for (; edge.lower.y < bottom_; edge = current_edge(store_, chain)) {
+        for (; edge.lower.y < bottom_; edge = edge_of(store_, chain, passed)) {
             stretch(edge.lower.x);
             part.has_corner = true;
-            if (++chain.passed == chain.edges) {
+            if (++passed == chain.edges) {
                 part.bottom = edge.lower.y;
                 return part;
             }
@@ -250,12 +290,16 @@ private:
             const bool was_inside = is_inside(winding);
             winding += part.winding;
             if (is_inside(winding) != was_inside)
-                crossings.borders[crossings.count++] = {.left = part.left,
-                                                        .right = part.right,
-                                                        .leans_left = part.left != part.begin,
-                                                        .is_bent = part.has_corner};
+                crossings.borders[crossings.count++] = crossing_of(part);
         }
         return true;
+    }
+
+    static Crossing crossing_of(const Part& part)
+    {
+        if (part.has_corner || part.left == part.begin)
+            return {.top = part.left, .bottom = part.right, .is_bent = part.has_corner};
+        return {.top = part.right, .bottom = part.left};
     }
 
     /// Moves the chains below the row and adds what they enclose there.

@@ -4,6 +4,7 @@
 #include "core/layer.hpp"
 #include "core/outline_store.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -15,10 +16,12 @@ Layer layer_of(OutlineStore& store, const OutlineRange& outlines);
 
 /// Where a border of what is filled runs through a row.
 struct Crossing {
-    Fixed left;
-    Fixed right;
-    bool leans_left = false; ///< it enters the row at its right end
-    bool is_bent = false;    ///< it is not straight
+    Fixed top;            ///< x at the upper border of the row; of a bent one the leftmost x
+    Fixed bottom;         ///< x at the lower border; the rightmost one
+    bool is_bent = false; ///< it is not straight
+
+    Fixed left() const { return std::min(top, bottom); }
+    Fixed right() const { return std::max(top, bottom); }
 
     friend bool operator==(const Crossing&, const Crossing&) = default;
 };
@@ -36,6 +39,9 @@ struct Crossings {
 /// Sweeps one row. If borders run through all of it without touching each other, it tells where and returns
 /// true. What they enclose, by the fill rule of the layer, is added to `coverage`, which is empty; this is
 /// left out if they run through and `wants_coverage` is false.
+///
+/// Areas are exact, but for a slight bend within a row, up to 7 degrees where the edge is upright: the chord
+/// that stands for it there is off by 1/64 of a pixel's area at most.
 ///
 /// Rows may come in any order; from one to the next below it is cheap.
 bool sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage, Crossings& crossings,
