@@ -25,19 +25,19 @@ std::int32_t way_down(std::int32_t slope, std::int32_t part)
 
 Fixed ChainEdge::x_at(std::int32_t subrow, std::int32_t slope) const
 {
-    const std::int32_t part = subrow - upper.y;
+    const std::int32_t part = subrow - upper->y;
     const std::int32_t whole = height();
     if (part == whole)
-        return lower.x;
+        return lower->x;
     if (whole >= subrows)
-        return upper.x + Fixed::from_raw(way_down(slope, part));
-    const std::int32_t way = (lower.x - upper.x).raw(); // divided in 32 bits: less than a row is left
-    return upper.x + Fixed::from_raw(way / whole * part + floor_divide(way % whole * part, whole));
+        return upper->x + Fixed::from_raw(way_down(slope, part));
+    const std::int32_t way = (lower->x - upper->x).raw(); // divided in 32 bits: less than a row is left
+    return upper->x + Fixed::from_raw(way / whole * part + floor_divide(way % whole * part, whole));
 }
 
 std::int32_t row_slope(const ChainEdge& edge)
 {
-    const std::int64_t way = std::int64_t{edge.lower.x.raw()} - edge.upper.x.raw();
+    const std::int64_t way = std::int64_t{edge.lower->x.raw()} - edge.upper->x.raw();
     const std::int32_t half = edge.height() / 2;
     if (way >= -short_way && way <= short_way)
         return floor_divide<std::int32_t>(static_cast<std::int32_t>(way) * subrows + half, edge.height());

@@ -6,12 +6,12 @@
 
 namespace kfast {
 
-/// The edge of a chain that a sweep stands in.
+/// The edge of a chain that a sweep stands in: two corners of a store, which must outlive it.
 struct ChainEdge {
-    Corner upper;
-    Corner lower;
+    const Corner* upper;
+    const Corner* lower;
 
-    std::int32_t height() const { return lower.y - upper.y; }
+    std::int32_t height() const { return lower->y - upper->y; }
 
     /// x at a sub-row from its upper to its lower end, rounded down to 1/65536 px; `slope` is row_slope(),
     /// if it is a row high.
@@ -32,8 +32,8 @@ inline const Corner& lower_end(const OutlineStore& store, const Chain& chain)
 /// The edge of a chain that has `passed` others above it.
 inline ChainEdge edge_of(const OutlineStore& store, const Chain& chain, std::int32_t passed)
 {
-    const Corner& upper = store.corner(chain.runs_up != 0 ? chain.first - passed : chain.first + passed);
-    return {upper, chain.runs_up != 0 ? *(&upper - 1) : *(&upper + 1)};
+    const Corner* upper = &store.corner(chain.runs_up != 0 ? chain.first - passed : chain.first + passed);
+    return {upper, chain.runs_up != 0 ? upper - 1 : upper + 1};
 }
 
 /// The edge that a sweep stands in. Only while edges are left.

@@ -28,22 +28,24 @@ public:
         return std::ranges::any_of(coming_.steps(), moves) || std::ranges::any_of(shown_.steps(), moves);
     }
 
-    /// Stores what covers `row` in the coming picture from `first` on, and marks what changes. Returns the
-    /// end of the spans; has_room() tells whether these are all.
+    /// Stores what the changing layers of the coming picture cover of `row` from `first` on, and marks what
+    /// changes. Returns the end of the spans; has_room() tells whether these are all.
     std::uint16_t search(int row, std::uint16_t first, RunList& changed)
     {
         did(Work::searched_row);
         did(Work::step_visit, static_cast<std::uint32_t>(coming_.step_count + shown_.step_count));
         end_ = first;
         for (std::size_t i = 0; i < coming_.step_count; ++i) {
-            work_for(coming_.steps()[i].item);
+            const PaintStep& step = coming_.steps()[i];
+            if (step.change == Change::none)
+                continue;
+            work_for(step.item);
             const std::uint16_t begin = end_;
             coming_borders_.count = 0;
             const bool runs_through = sweep(i, row);
-            PaintStep& step = coming_.steps()[i];
             if (step.change == Change::outlines)
                 compare(shown_.steps()[step.partner], row, runs_through, spans_from(begin), changed);
-            else if (step.change == Change::all)
+            else
                 mark_all(step, row, spans_from(begin), changed);
         }
         for (PaintStep& step : shown_.steps())

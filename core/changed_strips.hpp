@@ -42,7 +42,7 @@ public:
     /// With the same pictures, which differ from begin() in their sweeps only. `coverage` is empty.
     const Strip& next(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage,
                       const AreaRules& rules);
-    /// What covers row `row` of the last strip, step by step.
+    /// What changing layers cover of row `row` of the last strip, step by step.
     std::span<const CoveredSpan> spans(int row) const
     {
         const auto i = static_cast<std::size_t>(row);

@@ -1,6 +1,7 @@
 #include "core/coverage_row.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -61,24 +62,29 @@ void CoverageRow::add_clipped(std::int32_t left, std::int32_t right, std::int32_
 /// The height is divided over the pixels by whole sub-rows, the remainder carried along: nothing is lost.
 void CoverageRow::add_across(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign)
 {
-    const std::int32_t run = right - left;
-    const std::int32_t first = left >> column_bits;
+    const auto run = static_cast<std::uint32_t>(right - left);
     const std::int32_t last = right >> column_bits;
-    const std::int32_t in_first = columns - (left & (columns - 1));
-    std::int32_t part = height * in_first / run;
-    std::int32_t carry = height * in_first % run;
+    std::int32_t cell = left >> column_bits;
+    const std::int32_t before = left & (columns - 1);
+    const auto divided = [=](std::int32_t part) {
+        const std::uint32_t product = static_cast<std::uint32_t>(height * part);
+        const std::uint32_t quotient = product / run;
+        return std::pair{static_cast<std::int32_t>(quotient), product - quotient * run};
+    };
+    auto [part, carry] = divided(columns - before);
     std::int32_t rest = height - part;
-    deposit(first, sign * part, (left & (columns - 1)) + columns);
-    const std::int32_t each = height * columns / run;
-    const std::int32_t each_carry = height * columns % run;
-    for (std::int32_t cell = first + 1; cell < last; ++cell) {
-        carry += each_carry;
-        part = each + (carry >= run ? 1 : 0);
-        carry -= carry >= run ? run : 0;
-        rest -= part;
-        deposit(cell, sign * part, columns);
+    deposit(cell, sign * part, before + columns);
+    if (++cell < last) {
+        const auto [each, each_carry] = divided(columns);
+        for (; cell < last; ++cell) {
+            carry += each_carry;
+            part = each + (carry >= run ? 1 : 0);
+            carry -= carry >= run ? run : 0;
+            rest -= part;
+            deposit(cell, sign * part, columns);
+        }
     }
-    deposit(last, sign * rest, (right & (columns - 1)));
+    deposit(last, sign * rest, right & (columns - 1));
 }
 
 /// `ends` is the sum of the columns within the pixel where the edge begins and ends.

@@ -239,6 +239,8 @@ template <PixelFormat format>
 void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans)
 {
     painter<format>(windows, row).paint(coming(), scene().colour(0), [&](std::size_t step, auto paint) {
+        if (coming().steps()[step].change == PaintStep::Change::none)
+            return sweep_layer(step, row, paint);
         for (; !spans.empty() && spans.front().step == step; spans = spans.subspan(1))
             paint(spans.front().begin, spans.front().end, spans.front().level);
     });
@@ -248,9 +250,15 @@ template <PixelFormat format>
 void Player::sweep_and_paint(std::span<const RowWindow> windows, int row)
 {
     painter<format>(windows, row).paint(coming(), scene().colour(0), [&](std::size_t step, auto paint) {
-        sweep_row(coming().outlines, coming().steps()[step].layer, row, coverage_);
-        coverage_.take_spans(paint);
+        sweep_layer(step, row, paint);
     });
+}
+
+template <class Paint>
+void Player::sweep_layer(std::size_t step, int row, Paint& paint)
+{
+    sweep_row(coming().outlines, coming().steps()[step].layer, row, coverage_);
+    coverage_.take_spans(paint);
 }
 
 template <PixelFormat format>

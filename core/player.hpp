@@ -86,6 +86,8 @@ private:
     void paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans);
     template <PixelFormat format>
     void sweep_and_paint(std::span<const RowWindow> windows, int row);
+    template <class Paint>
+    void sweep_layer(std::size_t step, int row, Paint& paint);
     template <PixelFormat format>
     RowPainter<format> painter(std::span<const RowWindow> windows, int row);
 

@@ -61,6 +61,8 @@ public:
 
 private:
     void insert(Run run);
+    void make_room(std::size_t at);
+    void close_gap(std::size_t at, std::size_t behind);
     void join_nearest();
 
     std::array<Run, most + 1> runs_; // not initialized: a list is made for every row

@@ -18,7 +18,6 @@
 #include <array>
 #include <cstdlib>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace kfast {
@@ -84,7 +83,7 @@ private:
     {
         did(Work::edge);
         const ChainEdge edge = current_edge(store_, chain);
-        chain.x = edge.upper.x;
+        chain.x = edge.upper->x;
         if (edge.height() >= subrows)
             chain.slope = row_slope(edge);
     }
@@ -93,7 +92,7 @@ private:
     bool move_to(Chain& chain, std::int32_t subrow) const
     {
         ChainEdge edge = current_edge(store_, chain);
-        while (edge.lower.y <= subrow) {
+        while (edge.lower->y <= subrow) {
             if (++chain.passed == chain.edges)
                 return false;
             enter_edge(chain);
@@ -120,10 +119,9 @@ private:
                 return false;
             std::int32_t end = chain.x.raw() + chain.slope;
             if (lower_end(store_, chain).y <= bottom_) {
-                const std::optional<ChainEdge> next = edge_behind_slight_bend(chain, slopes[count]);
-                if (!next)
+                if (!bends_slightly(chain, slopes[count]))
                     return false;
-                end = next->x_at(bottom_, slopes[count]).raw();
+                end = following_edge(store_, chain).x_at(bottom_, slopes[count]).raw();
                 bent |= 1U << count;
             }
             if (chain.x.raw() < last || end < last)
@@ -147,28 +145,27 @@ private:
             winding += chain.winding();
             if (is_inside(winding) == was_inside)
                 continue;
-            crossings.borders[crossings.count++] = {.top = begin, .bottom = chain.x};
+            crossings.add(begin, chain.x, false);
             if (wants_coverage)
                 coverage_.add(begin, chain.x, subrows, was_inside ? -1 : 1);
         }
         return true;
     }
 
-    /// The next edge of a chain whose present one ends in the row, if that is all there is to it.
-    std::optional<ChainEdge> edge_behind_slight_bend(const Chain& chain, std::int32_t& slope) const
+    /// Whether the chain, whose edge ends in the row, goes on through it as another one, of `slope`, that
+    /// stands nearly in the same direction.
+    bool bends_slightly(const Chain& chain, std::int32_t& slope) const
     {
         constexpr std::int32_t slight = Fixed::one / 8; // the triangle on the chord has an area of 1/8 of it
         if (chain.passed + 1 == chain.edges)
-            return std::nullopt;
+            return false;
         const ChainEdge before = current_edge(store_, chain);
         const ChainEdge edge = following_edge(store_, chain);
-        if (before.height() < subrows || edge.height() < subrows || edge.lower.y <= bottom_)
-            return std::nullopt;
+        if (before.height() < subrows || edge.height() < subrows || edge.lower->y <= bottom_)
+            return false;
         did(Work::edge);
         slope = row_slope(edge);
-        if (before.lower.y != bottom_ && std::abs(slope - chain.slope) > slight)
-            return std::nullopt;
-        return edge;
+        return before.lower->y == bottom_ || std::abs(slope - chain.slope) <= slight;
     }
 
     /// What a row cuts out of a chain.
@@ -179,9 +176,9 @@ private:
         bool has_corner;  ///< within the row
         std::int32_t top;
         std::int32_t bottom;
-        Fixed begin; ///< x at the top
-        Fixed left;
-        Fixed right;
+        Fixed begin{}; ///< x at the top
+        Fixed left{};
+        Fixed right{};
     };
 
     static constexpr std::size_t most_parts = 12;
@@ -207,74 +204,73 @@ private:
         if (part_count_ == most_parts)
             return false;
         did(Work::part);
-        Part part = lower_end(store_, chain).y > bottom_ && number < layer_.waiting ? straight_part(chain)
-                                                                                    : bent_part(chain);
+        Part& part = parts_[part_count_];
+        if (lower_end(store_, chain).y > bottom_ && number < layer_.waiting)
+            make_straight(part, chain);
+        else
+            make_bent(part, chain);
         part.chain = number;
         part.winding = static_cast<std::int8_t>(chain.winding());
         std::size_t at = part_count_++;
-        for (; at > 0 && part.left < parts_[at - 1].left; --at)
-            parts_[at] = parts_[at - 1];
-        parts_[at] = part;
+        for (; at > 0 && part.left < parts_[order_[at - 1]].left; --at)
+            order_[at] = order_[at - 1];
+        order_[at] = static_cast<std::uint8_t>(part_count_ - 1);
         return true;
     }
 
-    Part straight_part(const Chain& chain) const
+    void make_straight(Part& part, const Chain& chain) const
     {
         const Fixed end = chain.x + Fixed::from_raw(chain.slope);
-        return {.chain = 0,
-                .winding = 0,
-                .is_straight = true,
-                .has_corner = false,
-                .top = y_,
-                .bottom = bottom_,
-                .begin = chain.x,
-                .left = std::min(chain.x, end),
-                .right = std::max(chain.x, end)};
+        part.is_straight = true;
+        part.has_corner = false;
+        part.top = y_;
+        part.bottom = bottom_;
+        part.begin = chain.x;
+        part.left = std::min(chain.x, end);
+        part.right = std::max(chain.x, end);
     }
 
-    Part bent_part(const Chain& chain) const
+    void make_bent(Part& part, const Chain& chain) const
     {
         did(Work::bent_part);
         std::int32_t passed = chain.passed;
         ChainEdge edge = edge_of(store_, chain, passed);
-        Part part{.chain = 0,
-                  .winding = 0,
-                  .is_straight = false,
-                  .has_corner = false,
-                  .top = std::max(y_, edge.upper.y),
-                  .bottom = bottom_,
-                  .begin = chain.x,
-                  .left = chain.x,
-                  .right = chain.x};
+        part.is_straight = false;
+        part.has_corner = false;
+        part.top = std::max(y_, edge.upper->y);
+        part.bottom = bottom_;
+        part.begin = part.left = part.right = chain.x;
         const auto stretch = [&part](Fixed x) {
             part.left = std::min(part.left, x);
             part.right = std::max(part.right, x);
         };
-        for (; edge.lower.y < bottom_; edge = edge_of(store_, chain, passed)) {
-            stretch(edge.lower.x);
+        for (; edge.lower->y < bottom_; edge = edge_of(store_, chain, passed)) {
+            stretch(edge.lower->x);
             part.has_corner = true;
             if (++passed == chain.edges) {
-                part.bottom = edge.lower.y;
-                return part;
+                part.bottom = edge.lower->y;
+                return;
             }
         }
         stretch(edge.x_at(bottom_, edge.height() >= subrows ? row_slope(edge) : 0));
-        return part;
     }
+
+    /// From left to right.
+    const Part& part(std::size_t number) const { return parts_[order_[number]]; }
 
     /// Whether each part lies wholly to the left of the next and has the same winding number to its left all
     /// along: what does not run through the row comes in pairs that enclose something.
     bool parts_stand_apart() const
     {
         for (std::size_t i = 1; i < part_count_; ++i)
-            if (parts_[i].left < parts_[i - 1].right)
+            if (part(i).left < part(i - 1).right)
                 return false;
         for (std::size_t i = 0; i < part_count_; ++i) {
-            const Part& a = parts_[i];
+            const Part& a = part(i);
             if (a.top == y_ && a.bottom == bottom_)
                 continue;
-            if (++i == part_count_ || parts_[i].top != a.top || parts_[i].bottom != a.bottom ||
-                parts_[i].winding + a.winding != 0)
+            if (++i == part_count_ || part(i).top != a.top || part(i).bottom != a.bottom ||
+                part(i).winding + a.winding != 0)
                 return false;
         }
         return true;
@@ -284,22 +280,24 @@ private:
     bool find_crossings(Crossings& crossings) const
     {
         std::int32_t winding = 0;
-        for (const Part& part : std::span{parts_}.first(part_count_)) {
+        for (std::size_t i = 0; i < part_count_; ++i) {
+            const Part& part = this->part(i);
             if (part.top != y_ || part.bottom != bottom_)
                 return false;
             const bool was_inside = is_inside(winding);
             winding += part.winding;
             if (is_inside(winding) != was_inside)
-                crossings.borders[crossings.count++] = crossing_of(part);
+                add_crossing(part, crossings);
         }
         return true;
     }
 
-    static Crossing crossing_of(const Part& part)
+    static void add_crossing(const Part& part, Crossings& crossings)
     {
         if (part.has_corner || part.left == part.begin)
-            return {.top = part.left, .bottom = part.right, .is_bent = part.has_corner};
-        return {.top = part.right, .bottom = part.left};
+            crossings.add(part.left, part.right, part.has_corner);
+        else
+            crossings.add(part.right, part.left, false);
     }
 
     /// Moves the chains below the row and adds what they enclose there.
@@ -307,7 +305,8 @@ private:
     {
         std::int32_t winding = 0;
         std::uint16_t* link = &layer_.active;
-        for (const Part& part : std::span{parts_}.first(part_count_)) {
+        for (std::size_t i = 0; i < part_count_; ++i) {
+            const Part& part = this->part(i);
             const bool was_inside = is_inside(winding);
             winding += part.winding;
             const std::int32_t sign = !wants_coverage || is_inside(winding) == was_inside ? 0
@@ -338,9 +337,9 @@ private:
     bool take_bent_part(Chain& chain, std::int32_t y, std::int32_t sign)
     {
         ChainEdge edge = current_edge(store_, chain);
-        for (; edge.lower.y <= bottom_; edge = current_edge(store_, chain)) {
-            coverage_.add(chain.x, edge.lower.x, edge.lower.y - y, sign);
-            y = edge.lower.y;
+        for (; edge.lower->y <= bottom_; edge = current_edge(store_, chain)) {
+            coverage_.add(chain.x, edge.lower->x, edge.lower->y - y, sign);
+            y = edge.lower->y;
             if (++chain.passed == chain.edges)
                 return false;
             enter_edge(chain);
@@ -371,7 +370,7 @@ private:
         if (layer_.waiting != layer_.outlines.end_chain)
             end = std::min(end, next_top());
         for (std::uint16_t i = layer_.active; i != Chain::none; i = store_.chain(i).next)
-            end = std::min(end, current_edge(store_, store_.chain(i)).lower.y);
+            end = std::min(end, current_edge(store_, store_.chain(i)).lower->y);
         return end;
     }
 
@@ -461,6 +460,7 @@ private:
     std::int32_t bottom_;
     std::int32_t slab_end_ = 0;
     std::array<Part, most_parts> parts_;
+    std::array<std::uint8_t, most_parts> order_; ///< numbers of parts, from left to right
     std::size_t part_count_ = 0;
 };
 

@@ -33,6 +33,14 @@ struct Crossings {
     std::array<Crossing, most> borders;
     std::size_t count = 0;
 
+    void add(Fixed top, Fixed bottom, bool is_bent)
+    {
+        Crossing& added = borders[count++]; // one after the other: a whole one is copied by a call
+        added.top = top;
+        added.bottom = bottom;
+        added.is_bent = is_bent;
+    }
+
     std::span<const Crossing> list() const { return std::span{borders}.first(count); }
 };
 
