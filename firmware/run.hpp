@@ -39,11 +39,12 @@ void draw_frame(B& board, Animation& player)
 template <Board B>
 void advance(B& board, Playhead& playhead, std::uint32_t frames)
 {
-    playhead.advance(std::int64_t{frames} * Time::ticks_per_frame,
-                     [&board]([[maybe_unused]] const EventView& event) {
-                         if constexpr (EventBoard<B>)
-                             board.event_passed(event);
-                     });
+    playhead.advance(std::int64_t{frames} * Time::ticks_per_frame, [&board](const EventView& event) {
+        if constexpr (EventBoard<B>)
+            board.event_passed(event);
+        else
+            static_cast<void>(board), static_cast<void>(event);
+    });
 }
 
 /// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of

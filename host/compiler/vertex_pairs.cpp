@@ -18,16 +18,16 @@ Spot unit(Spot direction)
     return length > 0 ? (1 / length) * direction : Spot{};
 }
 
-Corner corner_between(const MeasuredSegment& before, const MeasuredSegment& after)
+StrokeCorner corner_between(const MeasuredSegment& before, const MeasuredSegment& after)
 {
     constexpr double cosine = 0.8660254037844386; // of 30 degrees
     const Spot in = -1.0 * unit(direction(reversed(before)));
     const Spot out = unit(direction(after));
-    return dot(in, out) < cosine ? Corner{in, out} : Corner{};
+    return dot(in, out) < cosine ? StrokeCorner{in, out} : StrokeCorner{};
 }
 
 /// 1 for corners that point alike, 0 for those at right angles and for vertices that are none.
-double likeness(const Corner& a, const Corner& b)
+double likeness(const StrokeCorner& a, const StrokeCorner& b)
 {
     return std::max(0.0, (dot(a.in, b.in) + dot(a.out, b.out)) / 2);
 }
@@ -106,7 +106,7 @@ void add_links(const StrokeVertices& a, std::size_t i, const StrokeVertices& b, 
 StrokeVertices vertices_of(const MeasuredStroke& stroke)
 {
     StrokeVertices vertices{positions_of(stroke), {}};
-    const Corner ends = is_closed(stroke) ? corner_between(stroke.back(), stroke.front()) : Corner{};
+    const StrokeCorner ends = is_closed(stroke) ? corner_between(stroke.back(), stroke.front()) : StrokeCorner{};
     vertices.corners.push_back(ends);
     for (std::size_t i = 1; i < stroke.size(); ++i)
         vertices.corners.push_back(corner_between(stroke[i - 1], stroke[i]));

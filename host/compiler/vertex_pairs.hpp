@@ -12,7 +12,7 @@ namespace kfast {
 
 /// The directions in which a stroke reaches and leaves a vertex: of length 1, or 0 where it does not turn by
 /// more than 30 degrees.
-struct Corner {
+struct StrokeCorner {
     Spot in;
     Spot out;
 };
@@ -20,7 +20,7 @@ struct Corner {
 /// The vertices of a stroke, in its direction.
 struct StrokeVertices {
     std::vector<double> positions; ///< shares of the length, never falling
-    std::vector<Corner> corners;   ///< none at the ends of an open stroke
+    std::vector<StrokeCorner> corners;   ///< none at the ends of an open stroke
 };
 
 /// `stroke` has a segment.

@@ -93,12 +93,12 @@ std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading);
 /// names.
 void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Reading& reading);
 
-/// Whether there was a value; then `target` has it.
+/// Whether there was a value; then `target`, whose type holds it, has it.
 template <class T, class U>
 bool assign(const std::optional<T>& value, U& target)
 {
     if (value)
-        target = *value;
+        target = static_cast<U>(*value);
     return value.has_value();
 }
 

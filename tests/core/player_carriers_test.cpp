@@ -67,7 +67,7 @@ struct Band {
         RawDrawings drawings;
         const Bytes forms =
             joined({bytes({0, 0}), varint(drawings.add(form)), bytes({20, 0}), varint(drawings.add(moved))});
-        const Bytes key = joined({bytes({0, 0, 1}), varint(drawings.add(relative))});
+        const Bytes key = joined({bytes({0, 0}), varint(drawings.add(relative))});
         raw.items = moving::carried(joined({bytes({0, 8}), block(forms)}), key);
         raw.drawings = drawings.bytes();
         return raw;
@@ -147,8 +147,8 @@ TEST_CASE("a way leads to its arrival drawing, and the next one begins with the 
     const std::uint32_t own = drawings.add(band.relative);
     const std::uint32_t arrival =
         drawings.add({{stroke_of(16, 0, {line_to(24, 0), line_to(16, -8), line_to(16, 0)})}});
-    const Bytes keys = joined({bytes({0, 0, 1}), varint(own), varint(arrival), //
-                               bytes({8, 0, 1}), varint(own), varint(own)});
+    const Bytes keys = joined({bytes({0, 0}), varint(own), varint(arrival), //
+                               bytes({8, 0}), varint(own), varint(own)});
     scene.items = moving::carried(joined({bytes({0, 8}), block(forms)}), keys, 0x40);
     scene.drawings = drawings.bytes();
     const scene::Drawing half{{stroke_of(25, 20, {line_to(40, 15), line_to(30, 25), line_to(25, 20)})}};

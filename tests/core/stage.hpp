@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,14 @@
 namespace kfast::test {
 
 using Bytes = std::vector<std::byte>;
+
+inline SceneView accepted(const Bytes& file)
+{
+    const auto scene = SceneView::parse(file);
+    if (!scene)
+        throw std::invalid_argument{"the scene is refused: " + std::to_string(static_cast<int>(scene.error()))};
+    return *scene;
+}
 
 /// A player and what it borrows.
 struct Stage {
@@ -24,7 +33,7 @@ struct Stage {
     Stage(std::string_view text, Size panel, Fit fit = Fit::contain) : Stage{compiled(text), panel, fit} {}
 
     Stage(Bytes file, Size panel, Fit fit = Fit::contain)
-        : bytes{std::move(file)}, scene{*SceneView::parse(bytes)},
+        : bytes{std::move(file)}, scene{accepted(bytes)},
           block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
     {
     }

@@ -12,7 +12,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr Size panel{24, 17};
-constexpr std::size_t most_drawn_edges = 1000; ///< more take too long for a fuzzer
+constexpr std::size_t most_drawn_bytes = 20000; ///< of outlines; more take too long for a fuzzer
 
 void demand(bool holds)
 {
@@ -111,6 +111,16 @@ void draw(Player& player, PixelFormat format)
     with_format(format, [&]<PixelFormat known>() { player.draw_rows<known>(panel.height, pixels); });
 }
 
+void draw_changes(Player& player, PixelFormat format)
+{
+    Bytes pixels(row_bytes(format, panel.width) * panel.height);
+    const Size granularity{pixels_in_whole_bytes(format), 1};
+    with_format(format, [&]<PixelFormat known>() {
+        while (!player.draw_changes<known>(pixels, granularity, 11).empty())
+            continue;
+    });
+}
+
 /// Any scene that is not refused can be read, and shown at every frame and between them, within the memory it
 /// asks for.
 void play(std::span<const std::byte> bytes)
@@ -126,9 +136,12 @@ void play(std::span<const std::byte> bytes)
     std::size_t drawn = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
         player->show(time);
-        demand(player->step_count() <= scene->paint_steps());
-        if (player->edge_count() <= most_drawn_edges)
-            draw(*player, pixel_formats[drawn++ % pixel_formats.size()]);
+        demand(player->picture().step_count <= scene->paint_steps());
+        if (player->picture().outlines.used_bytes() > most_drawn_bytes)
+            continue;
+        const PixelFormat format = pixel_formats[drawn++ % pixel_formats.size()];
+        draw_changes(*player, format);
+        draw(*player, format);
     }
 }
 

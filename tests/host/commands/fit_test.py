@@ -24,7 +24,8 @@ group face { use eye 15 20 }
 object still fill=red { rect 0 0 4 4 }
 """
 
-ZIGZAG = " ".join(f"{i * 7 % 240} {i * 13 % 240}" for i in range(10_000))
+ZIGZAG = " ".join(f"{2 * (i % 118 if i // 118 % 2 == 0 else 117 - i % 118)} {2 * (i // 118) + i % 2}"
+                  for i in range(10_000))
 MANY_POINTS = f"""kfast 1
 canvas 240 240 frames=2
 object small fill=red {{ rect 0 0 9 9 }}
@@ -106,7 +107,8 @@ class FitTest(CommandTest):
         self.assertIn("frame 0", reason)
         self.assertIn("are of large", reason)
         outlines = report["largest_outlines"]
-        self.assertEqual((outlines["object"], outlines["frame"]), ("large", 0))
+        self.assertEqual(outlines["object"], "large")
+        self.assertLess(outlines["frame"], 1)
         self.assertLessEqual(outlines["object_bytes"], outlines["bytes"])
 
     def test_too_many_objects(self):
