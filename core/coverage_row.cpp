@@ -66,6 +66,8 @@ void CoverageRow::add_across(std::int32_t left, std::int32_t right, std::int32_t
     const std::int32_t last = right >> column_bits;
     std::int32_t cell = left >> column_bits;
     const std::int32_t before = left & (columns - 1);
+    did(Work::flat_edge);
+    did(Work::crossed_pixel, static_cast<std::uint32_t>(last - cell));
     const auto divided = [=](std::int32_t part) {
         const std::uint32_t product = static_cast<std::uint32_t>(height * part);
         const std::uint32_t quotient = product / run;

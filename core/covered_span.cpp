@@ -32,6 +32,7 @@ int column_of(Fixed x) { return x.raw() >> 16; }
 /// All columns that border on one of two crossings.
 void mark(const Crossing& a, const Crossing& b, int width, RunList& changed)
 {
+    did(Work::marked);
     const Fixed rounding = Fixed::from_raw(32); // CoverageRow rounds x to 1/1024 px
     const int begin = std::max(column_of(std::min(a.left(), b.left())), 0);
     const int end = std::min(column_of(std::max(a.right(), b.right()) + rounding) + 1, width);

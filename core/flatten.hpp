@@ -63,7 +63,7 @@ void flatten_in(const Segment& cubic, int halvings, LineTo& line_to)
     const Point c1 = cubic.c1 - cubic.from;
     const Point c2 = cubic.c2 - cubic.from;
     const Point to = cubic.to - cubic.from;
-    did(Work::piece, 1U << halvings);
+    did(sizeof(Word) == 8 ? Work::wide_piece : Work::piece, 1U << halvings);
     CubicSteps<Word> x{halvings, c1.x, c2.x, to.x};
     CubicSteps<Word> y{halvings, c1.y, c2.y, to.y};
     for (int steps = (1 << halvings) - 1; steps > 0; --steps) {

@@ -208,6 +208,7 @@ const Strip& Player::next_whole_rows(const AreaRules& rules)
 template <PixelFormat format>
 void Player::paint_strip(const Strip& strip, std::span<std::byte> pixels)
 {
+    did(Work::strip);
     const std::span<const Run> runs = strip.columns.runs();
     std::array<RowWindow, RunList::most> windows;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -235,10 +236,28 @@ void Player::paint_whole_row(int row, std::span<std::byte> pixels)
     sweep_and_paint<format>({&whole, 1}, row);
 }
 
+/// The topmost step that covers all windows wholly, as far as `spans` tell.
+std::size_t Player::lowest_seen_step(std::span<const RowWindow> windows,
+                                     std::span<const CoveredSpan> spans) const
+{
+    if (scene().blended_depth() != 0)
+        return 0;
+    const int begin = windows.front().columns.begin;
+    const int end = windows.back().columns.end;
+    for (auto span = spans.rbegin(); span != spans.rend(); ++span)
+        if (span->level == 255 && span->begin <= begin && span->end >= end &&
+            picture().steps()[span->step].layer.colour.opacity == 255)
+            return span->step;
+    return 0;
+}
+
 template <PixelFormat format>
 void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans)
 {
-    painter<format>(windows, row).paint(coming(), scene().colour(0), [&](std::size_t step, auto paint) {
+    const std::size_t first = lowest_seen_step(windows, spans);
+    while (!spans.empty() && spans.front().step < first)
+        spans = spans.subspan(1);
+    painter<format>(windows, row).paint(coming(), first, scene().colour(0), [&](std::size_t step, auto paint) {
         if (coming().steps()[step].change == PaintStep::Change::none)
             return sweep_layer(step, row, paint);
         for (; !spans.empty() && spans.front().step == step; spans = spans.subspan(1))
@@ -249,7 +268,7 @@ void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<
 template <PixelFormat format>
 void Player::sweep_and_paint(std::span<const RowWindow> windows, int row)
 {
-    painter<format>(windows, row).paint(coming(), scene().colour(0), [&](std::size_t step, auto paint) {
+    painter<format>(windows, row).paint(coming(), 0, scene().colour(0), [&](std::size_t step, auto paint) {
         sweep_layer(step, row, paint);
     });
 }

@@ -82,6 +82,8 @@ private:
     void paint_strip(const Strip& strip, std::span<std::byte> pixels);
     template <PixelFormat format>
     void paint_whole_row(int row, std::span<std::byte> pixels);
+    std::size_t lowest_seen_step(std::span<const RowWindow> windows,
+                                 std::span<const CoveredSpan> spans) const;
     template <PixelFormat format>
     void paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans);
     template <PixelFormat format>

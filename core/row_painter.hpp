@@ -31,15 +31,17 @@ public:
     {
     }
 
+    /// All steps from `first` on, and the background first if that is 0: what lies below is hidden.
     /// for_each_span(step, paint) calls paint(begin, end, level) for what the layer of `step`, a number,
     /// covers, from left to right.
     template <class ForEachSpan>
-    void paint(const TracedPicture& picture, Colour background, ForEachSpan for_each_span)
+    void paint(const TracedPicture& picture, std::size_t first, Colour background, ForEachSpan for_each_span)
     {
-        did(Work::step_visit, static_cast<std::uint32_t>(picture.step_count));
-        for (const RowWindow& window : windows_)
-            fill(window, window.columns.begin, window.columns.width(), Row::ink(background));
-        for (std::size_t i = 0; i < picture.step_count; ++i) {
+        did(Work::step_visit, static_cast<std::uint32_t>(picture.step_count - first));
+        if (first == 0)
+            for (const RowWindow& window : windows_)
+                fill(window, window.columns.begin, window.columns.width(), Row::ink(background));
+        for (std::size_t i = first; i < picture.step_count; ++i) {
             const PaintStep& step = picture.steps()[i];
             work_for(step.item);
             if (step.kind == PaintStep::Kind::layer)

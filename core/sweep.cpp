@@ -137,6 +137,7 @@ private:
             i = chain.next;
             const Fixed begin = chain.x;
             chain.x = Fixed::from_raw(ends[count]);
+            did(Work::straight_part);
             if ((bent >> count & 1) != 0) {
                 ++chain.passed;
                 chain.slope = slopes[count];

@@ -27,6 +27,7 @@ enum class Work : std::uint8_t {
     carried_point,   ///< by a bone
     bent_point,      ///< by a backbone
     piece,           ///< of a curve
+    wide_piece,      ///< likewise, in 64 bits
     pen_piece,       ///< a straight piece that a pen follows
     bend,            ///< between two of them
     slight_bend,     ///< likewise, a corner on each side
@@ -34,19 +35,24 @@ enum class Work : std::uint8_t {
     chain,           ///< of an outline
     copied_corner,   ///< of an outline that stands still
     // From outlines to pixels.
-    searched_row, ///< for changes
-    step_visit,   ///< of a row to a step of the picture
-    swept_row,    ///< of a layer
-    part,         ///< of a chain within a row
-    bent_part,    ///< likewise, one that is not straight or does not run through
-    edge,         ///< entered
-    slab,         ///< between chains that disturb each other
-    slab_edge,    ///< of a slab
-    cell,         ///< of coverage, read
-    span,         ///< of even coverage
-    compared,     ///< stretch of two coverages
-    inserted_run, ///< into a list of runs, not behind the last one
-    fill,         ///< of a stretch
+    strip,         ///< of rows that are drawn together
+    searched_row,  ///< for changes
+    step_visit,    ///< of a row to a step of the picture
+    swept_row,     ///< of a layer
+    straight_part, ///< of a chain within a row that it runs through, the others beside it
+    part,          ///< likewise in any other row
+    bent_part,     ///< likewise, one that is not straight or does not run through
+    edge,          ///< entered
+    slab,          ///< between chains that disturb each other
+    slab_edge,     ///< of a slab
+    flat_edge,     ///< in more than one pixel of a row
+    crossed_pixel, ///< by such an edge
+    cell,          ///< of coverage, read
+    span,          ///< of even coverage
+    compared,      ///< stretch of two coverages
+    marked,        ///< stretch between two borders
+    inserted_run,  ///< into a list of runs, not behind the last one
+    fill,          ///< of a stretch
     filled_pixel,
     blended_pixel,
     faded_pixel, ///< of a layer that is transparent as a whole

@@ -8,214 +8,234 @@ namespace {
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 68132,
+        .code = 54276,
         .fixed_ram = 4,
-        .stack = 8728,
+        .stack = 7568,
         .cycles = 1.51,
-        .frame = 916,
-        .area = 18,
+        .frame = 844,
+        .area = 23,
         .work =
             {
                 0.0, // picture
-                1629.9, // item
-                1431.4, // track
-                654.5, // key
+                1649.3, // item
+                1499.5, // track
+                783.6, // key
                 0.0, // placement
-                1667.4, // law
-                2437.1, // bezier_law
+                1534.0, // law
+                2595.7, // bezier_law
                 0.0, // bone
-                2702.3, // object
-                1110.4, // stroke
-                449.2, // line
-                1656.7, // curve
-                651.6, // split
-                149.6, // point
+                2415.7, // object
+                1292.1, // stroke
+                313.5, // line
+                1797.7, // curve
+                695.6, // split
+                166.7, // point
                 0.0, // wide_point
-                1041.1, // projected_point
-                690.0, // carried_point
-                936.2, // bent_point
-                120.0, // piece
-                336.0, // pen_piece
-                353.3, // bend
+                1073.8, // projected_point
+                838.5, // carried_point
+                1040.1, // bent_point
+                73.0, // piece
+                315.6, // pen_piece
+                439.0, // bend
                 0.0, // slight_bend
-                139.3, // corner
-                210.2, // chain
-                5.2, // copied_corner
-                0.0, // searched_row
-                107.6, // step_visit
-                421.4, // swept_row
-                115.9, // part
-                0.0, // bent_part
-                0.0, // edge
-                0.0, // slab
-                0.0, // slab_edge
+                175.3, // corner
+                219.1, // chain
+                10.4, // copied_corner
+                0.0, // strip
+                44.0, // searched_row
+                0.0, // step_visit
+                1107.6, // swept_row
+                28.6, // straight_part
+                396.1, // part
+                131.5, // bent_part
+                260.2, // edge
+                1807.4, // slab
+                88.6, // slab_edge
+                0.0, // flat_edge
+                50.2, // crossed_pixel
                 0.0, // cell
-                684.7, // span
-                1319.1, // compared
-                330.8, // inserted_run
+                0.0, // span
+                0.0, // compared
+                0.0, // marked
+                653.1, // inserted_run
                 0.0, // fill
-                0.0, // filled_pixel
-                33.7, // blended_pixel
-                27.1, // faded_pixel
+                4.6, // filled_pixel
+                124.3, // blended_pixel
+                55.2, // faded_pixel
             },
     },
     // cortex-m3
     {
-        .code = 60912,
+        .code = 50100,
         .fixed_ram = 4,
-        .stack = 8232,
-        .cycles = 1.67,
-        .frame = 398,
-        .area = 436,
+        .stack = 7128,
+        .cycles = 1.68,
+        .frame = 407,
+        .area = 18,
         .work =
             {
                 0.0, // picture
-                1213.1, // item
-                375.3, // track
-                285.3, // key
+                1507.2, // item
+                658.0, // track
+                317.5, // key
                 0.0, // placement
-                725.8, // law
-                1352.0, // bezier_law
+                848.4, // law
+                1743.9, // bezier_law
                 0.0, // bone
-                1141.1, // object
-                621.7, // stroke
-                232.1, // line
-                1092.1, // curve
-                237.0, // split
-                88.5, // point
+                986.5, // object
+                1050.6, // stroke
+                245.0, // line
+                1650.8, // curve
+                428.1, // split
+                121.5, // point
                 0.0, // wide_point
-                262.3, // projected_point
-                301.5, // carried_point
-                452.9, // bent_point
-                42.5, // piece
-                209.6, // pen_piece
-                185.3, // bend
+                278.9, // projected_point
+                409.9, // carried_point
+                681.8, // bent_point
+                30.5, // piece
+                191.2, // pen_piece
+                344.4, // bend
                 0.0, // slight_bend
-                102.5, // corner
-                164.2, // chain
-                4.4, // copied_corner
-                577.1, // searched_row
-                10.0, // step_visit
-                563.4, // swept_row
-                127.1, // part
-                186.5, // bent_part
-                124.2, // edge
-                364.2, // slab
-                171.7, // slab_edge
-                92.9, // cell
+                143.3, // corner
+                131.1, // chain
+                3.0, // copied_corner
+                321.3, // strip
+                427.4, // searched_row
+                8.4, // step_visit
+                316.3, // swept_row
+                13.2, // straight_part
+                168.4, // part
+                202.5, // bent_part
+                96.8, // edge
+                363.3, // slab
+                162.0, // slab_edge
+                0.0, // flat_edge
+                5.0, // crossed_pixel
+                90.2, // cell
                 0.0, // span
                 0.0, // compared
-                219.2, // inserted_run
-                151.3, // fill
-                1.2, // filled_pixel
-                33.2, // blended_pixel
-                36.8, // faded_pixel
+                126.2, // marked
+                167.2, // inserted_run
+                118.4, // fill
+                0.8, // filled_pixel
+                32.4, // blended_pixel
+                40.4, // faded_pixel
             },
     },
     // cortex-m4
     {
-        .code = 60936,
+        .code = 50136,
         .fixed_ram = 4,
-        .stack = 8224,
-        .cycles = 1.66,
-        .frame = 398,
-        .area = 429,
+        .stack = 7128,
+        .cycles = 1.67,
+        .frame = 408,
+        .area = 18,
         .work =
             {
                 0.0, // picture
-                1218.5, // item
-                371.1, // track
-                283.2, // key
+                1508.3, // item
+                659.9, // track
+                318.4, // key
                 0.0, // placement
-                725.9, // law
-                1349.4, // bezier_law
+                846.3, // law
+                1742.7, // bezier_law
                 0.0, // bone
-                1139.8, // object
-                617.4, // stroke
-                227.5, // line
-                1096.4, // curve
-                239.7, // split
-                88.6, // point
+                983.7, // object
+                1052.3, // stroke
+                243.9, // line
+                1649.2, // curve
+                426.0, // split
+                121.6, // point
                 0.0, // wide_point
-                264.5, // projected_point
-                309.7, // carried_point
-                457.2, // bent_point
-                41.7, // piece
-                212.1, // pen_piece
-                182.6, // bend
+                280.9, // projected_point
+                409.0, // carried_point
+                681.9, // bent_point
+                30.6, // piece
+                191.3, // pen_piece
+                345.3, // bend
                 0.0, // slight_bend
-                103.5, // corner
-                162.9, // chain
-                4.4, // copied_corner
-                566.2, // searched_row
-                9.5, // step_visit
-                571.9, // swept_row
-                121.7, // part
-                198.1, // bent_part
-                125.1, // edge
-                364.7, // slab
-                170.4, // slab_edge
-                95.5, // cell
+                143.3, // corner
+                132.0, // chain
+                3.0, // copied_corner
+                305.8, // strip
+                436.1, // searched_row
+                7.8, // step_visit
+                322.7, // swept_row
+                11.9, // straight_part
+                164.8, // part
+                206.5, // bent_part
+                96.0, // edge
+                368.9, // slab
+                161.4, // slab_edge
+                0.0, // flat_edge
+                6.0, // crossed_pixel
+                93.8, // cell
                 0.0, // span
                 0.0, // compared
-                218.6, // inserted_run
-                159.5, // fill
-                1.2, // filled_pixel
-                33.4, // blended_pixel
-                36.5, // faded_pixel
+                133.4, // marked
+                166.7, // inserted_run
+                122.9, // fill
+                0.9, // filled_pixel
+                32.3, // blended_pixel
+                40.4, // faded_pixel
             },
     },
     // cortex-m7
     {
-        .code = 60364,
+        .code = 50188,
         .fixed_ram = 4,
-        .stack = 8240,
-        .cycles = 1.56,
-        .frame = 390,
-        .area = 412,
+        .stack = 7128,
+        .cycles = 1.58,
+        .frame = 402,
+        .area = 18,
         .work =
             {
                 0.0, // picture
-                1225.9, // item
-                373.7, // track
-                287.1, // key
+                1509.3, // item
+                657.8, // track
+                317.1, // key
                 0.0, // placement
-                732.8, // law
-                1317.8, // bezier_law
+                843.1, // law
+                1723.1, // bezier_law
                 0.0, // bone
-                1173.0, // object
-                605.2, // stroke
-                237.3, // line
-                1090.8, // curve
-                235.4, // split
-                88.3, // point
+                983.4, // object
+                1048.4, // stroke
+                243.9, // line
+                1649.1, // curve
+                426.0, // split
+                121.7, // point
                 0.0, // wide_point
-                237.5, // projected_point
-                289.6, // carried_point
-                452.6, // bent_point
-                41.9, // piece
-                218.0, // pen_piece
-                173.5, // bend
+                280.0, // projected_point
+                409.1, // carried_point
+                680.2, // bent_point
+                30.6, // piece
+                191.3, // pen_piece
+                343.7, // bend
                 0.0, // slight_bend
-                104.2, // corner
-                164.8, // chain
-                4.5, // copied_corner
-                580.2, // searched_row
-                9.5, // step_visit
-                569.1, // swept_row
-                126.0, // part
-                191.9, // bent_part
-                120.2, // edge
-                363.9, // slab
-                171.0, // slab_edge
-                92.2, // cell
+                143.2, // corner
+                130.8, // chain
+                3.0, // copied_corner
+                306.6, // strip
+                447.7, // searched_row
+                7.9, // step_visit
+                315.3, // swept_row
+                19.6, // straight_part
+                198.9, // part
+                184.8, // bent_part
+                92.9, // edge
+                338.5, // slab
+                165.8, // slab_edge
+                0.0, // flat_edge
+                10.4, // crossed_pixel
+                86.8, // cell
                 0.0, // span
                 0.0, // compared
-                218.9, // inserted_run
-                158.4, // fill
-                1.2, // filled_pixel
-                33.7, // blended_pixel
-                36.8, // faded_pixel
+                120.7, // marked
+                168.8, // inserted_run
+                112.0, // fill
+                0.8, // filled_pixel
+                31.2, // blended_pixel
+                40.7, // faded_pixel
             },
     },
 }};
