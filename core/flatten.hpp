@@ -12,19 +12,22 @@ namespace kfast {
 /// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
 inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 16);
 
-inline constexpr int most_halvings = 8;
+/// A curve is cut into any number of pieces up to 32, or into 64, 128 or 256.
+inline constexpr int most_pieces = 256;
 
-/// One coordinate of a cubic at 2^halvings steps of equal parameter length, each moved away from the chord
+/// One coordinate of a cubic at `pieces` steps of equal parameter length, each moved away from the chord
 /// between its neighbours by 5/64 (1/16 and 1/64, each rounded down) of its second difference: the pieces
-/// between the points enclose about what the curve does, where 1/12 would be exact. Rounded to nearest,
-/// halves up. n^3 times a polynomial has whole differences at n steps, and sums of these are exact. Only the
-/// value itself has to fit in a Word, with 3 bits of fraction for each halving: what its differences lose
-/// beyond it, the sums lose again.
+/// between the points enclose about what the curve does, where 1/12 would be exact.
+///
+/// n^3 times a polynomial has whole differences at n steps, and sums of these are exact. If n is a power of
+/// two, 1/n^3 is a shift, and points are rounded to nearest, halves up. Otherwise the differences are rounded
+/// when they are divided, and points are off by one at most. Only the value itself and its second difference
+/// have to fit in a Word: what the others lose beyond it, the sums lose again.
 template <class Word>
 class CubicSteps {
 public:
-    /// From 0 to `to`.
-    CubicSteps(int halvings, Fixed c1, Fixed c2, Fixed to);
+    /// From 0 to `to`; 2 … most_pieces pieces.
+    CubicSteps(int pieces, Fixed c1, Fixed c2, Fixed to);
 
     /// The value after the next step.
     Fixed next()
@@ -37,9 +40,8 @@ public:
     }
 
 private:
-    /// In 64 bits as many as the most halvings need.
-    using FractionBits =
-        std::conditional_t<sizeof(Word) == 8, std::integral_constant<int, 3 * most_halvings>, int>;
+    /// In 64 bits as many as the most pieces need.
+    using FractionBits = std::conditional_t<sizeof(Word) == 8, std::integral_constant<int, 24>, int>;
 
     std::int32_t whole(Word word) const
     {
@@ -58,45 +60,46 @@ extern template class CubicSteps<std::uint64_t>;
 
 /// All of a cubic but its end.
 template <class Word, class LineTo>
-void flatten_in(const Segment& cubic, int halvings, LineTo& line_to)
+void flatten_in(const Segment& cubic, int pieces, LineTo& line_to)
 {
     const Point c1 = cubic.c1 - cubic.from;
     const Point c2 = cubic.c2 - cubic.from;
     const Point to = cubic.to - cubic.from;
-    did(sizeof(Word) == 8 ? Work::wide_piece : Work::piece, 1U << halvings);
-    CubicSteps<Word> x{halvings, c1.x, c2.x, to.x};
-    CubicSteps<Word> y{halvings, c1.y, c2.y, to.y};
-    for (int steps = (1 << halvings) - 1; steps > 0; --steps) {
+    did(sizeof(Word) == 8 ? Work::wide_piece : Work::piece, static_cast<std::uint32_t>(pieces));
+    CubicSteps<Word> x{pieces, c1.x, c2.x, to.x};
+    CubicSteps<Word> y{pieces, c1.y, c2.y, to.y};
+    for (int steps = pieces - 1; steps > 0; --steps) {
         const Fixed right = x.next();
         line_to(cubic.from + Point{right, y.next()});
     }
 }
 
-/// Whether all points of `cubic` lie so near to its beginning that they fit in 32 bits with 3 * halvings bits
-/// of fraction.
-bool is_small(const Segment& cubic, int halvings);
+/// Whether all points of `cubic` lie so near to its beginning that CubicSteps needs no more than 32 bits.
+bool is_small(const Segment& cubic, int pieces);
 
 /// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
-/// 2^halvings (0 … 8) of equal parameter length for a curve. The point it begins at is not among them, the
-/// last one is exact, those between lie beside the curve (CubicSteps).
+/// `pieces` of equal parameter length for a curve. The point it begins at is not among them, the last one is
+/// exact, those between lie beside the curve (CubicSteps).
 template <class LineTo>
-void flatten(const Segment& segment, int halvings, LineTo line_to)
+void flatten(const Segment& segment, int pieces, LineTo line_to)
 {
-    if (segment.kind == Segment::Kind::cubic && halvings != 0) {
-        if (is_small(segment, halvings))
-            flatten_in<std::uint32_t>(segment, halvings, line_to);
+    if (segment.kind == Segment::Kind::cubic && pieces != 1) {
+        if (is_small(segment, pieces))
+            flatten_in<std::uint32_t>(segment, pieces, line_to);
         else
-            flatten_in<std::uint64_t>(segment, halvings, line_to);
+            flatten_in<std::uint64_t>(segment, pieces, line_to);
     }
     line_to(segment.to);
 }
 
-/// How often a segment has to be halved so that chords lie within `flatness` of it; no more than
-/// most_halvings.
+/// How many pieces a segment needs so that chords lie within `flatness` of it.
 ///
 /// n pieces lie within 3 d / 4 n^2 of a curve, where d is the longer of |from - 2 c1 + c2| and
 /// |c1 - 2 c2 + to|: a chord of a function f over 1/n is at most max |f''| / 8 n^2 off, and f'' is 6 times
 /// what lies between those two.
-int halvings_for(const Segment& segment);
+int pieces_for(const Segment& segment);
+
+/// A number of pieces, each about 2^coarseness times as long; 1 at least.
+constexpr int coarser(int pieces, int coarseness) { return ((pieces - 1) >> coarseness) + 1; }
 
 }

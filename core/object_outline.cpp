@@ -1,7 +1,5 @@
 #include "core/object_outline.hpp"
 
-#include <algorithm>
-
 namespace kfast {
 
 void ObjectOutline::begin(Point from)
@@ -14,7 +12,7 @@ void ObjectOutline::begin(Point from)
 
 void ObjectOutline::add(const Segment& segment)
 {
-    flatten(segment, halvings_of(segment), [this](Point to) { line_to(to); });
+    flatten(segment, pieces_of(segment), [this](Point to) { line_to(to); });
 }
 
 void ObjectOutline::end(Point hub, bool is_closed)
@@ -25,15 +23,15 @@ void ObjectOutline::end(Point hub, bool is_closed)
         fill_.end(seen(hub));
 }
 
-int ObjectOutline::halvings_of(const Segment& segment) const
+int ObjectOutline::pieces_of(const Segment& segment) const
 {
     if (segment.kind == Segment::Kind::line)
-        return 0;
+        return 1;
     const int needed = projection_ == nullptr
-                           ? halvings_for(segment)
-                           : halvings_for({segment.kind, seen(segment.from), seen(segment.c1),
-                                           seen(segment.c2), seen(segment.to)});
-    return std::max(0, needed - coarseness_);
+                           ? pieces_for(segment)
+                           : pieces_for({segment.kind, seen(segment.from), seen(segment.c1), seen(segment.c2),
+                                         seen(segment.to)});
+    return coarser(needed, coarseness_);
 }
 
 void ObjectOutline::line_to(Point to)

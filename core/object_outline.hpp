@@ -29,7 +29,7 @@ public:
 
 private:
     Point seen(Point at) const { return projection_ == nullptr ? at : (*projection_)(at); }
-    int halvings_of(const Segment& segment) const;
+    int pieces_of(const Segment& segment) const;
     void line_to(Point to);
 
     OutlineStore& outlines_;

@@ -89,7 +89,7 @@ std::vector<Point> curve(std::mt19937& random, double reach)
     Segment cubic{Segment::Kind::cubic, ends[0], control(), control(), ends[1]};
     if (random() % 4 == 0) // a cusp: the curve turns back at its middle
         cubic.c1 = ends[1] + ends[1] - ends[0], cubic.c2 = ends[0] + ends[0] - ends[1];
-    flatten(cubic, halvings_for(cubic), [&points](Point to) { points.push_back(to); });
+    flatten(cubic, pieces_for(cubic), [&points](Point to) { points.push_back(to); });
     return points;
 }
 
