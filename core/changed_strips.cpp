@@ -15,7 +15,9 @@ class RowSearch {
 public:
     RowSearch(TracedPicture& shown, TracedPicture& coming, CoverageRow& coverage,
               std::span<CoveredSpan> storage, int width)
-        : shown_{shown}, coming_{coming}, coverage_{coverage}, storage_{storage}, width_{width}
+        : shown_{shown}, coming_{coming}, coverage_{coverage}, storage_{storage}, width_{width},
+          has_vanished_{std::ranges::any_of(
+              shown.steps(), [](const PaintStep& step) { return step.partner == PaintStep::no_partner; })}
     {
     }
 
@@ -37,7 +39,7 @@ public:
         end_ = first;
         for (std::size_t i = 0; i < coming_.step_count; ++i) {
             const PaintStep& step = coming_.steps()[i];
-            if (step.change == Change::none)
+            if (step.change == Change::none || !reaches(step, row))
                 continue;
             work_for(step.item);
             const std::uint16_t begin = end_;
@@ -48,9 +50,10 @@ public:
             else
                 mark_all(step, row, spans_from(begin), changed);
         }
-        for (PaintStep& step : shown_.steps())
-            if (step.partner == PaintStep::no_partner)
-                mark_shown(step, row, changed);
+        if (has_vanished_)
+            for (PaintStep& step : shown_.steps())
+                if (step.partner == PaintStep::no_partner)
+                    mark_shown(step, row, changed);
         work_for(0);
         return end_;
     }
@@ -58,6 +61,13 @@ public:
     bool has_room() const { return has_room_; }
 
 private:
+    /// In one picture or the other.
+    bool reaches(const PaintStep& step, int row) const
+    {
+        return step.layer.reaches(row) ||
+               (step.partner != PaintStep::no_partner && shown_.steps()[step.partner].layer.reaches(row));
+    }
+
     /// Whether the borders of the layer run through the row.
     bool sweep(std::size_t number, int row)
     {
@@ -116,6 +126,7 @@ private:
     CoverageRow& coverage_;
     std::span<CoveredSpan> storage_;
     int width_;
+    bool has_vanished_; ///< a step of the shown picture
     Crossings coming_borders_;
     Crossings shown_borders_;
     std::uint16_t end_ = 0;
