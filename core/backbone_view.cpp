@@ -1,14 +1,17 @@
 #include "core/backbone_view.hpp"
 
-#include "core/time_code.hpp"
-
 namespace kfast {
+
+BackboneKeyCursor::BackboneKeyCursor(ByteReader& bytes)
+    : beats_{BeatCursor::take(bytes, BeatCursor::one())}, drawings_{PackedValues::take(bytes, beats_.count())}
+{
+}
 
 BackboneKey BackboneKeyCursor::next()
 {
-    time_ = time_ + read_time_code(bytes_);
-    const std::uint32_t laws = bytes_.u8();
-    return {.time = time_, .laws = laws, .drawing = bytes_.varint()};
+    const Beat beat = beats_.next();
+    return {
+        .time = beat.time, .laws = beat.laws, .drawing = static_cast<std::uint32_t>(drawings_[beat.index])};
 }
 
 }

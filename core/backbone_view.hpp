@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/beat_cursor.hpp"
 #include "core/byte_reader.hpp"
+#include "core/packed_values.hpp"
 #include "core/time.hpp"
 
 #include <cstdint>
@@ -17,24 +19,28 @@ struct BackboneKey {
 /// Reads the keys of backbones in the order of their times.
 class BackboneKeyCursor {
 public:
-    explicit BackboneKeyCursor(ByteReader bytes) : bytes_{bytes} {}
+    /// Takes `bytes` as far as the keys go.
+    explicit BackboneKeyCursor(ByteReader& bytes);
 
-    bool at_end() const { return bytes_.left() == 0; }
+    bool at_end() const { return beats_.at_end(); }
     /// Only when not at the end.
     BackboneKey next();
-    bool overrun() const { return bytes_.overrun(); }
 
 private:
-    ByteReader bytes_;
-    Time time_;
+    BeatCursor beats_;
+    PackedValues drawings_;
 };
 
 /// The backbones that carry an object; borrows the scene's bytes.
 struct BackbonesView {
     std::uint32_t unit_bits = 0; ///< a segment, and a width, are 2^unit_bits sixteenths of a pixel long
-    ByteReader key_bytes;
+    ByteReader key_bytes;        ///< begins with the keys
 
-    BackboneKeyCursor keys() const { return BackboneKeyCursor{key_bytes}; }
+    BackboneKeyCursor keys() const
+    {
+        ByteReader bytes = key_bytes;
+        return BackboneKeyCursor{bytes};
+    }
 };
 
 }

@@ -19,6 +19,8 @@ ValueRange range_of(BoneQuantity quantity)
     return {0, 0};
 }
 
+bool is_within(std::int32_t value, ValueRange range) { return value >= range.least && value <= range.most; }
+
 /// Of one skeleton.
 class BoneCheck {
 public:
@@ -34,12 +36,12 @@ private:
 
     bool check_common_keys() const
     {
-        CommonKeyCursor keys = bones_.common_keys();
-        for (Time before{-1}; !keys.at_end();) {
-            const CommonKey key = keys.next();
-            if (keys.rest().overrun() || !is_key(before, key.time, key.laws))
+        BeatCursor beats = bones_.common_beats();
+        for (Time before{-1}; !beats.at_end();) {
+            const Beat beat = beats.next();
+            if (!is_key(before, beat.time, beat.laws))
                 return false;
-            before = key.time;
+            before = beat.time;
         }
         return true;
     }
@@ -49,40 +51,36 @@ private:
         BoneCursor bones = bones_.bones();
         for (std::uint32_t number = 0; !bones.at_end(); ++number) {
             const BoneView bone = bones.next();
-            if (bones.rest().overrun() || !bone.is_known || bone.parent > number ||
-                bone.at_rest(BoneQuantity::length) == 0 || !check_keys(bone))
+            if (bones.rest().overrun() || bone.parent > number || !check_set_up(bone) || !check_keys(bone))
                 return false;
         }
         return bones.rest().left() == 0;
     }
 
+    static bool check_set_up(const BoneView& bone)
+    {
+        for (std::size_t i = 0; i < bone_quantity_count; ++i)
+            if (!is_within(bone.set_up[i], range_of(static_cast<BoneQuantity>(i))))
+                return false;
+        return bone.at_rest(BoneQuantity::length) != 0;
+    }
+
     bool check_keys(const BoneView& bone) const
     {
         for (std::size_t i = 0; i < bone_quantity_count; ++i)
-            if (!check_keys(bone.keys[i], static_cast<BoneQuantity>(i), bone.turns_as_written))
+            if (bone.keys[i].kind() != BoneKeys::Kind::none &&
+                !check_keys(bone.keys[i].keys(), range_of(static_cast<BoneQuantity>(i))))
                 return false;
         return true;
     }
 
-    bool check_keys(const BoneKeys& keys, BoneQuantity quantity, bool turns_as_written) const
+    bool check_keys(TrackKeyCursor keys, ValueRange range) const
     {
-        switch (keys.kind()) {
-        case BoneKeys::Kind::none:
-            return true;
-        case BoneKeys::Kind::common:
-            return !bones_.common_keys().at_end() && !(turns_as_written && quantity == BoneQuantity::angle);
-        case BoneKeys::Kind::own:
-            return check_own_keys(keys.own(), range_of(quantity));
-        }
-        return false;
-    }
-
-    bool check_own_keys(TrackKeyCursor keys, ValueRange range) const
-    {
+        if (keys.at_end())
+            return false;
         for (Time before{-1}; !keys.at_end();) {
             const TrackKey key = keys.next();
-            if (keys.overrun() || !is_key(before, key.time, key.laws) || key.value < range.least ||
-                key.value > range.most)
+            if (!is_key(before, key.time, key.laws) || !is_within(key.value, range))
                 return false;
             before = key.time;
         }

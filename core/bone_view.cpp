@@ -1,56 +1,29 @@
 #include "core/bone_view.hpp"
 
-#include "core/time_code.hpp"
-
 namespace kfast {
 namespace {
 
 constexpr std::uint32_t tip_bit = 1 << 4;
 constexpr std::uint32_t as_written_bit = 1 << 5;
-constexpr std::uint32_t unused_bits = 3 << 6;
-constexpr std::uint32_t value_bytes = 2;
+constexpr std::uint32_t straight_bit = 1 << 6;
+constexpr std::uint32_t whole_pixels_bit = 1 << 7;
 
-constexpr bool is_signed(BoneQuantity quantity)
+/// In 1/16 px; wraps around rather than overflow.
+constexpr std::int32_t sixteenths(std::uint32_t length, bool in_pixels)
 {
-    return quantity == BoneQuantity::x || quantity == BoneQuantity::y;
-}
-
-/// Does not add up times that have not been checked.
-void skip_common_key(ByteReader& bytes)
-{
-    bytes.varint();
-    bytes.u8();
-}
-
-std::int32_t read_value(ByteReader& bytes, bool is_signed)
-{
-    const std::uint32_t value = bytes.u16();
-    return is_signed ? static_cast<std::int16_t>(value) : static_cast<std::int32_t>(value);
+    return static_cast<std::int32_t>(in_pixels ? length << 4 : length);
 }
 
 }
 
-CommonKey CommonKeyCursor::next()
+BoneKeys BoneKeys::take(ByteReader& bytes, const BeatCursor& common, std::int32_t set_up)
 {
-    time_ = time_ + read_time_code(bytes_);
-    return {.time = time_, .laws = bytes_.u8(), .index = index_++};
-}
-
-BoneKeys BoneKeys::take(ByteReader& bytes, BoneQuantity quantity, std::uint32_t common)
-{
-    const std::uint32_t own = bytes.varint();
+    ByteReader ahead = bytes;
     BoneKeys keys;
-    keys.kind_ = own == 0 ? Kind::common : Kind::own;
-    keys.is_signed_ = is_signed(quantity);
-    keys.bytes_ = bytes.take(own == 0 ? std::size_t{common} * value_bytes : own);
+    keys.kind_ = ahead.u8() == 0 ? Kind::common : Kind::own;
+    keys.beats_ = BeatCursor::take(bytes, common);
+    keys.values_ = PackedValues::take(bytes, keys.beats_.count(), set_up);
     return keys;
-}
-
-std::int32_t BoneKeys::common(std::uint32_t index) const
-{
-    ByteReader bytes = bytes_;
-    bytes.skip(std::size_t{index} * value_bytes);
-    return read_value(bytes, is_signed_);
 }
 
 BoneView BoneCursor::next()
@@ -59,24 +32,25 @@ BoneView BoneCursor::next()
     BoneView bone;
     bone.parent = bytes_.u8();
     const std::uint32_t head = bytes_.u8();
-    bone.is_known = (head & unused_bits) == 0;
     bone.is_at_tip = (head & tip_bit) != 0;
     bone.turns_as_written = (head & as_written_bit) != 0;
-    for (std::size_t i = 0; i < bone_quantity_count; ++i)
-        bone.set_up[i] = read_value(bytes_, is_signed(static_cast<BoneQuantity>(i)));
+    const bool in_pixels = (head & whole_pixels_bit) != 0;
+    const auto coordinate = [this, in_pixels] {
+        return sixteenths(static_cast<std::uint32_t>(bytes_.signed_varint()), in_pixels);
+    };
+    const auto angle = static_cast<std::int32_t>((head & straight_bit) != 0 ? 0 : bytes_.u16());
+    const std::int32_t x = coordinate();
+    const std::int32_t y = coordinate();
+    bone.set_up = {angle, x, y, sixteenths(bytes_.varint(), in_pixels)};
     for (std::size_t i = 0; i < bone_quantity_count; ++i)
         if ((head & 1U << i) != 0)
-            bone.keys[i] = BoneKeys::take(bytes_, static_cast<BoneQuantity>(i), common_);
+            bone.keys[i] = BoneKeys::take(bytes_, common_, bone.set_up[i]);
     return bone;
 }
 
-BonesView::BonesView(ByteReader bytes) : count_{bytes.u8()}
+BonesView::BonesView(ByteReader bytes)
+    : count_{bytes.u8()}, common_{BeatCursor::take(bytes, BeatCursor{})}, bones_{bytes}
 {
-    const std::uint32_t common = bytes.varint();
-    common_ = CommonKeyCursor{bytes, common};
-    for (std::uint32_t left = common; left > 0 && !bytes.overrun(); --left)
-        skip_common_key(bytes);
-    bones_ = bytes;
 }
 
 }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/beat_cursor.hpp"
 #include "core/bone_quantity.hpp"
 #include "core/byte_reader.hpp"
-#include "core/time.hpp"
+#include "core/packed_values.hpp"
 #include "core/track_view.hpp"
 
 #include <array>
@@ -11,59 +12,30 @@
 
 namespace kfast {
 
-/// A moment at which several quantities of bones have a key, and the way from it to the next such moment.
-struct CommonKey {
-    Time time;
-    std::uint32_t laws = 0;  ///< number of the pair of laws
-    std::uint32_t index = 0; ///< how many come before
-};
-
-/// Reads the common keys of a skeleton in the order of their times.
-class CommonKeyCursor {
-public:
-    CommonKeyCursor() = default;
-    /// `bytes` begins behind their number and may go on after the last one.
-    CommonKeyCursor(ByteReader bytes, std::uint32_t count) : bytes_{bytes}, count_{count} {}
-
-    bool at_end() const { return index_ == count_; }
-    /// Only when not at the end.
-    CommonKey next();
-    std::uint32_t count() const { return count_; }
-    /// What has not been read.
-    const ByteReader& rest() const { return bytes_; }
-
-private:
-    ByteReader bytes_;
-    std::uint32_t count_ = 0;
-    std::uint32_t index_ = 0;
-    Time time_;
-};
-
 /// What moves one quantity of a bone: nothing, keys of its own, or the common keys with a value for each.
 class BoneKeys {
 public:
     enum class Kind : std::uint8_t { none, common, own };
 
     BoneKeys() = default;
-    /// Takes `bytes` as far as the keys go; there are `common` common keys.
-    static BoneKeys take(ByteReader& bytes, BoneQuantity quantity, std::uint32_t common);
+    /// Takes `bytes` as far as the keys go. Values are stored as differences from `set_up`.
+    static BoneKeys take(ByteReader& bytes, const BeatCursor& common, std::int32_t set_up);
 
     Kind kind() const { return kind_; }
-    /// Only of Kind::own.
-    TrackKeyCursor own() const { return TrackKeyCursor{bytes_}; }
-    /// At the common key `index`; only of Kind::common.
-    std::int32_t common(std::uint32_t index) const;
+    /// Also those of Kind::common; not of Kind::none.
+    TrackKeyCursor keys() const { return {beats_, values_}; }
+    /// At the beat `index`.
+    std::int32_t value(std::uint32_t index) const { return values_[index]; }
 
 private:
     Kind kind_ = Kind::none;
-    bool is_signed_ = false;
-    ByteReader bytes_;
+    BeatCursor beats_;
+    PackedValues values_;
 };
 
 /// A bone as set up, and what moves it; borrows the scene's bytes.
 struct BoneView {
     std::uint32_t parent = 0;      ///< 0 for a root, else the number of an earlier bone, counted from 1
-    bool is_known = false;         ///< no bit is set without a meaning
     bool is_at_tip = false;        ///< the origin moves with the length of the parent
     bool turns_as_written = false; ///< angles tween as numbers, not by the shortest way
     std::array<std::int32_t, bone_quantity_count> set_up = {}; ///< by BoneQuantity, in its units
@@ -76,7 +48,7 @@ struct BoneView {
 /// Reads the bones of a skeleton, parents before their children.
 class BoneCursor {
 public:
-    BoneCursor(ByteReader bytes, std::uint32_t count, std::uint32_t common)
+    BoneCursor(ByteReader bytes, std::uint32_t count, const BeatCursor& common)
         : bytes_{bytes}, left_{count}, common_{common}
     {
     }
@@ -90,7 +62,7 @@ public:
 private:
     ByteReader bytes_;
     std::uint32_t left_;
-    std::uint32_t common_;
+    BeatCursor common_;
 };
 
 /// A skeleton of bones: one tree or several; borrows the scene's bytes.
@@ -99,12 +71,13 @@ public:
     explicit BonesView(ByteReader bytes);
 
     std::uint32_t count() const { return count_; }
-    CommonKeyCursor common_keys() const { return common_; }
-    BoneCursor bones() const { return {bones_, count_, common_.count()}; }
+    /// At which several quantities have keys; maybe none.
+    BeatCursor common_beats() const { return common_; }
+    BoneCursor bones() const { return {bones_, count_, common_}; }
 
 private:
     std::uint32_t count_;
-    CommonKeyCursor common_;
+    BeatCursor common_;
     ByteReader bones_;
 };
 

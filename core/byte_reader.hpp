@@ -53,6 +53,13 @@ public:
         return 0;
     }
 
+    /// 2 v for v >= 0, -2 v - 1 below.
+    std::int32_t signed_varint()
+    {
+        const std::uint32_t code = varint();
+        return static_cast<std::int32_t>(code >> 1 ^ (0U - (code & 1)));
+    }
+
     void skip(std::size_t count)
     {
         overrun_ = overrun_ || count > left();
@@ -66,6 +73,9 @@ public:
         skip(count);
         return part;
     }
+
+    /// What was read has no meaning: it counts as past the end.
+    void refuse() { overrun_ = true; }
 
     std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
     std::span<const std::byte> rest() const { return {at_, end_}; }

@@ -1,7 +1,6 @@
 #include "core/item_view.hpp"
 
 #include "core/kfb_limits.hpp"
-#include "core/time_code.hpp"
 
 #include <algorithm>
 
@@ -46,7 +45,8 @@ void read_carrier(ByteReader& bytes, ObjectView& object)
         object.skeleton = number - 1;
     } else {
         object.backbones.unit_bits = bytes.u8();
-        object.backbones.key_bytes = bytes.take(bytes.varint());
+        object.backbones.key_bytes = bytes;
+        BackboneKeyCursor{bytes};
     }
 }
 
@@ -75,22 +75,31 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head)
         read_stroke_style(bytes, style);
     if ((head & carried_bit) != 0)
         read_carrier(bytes, object);
-    object.key_bytes = bytes.take(bytes.varint());
+    object.key_bytes = bytes;
+    object.take_keys(bytes);
     return object;
 }
 
 }
 
-Key KeyCursor::next()
+KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_skins)
+    : beats_{BeatCursor::take(bytes, BeatCursor::one())},
+      drawings_{PackedValues::take(bytes, beats_.count())}, has_arrivals_{has_arrivals}, has_skins_{has_skins}
 {
-    time_ = time_ + read_time_code(bytes_);
-    Key key{.time = time_};
-    key.laws = bytes_.u8();
-    key.drawing = bytes_.varint();
+    if (has_arrivals)
+        arrivals_ = PackedValues::take(bytes, beats_.count());
+    if (has_skins)
+        skins_ = PackedValues::take(bytes, beats_.count());
+}
+
+Key KeyCursor::at(const Beat& beat) const
+{
+    Key key{.time = beat.time, .laws = beat.laws};
+    key.drawing = static_cast<std::uint32_t>(drawings_[beat.index]);
     if (has_arrivals_)
-        key.arrival = bytes_.varint();
+        key.arrival = static_cast<std::uint32_t>(arrivals_[beat.index]);
     if (has_skins_)
-        key.skin = bytes_.varint();
+        key.skin = skins_[beat.index];
     return key;
 }
 

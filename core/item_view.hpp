@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/backbone_view.hpp"
+#include "core/beat_cursor.hpp"
 #include "core/byte_reader.hpp"
 #include "core/fill_rule.hpp"
+#include "core/key_interval.hpp"
+#include "core/packed_values.hpp"
 #include "core/path_view.hpp"
 #include "core/stroke_style.hpp"
 #include "core/time.hpp"
@@ -31,28 +34,37 @@ struct Key {
     std::uint32_t laws = 0;    ///< number of the pair of laws
     std::uint32_t drawing = 0; ///< offset in the section of drawings
     std::uint32_t arrival = 0; ///< offset of what the way leads to; only if the object has such drawings
-    std::uint32_t skin = 0;    ///< offset of the drawing's skin there; only if bones carry the object
+    std::int32_t skin = 0;     ///< see SceneView::skin; only if bones carry the object
 };
 
 /// Reads the keys of an object in the order of their times.
 class KeyCursor {
 public:
-    KeyCursor(ByteReader bytes, bool has_arrivals, bool has_skins)
-        : bytes_{bytes}, has_arrivals_{has_arrivals}, has_skins_{has_skins}
-    {
-    }
+    /// Takes `bytes` as far as the keys go.
+    KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_skins);
 
-    bool at_end() const { return bytes_.left() == 0; }
+    bool at_end() const { return beats_.at_end(); }
     /// Only when not at the end.
-    Key next();
-    bool overrun() const { return bytes_.overrun(); }
+    Key next() { return at(beats_.next()); }
+    /// What has not been read.
+    const BeatCursor& beats() const { return beats_; }
+    Key at(const Beat& beat) const;
 
 private:
-    ByteReader bytes_;
+    BeatCursor beats_;
+    PackedValues drawings_;
+    PackedValues arrivals_;
+    PackedValues skins_;
     bool has_arrivals_;
     bool has_skins_;
-    Time time_;
 };
+
+/// Looks at no drawing in between.
+inline KeyInterval<Key> interval_at(const KeyCursor& keys, Time time)
+{
+    const auto [from, to] = interval_at(keys.beats(), time);
+    return {keys.at(from), keys.at(to)};
+}
 
 /// What moves the points of an object besides its drawings.
 enum class Carrier : std::uint8_t { none, backbones, bones };
@@ -64,9 +76,15 @@ struct ObjectView {
     std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
     BackbonesView backbones = {}; ///< only if backbones carry it
     bool has_arrivals = false;    ///< see Key::arrival
-    ByteReader key_bytes;
+    ByteReader key_bytes;         ///< begins with the keys
 
-    KeyCursor keys() const { return {key_bytes, has_arrivals, carrier == Carrier::bones}; }
+    KeyCursor keys() const
+    {
+        ByteReader bytes = key_bytes;
+        return take_keys(bytes);
+    }
+    /// Takes `bytes`, which begin with the keys, as far as these go.
+    KeyCursor take_keys(ByteReader& bytes) const { return {bytes, has_arrivals, carrier == Carrier::bones}; }
 };
 
 enum class ItemKind : std::uint8_t { object, group, use };

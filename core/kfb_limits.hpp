@@ -6,8 +6,7 @@
 /// What the scene format limits. The compiler refuses what exceeds it, so does SceneView::parse.
 namespace kfast::kfb {
 
-inline constexpr std::uint8_t version = 1;
-inline constexpr std::size_t header_bytes = 34;
+inline constexpr std::uint8_t version = 2;
 inline constexpr int max_canvas = 2047;                    ///< pixels in each direction
 inline constexpr std::uint32_t max_frame_rate = 1'000'000; ///< in 1/1000 fps
 inline constexpr std::int32_t max_time = 1'000'000 * 1024; ///< ticks

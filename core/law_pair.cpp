@@ -3,6 +3,8 @@
 namespace kfast {
 namespace {
 
+constexpr std::uint32_t as_for_x = 15;
+
 VelocityLaw read_law(VelocityLaw::Kind kind, ByteReader& bytes)
 {
     VelocityLaw law{.kind = kind};
@@ -22,6 +24,8 @@ LawPair read_law_pair(ByteReader& bytes)
 {
     const std::uint32_t kinds = bytes.u8();
     const VelocityLaw x = read_law(static_cast<VelocityLaw::Kind>(kinds & 15), bytes);
+    if (kinds >> 4 == as_for_x)
+        return {x, x};
     const VelocityLaw y = read_law(static_cast<VelocityLaw::Kind>(kinds >> 4), bytes);
     return {x, y};
 }

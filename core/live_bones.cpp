@@ -62,14 +62,14 @@ std::int32_t factor(std::int64_t stretch, std::int64_t a, std::int64_t b)
     return static_cast<std::int32_t>((((stretch * a) >> 16) + b + (1 << 13)) >> 14);
 }
 
-/// The common keys of a skeleton at one moment.
+/// The common beats of a skeleton at one moment.
 class CommonMoment {
 public:
     CommonMoment(const SceneView& scene, const BonesView& bones, Time time)
     {
-        if (bones.common_keys().at_end())
+        if (bones.common_beats().at_end())
             return;
-        const auto [from, to] = interval_at(bones.common_keys(), time);
+        const auto [from, to] = interval_at(bones.common_beats(), time);
         from_ = from.index;
         to_ = to.index;
         progress_ = progress_between(from.time, to.time, time, scene.laws(from.laws));
@@ -77,7 +77,7 @@ public:
 
     Passage passage(const BoneKeys& keys, LawAxis axis) const
     {
-        return {keys.common(from_), keys.common(to_), axis == LawAxis::y ? progress_.y : progress_.x};
+        return {keys.value(from_), keys.value(to_), axis == LawAxis::y ? progress_.y : progress_.x};
     }
 
 private:
@@ -108,8 +108,9 @@ private:
     {
         const BoneKeys& keys = bone.keys_of(quantity);
         const LawAxis axis = quantity == BoneQuantity::y ? LawAxis::y : LawAxis::x;
-        Passage passage = keys.kind() == BoneKeys::Kind::common ? common_.passage(keys, axis)
-                                                                : passage_at(scene_, keys.own(), axis, time_);
+        Passage passage = keys.kind() == BoneKeys::Kind::common
+                              ? common_.passage(keys, axis)
+                              : passage_at(scene_, keys.keys(), axis, time_);
         if (quantity == BoneQuantity::angle && !bone.turns_as_written)
             passage.to = passage.from + shortest_turn(BinaryAngle::from_raw(passage.from),
                                                       BinaryAngle::from_raw(passage.to));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/bit_reader.hpp"
 #include "core/byte_reader.hpp"
 #include "core/segment.hpp"
+#include "core/stroke_form.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,17 +11,11 @@
 
 namespace kfast {
 
-/// How the segments of a packed stroke are told apart; the values are those of the scene format.
-enum class SegmentMix : std::uint8_t { lines, cubics, both };
-
-/// Numbers of one stroke are at most this wide: the difference of two 16-bit coordinates.
-inline constexpr std::uint32_t max_delta_bits = 17;
-
 /// A key drawing as it lies in a compiled scene (docs/format.md, "Drawings"), read in place.
 class PackedDrawing {
 public:
-    /// `bytes` begins with the drawing and may go on after it.
-    explicit PackedDrawing(ByteReader bytes) : bytes_{bytes}, strokes_{bytes_.varint()} {}
+    /// `drawings` is a scene's section of drawings, `offset` less than its size.
+    PackedDrawing(std::span<const std::byte> drawings, std::uint32_t offset);
 
     std::uint32_t strokes() const { return strokes_; }
     std::uint32_t next_stroke();
@@ -27,30 +23,41 @@ public:
     Segment next_segment();
 
     /// Whether everything that has been read so far was within the format's limits.
-    bool is_sound() const { return sound_ && !bytes_.overrun(); }
+    bool is_sound() const { return is_known_ && !bytes_.overrun() && !bits_.overrun(); }
 
 private:
-    struct Sixteenths {
-        std::int32_t x = 0;
-        std::int32_t y = 0;
-    };
+    ByteReader form_elsewhere(std::uint32_t head);
+    void begin(std::uint32_t head, ByteReader form);
+    void foretell(std::uint32_t byte);
+    void move_start();
+    void turn();
+    Segment foretold_cubic(Point from);
+    bool closes() const { return left_ == 0 && form_.end == StrokeEnd::closed; }
+    Point vector(const VectorForm& form);
+    Point wide_vector(const VectorForm& form);
+    Point first_control();
+    Point flipped(std::int32_t x, std::int32_t y) const;
 
-    std::int32_t bits(std::uint32_t count);
-    Sixteenths delta_from(Sixteenths origin);
-    Point checked(Sixteenths at);
-
-    ByteReader bytes_;
+    std::span<const std::byte> drawings_;
+    ByteReader bytes_; ///< behind the stroke that was begun, if its form lies elsewhere
     std::uint32_t strokes_;
+    StrokeForm form_;
+    bool is_elsewhere_ = true;
+    bool is_known_ = true;
+    std::uint32_t left_ = 0;  ///< segments of the stroke
+    std::uint32_t half_ = 0;  ///< how many are left where it turns; 0 if it does not
+    BitReader bits_;          ///< of these
+    std::int32_t flip_x_ = 0; ///< -1 where x runs the other way, else 0
+    std::int32_t flip_y_ = 0;
     Point start_;
-    Sixteenths at_; ///< the end of the segment read last
-    SegmentMix mix_ = SegmentMix::lines;
-    std::uint32_t delta_bits_ = 0;
-    std::uint32_t pending_ = 0; ///< bits that were read from the bytes but not used yet
-    std::uint32_t pending_count_ = 0;
-    bool sound_ = true;
+    Point at_;      ///< the end of the segment read last
+    Point onwards_; ///< as far from there as its second control point, opposite; 0 behind a line
 };
 
 /// `drawings` is a scene's section of drawings, `offset` within it.
-PackedDrawing drawing_at(std::span<const std::byte> drawings, std::uint32_t offset);
+inline PackedDrawing drawing_at(std::span<const std::byte> drawings, std::uint32_t offset)
+{
+    return {drawings, offset};
+}
 
 }

@@ -7,6 +7,7 @@
 #include "core/paint_order.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace kfast {
 namespace {
@@ -24,6 +25,20 @@ std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
         bones = skeletons.skip();
     }
     return bones;
+}
+
+bool is_within(Fixed coordinate)
+{
+    return coordinate >= Fixed::sixteenths(std::numeric_limits<std::int16_t>::min()) &&
+           coordinate <= Fixed::sixteenths(std::numeric_limits<std::int16_t>::max());
+}
+
+bool is_within(Point at) { return is_within(at.x) && is_within(at.y); }
+
+/// Whether coordinates have 16 bits, as everything behind relies on.
+bool is_within(const Segment& segment)
+{
+    return is_within(segment.to) && is_within(segment.c1) && is_within(segment.c2);
 }
 
 bool is_sound(const Binding& binding, std::uint32_t bones)
@@ -198,7 +213,7 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) c
         return false;
     for (Time before{-1}; !keys.at_end();) {
         const TrackKey key = keys.next();
-        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+        if (key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
             !check_value(track, key.value))
             return false;
         before = key.time;
@@ -237,7 +252,7 @@ bool SceneCheck::check_keys(const ObjectView& object)
     const std::uint32_t bones = bones_of(scene_, object);
     for (Time before{-1}; !keys.at_end();) {
         const Key key = keys.next();
-        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+        if (key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
             !check_drawing(key.drawing))
             return false;
         if (object.has_arrivals && !check_drawing(key.arrival))
@@ -260,13 +275,12 @@ bool SceneCheck::check_drawing(std::uint32_t offset)
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;
-        if (!reader.is_sound() || segments > kfb::max_drawing_points || points > kfb::max_drawing_points)
+        if (!reader.is_sound() || !is_within(reader.start()) || segments > kfb::max_drawing_points ||
+            points > kfb::max_drawing_points)
             return false;
-        for (std::uint32_t i = 0; i < segments; ++i) {
-            reader.next_segment();
-            if (!reader.is_sound())
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (!is_within(reader.next_segment()) || !reader.is_sound())
                 return false;
-        }
     }
     key_points_ += points + 1;
     return reader.is_sound() && key_points_ <= kfb::max_key_points;
@@ -278,14 +292,14 @@ bool SceneCheck::check_path(const ItemView& item) const
         return false;
     PackedDrawing reader = scene_.drawing(item.path.drawing);
     const std::uint32_t segments = reader.strokes() == 1 ? reader.next_stroke() : 0;
-    if (!reader.is_sound())
+    if (!reader.is_sound() || !is_within(reader.start()))
         return false;
     ByteReader lengths = item.path.lengths;
     std::uint32_t total = 0;
     for (std::uint32_t i = 0; i < segments; ++i) {
-        reader.next_segment();
+        const bool is_segment = is_within(reader.next_segment()) && reader.is_sound();
         const std::uint32_t length = lengths.varint();
-        if (length == 0 || length > kfb::max_path || !reader.is_sound() || lengths.overrun())
+        if (!is_segment || length == 0 || length > kfb::max_path || lengths.overrun())
             return false;
         total += length;
         if (total > kfb::max_path)
@@ -315,7 +329,7 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
     const std::uint32_t first = backbones.keys().next().drawing;
     for (Time before{-1}; !keys.at_end();) {
         const BackboneKey key = keys.next();
-        if (keys.overrun() || key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+        if (key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
             !check_drawing(key.drawing) || !are_backbones(scene_.drawing(key.drawing)) ||
             !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(first)))
             return false;
@@ -328,7 +342,9 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
 /// Of a key whose drawing has been checked.
 bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
 {
-    if (key.skin >= scene_.drawings_.size())
+    if (key.skin < 0)
+        return static_cast<std::uint32_t>(-1 - key.skin) < bones;
+    if (static_cast<std::size_t>(key.skin) >= scene_.drawings_.size())
         return false;
     SkinReader skin = scene_.skin(key.skin);
     if (skin.has_drawing_at_rest() &&

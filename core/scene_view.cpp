@@ -2,13 +2,39 @@
 
 #include "core/crc32.hpp"
 #include "core/kfb_limits.hpp"
+#include "core/rate_code.hpp"
 #include "core/scene_check.hpp"
+#include "core/time_code.hpp"
+#include "core/usual_camera.hpp"
+
+#include <algorithm>
 
 namespace kfast {
 namespace {
 
 constexpr std::uint32_t magic = 'K' | 'F' << 8 | 'B' << 16;
 constexpr std::size_t checksum_end = 8; ///< the checksum covers everything behind itself
+
+constexpr std::uint32_t loop_bits = 3;
+constexpr std::uint32_t camera_bit = 1 << 2;
+constexpr std::uint32_t opacity_bit = 1 << 3;
+constexpr std::uint32_t marks_bit = 1 << 4;
+constexpr std::uint32_t bones_bit = 1 << 5;
+constexpr std::uint32_t symbols_bit = 1 << 6;
+constexpr std::uint32_t unused_bit = 1 << 7;
+
+/// Beyond the format's limit it stays beyond it.
+std::uint32_t read_outline_bytes(ByteReader& bytes)
+{
+    return 4 * std::min(bytes.varint(), kfb::max_outline_bytes / 4 + 1);
+}
+
+int read_side(ByteReader& bytes)
+{
+    return static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_canvas + 1));
+}
+
+ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
 
 }
 
@@ -17,57 +43,66 @@ Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
     ByteReader reader{bytes};
     const std::uint32_t tag = reader.u32();
     const std::uint32_t checksum = reader.u32();
-    const std::size_t size = reader.u32();
+    const std::size_t body = reader.varint();
     if (bytes.size() >= 3 && (tag & 0xFFFFFF) != magic)
         return Error::bad_magic;
     if (bytes.size() >= 4 && tag >> 24 != kfb::version)
         return Error::unsupported_version;
-    if (bytes.size() < kfb::header_bytes || bytes.size() < size)
+    if (reader.overrun() || reader.left() < body)
         return Error::truncated;
-    if (size < kfb::header_bytes)
-        return Error::bad_scene;
+    SceneView scene;
+    scene.size_ = bytes.size() - reader.left() + body;
     Crc32 crc;
-    crc.add(bytes.first(size).subspan(checksum_end));
+    crc.add(bytes.first(scene.size_).subspan(checksum_end));
     if (crc.value() != checksum)
         return Error::bad_checksum;
-    SceneView scene;
-    scene.size_ = size;
-    if (!scene.read_sections(bytes.first(size)) || !SceneCheck{scene}.passes())
+    if (!scene.read_sections(reader.take(body)) || !SceneCheck{scene}.passes())
         return Error::bad_scene;
     return scene;
 }
 
-bool SceneView::read_sections(std::span<const std::byte> bytes)
+bool SceneView::read_sections(ByteReader reader)
 {
-    ByteReader reader{bytes.subspan(checksum_end + 4)};
-    outline_bytes_ = reader.u32();
-    law_count_ = reader.u8();
-    loop_ = static_cast<Loop>(reader.u8());
-    length_.ticks = static_cast<std::int32_t>(reader.u32());
-    frame_rate_ = reader.u32();
-    canvas_.width = static_cast<int>(reader.u16());
-    canvas_.height = static_cast<int>(reader.u16());
+    outline_bytes_ = read_outline_bytes(reader);
+    const std::uint32_t head = reader.u8();
+    loop_ = static_cast<Loop>(head & loop_bits);
+    length_ = read_time_code(reader);
+    frame_rate_ = rate_of(reader.varint());
+    canvas_.width = read_side(reader);
+    canvas_.height = read_side(reader);
+    camera_ = (head & camera_bit) != 0 ? static_cast<std::int32_t>(reader.varint()) : usual_camera(canvas_);
     const std::size_t colours = reader.u8();
-    symbol_count_ = reader.u8();
-    camera_ = static_cast<std::int32_t>(reader.u16());
-    palette_ = reader.take(colours * colour_bytes).rest();
+    colour_bytes_ = (head & opacity_bit) != 0 ? 4 : 3;
+    palette_ = reader.take(colours * colour_bytes_).rest();
+    law_count_ = reader.u8();
     laws_ = reader;
     for (std::uint32_t pair = 0; pair < law_count_; ++pair)
         read_law_pair(reader);
-    marks_ = reader.take(reader.varint());
-    bones_ = reader.take(reader.varint());
-    symbols_ = reader.take(reader.varint());
-    items_ = reader.take(reader.varint());
+    if ((head & marks_bit) != 0)
+        marks_ = take_block(reader);
+    if ((head & bones_bit) != 0)
+        bones_ = take_block(reader);
+    if ((head & symbols_bit) != 0) {
+        symbol_count_ = reader.u8();
+        symbols_ = take_block(reader);
+    }
+    items_ = take_block(reader);
     drawings_ = reader.rest();
-    return !reader.overrun();
+    return !reader.overrun() && (head & unused_bit) == 0;
 }
 
 Colour SceneView::colour(std::size_t index) const
 {
-    const auto channel = [this, index](std::size_t number) {
-        return std::to_integer<std::uint8_t>(palette_[colour_bytes * index + number]);
-    };
-    return {channel(0), channel(1), channel(2), channel(3)};
+    const std::byte* at = palette_.data() + colour_bytes_ * index;
+    const auto channel = [at](int number) { return std::to_integer<std::uint8_t>(at[number]); };
+    return {channel(0), channel(1), channel(2), colour_bytes_ == 4 ? channel(3) : std::uint8_t{255}};
+}
+
+SkinReader SceneView::skin(std::int32_t skin) const
+{
+    if (skin < 0)
+        return SkinReader::of(static_cast<std::uint32_t>(-1 - skin));
+    return SkinReader{ByteReader{drawings_.subspan(static_cast<std::size_t>(skin))}};
 }
 
 LawPair SceneView::laws(std::uint32_t number) const

@@ -50,7 +50,7 @@ public:
 
     /// `index` is less than palette_size(); 0 is the background.
     Colour colour(std::size_t index) const;
-    std::size_t palette_size() const { return palette_.size() / colour_bytes; }
+    std::size_t palette_size() const { return palette_.size() / colour_bytes_; }
     /// `number` is that of a key.
     LawPair laws(std::uint32_t number) const;
     /// The skeletons of bones.
@@ -68,8 +68,9 @@ public:
     std::uint32_t symbol_count() const { return symbol_count_; }
     /// `offset` is that of a key.
     PackedDrawing drawing(std::uint32_t offset) const { return drawing_at(drawings_, offset); }
-    /// `offset` is that of a key.
-    SkinReader skin(std::uint32_t offset) const { return SkinReader{ByteReader{drawings_.subspan(offset)}}; }
+    /// `skin` is that of a key: an offset in the section of drawings, or, if it is negative, the bone -1 -
+    /// skin.
+    SkinReader skin(std::int32_t skin) const;
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
     ClipCursor clips() const;
@@ -80,11 +81,9 @@ public:
 private:
     friend class SceneCheck;
 
-    static constexpr std::size_t colour_bytes = 4;
-
     SceneView() = default;
 
-    bool read_sections(std::span<const std::byte> bytes);
+    bool read_sections(ByteReader reader);
 
     std::size_t size_ = 0;
     Size canvas_;
@@ -99,6 +98,7 @@ private:
     std::size_t backbone_nodes_ = 0;
     std::uint32_t law_count_ = 0;
     std::uint32_t symbol_count_ = 0;
+    std::size_t colour_bytes_ = 3; ///< 4 if they have opacities
     std::span<const std::byte> palette_;
     ByteReader laws_;
     ByteReader marks_;

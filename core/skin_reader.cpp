@@ -1,11 +1,21 @@
 #include "core/skin_reader.hpp"
 
+#include <limits>
+
 namespace kfast {
 
-/// The last bone has no weight of its own.
 Binding::Binding(ByteReader& bytes, std::uint32_t count) : bytes_{bytes}, count_{count}
 {
-    bytes.skip(2 * count - 1);
+    bytes.skip(2 * (count - 1));
+    last_ = bytes.u8();
+}
+
+SkinReader SkinReader::of(std::uint32_t bone)
+{
+    SkinReader reader;
+    reader.binding_ = Binding{bone};
+    reader.left_ = std::numeric_limits<std::uint32_t>::max();
+    return reader;
 }
 
 const Binding& SkinReader::next()

@@ -16,6 +16,8 @@ struct BoneShare {
 class Binding {
 public:
     Binding() = default;
+    /// One bone alone.
+    explicit Binding(std::uint32_t bone) : last_{bone} {}
     /// Takes `bytes` as far as the bones go.
     Binding(ByteReader& bytes, std::uint32_t count);
 
@@ -33,12 +35,13 @@ public:
             rest -= weight;
             use(BoneShare{bone, weight});
         }
-        use(BoneShare{bytes.u8(), rest});
+        use(BoneShare{last_, rest});
     }
 
 private:
     ByteReader bytes_;
     std::uint32_t count_ = 1;
+    std::uint32_t last_ = 0; ///< number of the last bone, which has no weight of its own
 };
 
 /// Reads the bindings of a drawing's points in their order: each stroke's first point and the ends of its
@@ -48,6 +51,8 @@ public:
     SkinReader() = default;
     /// `bytes` begins with the skin and may go on after it.
     explicit SkinReader(ByteReader bytes) : bytes_{bytes}, at_rest_{bytes_.varint()} {}
+    /// One bone carries all points.
+    static SkinReader of(std::uint32_t bone);
 
     /// The drawing at rest has an offset; otherwise the drawing itself is at rest.
     bool has_drawing_at_rest() const { return at_rest_ != 0; }

@@ -3,6 +3,8 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/affine.cpp
     ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/blending.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bone_view.cpp
@@ -28,6 +30,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
     ${CMAKE_CURRENT_LIST_DIR}/paint_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/passage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
@@ -41,8 +44,8 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/space.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/stroke_form.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_outline.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/stroke_style.cpp
     ${CMAKE_CURRENT_LIST_DIR}/sweep.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time_code.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp

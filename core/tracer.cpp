@@ -168,7 +168,7 @@ void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& key
     LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
 }
 
-CarriedDrawing Tracer::carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const
+CarriedDrawing Tracer::carried(const ObjectView& object, std::uint32_t drawing, std::int32_t skin) const
 {
     const SceneView& scene = on_panel_.scene;
     const PackedDrawing own = scene.drawing(drawing);

@@ -61,7 +61,7 @@ private:
     void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
                        ObjectOutline& outline);
     Still still_of(const ObjectView& object, const KeyInterval<Key>& keys) const;
-    CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::uint32_t skin) const;
+    CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::int32_t skin) const;
     LiveBackbones backbones_of(const ObjectView& object) const;
     Point first_point(const ObjectView& object, const Key& key) const;
     bool copy_still(const Context& context);

@@ -1,7 +1,5 @@
 #include "core/track_view.hpp"
 
-#include "core/time_code.hpp"
-
 namespace kfast {
 namespace {
 
@@ -9,20 +7,11 @@ constexpr std::uint32_t property_bits = 0x3F;
 constexpr std::uint32_t smooth_bit = 0x40;
 constexpr std::uint32_t fixed_bit = 0x80;
 
-/// 2 v for v >= 0, -2 v - 1 below.
-std::int32_t read_signed(ByteReader& bytes)
-{
-    const std::uint32_t code = bytes.varint();
-    return static_cast<std::int32_t>(code >> 1 ^ (0U - (code & 1)));
 }
 
-}
-
-TrackKey TrackKeyCursor::next()
+TrackKey TrackKeyCursor::at(const Beat& beat) const
 {
-    time_ = time_ + read_time_code(bytes_);
-    const std::uint32_t laws = is_smooth_ ? 0 : bytes_.u8();
-    return {.time = time_, .laws = laws, .value = read_signed(bytes_)};
+    return {.time = beat.time, .laws = is_smooth_ ? 0 : beat.laws, .value = values_[beat.index]};
 }
 
 TrackView TrackCursor::next()
@@ -34,9 +23,10 @@ TrackView TrackCursor::next()
     track.is_smooth = (head & smooth_bit) != 0;
     if ((head & fixed_bit) != 0) {
         track.is_fixed = true;
-        track.value = read_signed(bytes_);
+        track.value = bytes_.signed_varint();
     } else {
-        track.keys = TrackKeyCursor{bytes_.take(bytes_.varint()), track.is_smooth};
+        beats_ = BeatCursor::take(bytes_, beats_);
+        track.keys = {beats_, PackedValues::take(bytes_, beats_.count()), track.is_smooth};
     }
     return track;
 }

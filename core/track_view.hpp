@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/beat_cursor.hpp"
 #include "core/byte_reader.hpp"
+#include "core/key_interval.hpp"
+#include "core/packed_values.hpp"
 #include "core/property.hpp"
 #include "core/time.hpp"
 
@@ -19,20 +22,30 @@ struct TrackKey {
 class TrackKeyCursor {
 public:
     TrackKeyCursor() = default;
-    explicit TrackKeyCursor(ByteReader bytes, bool is_smooth = false) : bytes_{bytes}, is_smooth_{is_smooth}
+    TrackKeyCursor(const BeatCursor& beats, const PackedValues& values, bool is_smooth = false)
+        : beats_{beats}, values_{values}, is_smooth_{is_smooth}
     {
     }
 
-    bool at_end() const { return bytes_.left() == 0; }
+    bool at_end() const { return beats_.at_end(); }
     /// Only when not at the end.
-    TrackKey next();
-    bool overrun() const { return bytes_.overrun(); }
+    TrackKey next() { return at(beats_.next()); }
+    /// What has not been read.
+    const BeatCursor& beats() const { return beats_; }
+    TrackKey at(const Beat& beat) const;
 
 private:
-    ByteReader bytes_;
+    BeatCursor beats_;
+    PackedValues values_;
     bool is_smooth_ = false;
-    Time time_;
 };
+
+/// Looks at no value in between.
+inline KeyInterval<TrackKey> interval_at(const TrackKeyCursor& keys, Time time)
+{
+    const auto [from, to] = interval_at(keys.beats(), time);
+    return {keys.at(from), keys.at(to)};
+}
 
 /// One quantity of an item: a fixed value, or keys; borrows the scene's bytes.
 struct TrackView {
@@ -60,6 +73,7 @@ public:
 private:
     ByteReader bytes_;
     std::uint32_t left_ = 0;
+    BeatCursor beats_; ///< of the track before
 };
 
 }

@@ -23,19 +23,13 @@ double value_of(BoneQuantity quantity, std::int32_t value)
 
 class QuantityFacts {
 public:
-    QuantityFacts(const SceneView& scene, BoneQuantity quantity) : scene_{scene}, quantity_{quantity} {}
-
-    Json of_common(const BonesView& skeleton, const BoneKeys& keys) const
+    QuantityFacts(const SceneView& scene, const BoneView& bone, BoneQuantity quantity)
+        : scene_{scene}, quantity_{quantity}, counts_modulo_one_turn_{quantity == BoneQuantity::angle &&
+                                                                      !bone.turns_as_written}
     {
-        Json facts = Json::array();
-        for (CommonKeyCursor cursor = skeleton.common_keys(); !cursor.at_end();) {
-            const CommonKey key = cursor.next();
-            facts.push_back(fact(key.time, keys.common(key.index), key.laws, cursor.at_end()));
-        }
-        return facts;
     }
 
-    Json of_own(TrackKeyCursor cursor) const
+    Json of(TrackKeyCursor cursor) const
     {
         Json facts = Json::array();
         while (!cursor.at_end()) {
@@ -48,8 +42,9 @@ public:
 private:
     Json fact(Time time, std::int32_t value, std::uint32_t number, bool is_last) const
     {
+        constexpr std::int32_t turn = 65536;
         Json key{{"at", static_cast<double>(time.ticks) / Time::ticks_per_frame},
-                 {"value", value_of(quantity_, value)}};
+                 {"value", value_of(quantity_, counts_modulo_one_turn_ ? value & (turn - 1) : value)}};
         const LawPair laws = scene_.laws(number);
         if (!is_last)
             key["law"] = law_text(quantity_ == BoneQuantity::y ? laws.y : laws.x);
@@ -58,10 +53,10 @@ private:
 
     const SceneView& scene_;
     BoneQuantity quantity_;
+    bool counts_modulo_one_turn_;
 };
 
-Json quantity_facts(const SceneView& scene, const BonesView& skeleton, const BoneView& bone,
-                    std::size_t number)
+Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t number)
 {
     const auto quantity = static_cast<BoneQuantity>(number);
     const BoneKeys& keys = bone.keys_of(quantity);
@@ -70,10 +65,8 @@ Json quantity_facts(const SceneView& scene, const BonesView& skeleton, const Bon
         facts["value"] = value_of(quantity, bone.at_rest(quantity));
         return facts;
     }
-    const QuantityFacts reader{scene, quantity};
     facts["smooth"] = false;
-    facts["keys"] =
-        keys.kind() == BoneKeys::Kind::common ? reader.of_common(skeleton, keys) : reader.of_own(keys.own());
+    facts["keys"] = QuantityFacts{scene, bone, quantity}.of(keys.keys());
     return facts;
 }
 
@@ -87,7 +80,7 @@ Json bones_of(const SceneView& scene, const BonesView& skeleton)
             facts["parent"] = bone.parent;
         facts["tracks"] = Json::array();
         for (std::size_t i = 0; i < bone_quantity_count; ++i)
-            facts["tracks"].push_back(quantity_facts(scene, skeleton, bone, i));
+            facts["tracks"].push_back(quantity_facts(scene, bone, i));
         bones.push_back(std::move(facts));
     }
     return bones;

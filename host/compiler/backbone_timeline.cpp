@@ -66,7 +66,7 @@ std::vector<BackboneNode> BackboneTimeline::nodes_at(Time time) const
 
 PackedDrawing BackboneTimeline::drawing(std::size_t index) const
 {
-    return PackedDrawing{ByteReader{drawings_[index]}};
+    return drawing_at(drawings_[index], 0);
 }
 
 }

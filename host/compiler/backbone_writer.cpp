@@ -1,24 +1,26 @@
 #include "host/compiler/backbone_writer.hpp"
 
 #include "host/compiler/backbone_timeline.hpp"
-#include "host/compiler/time_code.hpp"
+#include "host/compiler/beat_writer.hpp"
+#include "host/compiler/value_writer.hpp"
+
+#include <vector>
 
 namespace kfast {
 
 void write_backbones(const scene::Object& object, std::uint32_t unit_bits, LawTable& laws,
                      DrawingPool& drawings, ByteWriter& bytes)
 {
-    ByteWriter keys;
-    Time before;
+    Beats beats;
+    std::vector<std::int32_t> offsets;
     for (const scene::BackboneKey& key : object.backbone_keys) {
         const bool is_last = &key == &object.backbone_keys.back();
-        keys.varint(time_code(key.time - before));
-        keys.u8(laws.number_of(is_last ? LawPair{} : key.laws, key.place));
-        keys.varint(drawings.offset_of(drawing_of(key.backbones)));
-        before = key.time;
+        beats.push_back({key.time, laws.number_of(is_last ? LawPair{} : key.laws, key.place)});
+        offsets.push_back(drawings.offset_of(drawing_of(key.backbones)));
     }
     bytes.u8(unit_bits);
-    bytes.block(keys.bytes());
+    write_beats(beats, one_beat, bytes);
+    write_values(offsets, bytes);
 }
 
 std::uint64_t backbone_points(const scene::Object& object)

@@ -2,11 +2,13 @@
 
 #include "host/compiler/byte_writer.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace kfast {
 
-/// Appends numbers of any width to a ByteWriter, the lowest bit first. Ends on a byte when it goes.
+/// Appends numbers of any width to a ByteWriter, the highest bit first; the counterpart of the core's
+/// BitReader. Ends on a byte when it goes.
 class BitWriter {
 public:
     explicit BitWriter(ByteWriter& bytes) : bytes_{bytes} {}
@@ -16,15 +18,25 @@ public:
     ~BitWriter()
     {
         if (pending_count_ != 0)
-            bytes_.u8(pending_);
+            bytes_.u8(pending_ << (8 - pending_count_));
     }
 
     /// The lowest `count` bits of `value`, at most 24.
     void put(std::int32_t value, std::uint32_t count)
     {
-        pending_ |= (static_cast<std::uint32_t>(value) & ((1U << count) - 1)) << pending_count_;
-        for (pending_count_ += count; pending_count_ >= 8; pending_count_ -= 8, pending_ >>= 8)
-            bytes_.u8(pending_);
+        pending_ = pending_ << count | (static_cast<std::uint32_t>(value) & ((1U << count) - 1));
+        for (pending_count_ += count; pending_count_ >= 8;) {
+            pending_count_ -= 8;
+            bytes_.u8(pending_ >> pending_count_);
+        }
+    }
+
+    /// The lowest `count` bits of `value`, at most 32.
+    void number(std::uint32_t value, std::uint32_t count)
+    {
+        if (count > 16)
+            put(static_cast<std::int32_t>(value >> 16), count - 16);
+        put(static_cast<std::int32_t>(value), std::min(count, 16U));
     }
 
 private:

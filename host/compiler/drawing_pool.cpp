@@ -1,26 +1,63 @@
 #include "host/compiler/drawing_pool.hpp"
 
+#include "core/stroke_form.hpp"
 #include "host/compiler/pack_drawing.hpp"
-
-#include <utility>
+#include "host/compiler/pack_form.hpp"
 
 namespace kfast {
+namespace {
 
-std::uint32_t DrawingPool::offset_of(const scene::Drawing& drawing)
+std::string text_of(std::span<const std::byte> bytes)
 {
-    ByteWriter packed;
-    pack_drawing(drawing, packed);
-    return offset_of(packed.bytes());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::uint32_t DrawingPool::offset_of(std::span<const std::byte> bytes)
+}
+
+std::int32_t DrawingPool::offset_of(const scene::Drawing& drawing)
 {
-    std::string key{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-    const auto [entry, is_new] =
-        offsets_.emplace(std::move(key), static_cast<std::uint32_t>(section_.size()));
+    ByteWriter alone;
+    pack_drawing(drawing, alone);
+    const auto offset = static_cast<std::int32_t>(section_.size());
+    const auto [entry, is_new] = drawings_.emplace(text_of(alone.bytes()), offset);
+    if (is_new)
+        pack_drawing(drawing, section_, [this](const Steps& steps, ByteWriter&) { add_form(steps); });
+    return entry->second;
+}
+
+std::int32_t DrawingPool::offset_of(std::span<const std::byte> bytes)
+{
+    const auto offset = static_cast<std::int32_t>(section_.size());
+    const auto [entry, is_new] = others_.emplace(text_of(bytes), offset);
     if (is_new)
         section_.append(bytes);
     return entry->second;
+}
+
+void DrawingPool::add_form(const Steps& steps)
+{
+    const std::vector<std::byte> form = packed_form(steps);
+    const std::vector<std::byte> repeat = repeat_of(steps);
+    if (!repeat.empty() && repeat.size() < form.size())
+        return section_.append(repeat);
+    forms_.emplace(steps, static_cast<std::uint32_t>(section_.size()));
+    section_.append(form);
+}
+
+/// What refers to the form of such a stroke, or of a mirrored one; nothing if there is none.
+std::vector<std::byte> DrawingPool::repeat_of(const Steps& steps) const
+{
+    constexpr auto repeat = static_cast<std::uint32_t>(SegmentMix::repeat);
+    for (const std::uint32_t mirroring : {0U, 1U, 2U, 3U}) {
+        const auto form = forms_.find(mirrored(steps, (mirroring & 1) != 0, (mirroring & 2) != 0));
+        if (form == forms_.end())
+            continue;
+        ByteWriter bytes;
+        bytes.u8(repeat | mirroring << 2);
+        bytes.varint(form->second);
+        return bytes.bytes();
+    }
+    return {};
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/compiler/byte_writer.hpp"
+#include "host/compiler/stroke_steps.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstddef>
@@ -13,19 +14,24 @@
 namespace kfast {
 
 /// The section of drawings: each drawing is stored once, however many keys of whichever objects show it, and
-/// so is what belongs to drawings.
+/// so is what belongs to drawings. So are strokes, wherever they begin, and mirrored ones.
 class DrawingPool {
 public:
     /// Where the drawing is in the section.
-    std::uint32_t offset_of(const scene::Drawing& drawing);
+    std::int32_t offset_of(const scene::Drawing& drawing);
     /// Where the section has `bytes`, of which there is at least one.
-    std::uint32_t offset_of(std::span<const std::byte> bytes);
+    std::int32_t offset_of(std::span<const std::byte> bytes);
 
     const std::vector<std::byte>& bytes() const { return section_.bytes(); }
 
 private:
+    void add_form(const Steps& steps);
+    std::vector<std::byte> repeat_of(const Steps& steps) const;
+
     ByteWriter section_;
-    std::map<std::string, std::uint32_t> offsets_; ///< by what is stored there
+    std::map<std::string, std::int32_t> drawings_; ///< by what they are when packed by themselves
+    std::map<Steps, std::uint32_t> forms_;
+    std::map<std::string, std::int32_t> others_; ///< by their bytes
 };
 
 }

@@ -1,7 +1,10 @@
 #include "host/compiler/header.hpp"
 
+#include "core/byte_reader.hpp"
 #include "core/crc32.hpp"
 #include "core/kfb_limits.hpp"
+#include "core/usual_camera.hpp"
+#include "host/compiler/time_code.hpp"
 
 #include <algorithm>
 #include <span>
@@ -9,42 +12,54 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t sealing_bytes = 12; ///< what sealed() adds
-constexpr std::size_t checksum_at = 4;
 constexpr std::size_t checked_at = 8; ///< what the checksum covers
-constexpr std::size_t outline_bytes_at = sealing_bytes;
 
-void put(std::vector<std::byte>& file, std::size_t at, std::uint32_t value)
+std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
+
+std::uint32_t rate_code(std::uint32_t rate) { return rate % 1000 == 0 ? rate / 1000 * 2 : rate * 2 + 1; }
+
+bool has_usual_camera(const scene::Scene& scene) { return scene.camera == usual_camera(scene.canvas); }
+
+bool is_opaque(const Colour& colour) { return colour.opacity == 255; }
+
+void write_colour(const Colour& colour, bool with_opacity, ByteWriter& bytes)
 {
-    ByteWriter bytes;
-    bytes.u32(value);
-    std::ranges::copy(bytes.bytes(), file.begin() + static_cast<std::ptrdiff_t>(at));
+    for (const std::uint8_t part : {colour.red, colour.green, colour.blue})
+        bytes.u8(part);
+    if (with_opacity)
+        bytes.u8(colour.opacity);
+}
+
+void write_palette(const std::vector<Colour>& palette, bool with_opacity, ByteWriter& bytes)
+{
+    bytes.u8(static_cast<std::uint32_t>(palette.size()));
+    for (const Colour& colour : palette)
+        write_colour(colour, with_opacity, bytes);
 }
 
 }
 
-void write_header(const scene::Scene& scene, std::size_t law_pairs, ByteWriter& bytes)
+void write_header(const scene::Scene& scene, const Sections& sections, ByteWriter& bytes)
 {
-    bytes.u32(0);
-    bytes.u8(static_cast<std::uint32_t>(law_pairs));
-    bytes.u8(static_cast<std::uint32_t>(scene.loop));
-    bytes.u32(static_cast<std::uint32_t>(scene.length.ticks));
-    bytes.u32(scene.frame_rate);
-    bytes.u16(static_cast<std::uint32_t>(scene.canvas.width));
-    bytes.u16(static_cast<std::uint32_t>(scene.canvas.height));
-    bytes.u8(static_cast<std::uint32_t>(scene.palette.size()));
-    bytes.u8(static_cast<std::uint32_t>(scene.symbols.size()));
-    bytes.u16(static_cast<std::uint32_t>(scene.camera));
-    for (const Colour colour : scene.palette)
-        for (const std::uint8_t part : {colour.red, colour.green, colour.blue, colour.opacity})
-            bytes.u8(part);
+    constexpr std::uint32_t outline_bytes = 0;
+    const bool with_opacity = !std::ranges::all_of(scene.palette, is_opaque);
+    bytes.varint(outline_bytes);
+    bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_usual_camera(scene), 2) |
+             flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
+             flag(sections.symbols, 6));
+    bytes.varint(time_code(scene.length));
+    bytes.varint(rate_code(scene.frame_rate));
+    bytes.varint(static_cast<std::uint32_t>(scene.canvas.width));
+    bytes.varint(static_cast<std::uint32_t>(scene.canvas.height));
+    if (!has_usual_camera(scene))
+        bytes.varint(static_cast<std::uint32_t>(scene.camera));
+    write_palette(scene.palette, with_opacity, bytes);
 }
 
 std::vector<std::byte> sealed(const ByteWriter& body)
 {
     ByteWriter checked;
-    checked.u32(static_cast<std::uint32_t>(body.size()) + sealing_bytes);
-    checked.append(body.bytes());
+    checked.block(body.bytes());
     Crc32 crc;
     crc.add(checked.bytes());
     ByteWriter file;
@@ -58,10 +73,13 @@ std::vector<std::byte> sealed(const ByteWriter& body)
 
 void set_outline_bytes(std::vector<std::byte>& file, std::uint32_t outline_bytes)
 {
-    put(file, outline_bytes_at, outline_bytes);
-    Crc32 crc;
-    crc.add(std::span{file}.subspan(checked_at));
-    put(file, checksum_at, crc.value());
+    ByteReader old{std::span{file}.subspan(checked_at)};
+    old.varint(); // the size
+    old.varint();
+    ByteWriter body;
+    body.varint(outline_bytes / 4);
+    body.append(old.rest());
+    file = sealed(body);
 }
 
 }

@@ -9,9 +9,16 @@
 
 namespace kfast {
 
+/// Which of the sections that a scene may lack there are.
+struct Sections {
+    bool marks = false;
+    bool bones = false;
+    bool symbols = false;
+};
+
 /// Appends the header of `scene` from the bytes for outlines on, which are 0, and its palette
 /// (docs/format.md).
-void write_header(const scene::Scene& scene, std::size_t law_pairs, ByteWriter& bytes);
+void write_header(const scene::Scene& scene, const Sections& sections, ByteWriter& bytes);
 
 /// Puts magic, version, checksum and size before everything else.
 std::vector<std::byte> sealed(const ByteWriter& body);

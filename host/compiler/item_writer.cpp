@@ -85,7 +85,7 @@ void ItemWriter::write_object(const scene::Object& object, ByteWriter& bytes)
     if (object.stroke)
         write_stroke_style(*object.stroke, bytes);
     write_carrier(object, keys.unit_bits, bytes);
-    bytes.block(keys.bytes);
+    bytes.append(keys.bytes);
 }
 
 }

@@ -1,9 +1,10 @@
 #include "host/compiler/key_writer.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "host/compiler/beat_writer.hpp"
 #include "host/compiler/carried_ways.hpp"
 #include "host/compiler/match_by_length.hpp"
-#include "host/compiler/time_code.hpp"
+#include "host/compiler/value_writer.hpp"
 
 #include <algorithm>
 #include <string>
@@ -63,22 +64,26 @@ KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics)
 PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics)
 {
-    ByteWriter bytes;
     std::uint64_t points = 0;
     const bool with_arrivals = has_arrivals(object);
     const KeyWays ways = key_ways(object, diagnostics);
-    Time before;
+    Beats beats;
+    std::vector<std::int32_t> from;
+    std::vector<std::int32_t> to;
     for (const KeyWay& way : ways.ways) {
-        bytes.varint(time_code(way.time - before));
-        bytes.u8(laws.number_of(way.laws, way.place));
-        bytes.varint(drawings.offset_of(way.ends.from));
+        beats.push_back({way.time, laws.number_of(way.laws, way.place)});
+        from.push_back(drawings.offset_of(way.ends.from));
         points += point_count(way.ends.from) + 1;
         if (with_arrivals) {
-            bytes.varint(drawings.offset_of(way.ends.to));
+            to.push_back(drawings.offset_of(way.ends.to));
             points += point_count(way.ends.to) + 1;
         }
-        before = way.time;
     }
+    ByteWriter bytes;
+    write_beats(beats, one_beat, bytes);
+    write_values(from, bytes);
+    if (with_arrivals)
+        write_values(to, bytes);
     return {bytes.bytes(), points, ways.unit_bits};
 }
 

@@ -7,6 +7,8 @@
 namespace kfast {
 namespace {
 
+constexpr std::uint32_t as_for_x = 15;
+
 void write_parameters(const VelocityLaw& law, ByteWriter& bytes)
 {
     if (law.kind == VelocityLaw::Kind::steps)
@@ -38,9 +40,12 @@ std::vector<std::byte> LawTable::bytes() const
 {
     ByteWriter bytes;
     for (const LawPair& pair : pairs_) {
-        bytes.u8(static_cast<std::uint32_t>(pair.x.kind) | static_cast<std::uint32_t>(pair.y.kind) << 4);
+        const bool is_alike = pair.x == pair.y;
+        bytes.u8(static_cast<std::uint32_t>(pair.x.kind) |
+                 (is_alike ? as_for_x : static_cast<std::uint32_t>(pair.y.kind)) << 4);
         write_parameters(pair.x, bytes);
-        write_parameters(pair.y, bytes);
+        if (!is_alike)
+            write_parameters(pair.y, bytes);
     }
     return bytes.bytes();
 }

@@ -35,7 +35,7 @@ void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& byte
     const scene::Drawing drawing{{rounded(made_even(drawn))}};
     ByteWriter path;
     path.u8(item.path->turns ? 1 : 0);
-    path.varint(drawings.offset_of(drawing));
+    path.varint(static_cast<std::uint32_t>(drawings.offset_of(drawing)));
     std::uint64_t whole = 0;
     for (const MeasuredSegment& segment : measured(drawing.strokes.front())) {
         const std::uint32_t length = stored_length(segment);

@@ -1,10 +1,12 @@
 #include "host/compiler/skinned_keys.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "host/compiler/beat_writer.hpp"
 #include "host/compiler/skinned_drawing.hpp"
-#include "host/compiler/time_code.hpp"
+#include "host/compiler/value_writer.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -54,10 +56,24 @@ void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
     }
 }
 
-std::uint32_t offset_of_skin(const SkinnedDrawing& skinned, DrawingPool& drawings)
+/// The one that carries all points, which are at rest where they are drawn.
+std::optional<std::int32_t> only_bone(const SkinnedDrawing& skinned)
 {
+    const auto is_first = [&skinned](const scene::Binding& binding) {
+        return binding.size() == 1 && binding == skinned.bindings.front();
+    };
+    if (skinned.at_rest || skinned.bindings.empty() || !std::ranges::all_of(skinned.bindings, is_first))
+        return std::nullopt;
+    return static_cast<std::int32_t>(skinned.bindings.front().front().bone);
+}
+
+/// The number by which a key refers to it.
+std::int32_t number_of_skin(const SkinnedDrawing& skinned, DrawingPool& drawings)
+{
+    if (const auto bone = only_bone(skinned))
+        return -1 - *bone;
     ByteWriter skin;
-    skin.varint(skinned.at_rest ? 1 + drawings.offset_of(*skinned.at_rest) : 0);
+    skin.varint(skinned.at_rest ? 1 + static_cast<std::uint32_t>(drawings.offset_of(*skinned.at_rest)) : 0);
     write_runs(skinned.bindings, skin);
     return drawings.offset_of(skin.bytes());
 }
@@ -75,17 +91,21 @@ PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, Draw
 {
     const std::vector<SkinnedDrawing> skinned = skinned_drawings(object, diagnostics);
     PackedKeys packed;
-    ByteWriter bytes;
-    Time before;
+    Beats beats;
+    std::vector<std::int32_t> offsets;
+    std::vector<std::int32_t> skins;
     for (std::size_t i = 0; i < skinned.size(); ++i) {
         const scene::Key& key = object.keys[i];
-        bytes.varint(time_code(key.time - before));
-        bytes.u8(laws.number_of(i + 1 == skinned.size() ? LawPair{} : key.laws, key.place));
-        bytes.varint(drawings.offset_of(skinned[i].drawing));
-        bytes.varint(offset_of_skin(skinned[i], drawings));
+        beats.push_back(
+            {key.time, laws.number_of(i + 1 == skinned.size() ? LawPair{} : key.laws, key.place)});
+        offsets.push_back(drawings.offset_of(skinned[i].drawing));
+        skins.push_back(number_of_skin(skinned[i], drawings));
         packed.points += points_of(skinned[i]);
-        before = key.time;
     }
+    ByteWriter bytes;
+    write_beats(beats, one_beat, bytes);
+    write_values(offsets, bytes);
+    write_values(skins, bytes);
     packed.bytes = bytes.bytes();
     return packed;
 }

@@ -1,9 +1,10 @@
 #include "host/compiler/track_writer.hpp"
 
-#include "host/compiler/time_code.hpp"
+#include "host/compiler/value_writer.hpp"
 #include "host/scene/pivot.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -47,33 +48,38 @@ std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
     return tracks;
 }
 
-void write_track(const scene::Track& track, LawTable& laws, ByteWriter& bytes)
+void write_track(const scene::Track& track, LawTable& laws, Beats& before, ByteWriter& bytes)
 {
     const auto property = static_cast<std::uint32_t>(track.property);
     if (is_fixed(track)) {
         bytes.u8(property | fixed_bit);
-        bytes.signed_varint(track.keys.front().value);
-    } else {
-        bytes.u8(property | (track.is_smooth ? smooth_bit : 0));
-        bytes.block(packed_keys(track.keys, track.is_smooth, laws));
+        return bytes.signed_varint(track.keys.front().value);
     }
+    bytes.u8(property | (track.is_smooth ? smooth_bit : 0));
+    Beats beats = beats_of(track.keys, track.is_smooth, laws);
+    write_beats(beats, before, bytes);
+    write_values(values_of(track.keys), bytes);
+    before = std::move(beats);
 }
 
 }
 
-std::vector<std::byte> packed_keys(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws)
+Beats beats_of(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws)
 {
-    ByteWriter bytes;
-    Time before;
+    Beats beats;
     for (const scene::TrackKey& key : keys) {
-        const bool leads_on = &key != &keys.back();
-        bytes.varint(time_code(key.time - before));
-        if (!is_smooth)
-            bytes.u8(leads_on ? laws.number_of(key.laws, key.place) : 0);
-        bytes.signed_varint(key.value);
-        before = key.time;
+        const bool has_laws = !is_smooth && &key != &keys.back();
+        beats.push_back({key.time, has_laws ? laws.number_of(key.laws, key.place) : 0});
     }
-    return bytes.bytes();
+    return beats;
+}
+
+std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys)
+{
+    std::vector<std::int32_t> values;
+    for (const scene::TrackKey& key : keys)
+        values.push_back(key.value);
+    return values;
 }
 
 std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
@@ -83,8 +89,9 @@ std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
         return {};
     ByteWriter bytes;
     bytes.u8(static_cast<std::uint32_t>(tracks.size()));
+    Beats before;
     for (const scene::Track* track : tracks)
-        write_track(*track, laws, bytes);
+        write_track(*track, laws, before, bytes);
     return bytes.bytes();
 }
 

@@ -1,15 +1,18 @@
 #pragma once
 
+#include "host/compiler/beat_writer.hpp"
 #include "host/compiler/byte_writer.hpp"
 #include "host/compiler/law_table.hpp"
 #include "host/scene/model.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace kfast {
 
-/// The keys of a track, or what is stored as one. Smooth ones have no laws.
-std::vector<std::byte> packed_keys(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws);
+/// When the keys of a track are, or of what is stored as one. Smooth ones have no laws.
+Beats beats_of(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws);
+std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys);
 
 /// The tracks of `item` without those that change nothing (docs/format.md, "Tracks"), beginning with their
 /// number; no bytes if none is left.

@@ -55,10 +55,21 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
         return std::nullopt;
 
     ByteWriter body;
-    write_header(scene, laws.count(), body);
+    const Sections sections{.marks = !scene.clips.empty() || !scene.events.empty(),
+                            .bones = !scene.bones.empty(),
+                            .symbols = !scene.symbols.empty()};
+    write_header(scene, sections, body);
+    body.u8(static_cast<std::uint32_t>(laws.count()));
     body.append(laws.bytes());
-    for (const ByteWriter* section : {&marks, &bones, &symbols, &items})
-        body.block(section->bytes());
+    if (sections.marks)
+        body.block(marks.bytes());
+    if (sections.bones)
+        body.block(bones.bytes());
+    if (sections.symbols) {
+        body.u8(static_cast<std::uint32_t>(scene.symbols.size()));
+        body.block(symbols.bytes());
+    }
+    body.block(items.bytes());
     body.append(drawings.bytes());
     std::vector<std::byte> file = sealed(body);
     set_outline_bytes(file, outline_bytes(file));

@@ -18,12 +18,12 @@ void add_times(const BoneView& bone, std::vector<Time>& times)
 {
     for (const BoneKeys& keys : bone.keys)
         if (keys.kind() == BoneKeys::Kind::own)
-            add_times(keys.own(), times);
+            add_times(keys.keys(), times);
 }
 
 void add_times(const BonesView& skeleton, std::vector<Time>& times)
 {
-    add_times(skeleton.common_keys(), times);
+    add_times(skeleton.common_beats(), times);
     for (BoneCursor bones = skeleton.bones(); !bones.at_end();)
         add_times(bones.next(), times);
 }

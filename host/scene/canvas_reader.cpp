@@ -1,12 +1,12 @@
 #include "host/scene/canvas_reader.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "core/usual_camera.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -59,9 +59,6 @@ bool read_camera(const kdl::Value& value, Canvas& canvas, Reading& reading)
     return canvas.camera.has_value();
 }
 
-/// Twice the longer side: from there the canvas is seen within 28 degrees.
-int usual_camera(Size canvas) { return std::max(kfb::min_camera, 2 * std::max(canvas.width, canvas.height)); }
-
 constexpr std::array canvas_rules{
     PropertyRule<Canvas>{"fps", read_rate},      PropertyRule<Canvas>{"background", read_background},
     PropertyRule<Canvas>{"loop", read_loop},     PropertyRule<Canvas>{"frames", keep_length},
@@ -93,7 +90,7 @@ void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
     reading.frame_rate = static_cast<std::uint32_t>(std::lround(canvas.frames_per_second * 1000));
     scene.frame_rate = reading.frame_rate;
     scene.loop = canvas.loop;
-    scene.camera = canvas.camera.value_or(usual_camera(scene.canvas));
+    scene.camera = canvas.camera.value_or(static_cast<int>(usual_camera(scene.canvas)));
     if (canvas.length != nullptr)
         reading.length = read_length(*canvas.length, reading);
 }

@@ -1,14 +1,14 @@
 #include "core/backbone_view.hpp"
 
-#include "tests/bytes.hpp"
+#include "tests/core/raw_scene.hpp"
 
 #include <doctest/doctest.h>
 
 namespace kfast::test {
 
-TEST_CASE("keys of backbones count their times from the key before")
+TEST_CASE("keys of backbones have times, laws and drawings")
 {
-    const auto keys = bytes({4, 2, 0x81, 1, 3, 0, 7});
+    const Bytes keys = key_bytes({{Time::frame(2), 2, 129}, {Time{2 * 1024 + 1}, 0, 7}});
     BackboneKeyCursor cursor = BackbonesView{.unit_bits = 4, .key_bytes = ByteReader{keys}}.keys();
     const BackboneKey first = cursor.next();
     CHECK(first.time == Time::frame(2));
@@ -18,15 +18,28 @@ TEST_CASE("keys of backbones count their times from the key before")
     CHECK(second.time == Time{2 * 1024 + 1});
     CHECK(second.drawing == 7);
     CHECK(cursor.at_end());
-    CHECK_FALSE(cursor.overrun());
 }
 
-TEST_CASE("a key of backbones that breaks off is noticed")
+TEST_CASE("backbones that stay have one key at 0")
 {
-    const auto key = bytes({4, 2, 0x81});
-    BackboneKeyCursor cursor{ByteReader{key}};
-    cursor.next();
-    CHECK(cursor.overrun());
+    const Bytes key = bytes({0, 0x82, 2, 99});
+    ByteReader bytes{key};
+    BackboneKeyCursor cursor{bytes};
+    const BackboneKey only = cursor.next();
+    CHECK(only.time == Time{});
+    CHECK(only.drawing == 129);
+    CHECK(cursor.at_end());
+    CHECK(bytes.left() == 1);
+}
+
+TEST_CASE("keys of backbones that break off are noticed")
+{
+    const Bytes keys = key_bytes({{Time::frame(2), 2, 129}, {Time{2 * 1024 + 1}, 0, 7}});
+    for (std::size_t size = 0; size < keys.size(); ++size) {
+        ByteReader cut{std::span{keys}.first(size)};
+        BackboneKeyCursor{cut};
+        CHECK(cut.overrun());
+    }
 }
 
 }

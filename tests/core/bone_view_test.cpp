@@ -28,7 +28,6 @@ TEST_CASE("bones are read as they are set up, whatever keys they have")
     BoneCursor cursor = bones.bones();
     const BoneView first = cursor.next();
     CHECK(first.parent == 0);
-    CHECK(first.is_known);
     CHECK_FALSE(first.is_at_tip);
     CHECK_FALSE(first.turns_as_written);
     CHECK(first.set_up == std::array{65535, -32768, 32767, 65535});
@@ -50,39 +49,48 @@ TEST_CASE("bones are read as they are set up, whatever keys they have")
     CHECK_FALSE(cursor.rest().overrun());
 }
 
-TEST_CASE("common keys have times, laws and a number, and each quantity a value for each")
+TEST_CASE("a bone that is straight, and in whole pixels, says so and no more")
 {
-    RawBone bone;
+    const Bytes section = block(bytes({2, 0, 0, 0xC0, 6, 5, 0x80, 32, 1, 0x80, 0x34, 0x12, 0, 1, 2}));
+    BoneCursor cursor = only(section).bones();
+    CHECK(cursor.next().set_up == std::array{0, 48, -48, 65536});
+    CHECK(cursor.next().set_up == std::array{0x1234, 0, -16, 32});
+    CHECK(cursor.rest().left() == 0);
+}
+
+TEST_CASE("common beats have times and laws, and each quantity a value for each, apart from its set-up")
+{
+    RawBone bone{.set_up = {40'000, -100, 100, 30'000}};
     bone.keys[0].common = {65535, 0, 7};
     bone.keys[1].common = {-1, -32768, 32767};
     bone.keys[3].common = {32768, 65535, 0};
     const Bytes section = skeleton_bytes({{{Time::frame(2), 1}, {{2049}, 3}, {Time::frame(9)}}, {bone}});
-    CommonKeyCursor keys = only(section).common_keys();
-    CHECK(keys.count() == 3);
-    const CommonKey first = keys.next();
-    CHECK(first.time == Time::frame(2));
-    CHECK(first.laws == 1);
-    CHECK(first.index == 0);
-    const CommonKey second = keys.next();
+    BeatCursor beats = only(section).common_beats();
+    CHECK(beats.count() == 3);
+    CHECK(beats.next().time == Time::frame(2));
+    const Beat second = beats.next();
     CHECK(second.time == Time{2049});
     CHECK(second.laws == 3);
-    CHECK(second.index == 1);
-    CHECK(keys.next().index == 2);
-    CHECK(keys.at_end());
     const BoneView view = only(section).bones().next();
-    for (const auto quantity : {BoneQuantity::angle, BoneQuantity::x, BoneQuantity::length})
+    for (const auto quantity : {BoneQuantity::angle, BoneQuantity::x, BoneQuantity::length}) {
+        const BoneKeys& keys = view.keys_of(quantity);
+        CHECK(keys.kind() == BoneKeys::Kind::common);
+        TrackKeyCursor cursor = keys.keys();
         for (std::uint32_t index = 0; index < 3; ++index) {
-            const auto number = static_cast<std::size_t>(quantity);
-            CHECK(view.keys_of(quantity).common(index) == bone.keys[number].common[index]);
+            const std::int32_t value = bone.keys[static_cast<std::size_t>(quantity)].common[index];
+            CHECK(keys.value(index) == value);
+            CHECK(cursor.next().value == value);
         }
+        CHECK(cursor.at_end());
+    }
 }
 
 TEST_CASE("keys of a bone's own are those of tracks")
 {
-    RawBone bone;
+    RawBone bone{.set_up = {9, 0, 0, 16}};
     bone.keys[0].own = {{Time::frame(1), 2, -70'000}, {{1025}, 3, 1'048'576}};
     const Bytes section = skeleton_bytes({{}, {bone}});
-    TrackKeyCursor keys = only(section).bones().next().keys_of(BoneQuantity::angle).own();
+    TrackKeyCursor keys = only(section).bones().next().keys_of(BoneQuantity::angle).keys();
     const TrackKey first = keys.next();
     CHECK(first.time == Time::frame(1));
     CHECK(first.laws == 2);
@@ -91,25 +99,6 @@ TEST_CASE("keys of a bone's own are those of tracks")
     CHECK(second.time == Time{1025});
     CHECK(second.value == 1'048'576);
     CHECK(keys.at_end());
-    CHECK_FALSE(keys.overrun());
-}
-
-TEST_CASE("bits without a meaning are noticed")
-{
-    for (const int bit : {0x40, 0x80}) {
-        const RawBone bone{.more_bits = bit};
-        CHECK_FALSE(only(skeleton_bytes({{}, {bone}})).bones().next().is_known);
-    }
-}
-
-TEST_CASE("common keys whose times add up to too much can be passed over")
-{
-    const Bytes late = joined({varint(0xFFFFFFFF), bytes({0})});
-    const Bytes section = block(joined({bytes({1, 4}), repeated(late, 4), bone_bytes({})}));
-    BoneCursor bones = only(section).bones();
-    bones.next();
-    CHECK_FALSE(bones.rest().overrun());
-    CHECK(bones.rest().left() == 0);
 }
 
 TEST_CASE("skeletons and bones that break off are noticed")

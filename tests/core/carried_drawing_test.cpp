@@ -107,7 +107,7 @@ TEST_CASE("without bones a drawing is as it was drawn")
 {
     std::mt19937 random{82};
     const Bytes bytes = packed(random_drawing(random));
-    PackedDrawing plain{ByteReader{bytes}};
+    PackedDrawing plain = drawing_at(bytes, 0);
     CarriedDrawing carried{plain};
     REQUIRE(carried.strokes() == plain.strokes());
     for (std::uint32_t stroke = 0; stroke < plain.strokes(); ++stroke) {
@@ -129,7 +129,7 @@ TEST_CASE("points move as their bones say, weighted, and control points with the
         const Case it{drawing, drawing, random_runs(random, drawing)};
         const Bytes drawing_bytes = packed(drawing);
         const Bytes skin = skin_bytes(it.runs);
-        const PackedDrawing read{ByteReader{drawing_bytes}};
+        const PackedDrawing read = drawing_at(drawing_bytes, 0);
         const CarriedDrawing carried{read, read, SkinReader{ByteReader{skin}}, bones.all()};
         worst = std::max(worst, worst_error(it, carried, bones));
     }
@@ -147,8 +147,8 @@ TEST_CASE("a drawing with another at rest moves as that does, and keeps its dist
         const Bytes drawing_bytes = packed(it.drawing);
         const Bytes rest_bytes = packed(at_rest);
         const Bytes skin = skin_bytes(it.runs, 1);
-        const CarriedDrawing carried{PackedDrawing{ByteReader{drawing_bytes}},
-                                     PackedDrawing{ByteReader{rest_bytes}}, SkinReader{ByteReader{skin}},
+        const CarriedDrawing carried{drawing_at(drawing_bytes, 0),
+                                     drawing_at(rest_bytes, 0), SkinReader{ByteReader{skin}},
                                      bones.all()};
         worst = std::max(worst, worst_error(it, carried, bones));
     }
@@ -161,7 +161,7 @@ TEST_CASE("bones of equal weight carry a point to the mean of where each would")
     const scene::Drawing point{{polyline_of({{16 * 90, 16 * 30}})}};
     const Bytes bytes = packed(point);
     const Bytes skin = skin_bytes({{1, {{0, 64}, {1, 64}, {2, 64}, {3, 64}}}});
-    const PackedDrawing read{ByteReader{bytes}};
+    const PackedDrawing read = drawing_at(bytes, 0);
     CarriedDrawing carried{read, read, SkinReader{ByteReader{skin}}, bones.all()};
     carried.next_stroke();
     Spot mean{0, 0};
@@ -177,7 +177,7 @@ TEST_CASE("a copy goes on reading from where the original stood")
     const scene::Drawing drawing{{polyline_of({{0, 0}, {160, 0}, {160, 160}, {0, 160}})}};
     const Bytes bytes = packed(drawing);
     const Bytes skin = skin_bytes(random_runs(random, drawing));
-    const PackedDrawing read{ByteReader{bytes}};
+    const PackedDrawing read = drawing_at(bytes, 0);
     CarriedDrawing carried{read, read, SkinReader{ByteReader{skin}}, bones.all()};
     carried.next_stroke();
     carried.next_segment();
@@ -202,7 +202,7 @@ TEST_CASE("what bones carry out of reach is held within 4095 px")
     pose_bones(scene, {}, bones);
     const Bytes bytes = packed({{polyline_of({{32767, 0}, {-32768, 16}})}});
     const Bytes skin = skin_bytes({{2, {{0}}}});
-    const PackedDrawing read{ByteReader{bytes}};
+    const PackedDrawing read = drawing_at(bytes, 0);
     CarriedDrawing carried{read, read, SkinReader{ByteReader{skin}}, bones};
     carried.next_stroke();
     CHECK(carried.start() == pixels(4095, 0));

@@ -27,6 +27,15 @@ TEST_CASE("parameters of x come before those of y")
     CHECK_FALSE(reader.overrun());
 }
 
+TEST_CASE("the law for y may be that for x")
+{
+    const auto pair = bytes({0xF6, 0x00, 0x08, 0x00, 0xE0, 0x00, 0x18, 0x00, 0x40, 99});
+    ByteReader reader{pair};
+    constexpr VelocityLaw bezier = VelocityLaw::bezier(2048, -8192, 6144, 16384);
+    CHECK(read_law_pair(reader) == LawPair{bezier, bezier});
+    CHECK(reader.left() == 1);
+}
+
 TEST_CASE("an unknown law has no parameters and is not valid")
 {
     const auto pair = bytes({0x07, 1});

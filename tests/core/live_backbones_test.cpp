@@ -128,8 +128,8 @@ private:
 class Pair {
 public:
     Pair(const scene::Drawing& from, const scene::Drawing& to, Progress way, std::uint32_t unit_bits)
-        : from_{packed(from)}, to_{packed(to)}, nodes_(backbone_node_count(PackedDrawing{ByteReader{from_}})),
-          live{nodes_, unit_bits, PackedDrawing{ByteReader{from_}}, PackedDrawing{ByteReader{to_}}, way},
+        : from_{packed(from)}, to_{packed(to)}, nodes_(backbone_node_count(drawing_at(from_, 0))),
+          live{nodes_, unit_bits, drawing_at(from_, 0), drawing_at(to_, 0), way},
           exact{from, to, way, unit_bits}
     {
     }
@@ -195,9 +195,9 @@ TEST_CASE("nodes and gaps are counted, not those of the outlines")
 {
     std::mt19937 random{91};
     const Bytes one = packed(random_backbones({3}, random));
-    CHECK(backbone_node_count(PackedDrawing{ByteReader{one}}) == 5);
+    CHECK(backbone_node_count(drawing_at(one, 0)) == 5);
     const Bytes three = packed(random_backbones({1, 2, 4}, random));
-    CHECK(backbone_node_count(PackedDrawing{ByteReader{three}}) == 3 + 4 + 6);
+    CHECK(backbone_node_count(drawing_at(three, 0)) == 3 + 4 + 6);
 }
 
 TEST_CASE("points lie along the backbone and across it, the left side up where it leads to the right")

@@ -78,22 +78,22 @@ inline scene::Drawing hook()
 inline Bytes style() { return bytes({1, 2, 48, 5}); }
 
 /// An object without tracks, `carrier` and all, with the keys.
-inline Bytes carried(const Bytes& carrier, const Bytes& keys, int more_bits = 0)
+inline Bytes carried(const Bytes& carrier, const std::vector<RawKey>& keys, int more_bits = 0)
 {
-    return joined({bytes({0x98 | more_bits}), style(), carrier, block(keys)});
+    return joined({bytes({0x98 | more_bits}), style(), carrier, key_bytes(keys)});
 }
 
 /// Filled and stroked, and the tracks with their number; a leaf that becomes another.
 inline Bytes tracked_leaf(const Bytes& count_and_tracks, std::uint32_t leaf, std::uint32_t other)
 {
-    const Bytes keys = joined({bytes({0, wild}), varint(leaf), bytes({60, 0}), varint(other)});
-    return joined({bytes({0x1C}), count_and_tracks, style(), block(keys)});
+    const Bytes keys = key_bytes({{{}, wild, leaf}, {Time::frame(30), 0, other}});
+    return joined({bytes({0x1C}), count_and_tracks, style(), keys});
 }
 
-/// A key that comes `frames` after the one before.
-inline Bytes bone_key(int frames, int laws, std::uint32_t drawing, std::uint32_t skin)
+/// Of an object, with its arrival drawing or its skin.
+inline RawKey key_at(int frame, int laws, std::uint32_t drawing, std::uint32_t more)
 {
-    return joined({bytes({2 * frames, laws}), varint(drawing), varint(skin)});
+    return {Time::frame(frame), laws, drawing, static_cast<std::int32_t>(more)};
 }
 
 inline RawSkeleton puppet()
@@ -136,12 +136,11 @@ inline RawScene bones_scene()
     const std::uint32_t hook_skin = drawings.add(skin_bytes({{4, {{1}}}}));
     const std::uint32_t no_skin = drawings.add(skin_bytes({}));
     scene.bones = joined({skeleton_bytes({{}, {{.set_up = {0, 0, 0, 160}}}}), skeleton_bytes(puppet())});
-    scene.items =
-        joined({carried(bytes({2}),
-                        joined({bone_key(0, easing, leaf_at, mixed_at), bone_key(8, wild, hook_at, hook_skin),
-                                bone_key(8, accelerate_decelerate, other_at, rest_at),
-                                bone_key(8, 0, empty_at, no_skin)})),
-                carried(bytes({1}), bone_key(0, 0, hook_at, drawings.add(skin_bytes({{4, {{0}}}}))))});
+    scene.items = joined(
+        {carried(bytes({2}),
+                 {key_at(0, easing, leaf_at, mixed_at), key_at(8, wild, hook_at, hook_skin),
+                  key_at(16, accelerate_decelerate, other_at, rest_at), key_at(24, 0, empty_at, no_skin)}),
+         carried(bytes({1}), {{.drawing = hook_at, .more = -1}})});
     scene.drawings = drawings.bytes();
     return scene;
 }
@@ -170,17 +169,12 @@ inline RawScene backbones_scene()
          stroke_of(8, 10, {line_to(78, 25)})}};
     const std::uint32_t round_at = drawings.add(round);
     const std::uint32_t away_at = drawings.add(away);
-    const auto form_key = [](int frames, int laws, std::uint32_t at) {
-        return joined({bytes({2 * frames, laws}), varint(at)});
-    };
-    const auto key = [](int frames, int laws, std::uint32_t from, std::uint32_t to) {
-        return joined({bytes({2 * frames, laws}), varint(from), varint(to)});
-    };
-    const Bytes forms = joined({form_key(0, easing, form(0)), form_key(12, wild, form(9)),
-                                form_key(16, accelerate_decelerate, form(-8))});
-    scene.items = carried(joined({bytes({0, 8}), block(forms)}),
-                          joined({key(0, accelerate_decelerate, round_at, away_at),
-                                  key(14, wild, away_at, round_at), key(12, 0, round_at, round_at)}),
+    const Bytes forms = key_bytes({{{}, easing, form(0)},
+                                   {Time::frame(12), wild, form(9)},
+                                   {Time::frame(28), accelerate_decelerate, form(-8)}});
+    scene.items = carried(joined({bytes({0, 8}), forms}),
+                          {key_at(0, accelerate_decelerate, round_at, away_at),
+                           key_at(14, wild, away_at, round_at), key_at(26, 0, round_at, round_at)},
                           0x40);
     scene.drawings = drawings.bytes();
     return scene;

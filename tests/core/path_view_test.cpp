@@ -28,7 +28,7 @@ public:
     PathPlace at(double share) const
     {
         ByteReader reader{bytes_};
-        return place_on(PathView::take(reader), PackedDrawing{ByteReader{drawing_}}, share_of(share));
+        return place_on(PathView::take(reader), drawing_at(drawing_, 0), share_of(share));
     }
 
 private:

@@ -22,7 +22,6 @@ struct RawBone {
     bool turns_as_written = false;
     std::array<std::int32_t, bone_quantity_count> set_up{0, 0, 0, 16};
     std::array<RawBoneKeys, bone_quantity_count> keys = {};
-    int more_bits = 0;
 };
 
 struct RawCommonKey {
@@ -37,26 +36,26 @@ struct RawSkeleton {
 
 inline Bytes u16(std::int32_t value) { return bytes({value & 255, value >> 8 & 255}); }
 
-inline Bytes bone_keys(const RawBoneKeys& keys)
+/// Of a quantity that is set up as `from`.
+inline Bytes bone_keys(const RawBoneKeys& keys, std::int32_t from)
 {
     if (!keys.own.empty())
-        return block(track_keys(keys.own));
-    Bytes values = bytes({0});
-    for (const std::int32_t value : keys.common)
-        values = joined({values, u16(value)});
-    return values;
+        return track_keys(keys.own, from);
+    std::vector<std::int32_t> values = keys.common;
+    for (std::int32_t& value : values)
+        value -= from;
+    return joined({bytes({0}), value_bytes(values)});
 }
 
 inline Bytes bone_bytes(const RawBone& bone)
 {
-    int head = bone.more_bits | (bone.is_at_tip ? 0x10 : 0) | (bone.turns_as_written ? 0x20 : 0);
-    Bytes numbers;
-    for (const std::int32_t value : bone.set_up)
-        numbers = joined({numbers, u16(value)});
+    int head = (bone.is_at_tip ? 0x10 : 0) | (bone.turns_as_written ? 0x20 : 0);
+    Bytes numbers = joined({u16(bone.set_up[0]), signed_varint(bone.set_up[1]), signed_varint(bone.set_up[2]),
+                            varint(static_cast<std::uint32_t>(bone.set_up[3]))});
     for (std::size_t i = 0; i < bone_quantity_count; ++i)
         if (const RawBoneKeys& keys = bone.keys[i]; !keys.common.empty() || !keys.own.empty()) {
             head |= 1 << i;
-            numbers = joined({numbers, bone_keys(keys)});
+            numbers = joined({numbers, bone_keys(keys, bone.set_up[i])});
         }
     return joined({bytes({bone.parent, head}), numbers});
 }
@@ -64,13 +63,10 @@ inline Bytes bone_bytes(const RawBone& bone)
 /// As the section of bones has it.
 inline Bytes skeleton_bytes(const RawSkeleton& skeleton)
 {
-    Bytes all = joined({bytes({static_cast<int>(skeleton.bones.size())}),
-                        varint(static_cast<std::uint32_t>(skeleton.common.size()))});
-    Time before;
-    for (const RawCommonKey& key : skeleton.common) {
-        all = joined({all, varint(time_code(key.time - before)), bytes({key.laws})});
-        before = key.time;
-    }
+    Beats common;
+    for (const RawCommonKey& key : skeleton.common)
+        common.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
+    Bytes all = joined({bytes({static_cast<int>(skeleton.bones.size())}), beat_bytes(common)});
     for (const RawBone& bone : skeleton.bones)
         all = joined({all, bone_bytes(bone)});
     return block(all);

@@ -1,15 +1,19 @@
 #pragma once
 
+#include "core/kfb_limits.hpp"
 #include "core/property.hpp"
 #include "core/time.hpp"
+#include "host/compiler/beat_writer.hpp"
 #include "host/compiler/byte_writer.hpp"
 #include "host/compiler/header.hpp"
 #include "host/compiler/time_code.hpp"
+#include "host/compiler/value_writer.hpp"
 #include "tests/bytes.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 /// Scenes put together by hand, so that anything in them can be wrong; docs/format.md says what the bytes
@@ -60,8 +64,46 @@ inline Bytes group(const Bytes& items) { return joined({bytes({1}), block(items)
 
 inline Bytes use(int symbol) { return bytes({2, symbol}); }
 
+/// "Beats"; also none.
+inline Bytes beat_bytes(const Beats& beats)
+{
+    ByteWriter writer;
+    write_beats(beats, {}, writer);
+    return writer.bytes();
+}
+
+/// "Values"; of none there is room for one.
+inline Bytes value_bytes(const std::vector<std::int32_t>& values)
+{
+    ByteWriter writer;
+    write_values(values.empty() ? std::vector<std::int32_t>{0} : values, writer);
+    return writer.bytes();
+}
+
+/// Of an object, or of backbones.
+struct RawKey {
+    Time time = {};
+    int laws = 0;
+    std::uint32_t drawing = 0;
+    std::optional<std::int32_t> more = {}; ///< the arrival drawing, or the skin; of all keys or none
+};
+
+inline Bytes key_bytes(const std::vector<RawKey>& list)
+{
+    Beats beats;
+    std::vector<std::int32_t> drawings;
+    std::vector<std::int32_t> more;
+    for (const RawKey& key : list) {
+        beats.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
+        drawings.push_back(static_cast<std::int32_t>(key.drawing));
+        if (key.more)
+            more.push_back(*key.more);
+    }
+    return joined({beat_bytes(beats), value_bytes(drawings), more.empty() ? Bytes{} : value_bytes(more)});
+}
+
 /// The keys of an object that shows one drawing all the time.
-inline Bytes one_key(int drawing = 0) { return block(bytes({0, 0, drawing})); }
+inline Bytes one_key(int drawing = 0) { return joined({bytes({0}), signed_varint(drawing)}); }
 
 /// A filled triangle.
 inline Bytes triangle() { return joined({bytes({0x08, 1}), one_key()}); }
@@ -86,29 +128,27 @@ struct RawTrackKey {
     std::int32_t value;
 };
 
-enum class Smoothness : bool { by_laws, smooth };
-
-inline Bytes track_keys(const std::vector<RawTrackKey>& list, Smoothness smoothness = Smoothness::by_laws)
+/// Values are stored as differences from `from`.
+inline Bytes track_keys(const std::vector<RawTrackKey>& list, std::int32_t from = 0)
 {
-    Bytes keys;
-    Time before;
+    Beats beats;
+    std::vector<std::int32_t> values;
     for (const RawTrackKey& key : list) {
-        keys = joined({keys, varint(time_code(key.time - before)),
-                       smoothness == Smoothness::smooth ? Bytes{} : bytes({key.laws}),
-                       signed_varint(key.value)});
-        before = key.time;
+        beats.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
+        values.push_back(key.value - from);
     }
-    return keys;
+    return joined({beat_bytes(beats), value_bytes(values)});
 }
 
 inline Bytes moving_track(Property property, const std::vector<RawTrackKey>& list)
 {
-    return joined({bytes({static_cast<int>(property)}), block(track_keys(list))});
+    return joined({bytes({static_cast<int>(property)}), track_keys(list)});
 }
 
+/// Laws of its keys have no meaning.
 inline Bytes smooth_track(Property property, const std::vector<RawTrackKey>& list)
 {
-    return joined({bytes({0x40 | static_cast<int>(property)}), block(track_keys(list, Smoothness::smooth))});
+    return joined({bytes({0x40 | static_cast<int>(property)}), track_keys(list)});
 }
 
 /// Behind the tracks of an item, one of which leads along it.
@@ -138,7 +178,8 @@ struct RawScene {
     Bytes symbols; ///< each a block
     Bytes items = triangle();
     /// At 0 a triangle within the canvas, at 10 the empty drawing.
-    Bytes drawings = bytes({1, 6, 2, 16, 0, 32, 0, 0x10, 0x00, 0x03, 0});
+    Bytes drawings = bytes({1, 32, 0x80, 1, 0, 6, 4, 0x40, 0x0C, 0x10, 0});
+    std::uint32_t more_bits = 0; ///< of the header
 
     void add_symbol(const Bytes& inside)
     {
@@ -149,21 +190,28 @@ struct RawScene {
     /// Size and checksum fit.
     Bytes file() const
     {
+        const auto bit = [](bool is_set, int place) { return is_set ? 1U << place : 0; };
         ByteWriter body;
-        body.u32(outline_bytes);
-        body.u8(law_count);
-        body.u8(loop);
-        body.u32(ticks);
-        body.u32(frame_rate);
-        body.u16(width);
-        body.u16(height);
+        body.varint(outline_bytes / 4);
+        body.u8(loop | 0x0C | bit(!marks.empty(), 4) | bit(!bones.empty(), 5) | bit(symbol_count != 0, 6) |
+                more_bits);
+        body.varint(ticks <= kfb::max_time ? time_code({static_cast<std::int32_t>(ticks)}) : 0xFFFFFFFF);
+        body.varint(2 * frame_rate + 1);
+        body.varint(width);
+        body.varint(height);
+        body.varint(camera);
         body.u8(static_cast<std::uint32_t>(palette.size() / 4));
-        body.u8(symbol_count);
-        body.u16(camera);
         body.append(palette);
+        body.u8(law_count);
         body.append(laws);
-        for (const Bytes* section : {&marks, &bones, &symbols, &items})
-            body.block(*section);
+        for (const Bytes* section : {&marks, &bones})
+            if (!section->empty())
+                body.block(*section);
+        if (symbol_count != 0) {
+            body.u8(symbol_count);
+            body.block(symbols);
+        }
+        body.block(items);
         body.append(drawings);
         return sealed(body);
     }

@@ -38,14 +38,14 @@ struct CarriedScene {
 };
 
 /// A filled object with the keys; the carrier is 0 for backbones.
-Bytes carried_object(const Bytes& carrier, const Bytes& keys, int more_bits = 0)
+Bytes carried_object(const Bytes& carrier, const std::vector<RawKey>& keys, int more_bits = 0)
 {
-    return joined({bytes({0x88 | more_bits, 1}), carrier, block(keys)});
+    return joined({bytes({0x88 | more_bits, 1}), carrier, key_bytes(keys)});
 }
 
-Bytes bone_key(std::uint32_t drawing, std::uint32_t skin)
+std::vector<RawKey> bone_key(std::uint32_t drawing, std::uint32_t skin)
 {
-    return joined({bytes({0, 0}), varint(drawing), varint(skin)});
+    return {{.drawing = drawing, .more = static_cast<std::int32_t>(skin)}};
 }
 
 bool takes_skin(const scene::Drawing& drawing, const Bytes& skin)
@@ -89,7 +89,7 @@ scene::Drawing backbones_of(const std::vector<int>& points)
 }
 
 struct RawBackboneKey {
-    std::uint32_t time_code;
+    std::int32_t ticks;
     int laws;
     scene::Drawing drawing;
 };
@@ -97,13 +97,11 @@ struct RawBackboneKey {
 bool takes_backbones(int unit_bits, const std::vector<RawBackboneKey>& list)
 {
     CarriedScene scene;
-    Bytes keys;
+    std::vector<RawKey> keys;
     for (const RawBackboneKey& key : list)
-        keys =
-            joined({keys, varint(key.time_code), bytes({key.laws}), varint(scene.drawings.add(key.drawing))});
-    const Bytes carrier = joined({bytes({0, unit_bits}), block(keys)});
-    const Bytes key = joined({bytes({0, 0}), varint(scene.drawings.add(five_points()))});
-    scene.object = carried_object(carrier, key);
+        keys.push_back({{key.ticks}, key.laws, scene.drawings.add(key.drawing)});
+    const Bytes carrier = joined({bytes({0, unit_bits}), key_bytes(keys)});
+    scene.object = carried_object(carrier, {{.drawing = scene.drawings.add(five_points())}});
     return scene.is_taken();
 }
 
@@ -176,6 +174,16 @@ TEST_CASE("the drawing at rest is built like the one that it stands for")
     }
 }
 
+TEST_CASE("a bone may carry all points without a skin")
+{
+    for (const int bone : {0, 2, 3, 255}) {
+        CarriedScene scene;
+        scene.object =
+            carried_object(bytes({1}), {{.drawing = scene.drawings.add(five_points()), .more = -1 - bone}});
+        CHECK(scene.is_taken() == (bone < 3));
+    }
+}
+
 TEST_CASE("skins are there, as the skeletons that they bind to")
 {
     const auto takes_number = [](int skeleton) {
@@ -191,11 +199,11 @@ TEST_CASE("skins are there, as the skeletons that they bind to")
     CarriedScene scene;
     const std::uint32_t drawing = scene.drawings.add(five_points());
     const std::uint32_t skin = scene.drawings.add(skin_bytes({{5, {{0}}}}));
-    for (const std::uint32_t offset : {skin + 100, 0xFFFFFFFFU}) {
+    for (const std::uint32_t offset : {skin + 100, 0x7FFFFFFFU, 0x80000000U}) {
         scene.object = carried_object(bytes({1}), bone_key(drawing, offset));
         CHECK_FALSE(scene.is_taken());
     }
-    scene.object = carried_object(bytes({1}), bytes({0, 0, 0})); // no skin
+    scene.object = carried_object(bytes({1}), {{.drawing = drawing}}); // no skin
     CHECK_FALSE(scene.is_taken());
 }
 
@@ -205,8 +213,9 @@ TEST_CASE("what bones carry has no arrival drawings")
     CarriedScene scene;
     const std::uint32_t drawing = scene.drawings.add(five_points());
     const std::uint32_t skin = scene.drawings.add(skin_bytes({{5, {{0}}}}));
-    const Bytes key = joined({bytes({0, 0}), varint(drawing), varint(drawing), varint(skin)});
-    scene.object = carried_object(bytes({1}), key, arrivals_bit);
+    const Bytes key = joined({bytes({0}), repeated(signed_varint(static_cast<std::int32_t>(drawing)), 2),
+                              signed_varint(static_cast<std::int32_t>(skin))});
+    scene.object = joined({bytes({0x88 | arrivals_bit, 1, 1}), key});
     CHECK_FALSE(scene.is_taken());
     scene.object = carried_object(bytes({1}), bone_key(drawing, skin));
     CHECK(scene.is_taken());
@@ -246,28 +255,28 @@ TEST_CASE("backbones have the same form at all of their keys")
     CHECK(takes_backbones(9, {{0, 1, first}, {3, 0, backbones_of({3, 2})}}));
     CHECK_FALSE(takes_backbones(9, {{0, 1, first}, {3, 0, backbones_of({2, 3})}}));
     CHECK_FALSE(takes_backbones(9, {{0, 1, first}, {3, 0, backbones_of({3})}}));
-    CHECK_FALSE(takes_backbones(9, {{0, 1, first}, {3, 0, first}, {3, 0, backbones_of({3, 3})}}));
+    CHECK_FALSE(takes_backbones(9, {{0, 1, first}, {3, 0, first}, {6, 0, backbones_of({3, 3})}}));
     CHECK_FALSE(takes_backbones(9, {{0, 1, first}, {3, 0, {}}}));
 }
 
 TEST_CASE("keys of backbones rise in time, have known laws and drawings that are there")
 {
     const scene::Drawing form = backbones_of({2});
-    CHECK_FALSE(takes_backbones(9, {}));
+    CHECK(takes_backbones(9, {{0, 0, form}}));
     CHECK_FALSE(takes_backbones(9, {{0, 2, form}}));
-    CHECK_FALSE(takes_backbones(9, {{2, 0, form}, {0, 0, form}}));
-    CHECK(takes_backbones(9, {{2 * 1'000'000, 0, form}}));
-    CHECK_FALSE(takes_backbones(9, {{2 * 1'000'000 + 2, 0, form}}));
+    CHECK_FALSE(takes_backbones(9, {{2, 0, form}, {2, 0, form}}));
+    CHECK(takes_backbones(9, {{kfb::max_time, 0, form}}));
+    CHECK_FALSE(takes_backbones(9, {{kfb::max_time + 1024, 0, form}}));
     const auto takes_keys = [&form](const Bytes& keys) {
         CarriedScene scene;
         scene.drawings.add(form);
-        scene.object = carried_object(joined({bytes({0, 9}), block(keys)}), bytes({0, 0, 0}));
+        scene.object = carried_object(joined({bytes({0, 9}), keys}), {{}});
         return scene.is_taken();
     };
-    CHECK(takes_keys(bytes({0, 0, 0})));
-    CHECK_FALSE(takes_keys(bytes({0, 0})));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 100})));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F})));
+    CHECK(takes_keys(bytes({0, 0})));
+    CHECK_FALSE(takes_keys(bytes({0, 200, 1})));
+    CHECK_FALSE(takes_keys(bytes({0, 1})));
+    CHECK_FALSE(takes_keys(bytes({0, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F})));
 }
 
 TEST_CASE("a unit of backbones is 1 px to 2048 px")
@@ -288,8 +297,7 @@ TEST_CASE("a scene says how many bones it has, and how many nodes and gaps any o
     const std::uint32_t small = drawings.add(backbones_of({2}));
     const std::uint32_t large = drawings.add(backbones_of({4, 3}));
     const auto object = [](std::uint32_t backbones) {
-        const Bytes keys = joined({bytes({0, 0}), varint(backbones)});
-        return carried_object(joined({bytes({0, 9}), block(keys)}), bytes({0, 0, 0}));
+        return carried_object(joined({bytes({0, 9}), key_bytes({{.drawing = backbones}})}), {{}});
     };
     raw.drawings = drawings.bytes();
     raw.items = joined({object(small), object(large), object(small)});
@@ -307,13 +315,15 @@ TEST_CASE("a scene says how many bones it has, and how many nodes and gaps any o
 TEST_CASE("drawings of backbones and at rest count for the points of all keys, too")
 {
     // 127 points on each of three strokes, which do not move
-    const Bytes lines = joined({bytes({1, 126, 0, 0, 0, 0}), Bytes(32)});
+    const Bytes lines = joined({bytes({0, 0, 0, 1, 0xFC, 0x01}), Bytes(32)});
     const Bytes rows = joined({bytes({3}), repeated(lines, 3)});
     const auto takes_keys_of = [&rows](std::size_t count) {
         CarriedScene scene;
         scene.drawings.add(rows);
-        const Bytes backbones = joined({bytes({0, 0, 0}), repeated(bytes({3, 0, 0}), count - 1)});
-        scene.object = carried_object(joined({bytes({0, 4}), block(backbones)}), bytes({0, 0, 0}));
+        std::vector<RawKey> backbones(count);
+        for (std::size_t i = 0; i < count; ++i)
+            backbones[i].time.ticks = static_cast<std::int32_t>(i);
+        scene.object = carried_object(joined({bytes({0, 4}), key_bytes(backbones)}), {{}});
         return scene.is_taken();
     };
     constexpr std::size_t points = 3 * 127 + 1;

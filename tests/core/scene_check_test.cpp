@@ -4,8 +4,10 @@
 #include "tests/core/acceptance.hpp"
 #include "tests/core/raw_drawing.hpp"
 
+#include <cstddef>
 #include <doctest/doctest.h>
 #include <initializer_list>
+#include <vector>
 
 namespace kfast::test {
 namespace {
@@ -32,15 +34,18 @@ bool takes_value(Property property, std::int32_t value)
     return takes_tracks(1, fixed_track(property, value));
 }
 
-bool takes_track_keys(const Bytes& keys) { return takes_tracks(1, joined({bytes({0}), block(keys)})); }
+bool takes_track_keys(const std::vector<RawTrackKey>& keys)
+{
+    return takes_tracks(1, moving_track(Property::x, keys));
+}
 
 /// Of a filled object.
-bool takes_keys(const Bytes& keys, const Bytes& laws = {}, int law_count = 0)
+bool takes_keys(const std::vector<RawKey>& keys, const Bytes& laws = {}, int law_count = 0)
 {
     RawScene scene;
     scene.law_count = static_cast<std::uint32_t>(law_count);
     scene.laws = laws;
-    scene.items = joined({bytes({0x08, 1}), block(keys)});
+    scene.items = joined({bytes({0x08, 1}), key_bytes(keys)});
     return is_accepted(scene);
 }
 
@@ -139,10 +144,10 @@ TEST_CASE("values of the header have ranges")
     CHECK_FALSE(with(&RawScene::camera, 32768));
     CHECK(with(&RawScene::outline_bytes, 0));
     CHECK(with(&RawScene::outline_bytes, 4));
-    CHECK_FALSE(with(&RawScene::outline_bytes, 6));
     CHECK(with(&RawScene::outline_bytes, 1'048'576));
     CHECK_FALSE(with(&RawScene::outline_bytes, 1'048'580));
     CHECK_FALSE(with(&RawScene::outline_bytes, 0xFFFFFFFC));
+    CHECK_FALSE(with(&RawScene::more_bits, 0x80));
 }
 
 TEST_CASE("the background is opaque, and there is one")
@@ -165,7 +170,11 @@ TEST_CASE("laws have a known kind and parameters in their ranges")
     };
     CHECK(takes_laws(1, bytes({0x44})));
     CHECK_FALSE(takes_laws(1, bytes({0x07})));
-    CHECK_FALSE(takes_laws(1, bytes({0xF0})));
+    CHECK_FALSE(takes_laws(1, bytes({0x70})));
+    CHECK_FALSE(takes_laws(1, bytes({0xE0})));
+    CHECK(takes_laws(1, bytes({0xF4})));
+    CHECK_FALSE(takes_laws(1, bytes({0xF7})));
+    CHECK_FALSE(takes_laws(1, bytes({0xFF})));
     CHECK(takes_laws(1, bytes({0x05, 1, 0})));
     CHECK_FALSE(takes_laws(1, bytes({0x05, 0, 0})));
     CHECK(takes_laws(2, bytes({0x00, 0x60, 0x00, 0x20, 0x00, 0xC0, 0x00, 0x00, 0x00, 0x60})));
@@ -205,22 +214,27 @@ TEST_CASE("events have a name and come within the scene")
 
 TEST_CASE("items have no bits without a meaning")
 {
-    CHECK_FALSE(takes_items(bytes({0x88, 1, 3, 0, 0, 0})));
+    CHECK_FALSE(takes_items(bytes({0x88, 1, 0, 0})));
     CHECK_FALSE(takes_items(bytes({3})));
     CHECK_FALSE(takes_items(bytes({3, 0})));
     for (const int bit : {0x08, 0x10, 0x20, 0x40, 0x80})
         CHECK_FALSE(takes_items(bytes({1 | bit, 0})));
-    CHECK_FALSE(takes_items(bytes({0x00, 3, 0, 0, 0}))); // neither filled nor stroked
-    CHECK_FALSE(takes_items(bytes({0x05, 0, 0})));       // tracks, but none
+    CHECK_FALSE(takes_items(bytes({0x00, 0, 0}))); // neither filled nor stroked
+    CHECK_FALSE(takes_items(bytes({0x05, 0, 0}))); // tracks, but none
 }
 
 TEST_CASE("items end where their section ends")
 {
-    for (std::size_t count = 1; count < triangle().size(); ++count) {
-        Bytes items = triangle();
-        items.resize(count);
-        CHECK_FALSE(takes_items(items));
-        CHECK_FALSE(takes_items(group(items)));
+    const std::vector<RawKey> keys{{.drawing = 10}, {.time = {77}}, {.time = {999}, .drawing = 10}};
+    const Bytes moving =
+        joined({bytes({0x0C, 1, 0}), track_keys({{{}, 0, -99}, {{3}, 0, 99}}), bytes({1}), key_bytes(keys)});
+    for (const Bytes& whole : {triangle(), moving}) {
+        CHECK(takes_items(whole));
+        for (std::size_t count = 1; count < whole.size(); ++count) {
+            const Bytes items(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
+            CHECK_FALSE(takes_items(items));
+            CHECK_FALSE(takes_items(group(items)));
+        }
     }
     CHECK_FALSE(takes_items(joined({triangle(), bytes({0})})));
     CHECK_FALSE(takes_items(bytes({1, 1})));
@@ -294,16 +308,43 @@ TEST_CASE("tracks of colours and widths need what they colour")
 
 TEST_CASE("keys of tracks rise in time and have known laws")
 {
-    CHECK(takes_track_keys(bytes({0, 1, 2, 4, 0, 4})));
+    constexpr Time last{kfb::max_time};
+    CHECK(takes_track_keys({{{}, 1, 1}, {Time::frame(2), 0, 2}}));
     CHECK_FALSE(takes_track_keys({}));
-    CHECK_FALSE(takes_track_keys(bytes({0, 0, 2, 0, 0, 4}))); // twice the same time
-    CHECK_FALSE(takes_track_keys(bytes({0, 2, 2, 4, 0, 4}))); // a law too many
-    CHECK_FALSE(takes_track_keys(bytes({0, 0, 2, 4, 0})));    // breaks off
-    CHECK(takes_track_keys(joined({varint(2 * 1'000'000), bytes({0, 2})})));
-    CHECK_FALSE(takes_track_keys(joined({varint(2 * 1'000'000 + 2), bytes({0, 2})})));
-    CHECK_FALSE(takes_track_keys(joined({varint(2 * 1'000'000), bytes({0, 2, 3, 0, 2})})));
-    CHECK_FALSE(takes_track_keys(joined({bytes({0, 0}), signed_varint(32768)})));
-    CHECK_FALSE(takes_track_keys(joined({bytes({0, 0, 2, 4, 0}), signed_varint(-32769)})));
+    CHECK_FALSE(takes_track_keys({{{}, 0, 1}, {{}, 0, 2}}));
+    CHECK_FALSE(takes_track_keys({{{}, 0, 1}, {{5}, 0, 2}, {{5}, 0, 3}}));
+    CHECK_FALSE(takes_track_keys({{{}, 2, 1}, {Time::frame(2), 0, 2}})); // a law too many
+    CHECK(takes_track_keys({{last, 0, 1}}));
+    CHECK_FALSE(takes_track_keys({{last + Time::frame(1), 0, 1}}));
+    CHECK_FALSE(takes_track_keys({{last, 0, 1}, {last + Time{1}, 0, 1}}));
+    CHECK_FALSE(takes_track_keys({{{}, 0, 32768}}));
+    CHECK_FALSE(takes_track_keys({{{}, 0, 1}, {Time::frame(2), 0, -32769}}));
+}
+
+TEST_CASE("beats have a form with a meaning, and times within the limits of the format")
+{
+    const auto takes_beats = [](const Bytes& beats) {
+        return takes_tracks(1, joined({bytes({0}), beats, bytes({0, 0})}));
+    };
+    CHECK(takes_beats(bytes({2, 0x01, 0x02, 0x30})));                   // a bit for times, one for laws
+    CHECK_FALSE(takes_beats(bytes({2, 0x01, 0x14, 0x00, 0x10, 0x00}))); // laws of ten bits
+    CHECK(takes_beats(bytes({2, 0x41, 0x01, 0x40})));                   // in frames
+    CHECK_FALSE(takes_beats(joined({bytes({2, 0x1F, 0x00}), repeated(bytes({0xFF}), 8)})));
+    CHECK_FALSE(takes_beats(joined({bytes({2, 0xFF, 0x01}), repeated(bytes({0xFF}), 8)})));
+    CHECK_FALSE(takes_beats(bytes({2, 0x00, 0x00})));                            // both at 0
+    CHECK_FALSE(takes_beats(bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x00, 0x00}))); // all at 0
+    CHECK_FALSE(takes_beats(joined({bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x1F, 0x10}), Bytes(9)})));
+}
+
+TEST_CASE("a track may have the beats of the one before, if one has any")
+{
+    const Bytes x = moving_track(Property::x, {{{}, 1, 5}, {{7}, 0, 9}});
+    const Bytes fixed = fixed_track(Property::y, 3);
+    const Bytes again = joined({bytes({2, 0}), value_bytes({4, 44})});
+    CHECK(takes_tracks(2, joined({x, again})));
+    CHECK(takes_tracks(3, joined({x, fixed, again})));
+    CHECK_FALSE(takes_tracks(1, again));
+    CHECK_FALSE(takes_tracks(2, joined({fixed, again})));
 }
 
 TEST_CASE("only amounts may be smooth, and nothing that is fixed")
@@ -329,8 +370,7 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
         CHECK_FALSE(takes({{{}, 0, -1}}));
         CHECK_FALSE(takes({{{5}, 0, 1}, {{5}, 0, 2}}));
         CHECK_FALSE(takes({}));
-        CHECK(takes_tracks(1, joined({bytes({0x4B}), block(bytes({0, 2}))})));
-        CHECK_FALSE(takes_tracks(1, joined({bytes({0x4B}), block(bytes({0, 2, 4}))}))); // breaks off
+        CHECK(takes({{{}, 9, 255}, {{1}, 9, 0}})); // they have no laws
     }
 }
 
@@ -366,7 +406,7 @@ TEST_CASE("a path is one stroke with an extent, and each of its segments has a l
     {
         Bytes cut = packed(corner);
         cut.pop_back();
-        const Bytes too_wide = joined({bytes({1, 31, 2, 0, 0, 0, 0}), repeated(bytes({0xFF}), 20)});
+        const Bytes too_wide = joined({bytes({1, 0, 0, 0, 31, 4}), repeated(bytes({0xFF}), 20)});
         for (const Bytes& drawing : {cut, too_wide}) {
             RawScene scene;
             scene.drawings = joined({scene.drawings, drawing});
@@ -398,30 +438,31 @@ TEST_CASE("groups and uses may follow a path, too, and a share of it is 0 to 1")
 
 TEST_CASE("keys of objects rise in time, have known laws, and drawings that are there")
 {
-    CHECK(takes_keys(bytes({0, 0, 0, 3, 0, 0})));
-    CHECK_FALSE(takes_keys({}));
-    CHECK_FALSE(takes_keys(bytes({2, 0, 0, 0, 0, 0})));
-    CHECK(takes_keys(bytes({0, 1, 0}), bytes({0x21}), 1));
-    CHECK_FALSE(takes_keys(bytes({0, 2, 0}), bytes({0x21}), 1));
-    CHECK(takes_keys(joined({varint(2 * 1'000'000), bytes({0, 0})})));
-    CHECK_FALSE(takes_keys(joined({varint(2 * 1'000'000 + 2), bytes({0, 0})})));
-    CHECK(takes_keys(bytes({0, 0, 10})));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 11}))); // behind the last drawing
-    CHECK_FALSE(takes_keys(joined({bytes({0, 0}), varint(0xFFFFFFFF)})));
-    CHECK_FALSE(takes_keys(bytes({0, 0, 0, 2, 0}))); // breaks off
+    constexpr Time last{kfb::max_time};
+    CHECK(takes_keys({{.time = {}}, {.time = {1}}}));
+    CHECK_FALSE(takes_keys({{.time = {1}}, {.time = {1}}}));
+    CHECK(takes_keys({{.laws = 1}}, bytes({0x21}), 1));
+    CHECK_FALSE(takes_keys({{.laws = 2}}, bytes({0x21}), 1));
+    CHECK(takes_keys({{.time = last}}));
+    CHECK_FALSE(takes_keys({{.time = last + Time::frame(1)}}));
+    CHECK(takes_keys({{.drawing = 10}}));
+    CHECK(takes_keys({{.drawing = 10}, {.time = {1}, .drawing = 0}}));
+    CHECK_FALSE(takes_keys({{.drawing = 11}})); // behind the last drawing
+    CHECK_FALSE(takes_keys({{.drawing = 10}, {.time = {1}, .drawing = 11}}));
+    CHECK_FALSE(takes_keys({{.drawing = 0xFFFFFFFF}}));
 }
 
 TEST_CASE("arrival drawings are there")
 {
-    CHECK(takes_items(bytes({0x48, 1, 4, 0, 0, 10, 0})));
-    CHECK_FALSE(takes_items(bytes({0x48, 1, 4, 0, 0, 0, 11})));
-    CHECK_FALSE(takes_items(bytes({0x48, 1, 3, 0, 0, 0})));
+    CHECK(takes_items(bytes({0x48, 1, 0, 20, 0})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 0, 0, 22})));
+    CHECK_FALSE(takes_items(bytes({0x48, 1, 0, 0})));
 }
 
 TEST_CASE("styles have known words, colours of the palette and parameters in their ranges")
 {
-    CHECK(takes_items(bytes({0x28, 2, 3, 0, 0, 0})));
-    CHECK_FALSE(takes_items(bytes({0x28, 3, 3, 0, 0, 0}))); // the fourth colour of three
+    CHECK(takes_items(bytes({0x28, 2, 0, 0})));
+    CHECK_FALSE(takes_items(bytes({0x28, 3, 0, 0}))); // the fourth colour of three
     CHECK(takes_stroke(bytes({2, 1, 0x0A})));
     CHECK_FALSE(takes_stroke(bytes({3, 1, 0x0A})));
     CHECK_FALSE(takes_stroke(bytes({2, 0, 0x0A}))); // no width
@@ -440,12 +481,19 @@ TEST_CASE("drawings are whole, and their points have coordinates of 16 bits")
 {
     CHECK_FALSE(takes_drawings({}));
     CHECK_FALSE(takes_drawings(bytes({1})));
-    CHECK_FALSE(takes_drawings(bytes({1, 6, 2, 16, 0, 32, 0, 0x10, 0x00})));
-    CHECK_FALSE(takes_drawings(bytes({1, 0x86, 2, 16, 0, 32, 0, 0x10, 0x00, 0x03})));
-    CHECK_FALSE(takes_drawings(bytes({1, 0, 2, 16, 0, 32, 0, 0x10, 0x00, 0x03})));
-    CHECK(takes_drawings(bytes({1, 6, 2, 0xEF, 0x7F, 32, 0, 0x10, 0x00, 0x03})));       // to 32767
-    CHECK_FALSE(takes_drawings(bytes({1, 6, 2, 0xF0, 0x7F, 32, 0, 0x10, 0x00, 0x03}))); // to 32768
-    CHECK_FALSE(takes_drawings(joined({varint(65536), Bytes(70'000)})));                // points
+    const auto from = [](std::int32_t x, const Bytes& form) {
+        return joined({bytes({1}), signed_varint(x), bytes({64}), form});
+    };
+    const Bytes form = bytes({0, 6, 4, 0x40, 0x0C, 0x10}); // 1 px to the right and back
+    CHECK(takes_drawings(from(32, form)));
+    CHECK_FALSE(takes_drawings(from(32, bytes({0, 6, 4, 0x40, 0x0C}))));
+    CHECK_FALSE(takes_drawings(from(32, bytes({0x0C, 6, 4, 0x40, 0x0C, 0x10}))));
+    CHECK_FALSE(takes_drawings(from(32, bytes({0, 0, 4, 0x40, 0x0C, 0x10}))));
+    CHECK(takes_drawings(from(32'751, form)));       // to 32767
+    CHECK_FALSE(takes_drawings(from(32'752, form))); // to 32768
+    CHECK(takes_drawings(from(-32'768, form)));
+    CHECK_FALSE(takes_drawings(from(-32'769, form)));
+    CHECK_FALSE(takes_drawings(joined({varint(65536), Bytes(70'000)}))); // points
 }
 
 TEST_CASE("symbols use symbols in front of them")
@@ -550,12 +598,14 @@ TEST_CASE("items beside each other are at most 256 if one of them has an order")
 TEST_CASE("drawings of all keys have at most 4,194,304 points, each key one more")
 {
     // 127 points on one stroke: 126 lines of one bit each way, which do not move
-    const Bytes line = joined({bytes({1, 1, 126, 0, 0, 0, 0}), Bytes(32)});
+    const Bytes line = joined({bytes({1, 0, 0, 0, 1, 0xFC, 0x01}), Bytes(32)});
     const auto takes_keys_of = [&line](std::size_t count) {
         RawScene scene;
         scene.drawings = line;
-        const Bytes keys = joined({bytes({0, 0, 0}), repeated(bytes({3, 0, 0}), count - 1)});
-        scene.items = joined({bytes({0x08, 1}), block(keys)});
+        std::vector<RawKey> keys(count);
+        for (std::size_t i = 0; i < count; ++i)
+            keys[i].time.ticks = static_cast<std::int32_t>(i);
+        scene.items = joined({bytes({0x08, 1}), key_bytes(keys)});
         return is_accepted(scene);
     };
     CHECK(takes_keys_of(4'194'304 / 128));

@@ -39,6 +39,15 @@ TEST_CASE("points of a run have the same bones, and the last bone has the rest o
     CHECK(reader.is_sound());
 }
 
+TEST_CASE("one bone may carry all points")
+{
+    SkinReader reader = SkinReader::of(7);
+    CHECK_FALSE(reader.has_drawing_at_rest());
+    for (int point = 0; point < 70'000; ++point)
+        REQUIRE(shares_of(reader.next()) == Shares{{7, 256}});
+    CHECK(reader.is_sound());
+}
+
 TEST_CASE("a skin may name the drawing at rest, also the first one")
 {
     const Bytes first = bytes({1, 0, 0});

@@ -1,7 +1,6 @@
 #include "core/track_view.hpp"
 
-#include "core/kfb_limits.hpp"
-#include "tests/bytes.hpp"
+#include "tests/core/raw_scene.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +8,9 @@ namespace kfast::test {
 
 TEST_CASE("tracks are read in their order, fixed ones and those with keys, and what follows is left")
 {
-    const auto tracks = bytes({0x85, 0x80, 0x80, 2,                    // rotation, a quarter turn
-                               11, 8, 0, 1, 0xFE, 3, 0x81, 0x58, 2, 0, // opacity from 255 to 0
-                               99});
+    const Bytes tracks =
+        joined({bytes({0x85, 0x80, 0x80, 2}), // rotation, a quarter turn
+                moving_track(Property::opacity, {{{}, 1, 255}, {{5632}, 2, 0}}), bytes({99})});
     TrackCursor cursor{ByteReader{tracks}, 2};
     const TrackView rotation = cursor.next();
     CHECK(rotation.property == Property::rotation);
@@ -33,13 +32,14 @@ TEST_CASE("tracks are read in their order, fixed ones and those with keys, and w
     CHECK(second.laws == 2);
     CHECK(second.value == 0);
     CHECK(keys.at_end());
-    CHECK_FALSE(keys.overrun());
+    CHECK_FALSE(cursor.rest().overrun());
     CHECK(cursor.rest().left() == 1);
 }
 
 TEST_CASE("keys of a smooth track have no laws")
 {
-    const auto tracks = bytes({0x42, 5, 0, 0x80, 1, 4, 3, 0x80, 2}); // z; then a fixed x
+    const Bytes tracks = joined({smooth_track(Property::z, {{{}, 3, 64}, {Time::frame(2), 4, -2}}),
+                                 fixed_track(Property::pivot_x, 1)});
     TrackCursor cursor{ByteReader{tracks}, 2};
     const TrackView z = cursor.next();
     CHECK(z.property == Property::z);
@@ -54,7 +54,6 @@ TEST_CASE("keys of a smooth track have no laws")
     CHECK(second.time == Time::frame(2));
     CHECK(second.value == -2);
     CHECK(keys.at_end());
-    CHECK_FALSE(keys.overrun());
     CHECK_FALSE(cursor.next().is_smooth);
 }
 
@@ -73,32 +72,36 @@ TEST_CASE("values are signed: even codes from 0 up, odd ones from -1 down")
     CHECK(value_of({0xFF, 0xFF, 0xFF, 0xFF, 0x0F}) == -2147483647 - 1);
 }
 
-TEST_CASE("times of keys add up")
+TEST_CASE("tracks with the same beats name them once")
 {
-    const auto track = bytes({0, 9, 4, 0, 0, 3, 0, 0, 2, 0, 0});
-    TrackKeyCursor keys = TrackCursor{ByteReader{track}, 1}.next().keys;
-    CHECK(keys.next().time == Time::frame(2));
-    CHECK(keys.next().time == Time{2 * 1024 + 1});
-    CHECK(keys.next().time == Time{3 * 1024 + 1});
-    CHECK(keys.at_end());
+    const Bytes tracks = joined({moving_track(Property::x, {{{}, 1, 5}, {{9}, 2, 6}}),
+                                 fixed_track(Property::y, 7), bytes({2, 0}), value_bytes({8, 9}), // z
+                                 bytes({0x43, 0}), value_bytes({1, 2})}); // rotation about x, smooth
+    TrackCursor cursor{ByteReader{tracks}, 4};
+    cursor.next();
+    cursor.next();
+    TrackKeyCursor z = cursor.next().keys;
+    CHECK(z.next().laws == 1);
+    const TrackKey last = z.next();
+    CHECK(last.time == Time{9});
+    CHECK(last.laws == 2);
+    CHECK(last.value == 9);
+    CHECK(z.at_end());
+    TrackKeyCursor smooth = cursor.next().keys;
+    CHECK(smooth.next().laws == 0);
+    CHECK(smooth.next().time == Time{9});
+    CHECK(cursor.rest().left() == 0);
 }
 
 TEST_CASE("tracks and keys that break off are noticed")
 {
-    const auto key = bytes({0, 2, 4, 0});
-    TrackKeyCursor keys = TrackCursor{ByteReader{key}, 1}.next().keys;
-    keys.next();
-    CHECK(keys.overrun());
-
-    const auto track = bytes({0, 9, 4, 0});
-    TrackCursor cut{ByteReader{track}, 1};
-    cut.next();
-    CHECK(cut.rest().overrun());
-
-    const auto value = bytes({0x80, 0x80});
-    TrackCursor fixed{ByteReader{value}, 1};
-    fixed.next();
-    CHECK(fixed.rest().overrun());
+    for (const Bytes& whole :
+         {moving_track(Property::x, {{{}, 1, 5}, {{9}, 2, 600}}), fixed_track(Property::x, 64)})
+        for (std::size_t size = 0; size < whole.size(); ++size) {
+            TrackCursor cut{ByteReader{std::span{whole}.first(size)}, 1};
+            cut.next();
+            CHECK(cut.rest().overrun());
+        }
 }
 
 TEST_CASE("without tracks there is nothing to read") { CHECK(TrackCursor{}.at_end()); }

@@ -12,6 +12,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr Size panel{24, 17};
+constexpr std::size_t checked_at = 8;           ///< what the checksum covers
 constexpr std::size_t most_drawn_bytes = 20000; ///< of outlines; more take too long for a fuzzer
 
 void demand(bool holds)
@@ -51,8 +52,8 @@ void read_bones(const SceneView& scene)
         const BonesView bones = skeletons.next();
         demand(bones.count() != 0);
         all += bones.count();
-        for (CommonKeyCursor keys = bones.common_keys(); !keys.at_end();)
-            demand(is_valid(scene.laws(keys.next().laws).x));
+        for (BeatCursor beats = bones.common_beats(); !beats.at_end();)
+            demand(is_valid(scene.laws(beats.next().laws).x));
         for (BoneCursor cursor = bones.bones(); !cursor.at_end();)
             demand(cursor.next().at_rest(BoneQuantity::length) > 0);
     }
@@ -154,11 +155,18 @@ void put(Bytes& bytes, std::size_t offset, std::uint32_t value)
 /// The same bytes with a size and a checksum that fit, so that the fuzzer gets past them.
 Bytes sealed(std::span<const std::byte> bytes)
 {
-    Bytes copy(bytes.begin(), bytes.end());
-    put(copy, 8, static_cast<std::uint32_t>(copy.size()));
+    ByteReader reader{bytes.subspan(checked_at)};
+    reader.varint(); // the size
+    const std::span<const std::byte> body = reader.rest();
+    Bytes copy(bytes.begin(), bytes.begin() + checked_at);
+    std::size_t size = body.size();
+    for (; size >= 0x80; size >>= 7)
+        copy.push_back(static_cast<std::byte>(size | 0x80));
+    copy.push_back(static_cast<std::byte>(size));
+    copy.insert(copy.end(), body.begin(), body.end());
     Crc32 crc;
-    crc.add(std::span{copy}.subspan(8));
-    put(copy, 4, crc.value());
+    crc.add(std::span{copy}.subspan(checked_at));
+    put(copy, checked_at - 4, crc.value());
     return copy;
 }
 
@@ -169,7 +177,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const auto bytes = std::as_bytes(std::span{data, size});
     kfast::play(bytes);
-    if (size >= 12)
+    if (size >= kfast::checked_at)
         kfast::play(kfast::sealed(bytes));
     return 0;
 }

@@ -101,7 +101,7 @@ class InputTest(CommandTest):
         scene = self.compiled()
         scene[3] = 9
         self.everywhere(self.write("newer.kfb", scene),
-                        "newer.kfb: made by a newer kfast (format 9, this one reads 1): update kfast, or compile")
+                        "newer.kfb: made by a newer kfast (format 9, this one reads 2): update kfast, or compile")
 
     def test_damaged(self):
         scene = self.compiled()
@@ -110,7 +110,12 @@ class InputTest(CommandTest):
 
     def test_contradicting(self):
         scene = self.compiled()
-        scene[26:28] = b"\0\0"  # the width of the canvas
+        at = 8
+        for _ in range(2):  # behind the size and the bytes for outlines
+            while scene[at] & 0x80:
+                at += 1
+            at += 1
+        scene[at] |= 0x80  # a bit without a meaning
         scene[4:8] = zlib.crc32(scene[8:]).to_bytes(4, "little")
         self.everywhere(self.write("bad.kfb", scene), "contradicts itself")
 

@@ -46,15 +46,17 @@ TEST_CASE("skeletons, byte by byte")
     child.keys[2] = {at(5, -3)};
     const scene::Bones robot{.name = "robot", .bones = {root, child}, .place = {}};
     const scene::Bones still{.name = "still", .bones = {bone({1, 2, 3, 4})}, .place = {}};
-    CHECK(written({robot, still}) == bytes({
-                                         40, 2,    2,    0,    1,    24,   0, // common keys
-                                         0,  0x01, 0x00, 0xC0, 0x80, 0x07, 0xF0, 0xFF, 0xC0, 0x03, // root
-                                         0,  0x00, 0xC0, 0x40, 0x9C,                               // angles
-                                         1,  0x15, 0xFF, 0xFF, 0xC0, 0x03, 0x00, 0x00, 0x00, 0x02, // child
-                                         0,  0x30, 0x75, 0x18, 0x79,                               // angles
-                                         3,  10,   0,    5, // y, keys of its own
-                                         12, 1,    0,    0,    0x00, 1,    0,    2,    0,    3,    0, 4, 0, //
-                                     }));
+    CHECK(written({robot, still}) ==
+          bytes({
+              39, 2,                                  // two bones
+              2,  0x82, 0x03, 0x38,                   // common beats: times in 4 frames; laws 1 and 0
+              0,  0x81, 0x00, 0xC0, 0xF0, 1, 1,  60,  // root
+              0,  0xC8, 0x9D, 2,    0x8F, 0,          // its angles, in 64 units: 0, -143
+              1,  0x95, 0xFF, 0xFF, 120,  0, 32,      // child
+              0,  10,   0xE2, 0xD4, 3,    0, 62, 128, // its angles: 30001, 31001
+              1,  0x43, 1,    0xA0, 5,                // y, keys of its own
+              9,  1,    0,    0,    0,    1, 0,  4,   6, 4,
+          }));
 }
 
 TEST_CASE("the times and laws that save most are common")
@@ -72,39 +74,39 @@ TEST_CASE("the times and laws that save most are common")
     const std::vector<std::byte> bytes = written({skeleton});
     BonesCursor cursor{ByteReader{bytes}};
     const BonesView view = cursor.next();
-    CHECK(view.common_keys().count() == 3);
+    CHECK(view.common_beats().count() == 3);
     BoneCursor bones = view.bones();
     const BoneView first = bones.next();
     CHECK(kind(first, BoneQuantity::angle) == BoneKeys::Kind::common);
     CHECK(kind(first, BoneQuantity::length) == BoneKeys::Kind::common);
     const BoneView second = bones.next();
     CHECK(second.turns_as_written);
-    CHECK(kind(second, BoneQuantity::angle) == BoneKeys::Kind::own);
+    CHECK(kind(second, BoneQuantity::angle) == BoneKeys::Kind::common);
     CHECK(kind(second, BoneQuantity::length) == BoneKeys::Kind::own);
     const BoneView third = bones.next();
     CHECK(kind(third, BoneQuantity::angle) == BoneKeys::Kind::common);
     CHECK(kind(third, BoneQuantity::x) == BoneKeys::Kind::common);
     CHECK(kind(third, BoneQuantity::length) == BoneKeys::Kind::own);
     CHECK(kind(third, BoneQuantity::y) == BoneKeys::Kind::none);
-    CHECK(third.keys_of(BoneQuantity::angle).common(0) == 20002);
+    CHECK(third.keys_of(BoneQuantity::angle).value(0) == 20002);
 }
 
-TEST_CASE("keys are in common only where that takes fewer bytes")
+TEST_CASE("beats of one quantity alone are not common")
 {
     scene::Bones skeleton{.name = "s", .bones = {bone({0, 0, 0, 16})}, .place = {}};
     skeleton.bones[0].keys[0] = {at(0, 100), at(10, 200)};
     const std::vector<std::byte> bytes = written({skeleton});
     BonesCursor cursor{ByteReader{bytes}};
-    CHECK(cursor.next().common_keys().count() == 0);
+    CHECK(cursor.next().common_beats().count() == 0);
 }
 
-TEST_CASE("angles that count modulo one turn are stored near 0")
+TEST_CASE("angles that count modulo one turn are stored near the bone as set up")
 {
     scene::Bones skeleton{.name = "s", .bones = {bone({0, 0, 0, 16})}, .place = {}};
     skeleton.bones[0].keys[0] = {at(0, 65530)};
     std::vector<std::byte> bytes = written({skeleton});
     BonesCursor cursor{ByteReader{bytes}};
-    CHECK(cursor.next().bones().next().keys_of(BoneQuantity::angle).own().next().value == -6);
+    CHECK(cursor.next().bones().next().keys_of(BoneQuantity::angle).keys().next().value == -6);
     skeleton.bones[0].turns_as_written = true;
     bytes = written({skeleton});
     CHECK(BonesCursor{ByteReader{bytes}}
@@ -112,7 +114,7 @@ TEST_CASE("angles that count modulo one turn are stored near 0")
               .bones()
               .next()
               .keys_of(BoneQuantity::angle)
-              .own()
+              .keys()
               .next()
               .value == 65530);
 }

@@ -101,12 +101,12 @@ private:
             REQUIRE(read.count() == skeleton.bones.size());
             BoneCursor bones = read.bones();
             for (const scene::Bone& bone : skeleton.bones)
-                compare_bone(read, bones.next(), bone);
+                compare_bone(bones.next(), bone);
         }
         CHECK(skeletons.at_end());
     }
 
-    void compare_bone(const BonesView& skeleton, const BoneView& read, const scene::Bone& bone)
+    void compare_bone(const BoneView& read, const scene::Bone& bone)
     {
         CHECK(read.parent == (bone.parent ? *bone.parent + 1 : 0));
         CHECK(read.is_at_tip == bone.is_at_tip);
@@ -115,30 +115,22 @@ private:
             CHECK(read.turns_as_written == bone.turns_as_written);
         for (std::size_t i = 0; i < bone_quantity_count; ++i) {
             const bool is_modular = i == 0 && !bone.turns_as_written;
-            compare_bone_keys(skeleton.common_keys(), read.keys[i], bone.keys[i], is_modular);
+            compare_bone_keys(read.keys[i], bone.keys[i], is_modular);
         }
     }
 
-    void compare_bone_keys(CommonKeyCursor common, const BoneKeys& read,
-                           const std::vector<scene::TrackKey>& keys, bool is_modular)
+    void compare_bone_keys(const BoneKeys& read, const std::vector<scene::TrackKey>& keys, bool is_modular)
     {
         REQUIRE((read.kind() == BoneKeys::Kind::none) == keys.empty());
-        const auto compare = [&](Time time, std::uint32_t laws, std::int32_t value,
-                                 const scene::TrackKey& key) {
-            CHECK(time == key.time);
-            CHECK((is_modular ? value & 0xFFFF : value) == key.value);
-            compare_laws(laws, key.laws, &key == &keys.back());
-        };
-        TrackKeyCursor own = read.own();
-        for (const scene::TrackKey& key : keys)
-            if (read.kind() == BoneKeys::Kind::own) {
-                const TrackKey stored = own.next();
-                compare(stored.time, stored.laws, stored.value, key);
-            } else {
-                const CommonKey stored = common.next();
-                compare(stored.time, stored.laws, read.common(stored.index), key);
-            }
-        CHECK((read.kind() == BoneKeys::Kind::common ? common.at_end() : own.at_end()));
+        TrackKeyCursor cursor = read.keys();
+        for (const scene::TrackKey& key : keys) {
+            REQUIRE_FALSE(cursor.at_end());
+            const TrackKey stored = cursor.next();
+            CHECK(stored.time == key.time);
+            CHECK((is_modular ? stored.value & 0xFFFF : stored.value) == key.value);
+            compare_laws(stored.laws, key.laws, &key == &keys.back());
+        }
+        CHECK(cursor.at_end());
     }
 
     void compare_items(ItemCursor cursor, const std::vector<scene::Item>& items)

@@ -18,9 +18,22 @@ Bytes behind(const Bytes& bytes, std::size_t offset)
     return {bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.end()};
 }
 
-constexpr std::size_t header_and_two_colours = 34 + 2 * 4;
+/// Behind the checksum, the size and the bytes for outlines.
+Bytes rest_of(const Bytes& file)
+{
+    ByteReader reader{std::span{file}.subspan(8)};
+    reader.varint();
+    reader.varint();
+    return {reader.rest().begin(), reader.rest().end()};
+}
 
-std::size_t size_of(std::vector<scene::Item> items) { return written(scene_of(std::move(items))).size(); }
+/// Of scene_of(), with two opaque colours.
+constexpr std::size_t header_and_palette = 7 + 1 + 2 * 3;
+
+std::size_t size_of(std::vector<scene::Item> items)
+{
+    return rest_of(written(scene_of(std::move(items)))).size();
+}
 
 }
 
@@ -32,24 +45,21 @@ TEST_CASE("a small scene, byte by byte")
     scene.loop = Loop::ping_pong;
     scene.palette = {{0x10, 0x20, 0x30}, {0x4c, 0xc9, 0xf0, 0x80}};
     const Bytes all = written(scene);
-    CHECK(Bytes{all.begin(), all.begin() + 4} == bytes({'K', 'F', 'B', 1}));
+    CHECK(Bytes{all.begin(), all.begin() + 4} == bytes({'K', 'F', 'B', 2}));
     constexpr std::size_t size_at = 8;
     Crc32 checksum;
     checksum.add(behind(all, size_at));
     CHECK(ByteReader{std::span{all}.subspan(4)}.u32() == checksum.value());
-    CHECK(ByteReader{std::span{all}.subspan(size_at)}.u32() == all.size());
-    constexpr std::size_t laws_at = 16; // behind the bytes for outlines
-    CHECK(behind(all, laws_at) ==
+    ByteReader sized{std::span{all}.subspan(size_at)};
+    const std::size_t size = sized.varint();
+    CHECK(size == sized.left());
+    CHECK(rest_of(all) ==
           bytes({
-              0,    2,                                                    // pairs of laws, ping-pong
-              0x00, 0xA0, 0x00, 0x00,                                     // 40 frames
-              0xA8, 0x61, 0x00, 0x00,                                     // 25 frames a second
-              64,   0,    48,   0,    2,    0,    0xE0, 0x01,             // canvas, colours, symbols, camera
-              0x10, 0x20, 0x30, 0xFF, 0x4C, 0xC9, 0xF0, 0x80,             //
-              1,    0,                                                    // marks: no clips, no events
-              0,    0,                                                    // bones, symbols
-              6,    0x08, 1,    3,    0,    0,    0,                      // filled, colour, one key
-              1,    6,    2,    16,   0,    32,   0,    0x10, 0x00, 0x03, // 6 bits: 16, 0, -16, 0
+              0x0E, 80,   50,   64,   48,   0xE0, 3, // ping-pong, 40 frames, 25 a second, camera
+              2,    0x10, 0x20, 0x30, 0xFF, 0x4C, 0xC9, 0xF0, 0x80, // palette
+              0,                                                    // laws
+              4,    0x08, 1,    0,    0,                            // filled, colour, one key
+              1,    32,   64,   0x14, 6,    4,    0x90,             // closed and sparse, 6 bits: 16
           }));
 }
 
@@ -73,25 +83,23 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
     scene.events = {{"a", Time::frame(3)}, {"é", Time::frame(3)}};
 
     const Bytes all = written(scene);
-    CHECK(all[16] == std::byte{2}); // pairs of laws
-    CHECK(behind(all, header_and_two_colours) ==
+    CHECK(behind(rest_of(all), header_and_palette) ==
           bytes({
-              0x21,                                                          // accelerate, decelerate
+              2,    0x21,                                                    // accelerate, decelerate
               0x65, 3,    0,    0x00, 0x08, 0x00, 0xE0, 0x00, 0x18, 0, 0x40, // steps, bezier
               15,   1,                                                       // marks: one clip
               2,    'g',  'o',  20,   0x81, 0x58, 1,                         // from frame 10, 5632 ticks long
               6,    1,    'a',  0,    2,    0xC3, 0xA9,                      // events
-              0,                                                             // bones
-              10,   9,                                                       // one symbol
-              0x10, 1,    40,   1,    32,   3,    0,    0,    0,             //
+              1,    8,    7,                                                 // one symbol
+              0x10, 1,    40,   1,    32,   0,    0,                         //
               31,                                                            // items
               0x05, 2,    0x85, 0x80, 0x80, 2,                               // group: a quarter turn,
-              11,   7,    0,    1,    0xFE, 3,    20,   0,    0,             // opacity from 255 to 0
+              11,   2,    0x63, 3,    0x1A, 8,    0,    0xFF, 0,             // opacity from 255 to 0
               6,    0x06, 1,    0x86, 0xFF, 0x7F, 0,                         // the use, mirrored
-              0x28, 0,    6,    0,    2,    7,    3,    0,    15, // even-odd; 1 tick to the second key
-              1,    0,    0,    10,   0,    11,   0,              // the single point
-              1,    2,    1,    0,    0,    0,    0,    0x01,     // the line
-              0,                                                  // the empty drawing
+              0x28, 0,    2,    1,    4,    0x50, 3,    12,   0x1C, // even-odd; 1 tick to the second key
+              1,    20,   22,   0,    1,    0,                      // the single point
+              1,    0,    0,    0,    2,    2,    0x40,             // the line
+              0,                                                    // the empty drawing
           }));
 }
 
@@ -116,7 +124,7 @@ TEST_CASE("tracks that change nothing are left out")
     CHECK(growth(dot, {fixed(Property::fill, 1)}) == 3);
     CHECK(growth(wire, {fixed(Property::width, 17)}) == 3);
     CHECK(growth(dot, {fixed(Property::opacity, 0)}) == 3);
-    CHECK(growth(dot, {turning}) == 9); // it has keys
+    CHECK(growth(dot, {turning}) == 8); // it has keys
     SUBCASE("a pivot counts only where something turns or grows")
     {
         const scene::Track pivot_x = fixed(Property::pivot_x, 5);
@@ -137,12 +145,12 @@ TEST_CASE("a smooth track has no laws")
         for (const int value : values)
             track.keys.push_back(
                 {.time = Time::frame(static_cast<int>(track.keys.size())), .laws = {}, .value = value});
-        return behind(written(scene_of({item(dot, {track})})), header_and_two_colours + 5);
+        return behind(rest_of(written(scene_of({item(dot, {track})}))), header_and_palette + 2);
     };
     const auto head = [](const Bytes& all, std::size_t count) {
         return Bytes{all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
     };
-    CHECK(head(growth({3, 3}), 8) == bytes({0x0C, 1, 0x42, 4, 0, 6, 2, 6}));
+    CHECK(head(growth({3, 3}), 9) == bytes({0x0C, 1, 0x42, 2, 0x41, 1, 0x40, 0, 6}));
     CHECK(head(growth({3}), 4) == bytes({0x0C, 1, 0x82, 6})); // fixed
     CHECK(head(growth({0}), 1) == bytes({0x08}));             // the ordinary value
 }
@@ -154,7 +162,7 @@ TEST_CASE("a path follows the tracks, with the lengths of its segments")
     const auto followed = [&](const scene::Path& path, std::size_t count) {
         scene::Item follower = item(dot, {fixed(Property::along, 0)});
         follower.path = path;
-        const Bytes all = behind(written(scene_of({follower})), header_and_two_colours + 5);
+        const Bytes all = behind(rest_of(written(scene_of({follower}))), header_and_palette + 2);
         return Bytes{all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
     };
     CHECK(followed({corner, true}, 10) == bytes({0x0C, 1, 0x8A, 0, 5, 1, 0, 16, 0x80, 25}));
@@ -186,11 +194,12 @@ TEST_CASE("a drawing is stored once, whoever shows it")
     const scene::Drawing shape = curve({0, 0}, {900, 0}, {0, 900}, {900, 900});
     const auto shown = [&shape](int frame) { return key(frame, shape); };
     const std::size_t once = size_of({item(filled({shown(0)}))});
-    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 3); // a key
-    CHECK(size_of({item(filled({shown(0)})), item(filled({shown(0)}))}) == once + 2 + 4);
+    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 4); // it has beats
+    CHECK(size_of({item(filled({shown(0)})), item(filled({shown(0)}))}) == once + 4);
     const scene::Scene with_symbol =
         scene_of({item(filled({shown(0)})), item(scene::Use{0})}, {{"again", {item(filled({shown(0)}))}}});
-    CHECK(written(with_symbol).size() == once + 1 + 6 + 2); // length of the symbol, its object, the use
+    CHECK(rest_of(written(with_symbol)).size() ==
+          once + 3 + 4 + 2); // number and lengths, the object, the use
 }
 
 TEST_CASE("keys that match by length have arrival drawings, the others of the object too")

@@ -1,0 +1,22 @@
+#include "core/bit_reader.hpp"
+
+namespace kfast {
+
+BitReader BitReader::take(ByteReader& bytes, std::uint32_t count, std::uint32_t width)
+{
+    const BitReader bits{bytes.rest()};
+    const std::uint64_t size = (std::uint64_t{count} * width + 7) / 8;
+    bytes.skip(static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes.left() + 1)));
+    return bits;
+}
+
+/// Of the end of the bytes, or from behind it.
+std::uint32_t BitReader::last_word(std::uint32_t byte) const
+{
+    std::uint32_t word = 0;
+    for (int shift = 24; shift >= 0 && byte < size_; shift -= 8)
+        word |= std::to_integer<std::uint32_t>(bytes_[byte++]) << shift;
+    return word;
+}
+
+}

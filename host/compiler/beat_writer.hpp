@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/time.hpp"
+#include "host/compiler/byte_writer.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace kfast {
+
+/// When a key is, and the number of the pair of laws that governs the way from it; 0 for the last.
+struct WrittenBeat {
+    Time time;
+    std::uint32_t laws = 0;
+
+    friend auto operator<=>(const WrittenBeat&, const WrittenBeat&) = default;
+};
+
+using Beats = std::vector<WrittenBeat>;
+
+/// Appends at least one beat as the core's BeatCursor reads them (docs/format.md, "Beats"); only says so if
+/// they are `usual` where they stand.
+void write_beats(const Beats& beats, const Beats& usual, ByteWriter& bytes);
+
+/// The usual beats of what has keys of its own: a single one, at 0.
+inline const Beats one_beat{{}};
+
+}
