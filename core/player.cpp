@@ -106,7 +106,8 @@ Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::
 }
 
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-    : on_panel_{on_panel(scene, panel, fit)}, panel_{panel}, coverage_{{}, panel.width}, strips_{{}, panel}
+    : on_panel_{on_panel(scene, panel, fit)}, panel_{panel},
+      background_{scene.colour(0)}, coverage_{{}, panel.width}, strips_{{}, panel}
 {
     const BlockPlan plan{scene, panel};
     BlockCutter cutter{block};
@@ -257,7 +258,7 @@ void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<
     const std::size_t first = lowest_seen_step(windows, spans);
     while (!spans.empty() && spans.front().step < first)
         spans = spans.subspan(1);
-    painter<format>(windows, row).paint(coming(), first, scene().colour(0), [&](std::size_t step, auto paint) {
+    painter<format>(windows, row).paint(coming(), first, background_, [&](std::size_t step, auto paint) {
         if (coming().steps()[step].change == PaintStep::Change::none)
             return sweep_layer(step, row, paint);
         for (; !spans.empty() && spans.front().step == step; spans = spans.subspan(1))
@@ -268,7 +269,7 @@ void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<
 template <PixelFormat format>
 void Player::sweep_and_paint(std::span<const RowWindow> windows, int row)
 {
-    painter<format>(windows, row).paint(coming(), 0, scene().colour(0), [&](std::size_t step, auto paint) {
+    painter<format>(windows, row).paint(coming(), 0, background_, [&](std::size_t step, auto paint) {
         sweep_layer(step, row, paint);
     });
 }

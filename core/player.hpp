@@ -95,6 +95,7 @@ private:
 
     SceneOnPanel on_panel_;
     Size panel_;
+    Colour background_;
     std::array<TracedPicture, 2> pictures_;
     std::uint8_t coming_ = 0;
     Progress progress_ = Progress::none;
