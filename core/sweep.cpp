@@ -173,8 +173,10 @@ private:
     struct Part {
         std::uint16_t chain;
         std::int8_t winding;
-        bool is_straight; ///< and runs through the row
-        bool has_corner;  ///< within the row
+        bool is_straight; ///< and runs through the row, perhaps with a slight bend
+        bool has_corner;  ///< within the row, but no slight bend
+        bool is_bent;     ///< slightly: the next edge has `slope`
+        std::int32_t slope;
         std::int32_t top;
         std::int32_t bottom;
         Fixed begin{}; ///< x at the top
@@ -206,8 +208,11 @@ private:
             return false;
         did(Work::part);
         Part& part = parts_[part_count_];
-        if (lower_end(store_, chain).y > bottom_ && number < layer_.waiting)
-            make_straight(part, chain);
+        const bool is_under_way = number < layer_.waiting;
+        if (is_under_way && lower_end(store_, chain).y > bottom_)
+            make_straight(part, chain, chain.x + Fixed::from_raw(chain.slope));
+        else if (is_under_way && bends_slightly(chain, part.slope))
+            make_straight(part, chain, following_edge(store_, chain).x_at(bottom_, part.slope));
         else
             make_bent(part, chain);
         part.chain = number;
@@ -219,11 +224,11 @@ private:
         return true;
     }
 
-    void make_straight(Part& part, const Chain& chain) const
+    void make_straight(Part& part, const Chain& chain, Fixed end) const
     {
-        const Fixed end = chain.x + Fixed::from_raw(chain.slope);
         part.is_straight = true;
         part.has_corner = false;
+        part.is_bent = lower_end(store_, chain).y <= bottom_;
         part.top = y_;
         part.bottom = bottom_;
         part.begin = chain.x;
@@ -329,9 +334,13 @@ private:
     {
         if (!part.is_straight)
             return take_bent_part(chain, part.top, sign);
-        const Fixed end = chain.x + Fixed::from_raw(chain.slope);
+        const Fixed end = part.left == part.begin ? part.right : part.left;
         coverage_.add(chain.x, end, subrows, sign);
         chain.x = end;
+        if (part.is_bent) {
+            ++chain.passed;
+            chain.slope = part.slope;
+        }
         return true;
     }
 

@@ -15,6 +15,10 @@ class GuestError(Exception):
     """The image did not play the scene to its end."""
 
 
+class NoRoom(GuestError):
+    """The scene needs a larger block than the image can lend."""
+
+
 @dataclasses.dataclass(frozen=True)
 class Sample:
     """Where the program was: its next instruction, and where the function would return to, if it is a leaf."""
@@ -52,14 +56,14 @@ def play(folder, cpu, scene, profile=False):
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=TIMEOUT)
     run = parse(done.stdout)
     if done.returncode != 0 or not done.stdout.endswith("end\n"):
-        raise GuestError(explanation(run, done))
+        raise refusal(run, done)
     return run
 
 
-def explanation(run, done):
+def refusal(run, done):
     if run.needed > run.lent:
-        return f"it needs a block of {run.needed} bytes, the image lends {run.lent}"
-    return f"QEMU ended with status {done.returncode}: {done.stdout[-200:]}{done.stderr[-200:]}"
+        return NoRoom(f"it needs a block of {run.needed} bytes, the image lends {run.lent}")
+    return GuestError(f"QEMU ended with status {done.returncode}: {done.stdout[-200:]}{done.stderr[-200:]}")
 
 
 def parse(told):
