@@ -13,10 +13,14 @@
 
 namespace kfast {
 
+/// Rows that a panel may take together.
+inline constexpr int tallest_group = 8;
+
 /// What areas of a panel have to be like, and what they cost.
 struct AreaRules {
-    Size granularity{.width = 1, .height = 1}; ///< places and sizes are multiples of this
-    int overhead = 0;                          ///< of each area, in pixels
+    /// Places and sizes are multiples of this, but where the panel ends; no higher than tallest_group.
+    Size granularity{.width = 1, .height = 1};
+    int overhead = 0;     ///< of each area, in pixels
     std::size_t room = 0; ///< pixels that areas drawn together have; at least granularity.height rows
 };
 
@@ -50,8 +54,6 @@ public:
     }
 
 private:
-    static constexpr int tallest_group = 8;
-
     void begin_strip(const AreaRules& rules);
     bool add_group(class RowSearch& search, const AreaRules& rules);
     bool is_worth_joining(const RunList& columns, const AreaRules& rules) const;

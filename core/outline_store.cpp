@@ -7,8 +7,8 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint16_t most_corners = 0xFFFF;
-constexpr std::int32_t most_edges = 0x7FFF; ///< of one chain
+constexpr std::size_t most_corners = 0xFFFE; ///< their numbers have 16 bits
+constexpr std::int32_t most_edges = 0x7FFF;  ///< of one chain
 
 }
 
@@ -28,24 +28,25 @@ void OutlineStore::clear()
     is_full_ = false;
 }
 
-bool OutlineStore::find_room(std::size_t bytes)
+bool OutlineStore::find_room(std::size_t corners, std::size_t chains)
 {
-    is_full_ = is_full_ || used_bytes() + behind_count_ * sizeof(Corner) + bytes > size_ ||
-               corner_count_ + behind_count_ >= most_corners - 1;
+    const std::size_t all = corner_count_ + behind_count_ + corners;
+    is_full_ = is_full_ || all > most_corners || chain_count_ + chains >= Chain::none ||
+               all * sizeof(Corner) + (chain_count_ + chains) * sizeof(Chain) > size_;
     return !is_full_;
 }
 
 void OutlineStore::add(Corner corner)
 {
     did(Work::corner);
-    if (find_room(sizeof corner))
+    if (find_room(1, 0))
         corners_[corner_count_++] = corner;
 }
 
 void OutlineStore::add_behind(Corner corner)
 {
     did(Work::corner);
-    if (!find_room(sizeof corner))
+    if (!find_room(1, 0))
         return;
     ++behind_count_;
     *behind() = corner;
@@ -96,7 +97,7 @@ void OutlineStore::add_chain(std::int32_t first, std::int32_t last)
         return;
     const bool runs_up = corners_[last].y < corners_[first].y;
     const auto [upper, lower] = runs_up ? std::pair{last, first} : std::pair{first, last};
-    if (corners_[lower].y <= 0 || corners_[upper].y >= bottom_ || !find_room(sizeof(Chain)))
+    if (corners_[lower].y <= 0 || corners_[upper].y >= bottom_ || !find_room(0, 1))
         return;
     did(Work::chain);
     Chain& added = chain(chain_count_++);
@@ -139,7 +140,7 @@ OutlineRange OutlineStore::copy(const OutlineStore& from, const OutlineRange& ra
     const auto corners = static_cast<std::size_t>(range.end_corner - range.first_corner);
     const auto chains = static_cast<std::size_t>(range.end_chain - range.first_chain);
     OutlineRange copied = mark();
-    if (!find_room(corners * sizeof(Corner) + chains * sizeof(Chain)))
+    if (!find_room(corners, chains))
         return copied;
     did(Work::copied_corner, static_cast<std::uint32_t>(corners + 2 * chains));
     std::copy_n(from.corners_ + range.first_corner, corners, corners_ + corner_count_);

@@ -84,7 +84,7 @@ public:
     std::size_t used_bytes() const { return corner_count_ * sizeof(Corner) + chain_count_ * sizeof(Chain); }
 
 private:
-    bool find_room(std::size_t bytes);
+    bool find_room(std::size_t corners, std::size_t chains);
     Corner* behind() { return reinterpret_cast<Corner*>(end_ - chain_count_) - behind_count_; }
     bool join_sides();
     void find_chains(std::int32_t first, std::int32_t last);

@@ -188,6 +188,8 @@ void Player::begin_changes()
 {
     progress_ = Progress::begun;
     whole_rows_ = {};
+    if (shown().outlines.is_full() || coming().outlines.is_full())
+        knows_panel_ = false; // where a picture ends for want of room, nothing tells what changes
     if (!knows_panel_)
         return;
     match(shown(), coming());

@@ -31,12 +31,13 @@ public:
     void add(int begin, int end)
     {
         const Run run{static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end)};
-        Run* const last = runs_.data() + count_ - 1;
-        const bool is_behind = count_ == 0 || begin >= last->end + gap_;
-        if (is_behind && count_ < most) // mostly they come from left to right
-            runs_[count_++] = run;
-        else if (!is_behind && begin >= last->begin)
-            last->end = std::max(last->end, run.end);
+        if (count_ == 0)
+            return append(run);
+        Run& last = runs_[count_ - 1U];
+        if (begin >= last.end + gap_) // mostly they come from left to right
+            append(run);
+        else if (begin >= last.begin)
+            last.end = std::max(last.end, run.end);
         else
             insert(run);
     }
@@ -60,6 +61,12 @@ public:
     }
 
 private:
+    void append(Run run)
+    {
+        if (count_ == most)
+            return insert(run);
+        runs_[count_++] = run;
+    }
     void insert(Run run);
     void make_room(std::size_t at);
     void close_gap(std::size_t at, std::size_t behind);

@@ -367,7 +367,8 @@ bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
 bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)
 {
     while (!items.at_end())
-        if (++items_ > kfb::max_items || !count_item(items.next(), depth, blended))
+        if (++items_ > kfb::max_items || !count_item(items.next(), depth, blended) ||
+            scene_.paint_steps_ > kfb::max_paint_steps)
             return false;
     return true;
 }

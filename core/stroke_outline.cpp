@@ -2,6 +2,7 @@
 
 #include "core/corner_at.hpp"
 #include "core/flatten.hpp"
+#include "core/held_point.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
@@ -53,6 +54,12 @@ Point scaled(Point vector, std::int32_t factor_q15)
 {
     return {Fixed::from_raw(multiply_q16(vector.x.raw(), 2 * factor_q15)),
             Fixed::from_raw(multiply_q16(vector.y.raw(), 2 * factor_q15))};
+}
+
+Fixed held_on_panel(Fixed at)
+{
+    constexpr std::int32_t farthest = Fixed::pixels(farthest_held).raw();
+    return Fixed::from_raw(std::clamp(at.raw(), -farthest, farthest));
 }
 
 /// A quarter turn from the right of a heading, or from the left of its opposite.
@@ -188,12 +195,14 @@ StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
     return {heading, length, {half_width_times(-heading.y), half_width_times(heading.x)}};
 }
 
+/// Tips, and sides of strokes at the border of what is held, would lie further out than Fixed can subtract.
 void StrokeOutline::add(Side side, Point at)
 {
+    const Corner corner = corner_at({held_on_panel(at.x), held_on_panel(at.y)});
     if (side == Side::right)
-        outlines_.add(corner_at(at));
+        outlines_.add(corner);
     else
-        outlines_.add_behind(corner_at(at));
+        outlines_.add_behind(corner);
 }
 
 void StrokeOutline::join(const Piece& after)

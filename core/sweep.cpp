@@ -117,12 +117,14 @@ private:
             const Chain& chain = store_.chain(i);
             if (count == Crossings::most)
                 return false;
-            std::int32_t end = chain.x.raw() + chain.slope;
-            if (lower_end(store_, chain).y <= bottom_) {
-                if (!bends_slightly(chain, slopes[count]))
-                    return false;
+            std::int32_t end;
+            if (lower_end(store_, chain).y > bottom_) {
+                end = chain.x.raw() + chain.slope;
+            } else if (bends_slightly(chain, slopes[count])) {
                 end = following_edge(store_, chain).x_at(bottom_, slopes[count]).raw();
                 bent |= 1U << count;
+            } else {
+                return false;
             }
             if (chain.x.raw() < last || end < last)
                 return false;

@@ -22,6 +22,7 @@ template <Board B, class Animation>
 void draw_frame(B& board, Animation& player)
 {
     using P = PanelOf<B>;
+    static_assert(P::granularity.height <= tallest_group);
     std::array bands = board.bands();
     while (true) {
         const auto changes =

@@ -2,7 +2,9 @@
 
 #include "core/sweep.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace kfast::test {
@@ -18,14 +20,23 @@ public:
 
     OutlineStore& store() { return store_; }
 
-    /// Sweeps the outlines that were added.
+    /// Sweeps the outlines that were added, from the top down.
     void draw(FillRule rule = FillRule::nonzero)
+    {
+        std::vector<int> rows(static_cast<std::size_t>(height_));
+        std::iota(rows.begin(), rows.end(), 0);
+        draw_rows(rows, rule);
+    }
+
+    /// The rows in any order.
+    void draw_rows(const std::vector<int>& rows, FillRule rule = FillRule::nonzero)
     {
         std::vector<std::int32_t> cells(CoverageRow::cells_for(width_));
         CoverageRow coverage{cells, width_};
         Layer layer = layer_of(store_, store_.range_from({}));
         layer.rule = rule;
-        for (int row = 0; row < height_; ++row) {
+        std::fill(levels_.begin(), levels_.end(), 0);
+        for (const int row : rows) {
             sweep_row(store_, layer, row, coverage);
             coverage.take_spans([&](int x, int end, std::int32_t level) {
                 for (; x < end; ++x)

@@ -113,6 +113,19 @@ TEST_CASE("the panel always shows what a full redraw would")
         check_against_redraws<PixelFormat::rgb565>(scene.file(), {60, 40}, {1, 1}, 7);
 }
 
+TEST_CASE("curves that stand still are the same wherever something passes over them")
+{
+    std::string text = "kfast 1\ncanvas 240 240 frames=24\n";
+    std::mt19937 random{5};
+    for (int i = 0; i < 30; ++i)
+        text += "object o" + std::to_string(i) + " fill=white stroke=red width=2 { circle " +
+                std::to_string(random() % 240) + " " + std::to_string(random() % 240) +
+                " r=" + std::to_string(4 + random() % 40) + " }\n";
+    text += "object bar fill=\"#00ff0060\" { rect 0 0 9 150; key 0 x=0 y=0; key 23 x=230 y=90 }\n";
+    check_against_redraws<PixelFormat::rgb565>(compiled(text), {240, 240}, {1, 1}, 11);
+    check_against_redraws<PixelFormat::rgb565>(compiled(text), {300, 290}, {1, 1}, 12);
+}
+
 constexpr std::string_view two_squares = R"(
 kfast 1
 canvas 100 60 frames=20 background="#102030"
@@ -200,6 +213,7 @@ TEST_CASE("a picture that finds no room is drawn with coarser curves, and writes
             CHECK(stage.player.picture().outlines.used_bytes() <= bytes);
             CHECK(stage.player.picture().coarseness > 0);
         }
+        check_against_redraws<PixelFormat::rgb565>(file, {60, 40}, {1, 1}, bytes);
     }
 }
 

@@ -4,8 +4,11 @@
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/coverage_picture.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <doctest/doctest.h>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -199,6 +202,53 @@ TEST_CASE("the order in which outlines are added changes nothing")
         for (std::size_t i = 0; i < forwards.levels().size(); ++i)
             CHECK(std::abs(forwards.levels()[i] - backwards.levels()[i]) <= 1);
     }
+}
+
+/// With slight bends all around.
+Polygon disc(double x, double y, double radius)
+{
+    Polygon polygon(static_cast<std::size_t>(8 + radius));
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(polygon.size());
+        polygon[i] = pixels(x + radius * std::cos(angle), y + radius * std::sin(angle));
+    }
+    return polygon;
+}
+
+TEST_CASE("a row is the same however the sweep comes to it")
+{
+    std::mt19937 random{3};
+    std::uniform_real_distribution<double> place{0, 60};
+    std::vector<int> rows(60);
+    std::iota(rows.begin(), rows.end(), 0);
+    for (int round = 0; round < 100; ++round) {
+        std::vector<Polygon> polygons;
+        for (std::size_t i = 0; i < 1 + random() % 6; ++i)
+            polygons.push_back(random() % 4 == 0 ? random_polygon(random, 0, 60)
+                                                 : disc(place(random), place(random), place(random) / 2));
+        CoveragePicture picture{60, 60};
+        fill(picture, polygons);
+        const std::vector<int> expected = picture.levels();
+        std::shuffle(rows.begin(), rows.end(), random);
+        picture.draw_rows(rows);
+        CHECK(picture.levels() == expected);
+    }
+}
+
+TEST_CASE("a slight bend changes a pixel by less than 5 of 255")
+{
+    int worst = 0;
+    for (int i = 0; i < 40; ++i) {
+        const std::vector<Polygon> polygons{disc(20, 20, 8 + i / 4.0)};
+        CoveragePicture picture{40, 40};
+        fill(picture, polygons);
+        for (int y = 0; y < 40; y += 3)
+            for (int x = 0; x < 40; ++x)
+                worst =
+                    std::max(worst, std::abs(picture.at(x, y) - static_cast<int>(std::lround(sampled_level(
+                                                                    polygons, x, y, FillRule::nonzero)))));
+    }
+    CHECK(worst < 12); // 8 are the samples'
 }
 
 }
