@@ -8,234 +8,238 @@ namespace {
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 54276,
+        .code = 58064,
         .fixed_ram = 4,
-        .stack = 7568,
-        .cycles = 1.51,
-        .frame = 844,
-        .area = 23,
+        .stack = 7984,
+        .cycles = 1.53,
+        .frame = 856,
+        .area = 140,
         .work =
             {
                 0.0, // picture
-                1649.3, // item
-                1499.5, // track
-                783.6, // key
-                0.0, // placement
-                1534.0, // law
-                2595.7, // bezier_law
+                1832.1, // item
+                2758.7, // track
+                1360.6, // key
+                103.4, // placement
+                1314.7, // law
+                2590.5, // bezier_law
                 0.0, // bone
-                2415.7, // object
-                1292.1, // stroke
-                313.5, // line
-                1797.7, // curve
-                695.6, // split
-                166.7, // point
+                3114.2, // object
+                1511.1, // stroke
+                188.5, // line
+                1812.8, // curve
+                691.3, // split
+                159.3, // point
                 0.0, // wide_point
-                1073.8, // projected_point
-                838.5, // carried_point
-                1040.1, // bent_point
-                73.0, // piece
-                315.6, // pen_piece
-                439.0, // bend
+                1074.1, // projected_point
+                833.3, // carried_point
+                1103.4, // bent_point
+                159.0, // piece
+                108.6, // wide_piece
+                317.7, // pen_piece
+                447.3, // bend
                 0.0, // slight_bend
-                175.3, // corner
-                219.1, // chain
-                10.4, // copied_corner
+                168.1, // corner
+                236.1, // chain
+                33.4, // copied_corner
                 0.0, // strip
-                44.0, // searched_row
+                640.2, // searched_row
                 0.0, // step_visit
-                1107.6, // swept_row
-                28.6, // straight_part
-                396.1, // part
-                131.5, // bent_part
-                260.2, // edge
-                1807.4, // slab
-                88.6, // slab_edge
+                525.5, // swept_row
+                137.4, // straight_part
+                237.8, // part
+                476.1, // bent_part
+                226.0, // edge
+                993.6, // slab
+                241.2, // slab_edge
                 0.0, // flat_edge
-                50.2, // crossed_pixel
-                0.0, // cell
+                146.8, // crossed_pixel
+                46.8, // cell
                 0.0, // span
                 0.0, // compared
-                0.0, // marked
-                653.1, // inserted_run
-                0.0, // fill
-                4.6, // filled_pixel
-                124.3, // blended_pixel
-                55.2, // faded_pixel
+                247.8, // marked
+                450.3, // inserted_run
+                89.9, // fill
+                0.0, // filled_pixel
+                76.7, // blended_pixel
+                64.9, // faded_pixel
             },
     },
     // cortex-m3
     {
-        .code = 50100,
+        .code = 53376,
         .fixed_ram = 4,
-        .stack = 7128,
-        .cycles = 1.68,
-        .frame = 407,
-        .area = 18,
+        .stack = 7552,
+        .cycles = 1.70,
+        .frame = 408,
+        .area = 380,
         .work =
             {
                 0.0, // picture
-                1507.2, // item
-                658.0, // track
-                317.5, // key
+                1635.4, // item
+                1215.3, // track
+                500.2, // key
                 0.0, // placement
-                848.4, // law
-                1743.9, // bezier_law
+                648.6, // law
+                1804.2, // bezier_law
                 0.0, // bone
-                986.5, // object
-                1050.6, // stroke
-                245.0, // line
-                1650.8, // curve
-                428.1, // split
-                121.5, // point
+                1496.3, // object
+                1084.1, // stroke
+                101.2, // line
+                1465.6, // curve
+                422.9, // split
+                127.5, // point
                 0.0, // wide_point
-                278.9, // projected_point
-                409.9, // carried_point
-                681.8, // bent_point
-                30.5, // piece
-                191.2, // pen_piece
-                344.4, // bend
+                278.6, // projected_point
+                378.9, // carried_point
+                613.1, // bent_point
+                58.6, // piece
+                31.4, // wide_piece
+                176.7, // pen_piece
+                266.4, // bend
                 0.0, // slight_bend
-                143.3, // corner
-                131.1, // chain
-                3.0, // copied_corner
-                321.3, // strip
-                427.4, // searched_row
-                8.4, // step_visit
-                316.3, // swept_row
-                13.2, // straight_part
-                168.4, // part
-                202.5, // bent_part
-                96.8, // edge
-                363.3, // slab
-                162.0, // slab_edge
-                0.0, // flat_edge
-                5.0, // crossed_pixel
-                90.2, // cell
+                154.5, // corner
+                140.8, // chain
+                7.8, // copied_corner
+                0.0, // strip
+                567.9, // searched_row
+                7.7, // step_visit
+                247.0, // swept_row
+                0.0, // straight_part
+                126.5, // part
+                185.8, // bent_part
+                104.2, // edge
+                160.7, // slab
+                185.2, // slab_edge
+                7.3, // flat_edge
+                0.0, // crossed_pixel
+                119.8, // cell
                 0.0, // span
-                0.0, // compared
-                126.2, // marked
-                167.2, // inserted_run
-                118.4, // fill
-                0.8, // filled_pixel
-                32.4, // blended_pixel
-                40.4, // faded_pixel
+                18.9, // compared
+                219.2, // marked
+                154.9, // inserted_run
+                23.9, // fill
+                1.2, // filled_pixel
+                24.2, // blended_pixel
+                36.6, // faded_pixel
             },
     },
     // cortex-m4
     {
-        .code = 50136,
+        .code = 53460,
         .fixed_ram = 4,
-        .stack = 7128,
-        .cycles = 1.67,
+        .stack = 7552,
+        .cycles = 1.70,
         .frame = 408,
-        .area = 18,
+        .area = 374,
         .work =
             {
                 0.0, // picture
-                1508.3, // item
-                659.9, // track
-                318.4, // key
+                1635.1, // item
+                1218.5, // track
+                501.8, // key
                 0.0, // placement
-                846.3, // law
-                1742.7, // bezier_law
+                645.7, // law
+                1802.3, // bezier_law
                 0.0, // bone
-                983.7, // object
-                1052.3, // stroke
-                243.9, // line
-                1649.2, // curve
-                426.0, // split
-                121.6, // point
+                1495.8, // object
+                1085.0, // stroke
+                100.1, // line
+                1463.7, // curve
+                421.0, // split
+                127.6, // point
                 0.0, // wide_point
-                280.9, // projected_point
-                409.0, // carried_point
-                681.9, // bent_point
-                30.6, // piece
-                191.3, // pen_piece
-                345.3, // bend
+                280.6, // projected_point
+                378.0, // carried_point
+                613.2, // bent_point
+                58.8, // piece
+                31.4, // wide_piece
+                176.7, // pen_piece
+                267.5, // bend
                 0.0, // slight_bend
-                143.3, // corner
-                132.0, // chain
-                3.0, // copied_corner
-                305.8, // strip
-                436.1, // searched_row
-                7.8, // step_visit
-                322.7, // swept_row
-                11.9, // straight_part
-                164.8, // part
-                206.5, // bent_part
-                96.0, // edge
-                368.9, // slab
-                161.4, // slab_edge
-                0.0, // flat_edge
-                6.0, // crossed_pixel
-                93.8, // cell
+                154.5, // corner
+                141.6, // chain
+                7.8, // copied_corner
+                0.0, // strip
+                575.6, // searched_row
+                7.6, // step_visit
+                246.5, // swept_row
+                0.0, // straight_part
+                123.3, // part
+                188.5, // bent_part
+                105.2, // edge
+                165.9, // slab
+                184.5, // slab_edge
+                5.3, // flat_edge
+                0.0, // crossed_pixel
+                124.4, // cell
                 0.0, // span
-                0.0, // compared
-                133.4, // marked
-                166.7, // inserted_run
-                122.9, // fill
-                0.9, // filled_pixel
-                32.3, // blended_pixel
-                40.4, // faded_pixel
+                18.4, // compared
+                230.2, // marked
+                154.3, // inserted_run
+                26.6, // fill
+                1.3, // filled_pixel
+                24.1, // blended_pixel
+                36.6, // faded_pixel
             },
     },
     // cortex-m7
     {
-        .code = 50188,
+        .code = 53504,
         .fixed_ram = 4,
-        .stack = 7128,
+        .stack = 7552,
         .cycles = 1.58,
-        .frame = 402,
-        .area = 18,
+        .frame = 403,
+        .area = 377,
         .work =
             {
                 0.0, // picture
-                1509.3, // item
-                657.8, // track
-                317.1, // key
+                1637.1, // item
+                1215.1, // track
+                499.4, // key
                 0.0, // placement
-                843.1, // law
-                1723.1, // bezier_law
+                644.6, // law
+                1792.8, // bezier_law
                 0.0, // bone
-                983.4, // object
-                1048.4, // stroke
-                243.9, // line
-                1649.1, // curve
-                426.0, // split
-                121.7, // point
+                1490.7, // object
+                1084.3, // stroke
+                100.1, // line
+                1463.8, // curve
+                420.9, // split
+                127.6, // point
                 0.0, // wide_point
-                280.0, // projected_point
-                409.1, // carried_point
-                680.2, // bent_point
-                30.6, // piece
-                191.3, // pen_piece
-                343.7, // bend
+                279.7, // projected_point
+                378.4, // carried_point
+                612.3, // bent_point
+                58.8, // piece
+                31.5, // wide_piece
+                176.8, // pen_piece
+                266.0, // bend
                 0.0, // slight_bend
-                143.2, // corner
-                130.8, // chain
-                3.0, // copied_corner
-                306.6, // strip
-                447.7, // searched_row
+                154.4, // corner
+                140.5, // chain
+                7.8, // copied_corner
+                0.0, // strip
+                589.9, // searched_row
                 7.9, // step_visit
-                315.3, // swept_row
-                19.6, // straight_part
-                198.9, // part
-                184.8, // bent_part
-                92.9, // edge
-                338.5, // slab
-                165.8, // slab_edge
-                0.0, // flat_edge
-                10.4, // crossed_pixel
-                86.8, // cell
+                248.6, // swept_row
+                0.0, // straight_part
+                150.2, // part
+                166.5, // bent_part
+                100.0, // edge
+                136.8, // slab
+                189.4, // slab_edge
+                9.3, // flat_edge
+                0.0, // crossed_pixel
+                119.9, // cell
                 0.0, // span
-                0.0, // compared
-                120.7, // marked
-                168.8, // inserted_run
-                112.0, // fill
-                0.8, // filled_pixel
-                31.2, // blended_pixel
-                40.7, // faded_pixel
+                18.4, // compared
+                218.2, // marked
+                155.9, // inserted_run
+                16.2, // fill
+                1.2, // filled_pixel
+                23.2, // blended_pixel
+                36.9, // faded_pixel
             },
     },
 }};
