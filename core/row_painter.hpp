@@ -43,6 +43,13 @@ public:
                 fill(window, window.columns.begin, window.columns.width(), Row::ink(background));
         for (std::size_t i = first; i < picture.step_count; ++i) {
             const PaintStep& step = picture.steps()[i];
+            if (step.kind == PaintStep::Kind::begin_blend && depth_ == 0) {
+                const std::size_t end = end_of_blend(picture, i);
+                if (!reach(picture.steps().subspan(i, end - i))) {
+                    i = end;
+                    continue;
+                }
+            }
             work_for(step.item);
             if (step.kind == PaintStep::Kind::layer)
                 paint_layer(step.layer, y_, [&](auto paint) { for_each_span(i, paint); });
@@ -97,6 +104,28 @@ private:
             fill(window, begin, end - begin, ink);
         else if (coverage != 0)
             blend(window, begin, end - begin, ink, coverage);
+    }
+
+    /// The step that ends what the step `begin` begins.
+    static std::size_t end_of_blend(const TracedPicture& picture, std::size_t begin)
+    {
+        int depth = 0;
+        std::size_t i = begin;
+        for (; i + 1 < picture.step_count; ++i) {
+            const PaintStep::Kind kind = picture.steps()[i].kind;
+            depth += kind == PaintStep::Kind::begin_blend ? 1 : kind == PaintStep::Kind::end_blend ? -1 : 0;
+            if (depth == 0)
+                break;
+        }
+        return i;
+    }
+
+    /// Whether one of the layers has something in this row.
+    bool reach(std::span<const PaintStep> steps) const
+    {
+        return std::ranges::any_of(steps, [this](const PaintStep& step) {
+            return step.kind == PaintStep::Kind::layer && step.layer.reaches(y_);
+        });
     }
 
     void begin_blend()
