@@ -264,12 +264,18 @@ bool ChangedStrips::is_worth_joining(const RunList& columns, const AreaRules& ru
     const int rows = rules.granularity.height;
     const int apart = cost(strip_.columns, strip_.rows, rules) + cost(columns, rows, rules);
     const auto is_worth = [&](const RunList& both) {
-        return cost(both, strip_.rows + rows, rules) <= apart &&
-               static_cast<std::size_t>(both.width() * (strip_.rows + rows)) <= rules.room;
+        return cost(both, strip_.rows + rows, rules) <= apart && finds_room(both, strip_.rows + rows, rules);
     };
     if (lie_within(columns.runs(), strip_.columns.runs())) // mostly
         return is_worth(strip_.columns);
     return is_worth(joined(strip_.columns, columns));
+}
+
+/// An area that ends at the panel's edge has rows of whole bytes nevertheless.
+bool ChangedStrips::finds_room(const RunList& columns, int rows, const AreaRules& rules) const
+{
+    const int filling = columns.runs().back().end == panel_.width ? rules.filling : 0;
+    return static_cast<std::size_t>((columns.width() + filling) * rows) <= rules.room;
 }
 
 void ChangedStrips::draw_whole(int rows)

@@ -22,6 +22,7 @@ struct AreaRules {
     Size granularity{.width = 1, .height = 1};
     int overhead = 0;     ///< of each area, in pixels
     std::size_t room = 0; ///< pixels that areas drawn together have; at least granularity.height rows
+    int filling = 0;      ///< pixels that the last byte of a row of the panel has room for behind its end
 };
 
 /// Rows that are drawn together, all in the same columns.
@@ -57,6 +58,7 @@ private:
     void begin_strip(const AreaRules& rules);
     bool add_group(class RowSearch& search, const AreaRules& rules);
     bool is_worth_joining(const RunList& columns, const AreaRules& rules) const;
+    bool finds_room(const RunList& columns, int rows, const AreaRules& rules) const;
     void draw_whole(int rows);
 
     std::span<CoveredSpan> storage_;

@@ -170,12 +170,16 @@ std::span<const Change> Player::draw_changes(std::span<std::byte> pixels, Size g
         return {};
     if (progress_ == Progress::none)
         begin_changes();
+    constexpr int whole_bytes = pixels_in_whole_bytes(format);
+    const int filling = (whole_bytes - panel_.width % whole_bytes) % whole_bytes;
+    const int rows = static_cast<int>(pixels.size() / row_bytes(format, panel_.width));
     const AreaRules rules{.granularity = granularity,
                           .overhead = (area_bytes * 8 + bits_per_pixel(format) - 1) / bits_per_pixel(format),
-                          .room = pixels.size() / row_bytes(format, panel_.width) *
-                                  static_cast<std::size_t>(panel_.width)};
-    const Strip& strip =
-        knows_panel_ ? strips_.next(shown(), coming(), coverage_, rules) : next_whole_rows(rules);
+                          .room = static_cast<std::size_t>(rows) *
+                                  static_cast<std::size_t>(panel_.width + filling),
+                          .filling = filling};
+    const Strip& strip = knows_panel_ ? strips_.next(shown(), coming(), coverage_, rules)
+                                      : next_whole_rows(rows - rows % granularity.height);
     if (strip.rows == 0) {
         progress_ = Progress::done;
         return {};
@@ -196,14 +200,11 @@ void Player::begin_changes()
     strips_.begin(shown(), coming());
 }
 
-/// As many as find room.
-const Strip& Player::next_whole_rows(const AreaRules& rules)
+/// As many of `rows` as there are.
+const Strip& Player::next_whole_rows(int rows)
 {
     const int top = whole_rows_.top + whole_rows_.rows;
-    const int room = static_cast<int>(rules.room) / panel_.width;
-    whole_rows_ = {.top = top,
-                   .rows = std::min(room - room % rules.granularity.height, panel_.height - top),
-                   .has_spans = false};
+    whole_rows_ = {.top = top, .rows = std::min(rows, panel_.height - top), .has_spans = false};
     whole_rows_.columns.add(0, panel_.width);
     return whole_rows_;
 }

@@ -48,15 +48,17 @@ public:
     void show_moment(Time moment);
 
     /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
-    /// The first call after show() begins at row 0. No more rows than the panel has.
+    /// `pixels` is aligned to 2 if pixels are 16 bits (a Cortex-M0 faults otherwise). The first call after
+    /// show() begins at row 0. No more rows than the panel has.
     template <PixelFormat format>
     void draw_rows(int rows, std::span<std::byte> pixels);
 
     /// Draws the next areas in which the picture differs from the last one that was drawn in this way, as
-    /// many as find room in `pixels`, which has room for granularity.height whole rows; none when all is
-    /// drawn. At first, and after redraw(), that is the whole panel. Places and sizes of areas are multiples
-    /// of `granularity`, which holds whole bytes; `area_bytes` is what each area costs besides its pixels.
-    /// What is returned holds until the next call.
+    /// many as find room in `pixels`, which has room for granularity.height whole rows and is aligned as for
+    /// draw_rows(); none when all is drawn. At first, and after redraw(), that is the whole panel. Places and
+    /// sizes of areas are multiples of `granularity`, which holds whole bytes, except that an area may end
+    /// with the panel; `area_bytes` is what each area costs besides its pixels. What is returned holds until
+    /// the next call.
     template <PixelFormat format>
     std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
     /// What the panel shows is not known any more.
@@ -77,7 +79,7 @@ private:
     TracedPicture& shown() { return pictures_[1 - coming_]; }
     void trace(Time moment);
     void begin_changes();
-    const Strip& next_whole_rows(const AreaRules& rules);
+    const Strip& next_whole_rows(int rows);
     template <PixelFormat format>
     void paint_strip(const Strip& strip, std::span<std::byte> pixels);
     template <PixelFormat format>

@@ -49,8 +49,9 @@ constexpr std::array error_texts{
     "buffer_too_small: the buffer does not hold a row of the panel",
     "bad_panel_size: a side of the panel is not 1 to 4096 pixels long",
     "no_such_clip: the scene has no clip of this name",
+    "null_pointer: a pointer is NULL",
 };
-static_assert(error_texts.size() == KFAST_NO_SUCH_CLIP + 1 && code_of(Error::block_too_small) == 6);
+static_assert(error_texts.size() == KFAST_NULL_POINTER + 1 && code_of(Error::block_too_small) == 6);
 
 /// Bytes of the block before the player, at most: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;
@@ -83,14 +84,16 @@ bool is_panel(Size size)
 }
 
 template <PixelFormat format>
-kfast_error draw(Animation& animation, void* buffer, std::size_t bytes, kfast_draw_rectangle draw_rectangle,
+kfast_error draw(kfast_player* player, void* buffer, std::size_t bytes, kfast_draw_rectangle draw_rectangle,
                  void* user)
 {
+    if (player == nullptr || buffer == nullptr || draw_rectangle == nullptr)
+        return KFAST_NULL_POINTER;
     const auto hand_out = [=](Rect area, std::span<const std::byte> pixels) {
         draw_rectangle(area.x, area.y, area.width, area.height, pixels.data(), user);
     };
-    const bool is_drawn = animation.draw<format>(std::span{static_cast<std::byte*>(buffer), bytes}, hand_out);
-    return is_drawn ? KFAST_OK : KFAST_BUFFER_TOO_SMALL;
+    const std::span room{static_cast<std::byte*>(buffer), bytes};
+    return player->animation.draw<format>(room, hand_out) ? KFAST_OK : KFAST_BUFFER_TOO_SMALL;
 }
 
 }
@@ -103,7 +106,7 @@ const char* kfast_error_text(kfast_error error)
 
 size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int height)
 {
-    if (!is_panel({width, height}))
+    if (scene == nullptr || !is_panel({width, height}))
         return 0;
     const auto bytes = Animation::block_bytes(bytes_of(scene, scene_bytes), {width, height});
     return bytes ? widest_gap + sizeof(kfast_player) + *bytes : 0;
@@ -112,7 +115,11 @@ size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int h
 kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes, const void* scene,
                          size_t scene_bytes, int width, int height)
 {
+    if (player == nullptr)
+        return KFAST_NULL_POINTER;
     *player = nullptr;
+    if (block == nullptr || scene == nullptr)
+        return KFAST_NULL_POINTER;
     if (!is_panel({width, height}))
         return KFAST_BAD_PANEL_SIZE;
     const Room room{block, block_bytes};
@@ -125,59 +132,76 @@ kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes,
 
 kfast_error kfast_choose_clip(kfast_player* player, const char* name)
 {
+    if (player == nullptr)
+        return KFAST_NULL_POINTER;
     if (name != nullptr)
         return player->animation.choose_clip(name) ? KFAST_OK : KFAST_NO_SUCH_CLIP;
     player->animation.choose_scene();
     return KFAST_OK;
 }
 
-void kfast_show(kfast_player* player, int32_t time) { player->animation.show({time}); }
-
-void kfast_show_after(kfast_player* player, uint32_t milliseconds)
+kfast_error kfast_show(kfast_player* player, int32_t time)
 {
+    if (player == nullptr)
+        return KFAST_NULL_POINTER;
+    player->animation.show({time});
+    return KFAST_OK;
+}
+
+kfast_error kfast_show_after(kfast_player* player, uint32_t milliseconds)
+{
+    if (player == nullptr)
+        return KFAST_NULL_POINTER;
     player->animation.show_after(milliseconds);
+    return KFAST_OK;
 }
 
 kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_bytes,
                               kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::rgb565>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::rgb565>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 kfast_error kfast_draw_rgb565_be(kfast_player* player, void* buffer, size_t buffer_bytes,
                                  kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::rgb565_be>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::rgb565_be>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 kfast_error kfast_draw_rgb444(kfast_player* player, void* buffer, size_t buffer_bytes,
                               kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::rgb444>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::rgb444>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 kfast_error kfast_draw_rgb666(kfast_player* player, void* buffer, size_t buffer_bytes,
                               kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::rgb666>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::rgb666>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 kfast_error kfast_draw_grey4(kfast_player* player, void* buffer, size_t buffer_bytes,
                              kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::grey4>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::grey4>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 kfast_error kfast_draw_mono1(kfast_player* player, void* buffer, size_t buffer_bytes,
                              kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::mono1>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::mono1>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
 kfast_error kfast_draw_mono1_dithered(kfast_player* player, void* buffer, size_t buffer_bytes,
                                       kfast_draw_rectangle draw_rectangle, void* user)
 {
-    return draw<PixelFormat::mono1_dithered>(player->animation, buffer, buffer_bytes, draw_rectangle, user);
+    return draw<PixelFormat::mono1_dithered>(player, buffer, buffer_bytes, draw_rectangle, user);
 }
 
-void kfast_redraw(kfast_player* player) { player->animation.redraw(); }
+kfast_error kfast_redraw(kfast_player* player)
+{
+    if (player == nullptr)
+        return KFAST_NULL_POINTER;
+    player->animation.redraw();
+    return KFAST_OK;
+}

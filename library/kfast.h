@@ -1,7 +1,9 @@
 /* KFAST for C, and for whatever can call C: a compiled scene on a display that something else drives.
  *
  * A player lives in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no
- * clock and no thread behind it. docs/library.md shows a whole program; kfast.hpp is the same in C++. */
+ * clock and no thread behind it. A NULL where a pointer is needed is an error like any other, so that a
+ * player that could not be made may be used without harm. docs/library.md shows a whole program; kfast.hpp is
+ * the same in C++. */
 #ifndef KFAST_H
 #define KFAST_H
 
@@ -22,7 +24,8 @@ typedef enum kfast_error {
     KFAST_BLOCK_TOO_SMALL,     /* less memory was lent than the scene needs */
     KFAST_BUFFER_TOO_SMALL,    /* the buffer for pixels does not hold a row of the panel */
     KFAST_BAD_PANEL_SIZE,      /* a side of the panel is not 1 to 4096 pixels long */
-    KFAST_NO_SUCH_CLIP         /* the scene has no clip of this name */
+    KFAST_NO_SUCH_CLIP,        /* the scene has no clip of this name */
+    KFAST_NULL_POINTER         /* a pointer is NULL: a player that was not made, memory that was not lent */
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -50,18 +53,23 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
 
 /* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
  * stands for. */
-void kfast_show(kfast_player* player, int32_t time);
+kfast_error kfast_show(kfast_player* player, int32_t time);
 
 /* As kfast_show(), after so many milliseconds; rounded down to 1/1024 frame. */
-void kfast_show_after(kfast_player* player, uint32_t milliseconds);
+kfast_error kfast_show_after(kfast_player* player, uint32_t milliseconds);
 
 /* Takes the pixels of one rectangle: its rows from the top down, each of them starting on a byte. They are
  * gone after the call. */
 typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const void* pixels, void* user);
 
-/* Hands out the pixels that differ from what was drawn before. The buffer is where they are drawn; the
- * larger, the fewer the calls. KFAST_OK, or KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of
- * the panel, and a byte more if it begins at an odd address.
+/* Hands out the rectangles in which the picture differs from what was drawn before, in whatever format; at
+ * first, and after kfast_redraw(), that is the whole panel. Where pixels share bytes, rectangles begin and
+ * end in columns that are multiples of 2 (rgb444, grey4) or 8 (mono1), or end with the panel: what is left of
+ * the last byte of a row then means nothing.
+ *
+ * The buffer is where the pixels are drawn; the larger, the fewer the calls. KFAST_OK, or
+ * KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of the panel, and a byte more if it begins at
+ * an odd address (pixels of 16 bits are written as such, always at even addresses).
  *
  *     rgb565          2 bytes a pixel, little-endian, red in the highest 5 bits
  *     rgb565_be       the same with the high byte first, as LCDs on SPI take it
@@ -86,7 +94,7 @@ kfast_error kfast_draw_mono1_dithered(kfast_player* player, void* buffer, size_t
                                       kfast_draw_rectangle draw_rectangle, void* user);
 
 /* The display shows something else by now: the next drawing hands out the whole panel. */
-void kfast_redraw(kfast_player* player);
+kfast_error kfast_redraw(kfast_player* player);
 
 #ifdef __cplusplus
 }

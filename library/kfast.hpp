@@ -14,7 +14,7 @@ namespace kfast {
 /// A compiled scene on a display that something else drives: a framework, a driver of your own.
 ///
 /// It lives in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no clock
-/// and no thread behind it.
+/// and no thread behind it. It is not moved any more once it has drawn.
 class Animation {
 public:
     /// Bytes that create() must be lent, for every moment of the scene. `scene` holds what `kfast compile` or
@@ -57,8 +57,7 @@ public:
     /// its loop decides what it stands for.
     void show(Time time)
     {
-        moment_ = stretch_.begin + wrap(time, stretch_.length(), stretch_.loop);
-        redraw();
+        player_.show_moment(stretch_.begin + wrap(time, stretch_.length(), stretch_.loop));
     }
 
     /// As show(), after so many milliseconds; rounded down to 1/1024 frame.
@@ -71,41 +70,41 @@ public:
                                                                     : ticks % turn)});
     }
 
-    /// Hands out the pixels that differ from what was drawn before, by calling
-    /// draw_rectangle(Rect area, std::span<const std::byte> pixels) for each rectangle: its rows from the top
-    /// down, each of them starting on a byte. `buffer` is where they are drawn; the larger, the fewer the
-    /// calls. False, and nothing is drawn, if it does not hold a row of the panel from an even address on.
+    /// Hands out the areas in which the picture differs from what was drawn before, in whatever format; at
+    /// first, and after redraw(), that is the whole panel. Calls
+    /// draw_rectangle(Rect area, std::span<const std::byte> pixels) for each area: its rows from the top
+    /// down, row_bytes(format, area.width) each. An area begins and ends in columns that are multiples of
+    /// pixels_in_whole_bytes(format), or ends with the panel: what is left of the last byte of a row then
+    /// means nothing.
+    ///
+    /// `buffer` is where the pixels are drawn; the larger, the fewer the calls. False, and nothing is drawn,
+    /// if it does not hold a row of the panel from an even address on.
     template <PixelFormat format, class DrawRectangle>
     bool draw(std::span<std::byte> buffer, DrawRectangle&& draw_rectangle)
     {
-        const Size size = panel();
-        const std::size_t stride = row_bytes(format, size.width);
         buffer = buffer.subspan(std::min(buffer.size(), beyond_halfword(buffer.data())));
-        if (buffer.size() < stride)
+        if (buffer.size() < row_bytes(format, panel().width))
             return false;
-        const int rows_at_once =
-            static_cast<int>(std::min(buffer.size() / stride, static_cast<std::size_t>(size.height)));
-        while (next_row_ < size.height) {
-            const int rows = std::min(rows_at_once, size.height - next_row_);
-            const auto pixels = buffer.first(static_cast<std::size_t>(rows) * stride);
-            player_.template draw_rows<format>(rows, pixels);
-            draw_rectangle(Rect{0, next_row_, size.width, rows}, std::span<const std::byte>{pixels});
-            next_row_ += rows;
+        constexpr Size granularity{pixels_in_whole_bytes(format), 1};
+        while (true) {
+            const auto changes = player_.template draw_changes<format>(buffer, granularity, area_bytes);
+            if (changes.empty())
+                return true;
+            for (const auto& [area, pixels] : changes)
+                draw_rectangle(area, pixels);
         }
-        return true;
     }
 
     /// The display shows something else by now: the next draw() hands out the whole panel.
-    void redraw()
-    {
-        player_.show_moment(moment_);
-        next_row_ = 0;
-    }
+    void redraw() { player_.redraw(); }
 
     const SceneView& scene() const { return player_.scene(); }
     Size panel() const { return player_.panel(); }
 
 private:
+    /// What an area costs besides its pixels: most displays are told its columns and rows in 11 bytes.
+    static constexpr int area_bytes = 11;
+
     static std::size_t beyond_halfword(const std::byte* at)
     {
         return reinterpret_cast<std::uintptr_t>(at) % 2;
@@ -115,8 +114,6 @@ private:
 
     Player player_;
     Stretch stretch_;
-    Time moment_;
-    int next_row_ = 0; ///< of those that are not drawn yet
 };
 
 }

@@ -42,7 +42,7 @@ void draw_between(DrawingView from, DrawingView to, Share time)
             const Segment live = kfast::tween(both.a, both.b, x, y);
             if (i == 0)
                 print(live.from);
-            kfast::flatten(live, 8, print);
+            kfast::flatten(live, kfast::pieces_for(live), print);
         }
         std::printf("'/>\n");
     }

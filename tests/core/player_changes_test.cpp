@@ -2,6 +2,7 @@
 
 #include "host/compiler/header.hpp"
 #include "tests/core/everything.hpp"
+#include "tests/core/filling.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/stage.hpp"
 
@@ -31,6 +32,7 @@ public:
         for (int row = 0; row < change.area.height; ++row)
             std::memcpy(&bytes_.at(offset(change.area.x, change.area.y + row)),
                         change.pixels.data() + width * static_cast<std::size_t>(row), width);
+        bytes_ = without_filling(format, size_, bytes_);
     }
 
     const Bytes& bytes() const { return bytes_; }
@@ -65,6 +67,7 @@ Sent bring_up_to_date(Stage& stage, PanelMemory<format>& memory, int rows,
         for (const Change& change : changes) {
             CHECK(change.area.x % granularity.width == 0);
             CHECK(change.area.y % granularity.height == 0);
+            REQUIRE(change.pixels.data() + change.pixels.size() <= pixels.data() + pixels.size());
             memory.take(change);
             ++sent.areas;
             sent.bytes += change.pixels.size();
@@ -95,7 +98,7 @@ void check_against_redraws(const Bytes& file, Size panel, Size granularity, unsi
         }
         bring_up_to_date(stage, memory, granularity.height * (1 + static_cast<int>(random() % 3)),
                          granularity, static_cast<int>(random() % 20));
-        REQUIRE(memory.bytes() == fresh.picture<format>({moment}));
+        REQUIRE(memory.bytes() == without_filling(format, panel, fresh.picture<format>({moment})));
     }
 }
 
@@ -108,6 +111,12 @@ TEST_CASE("the panel always shows what a full redraw would")
         check_against_redraws<PixelFormat::rgb444>(file, {60, 40}, {2, 1}, seed);
         check_against_redraws<PixelFormat::grey4>(file, {64, 40}, {2, 1}, seed);
         check_against_redraws<PixelFormat::mono1_dithered>(file, {64, 40}, {8, 8}, seed);
+    }
+    for (unsigned seed = 0; seed < 3; ++seed) { // the last pixels of a row do not fill their byte
+        check_against_redraws<PixelFormat::rgb444>(file, {61, 40}, {2, 1}, seed);
+        check_against_redraws<PixelFormat::grey4>(file, {61, 40}, {2, 1}, seed);
+        check_against_redraws<PixelFormat::mono1>(file, {57, 40}, {8, 1}, seed);
+        check_against_redraws<PixelFormat::mono1_dithered>(file, {63, 40}, {8, 1}, seed);
     }
     for (const RawScene& scene : moving_scenes())
         check_against_redraws<PixelFormat::rgb565>(scene.file(), {60, 40}, {1, 1}, 7);
@@ -124,6 +133,19 @@ TEST_CASE("curves that stand still are the same wherever something passes over t
     text += "object bar fill=\"#00ff0060\" { rect 0 0 9 150; key 0 x=0 y=0; key 23 x=230 y=90 }\n";
     check_against_redraws<PixelFormat::rgb565>(compiled(text), {240, 240}, {1, 1}, 11);
     check_against_redraws<PixelFormat::rgb565>(compiled(text), {300, 290}, {1, 1}, 12);
+}
+
+TEST_CASE("narrow areas at the panel's edge find room for whole bytes")
+{
+    Stage stage{"kfast 1\ncanvas 9 20 frames=20\n"
+                "object o fill=white { rect 8 0 1 20; key 0 opacity=0; key 10 opacity=1 }\n",
+                {9, 20}};
+    PanelMemory<PixelFormat::mono1> memory{{9, 20}};
+    for (const int frame : {0, 10, 0}) {
+        stage.player.show(Time::frame(frame));
+        bring_up_to_date(stage, memory, 1, {8, 1}, 11);
+        CHECK(memory.bytes().back() == std::byte(frame == 0 ? 0 : 0x80));
+    }
 }
 
 constexpr std::string_view two_squares = R"(

@@ -1,6 +1,8 @@
 #include "library/kfast.h"
 #include "library/kfast.hpp"
 
+#include "tests/core/everything.hpp"
+#include "tests/core/filling.hpp"
 #include "tests/core/stage.hpp"
 
 #include <array>
@@ -66,6 +68,103 @@ Bytes picture(std::string_view text, Time moment)
     return Stage{text, {width, height}}.picture<PixelFormat::rgb565>(moment);
 }
 
+using Draw = kfast_error (*)(kfast_player*, void*, size_t, kfast_draw_rectangle, void*);
+
+/// A display of one format, as its driver sees it. It starts with rubbish in it.
+template <PixelFormat format>
+class Display {
+public:
+    explicit Display(Size size)
+        : size_{size},
+          bytes_(row_bytes(format, size.width) * static_cast<std::size_t>(size.height), std::byte{0x5A})
+    {
+    }
+
+    static void take(int x, int y, int columns, int rows, const void* pixels, void* user)
+    {
+        Display& display = *static_cast<Display*>(user);
+        constexpr int unit = pixels_in_whole_bytes(format);
+        CHECK(x % unit == 0);
+        CHECK((columns % unit == 0 || x + columns == display.size_.width));
+        const std::size_t length = row_bytes(format, columns);
+        const std::size_t stride = row_bytes(format, display.size_.width);
+        const auto* from = static_cast<const std::byte*>(pixels);
+        for (int row = y; row < y + rows; ++row, from += length)
+            std::copy_n(from, length,
+                        &display.bytes_.at(stride * static_cast<std::size_t>(row) + row_bytes(format, x)));
+        display.taken_ += length * static_cast<std::size_t>(rows);
+    }
+
+    Bytes shown() const { return without_filling(format, size_, bytes_); }
+    std::size_t taken() const { return taken_; }
+
+private:
+    Size size_;
+    Bytes bytes_;
+    std::size_t taken_ = 0; ///< bytes
+};
+
+/// Random times, by small and large steps, with buffers of any size.
+template <PixelFormat format>
+void check_against_redraws(Draw draw, Size panel, unsigned seed)
+{
+    std::mt19937 random{seed};
+    const Bytes scene = compiled(everything);
+    std::vector<std::byte> block(kfast_block_bytes(scene.data(), scene.size(), panel.width, panel.height));
+    kfast_player* player = nullptr;
+    REQUIRE(kfast_create(&player, block.data(), block.size(), scene.data(), scene.size(), panel.width,
+                         panel.height) == KFAST_OK);
+    Stage fresh{scene, panel};
+    Display<format> display{panel};
+    std::int32_t time = 0;
+    for (int round = 0; round < 60; ++round) {
+        time = random() % 3 == 0 ? static_cast<std::int32_t>(random() % 60'000)
+                                 : time + static_cast<std::int32_t>(random() % 700);
+        if (random() % 8 == 0)
+            CHECK(kfast_redraw(player) == KFAST_OK);
+        CHECK(kfast_show(player, time) == KFAST_OK);
+        Bytes buffer(row_bytes(format, panel.width) * (1 + random() % 5) + random() % 7 + 1);
+        CHECK(draw(player, buffer.data(), buffer.size(), display.take, &display) == KFAST_OK);
+        REQUIRE(display.shown() == without_filling(format, panel, fresh.picture<format>({time})));
+    }
+}
+
+}
+
+TEST_CASE("a display that takes what changes shows what a full redraw would")
+{
+    for (unsigned seed = 0; seed < 3; ++seed)
+        for (const Size panel : {Size{64, 40}, Size{61, 33}}) {
+            check_against_redraws<PixelFormat::rgb565>(kfast_draw_rgb565, panel, seed);
+            check_against_redraws<PixelFormat::rgb444>(kfast_draw_rgb444, panel, seed);
+            check_against_redraws<PixelFormat::grey4>(kfast_draw_grey4, panel, seed);
+            check_against_redraws<PixelFormat::mono1>(kfast_draw_mono1, panel, seed);
+            check_against_redraws<PixelFormat::mono1_dithered>(kfast_draw_mono1_dithered, panel, seed);
+        }
+}
+
+TEST_CASE("only what changes is handed out")
+{
+    const Bytes scene = compiled("kfast 1\ncanvas 60 40 frames=20\n"
+                                 "object o fill=red { rect 5 5 10 10; key 0 x=0; key 10 x=20 }\n");
+    std::vector<std::byte> block(kfast_block_bytes(scene.data(), scene.size(), 60, 40));
+    kfast_player* player = nullptr;
+    REQUIRE(kfast_create(&player, block.data(), block.size(), scene.data(), scene.size(), 60, 40) ==
+            KFAST_OK);
+    Display<PixelFormat::rgb565> display{{60, 40}};
+    std::vector<std::byte> buffer(2 * 60 * 8);
+    const auto drawn = [&] {
+        const std::size_t before = display.taken();
+        kfast_draw_rgb565(player, buffer.data(), buffer.size(), display.take, &display);
+        return display.taken() - before;
+    };
+    CHECK(drawn() == 2 * 60 * 40);
+    kfast_show(player, KFAST_FRAME);
+    CHECK(drawn() <= 2 * 14 * 10); // two columns at both sides
+    kfast_show(player, KFAST_FRAME);
+    CHECK(drawn() == 0);
+    kfast_redraw(player);
+    CHECK(drawn() == 2 * 60 * 40);
 }
 
 TEST_CASE("the C player draws what the core draws, wherever its block begins and however small its buffer")
@@ -132,7 +231,6 @@ TEST_CASE("milliseconds become frames, for 49 days")
 
 TEST_CASE("all formats of pixels are handed out")
 {
-    using Draw = kfast_error (*)(kfast_player*, void*, size_t, kfast_draw_rectangle, void*);
     const auto bytes_of = [](Draw draw, std::size_t row) {
         Screen screen{moving};
         std::vector<std::byte> buffer(row);
@@ -214,9 +312,45 @@ TEST_CASE("what cannot be played is refused by name")
     CHECK(refused(newer, block.size(), width, height) == KFAST_UNSUPPORTED_VERSION);
     CHECK(refused(other, block.size(), width, height) == KFAST_BAD_MAGIC);
     CHECK(refused(scene, block.size(), 0, height) == KFAST_BAD_PANEL_SIZE);
+    CHECK(refused(scene, block.size(), 0, 0) == KFAST_BAD_PANEL_SIZE);
+    CHECK(refused(scene, block.size(), 4097, 4097) == KFAST_BAD_PANEL_SIZE);
+    CHECK(refused(scene, block.size(), 4096, 4096) == KFAST_BLOCK_TOO_SMALL);
+    CHECK(refused({}, block.size(), width, height) != KFAST_OK);
     CHECK(refused(scene, block.size(), width, 4097) == KFAST_BAD_PANEL_SIZE);
     CHECK(kfast_block_bytes(damaged.data(), damaged.size(), width, height) == 0);
     CHECK(kfast_block_bytes(scene.data(), scene.size(), width, -1) == 0);
+}
+
+TEST_CASE("null pointers are refused")
+{
+    const Bytes scene = compiled(moving);
+    std::vector<std::byte> block(kfast_block_bytes(scene.data(), scene.size(), width, height));
+    kfast_player* player = nullptr;
+    CHECK(kfast_block_bytes(nullptr, scene.size(), width, height) == 0);
+    CHECK(kfast_create(nullptr, block.data(), block.size(), scene.data(), scene.size(), width, height) ==
+          KFAST_NULL_POINTER);
+    CHECK(kfast_create(&player, nullptr, block.size(), scene.data(), scene.size(), width, height) ==
+          KFAST_NULL_POINTER);
+    CHECK(kfast_create(&player, block.data(), block.size(), nullptr, scene.size(), width, height) ==
+          KFAST_NULL_POINTER);
+    CHECK(player == nullptr);
+
+    std::array<std::byte, 2 * width> buffer{};
+    const auto take = [](int, int, int, int, const void*, void*) { FAIL("nothing is to be drawn"); };
+    CHECK(kfast_choose_clip(player, nullptr) == KFAST_NULL_POINTER); // never made
+    CHECK(kfast_choose_clip(player, "back") == KFAST_NULL_POINTER);
+    CHECK(kfast_show(player, 0) == KFAST_NULL_POINTER);
+    CHECK(kfast_show_after(player, 0) == KFAST_NULL_POINTER);
+    CHECK(kfast_redraw(player) == KFAST_NULL_POINTER);
+    for (const Draw draw : {kfast_draw_rgb565, kfast_draw_rgb565_be, kfast_draw_rgb444, kfast_draw_rgb666,
+                            kfast_draw_grey4, kfast_draw_mono1, kfast_draw_mono1_dithered})
+        CHECK(draw(player, buffer.data(), buffer.size(), take, nullptr) == KFAST_NULL_POINTER);
+
+    REQUIRE(kfast_create(&player, block.data(), block.size(), scene.data(), scene.size(), width, height) ==
+            KFAST_OK);
+    CHECK(kfast_draw_rgb565(player, nullptr, buffer.size(), take, nullptr) == KFAST_NULL_POINTER);
+    CHECK(kfast_draw_rgb565(player, buffer.data(), buffer.size(), nullptr, nullptr) == KFAST_NULL_POINTER);
+    CHECK(kfast_draw_rgb565(player, buffer.data(), 0, take, nullptr) == KFAST_BUFFER_TOO_SMALL);
 }
 
 TEST_CASE("every error has a text that begins with its name")
@@ -226,6 +360,7 @@ TEST_CASE("every error has a text that begins with its name")
     CHECK(std::string{kfast_error_text(KFAST_BLOCK_TOO_SMALL)}.starts_with("block_too_small: "));
     CHECK(std::string{kfast_error_text(KFAST_BUFFER_TOO_SMALL)}.starts_with("buffer_too_small: "));
     CHECK(std::string{kfast_error_text(KFAST_NO_SUCH_CLIP)}.starts_with("no_such_clip: "));
+    CHECK(std::string{kfast_error_text(KFAST_NULL_POINTER)}.starts_with("null_pointer: "));
     CHECK(std::string{kfast_error_text(static_cast<kfast_error>(15))} == "unknown");
 }
 
