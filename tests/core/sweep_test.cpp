@@ -187,6 +187,19 @@ TEST_CASE("a straight edge stays straight over a high panel")
     }
 }
 
+TEST_CASE("a flat edge stays straight over a wide panel")
+{
+    constexpr int columns = 300;
+    for (const double height : {0.3, 0.7, 1.0}) {
+        CoveragePicture picture{columns, 1};
+        fill(picture, {{pixels(0, 0), pixels(columns, height), pixels(0, height)}});
+        double worst = 0;
+        for (int x = 0; x < columns; ++x)
+            worst = std::max(worst, std::abs(picture.at(x, 0) - 255 * height * (1 - (x + 0.5) / columns)));
+        CHECK(worst <= 1.5);
+    }
+}
+
 TEST_CASE("the order in which outlines are added changes nothing")
 {
     std::mt19937 random{2};
@@ -204,10 +217,10 @@ TEST_CASE("the order in which outlines are added changes nothing")
     }
 }
 
-/// With slight bends all around.
+/// With slight bends at its sides.
 Polygon disc(double x, double y, double radius)
 {
-    Polygon polygon(static_cast<std::size_t>(8 + radius));
+    Polygon polygon(64);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(polygon.size());
         polygon[i] = pixels(x + radius * std::cos(angle), y + radius * std::sin(angle));
@@ -224,8 +237,9 @@ TEST_CASE("a row is the same however the sweep comes to it")
     for (int round = 0; round < 100; ++round) {
         std::vector<Polygon> polygons;
         for (std::size_t i = 0; i < 1 + random() % 6; ++i)
-            polygons.push_back(random() % 4 == 0 ? random_polygon(random, 0, 60)
-                                                 : disc(place(random), place(random), place(random) / 2));
+            polygons.push_back(random() % 4 == 0
+                                   ? random_polygon(random, 0, 60)
+                                   : disc(place(random), place(random), 12 + place(random) / 2));
         CoveragePicture picture{60, 60};
         fill(picture, polygons);
         const std::vector<int> expected = picture.levels();
@@ -239,7 +253,7 @@ TEST_CASE("a slight bend changes a pixel by less than 5 of 255")
 {
     int worst = 0;
     for (int i = 0; i < 40; ++i) {
-        const std::vector<Polygon> polygons{disc(20, 20, 8 + i / 4.0)};
+        const std::vector<Polygon> polygons{disc(20, 20, 12 + i / 8.0)};
         CoveragePicture picture{40, 40};
         fill(picture, polygons);
         for (int y = 0; y < 40; y += 3)
