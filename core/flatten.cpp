@@ -24,7 +24,10 @@ std::int32_t bend(Point a, Point b, Point c)
 constexpr int most_freely = 32; ///< pieces: beyond it, powers of two
 constexpr int ratio_bits = 29;
 
-constexpr int halvings_of(int pieces) { return std::bit_width(static_cast<unsigned>(pieces - 1)); }
+constexpr int halvings_of(int pieces)
+{
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(pieces - 1)));
+}
 
 /// (2^halvings / n)^3 for n pieces; up to 8.
 constexpr auto ratios = [] {

@@ -64,8 +64,8 @@ typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const 
 
 /* Hands out the rectangles in which the picture differs from what was drawn before, in whatever format; at
  * first, and after kfast_redraw(), that is the whole panel. Where pixels share bytes, rectangles begin and
- * end in columns that are multiples of 2 (rgb444, grey4) or 8 (mono1), or end with the panel: what is left of
- * the last byte of a row then means nothing.
+ * end in columns that are multiples of 2 (rgb444, grey4) or 8 (mono1, mono1_dithered), or end with the panel:
+ * what is left of the last byte of a row then means nothing.
  *
  * The buffer is where the pixels are drawn; the larger, the fewer the calls. KFAST_OK, or
  * KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of the panel, and a byte more if it begins at

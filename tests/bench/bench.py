@@ -37,8 +37,12 @@ def options(arguments):
     parser.add_argument("--images", type=pathlib.Path, default=ROOT / "build/bench", help="the images to be measured")
     parser.add_argument("--board", type=pathlib.Path, default=ROOT / "build/lm3s6965evb", help="the board's images")
     parser.add_argument("--recorded", type=pathlib.Path, default=RECORDED, help="what --compare and --record use")
+    parser.add_argument("--check-options", action="store_true", help="measure nothing")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build/bench/results.json")
-    return parser.parse_args(arguments)
+    chosen = parser.parse_args(arguments)
+    if chosen.compare and not chosen.recorded.exists():
+        sys.exit("nothing is recorded yet: scripts/bench --record")
+    return chosen
 
 
 def is_whole(chosen):
@@ -144,6 +148,8 @@ def print_growth(recorded, found):
 
 def main(arguments):
     chosen = options(arguments)
+    if chosen.check_options:
+        return 0
     wanted = [chosen.profile] if chosen.profile else chosen.scene
     chosen.output.parent.mkdir(parents=True, exist_ok=True)
     scenes = compile_scenes(chosen.host / "kfast", wanted, chosen.output.parent)

@@ -51,6 +51,11 @@ class Bench(unittest.TestCase):
         self.assertEqual(0, status, told)
         self.assertIn("Nothing has grown", told)
 
+    def test_refuses_to_compare_with_nothing_before_it_measures(self):
+        with tempfile.TemporaryDirectory(prefix="kfast") as empty:
+            status, told, found = play(empty, "--compare")
+        self.assertEqual((1, "nothing is recorded yet: scripts/bench --record\n", ""), (status, told, found))
+
     def test_finds_what_has_grown(self):
         recorded = pathlib.Path(self.folder, "recorded.json")
         before = recorded.read_text()

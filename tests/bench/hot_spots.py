@@ -8,12 +8,6 @@ from source_places import source_places
 INSTRUCTIONS_PER_SAMPLE = 641 / 3.2  # Sampler::period_ticks
 MOST_ROWS = 30
 
-# What makes edges of the live strokes, while they are still being tweened.
-EDGES = {"corner_at.hpp", "fill_outline.hpp", "flatten.cpp", "flatten.hpp", "heading.cpp", "heading.hpp",
-         "object_outline.hpp", "outline_store.cpp", "outline_store.hpp", "stroke_outline.cpp", "stroke_outline.hpp"}
-# What both use: who has called it decides.
-SHARED = {"memory.cpp", "point_map.cpp", "projection.cpp", "segment.cpp", "square_root.hpp"}
-
 
 def print_profile(folder, cpu, scene):
     frames = play(folder, cpu, scene.compiled, profile=True).samples
@@ -33,25 +27,3 @@ def print_table(title, counts, unit, name_of):
     print(f"\n{title}\n  per frame  share")
     for name, count in rows.most_common(MOST_ROWS):
         print(f"{count * unit:11,.0f} {100 * count / sum(counts.values()):5.1f}%  {name}")
-
-
-def edge_instructions(folder, cpu, scene):
-    """The instructions of an average frame that make edges; the rest of `update` tweens."""
-    frames = play(folder, cpu, scene.compiled, profile=True).samples
-    samples = [sample for frame in frames for sample in frame if sample.phase == "update"]
-    places = source_places(image_for(folder, cpu), {address for sample in samples
-                                                    for address in (sample.address, sample.link)})
-    edges = sum(makes_edges(places[sample.address], places[sample.link]) for sample in samples)
-    return round(edges * INSTRUCTIONS_PER_SAMPLE / len(frames))
-
-
-def makes_edges(place, caller):
-    if is_shared(place):
-        place = place + caller
-    return any(level.file in EDGES for level in place)
-
-
-def is_shared(place):
-    """Functions of ours that both use, and those of the compiler's library."""
-    file = place[-1].file
-    return file in SHARED or not file.endswith((".cpp", ".hpp"))
