@@ -167,6 +167,8 @@ class FitTest(CommandTest):
     def test_known_boards_and_panels(self):
         for board in ("blackpill", "lm3s6965evb", "pico"):
             self.report(ROOT / "examples/robot-eyes.kfast", "--board", board)
+        for board in ("blackpill", "bluepill", "lm3s6965evb", "pico"):
+            self.assertEqual(self.report("repeat.kfast", "--board", board)["notes"], [])
         (self.folder / "crowd.kfast").write_text(MANY_OBJECTS)
         refused = self.refused("crowd.kfast", "--board", "bluepill")
         self.assertTrue(any(reason.startswith("RAM") for reason in refused["reasons"]), refused["reasons"])
