@@ -21,7 +21,8 @@ inline constexpr std::size_t max_name_bytes = 255;
 inline constexpr std::uint32_t max_depth = 8;
 /// Items of the whole scene, those of a symbol counted wherever it is used.
 inline constexpr std::uint32_t max_items = 65535;
-/// Layers of all items, and two steps for each that is blended as a whole: steps have numbers of 16 bits.
+/// Fills and strokes of the whole scene, and two for each item that may be blended as a whole; those of a
+/// symbol counted wherever it is used. Steps have numbers of 16 bits.
 inline constexpr std::uint32_t max_paint_steps = 0xFFFE;
 /// Items beside each other of which one has an order: the player looks through all of them for each.
 inline constexpr std::uint32_t max_ordered_items = 256;

@@ -7,8 +7,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::size_t most_corners = 0xFFFE; ///< their numbers have 16 bits
-constexpr std::int32_t most_edges = 0x7FFF;  ///< of one chain
+constexpr std::int32_t most_edges = 0x7FFF; ///< of one chain
 
 }
 
@@ -97,7 +96,7 @@ void OutlineStore::add_chain(std::int32_t first, std::int32_t last)
         return;
     const bool runs_up = corners_[last].y < corners_[first].y;
     const auto [upper, lower] = runs_up ? std::pair{last, first} : std::pair{first, last};
-    if (corners_[lower].y <= 0 || corners_[upper].y >= bottom_ || !find_room(0, 1))
+    if (is_outside(corners_[upper], corners_[lower]) || !find_room(0, 1))
         return;
     did(Work::chain);
     Chain& added = chain(chain_count_++);
@@ -105,6 +104,11 @@ void OutlineStore::add_chain(std::int32_t first, std::int32_t last)
     added.first = static_cast<std::uint16_t>(upper);
     added.edges = static_cast<std::uint16_t>(last - first) & most_edges;
     added.runs_up = runs_up ? 1 : 0;
+}
+
+bool OutlineStore::is_outside(Corner upper, Corner lower) const
+{
+    return (lower.y <= 0 || upper.y >= bottom_) && bottom_ != every_row * subrows;
 }
 
 OutlineRange OutlineStore::range_from(const OutlineRange& mark) const

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace kfast {
@@ -50,9 +51,12 @@ struct OutlineRange {
 /// memory that the caller lends. Corners fill it from the front, chains from the back.
 class OutlineStore {
 public:
+    static constexpr std::uint16_t most_corners = 0xFFFE;
+    static constexpr int every_row = std::numeric_limits<std::int32_t>::max() / subrows;
+
     OutlineStore() = default;
     /// `storage` is aligned to 4 bytes, and its size a multiple of 4. Chains outside of 0 … `rows` are left
-    /// out.
+    /// out; none is if `rows` is every_row.
     OutlineStore(std::span<std::byte> storage, int rows);
 
     void clear();
@@ -89,6 +93,7 @@ private:
     bool join_sides();
     void find_chains(std::int32_t first, std::int32_t last);
     void add_chain(std::int32_t first, std::int32_t last);
+    bool is_outside(Corner upper, Corner lower) const;
 
     Corner* corners_ = nullptr;
     Chain* end_ = nullptr;

@@ -37,7 +37,8 @@ void export_scene(const ExportOptions& options)
                              panel_size(options.picture, scene.view)};
     const std::string text = header_text(header, scene);
     write_file(output, std::as_bytes(std::span{text}));
-    std::cout << output.string() << ": " << name << "[], " << summary(scene) << '\n';
+    std::cout << output.string() << ": " << name << "[], "
+              << summary(scene, header.panel, block_bytes(header, scene)) << '\n';
 }
 
 void declare(CLI::App& app)

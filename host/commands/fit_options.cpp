@@ -2,25 +2,17 @@
 
 #include "host/failure.hpp"
 #include "host/fit/board_choice.hpp"
-#include "host/text/suggestion.hpp"
-
-#include <algorithm>
-#include <vector>
 
 namespace kfast {
 namespace {
 
 constexpr double fastest = 1000;
 
-fit::Display display_named(const std::string& name)
+fit::Display panel_named(const std::string& name)
 {
-    std::vector<std::string_view> known;
-    for (const fit::Display& display : fit::known_displays()) {
-        if (display.name == name)
-            return display;
-        known.push_back(display.name);
-    }
-    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + suggestion(name, known) +
+    if (const fit::Display* const display = fit::display_named(name))
+        return *display;
+    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + fit::display_suggestion(name) +
                                               "; others are described with the board");
 }
 
@@ -32,7 +24,7 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
                                               "A known board, or the file that describes yours (docs/fit.md)")
                                    ->type_name("NAME");
     app.add_option_function<std::string>(
-           "--panel", [&options](const std::string& name) { options.panel = display_named(name); },
+           "--panel", [&options](const std::string& name) { options.panel = panel_named(name); },
            "Another panel than the board's")
         ->type_name("NAME")
         ->needs(board);

@@ -30,11 +30,11 @@ std::string constant(const std::string& name, std::size_t value)
 std::string constants(const SceneHeader& header, const SceneFile& scene)
 {
     const auto [width, height] = header.panel;
-    const std::size_t block = kfast_block_bytes(scene.bytes.data(), scene.bytes.size(), width, height);
     return "enum {\n    " + constant(header.name + "_bytes", scene.bytes.size()) + ",\n    " +
            constant(header.name + "_width", static_cast<std::size_t>(width)) + ", /* of the panel */\n    " +
            constant(header.name + "_height", static_cast<std::size_t>(height)) + ",\n    " +
-           constant(header.name + "_block_bytes", block) + " /* to be lent, for such a panel */\n};\n";
+           constant(header.name + "_block_bytes", block_bytes(header, scene)) +
+           " /* to be lent, for such a panel */\n};\n";
 }
 
 std::string line_of(std::span<const std::byte> bytes)
@@ -56,6 +56,11 @@ std::string array(const std::string& name, std::span<const std::byte> bytes)
     return text + "};\n";
 }
 
+}
+
+std::size_t block_bytes(const SceneHeader& header, const SceneFile& scene)
+{
+    return kfast_block_bytes(scene.bytes.data(), scene.bytes.size(), header.panel.width, header.panel.height);
 }
 
 std::string header_text(const SceneHeader& header, const SceneFile& scene)

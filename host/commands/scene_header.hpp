@@ -3,6 +3,7 @@
 #include "core/size.hpp"
 #include "host/scene_file.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace kfast {
@@ -14,8 +15,11 @@ struct SceneHeader {
     Size panel;         ///< for which the memory is told
 };
 
-/// A header for C99 and C++ with the scene as an array, its size, the panel's, and the bytes that
-/// kfast_create() must be lent for it (library/kfast.h), wherever it is compiled.
+/// What kfast_create() must be lent (library/kfast.h) on the header's panel.
+std::size_t block_bytes(const SceneHeader& header, const SceneFile& scene);
+
+/// A header for C99 and C++ with the scene as an array, its size, the panel's, and block_bytes(),
+/// wherever it is compiled.
 std::string header_text(const SceneHeader& header, const SceneFile& scene);
 
 }

@@ -75,6 +75,28 @@ std::vector<Need> stored_needs(const scene::Scene& scene, AmountOf amount_of)
     return needs;
 }
 
+std::uint64_t layers_of(const scene::Object& object)
+{
+    return (object.fill ? 1U : 0U) + (object.stroke ? 1U : 0U);
+}
+
+bool may_be_transparent(const scene::Item& item)
+{
+    return std::ranges::any_of(item.tracks, [](const scene::Track& track) {
+        return track.property == Property::opacity &&
+               (track.keys.size() > 1 || track.keys.front().value != 255);
+    });
+}
+
+/// As SceneView::paint_steps() counts them.
+std::uint64_t paint_steps_of(const scene::Item& item)
+{
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    const std::uint64_t layers = object != nullptr ? layers_of(*object) : 0;
+    const bool has_several_layers = object == nullptr || layers > 1;
+    return layers + (has_several_layers && may_be_transparent(item) ? 2 : 0);
+}
+
 std::string name_of(const scene::Item& item, const scene::Scene& scene)
 {
     if (const auto* use = std::get_if<scene::Use>(&item.content))
@@ -111,6 +133,9 @@ void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, 
           scene, diagnostics);
     check({"items", "use symbols less often, or such that have fewer items", kfb::max_items,
            needs_with_uses(scene, one)},
+          scene, diagnostics);
+    check({"steps of painting", "use symbols less often, or fill or stroke alone, or fade fewer groups",
+           kfb::max_paint_steps, needs_with_uses(scene, paint_steps_of)},
           scene, diagnostics);
 }
 

@@ -1,41 +1,42 @@
 #include "host/compiler/outline_bytes.hpp"
 
 #include "core/kfb_limits.hpp"
-#include "core/player.hpp"
 #include "host/compiler/header.hpp"
+#include "host/compiler/measured_moments.hpp"
+#include "host/compiler/outline_excess.hpp"
+#include "host/compiler/outline_meter.hpp"
 
 #include <algorithm>
 
 namespace kfast {
 namespace {
 
-constexpr std::int32_t most_moments = 4000;
-constexpr std::int32_t moments_of_frame = 4;
-constexpr std::uint32_t least_bytes = 64;
+constexpr std::size_t least_bytes = 64;
 
-std::size_t most_used_bytes(Player& player)
+std::uint32_t with_reserve(std::size_t bytes)
 {
-    const std::int32_t length = player.scene().length().ticks;
-    const std::int32_t step = std::max(Time::ticks_per_frame / moments_of_frame, length / most_moments);
-    std::size_t most = 0;
-    for (std::int32_t moment = 0; moment < length + step; moment += step) {
-        player.show_moment({std::min(moment, length)});
-        most = std::max(most, player.picture().outlines.used_bytes());
-    }
-    return most;
+    const std::size_t wanted = (bytes + bytes / 8 + least_bytes) / 4 * 4;
+    return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_outline_bytes));
 }
 
 }
 
-std::uint32_t outline_bytes(std::vector<std::byte> file)
+std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,
+                                           Diagnostics& diagnostics)
 {
     set_outline_bytes(file, kfb::max_outline_bytes);
-    const auto scene = SceneView::parse(file);
-    std::vector<std::uint32_t> block((Player::block_bytes(*scene, scene->canvas()) + 3) / 4);
-    auto player = Player::create(*scene, scene->canvas(), Fit::contain, std::as_writable_bytes(std::span{block}));
-    const std::size_t most = most_used_bytes(*player);
-    const std::size_t wanted = (most + most / 8 + least_bytes) / 4 * 4;
-    return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_outline_bytes));
+    const auto view = SceneView::parse(file);
+    OutlineMeter meter{*view, kfb::max_outline_bytes};
+    std::size_t most = 0;
+    for (const Time moment : measured_moments(*view)) {
+        const OutlineStore& outlines = meter.picture_at(moment).outlines;
+        if (outlines.is_full()) {
+            report_excess(scene, *view, moment, diagnostics);
+            return std::nullopt;
+        }
+        most = std::max(most, outlines.used_bytes());
+    }
+    return with_reserve(most);
 }
 
 }

@@ -1,17 +1,24 @@
 #pragma once
 
+#include "host/scene/model.hpp"
+#include "host/text/diagnostic.hpp"
+
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace kfast {
 
-/// Memory for the outlines of any one picture of a compiled scene, which is sound but for this figure in its
-/// header: a multiple of 4, at most kfb::max_outline_bytes.
+/// Memory for the outlines of any one picture of `scene` on any panel: a multiple of 4, at most
+/// kfb::max_outline_bytes. `file` is the scene compiled, sound but for this figure in its header. If a
+/// picture finds no room with the coarsest curves either, that is an error at the largest object, and nothing
+/// is returned.
 ///
-/// Found by playing the scene, four moments of each frame, or 4000 in all if it is long, and adding an eighth:
-/// a moment between two of these may halve a few curves once more. A player whose picture finds no room all the
-/// same draws it with coarser curves.
-std::uint32_t outline_bytes(std::vector<std::byte> file);
+/// Found by playing the scene (host/compiler/measured_moments.hpp) and adding an eighth: a moment between two
+/// of these may halve a few curves once more. A player whose picture finds no room all the same draws it with
+/// coarser curves.
+std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,
+                                           Diagnostics& diagnostics);
 
 }

@@ -72,7 +72,10 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     body.block(items.bytes());
     body.append(drawings.bytes());
     std::vector<std::byte> file = sealed(body);
-    set_outline_bytes(file, outline_bytes(file));
+    const auto bytes_for_outlines = outline_bytes(file, scene, diagnostics);
+    if (!bytes_for_outlines)
+        return std::nullopt;
+    set_outline_bytes(file, *bytes_for_outlines);
     return file;
 }
 

@@ -9,8 +9,8 @@
 
 namespace kfast {
 
-/// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on items or points is an
-/// error at its largest object.
+/// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on items, points, steps or
+/// outlines is an error at its largest object.
 std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics);
 
 }

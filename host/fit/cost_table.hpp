@@ -12,7 +12,7 @@ namespace kfast::fit {
 struct ProcessorCosts {
     std::size_t code = 0;      ///< of the player and its constants, for one pixel format
     std::size_t fixed_ram = 0; ///< besides the lent block: the player and the loop
-    std::size_t stack = 0;     ///< at most
+    std::size_t stack = 0;     ///< the deepest that was measured
     double cycles = 0;         ///< for an instruction, on average, from memory without wait states
     double frame = 0;          ///< instructions for every frame …
     double area = 0;           ///< … and for every area that is sent

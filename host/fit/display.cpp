@@ -1,5 +1,8 @@
 #include "host/fit/display.hpp"
 
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
 #include <array>
 
 namespace kfast::fit {
@@ -26,6 +29,17 @@ constexpr std::array displays{
 
 }
 
-std::span<const Display> known_displays() { return displays; }
+const Display* display_named(std::string_view name)
+{
+    const auto display = std::ranges::find(displays, name, &Display::name);
+    return display == displays.end() ? nullptr : &*display;
+}
+
+std::string display_suggestion(std::string_view name)
+{
+    std::array<std::string_view, displays.size()> known;
+    std::ranges::transform(displays, known.begin(), &Display::name);
+    return suggestion(name, known);
+}
 
 }

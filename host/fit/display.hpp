@@ -4,7 +4,7 @@
 #include "core/size.hpp"
 
 #include <cstddef>
-#include <span>
+#include <string>
 #include <string_view>
 
 namespace kfast::fit {
@@ -19,7 +19,9 @@ struct Display {
     double rated_spi = 0;          ///< Hz that the maker allows for writing; 0: not known
 };
 
-/// Controllers that can be named.
-std::span<const Display> known_displays();
+/// The controller of that name, or null.
+const Display* display_named(std::string_view name);
+/// The remedy for a name that no controller has (host/text/suggestion.hpp).
+std::string display_suggestion(std::string_view name);
 
 }

@@ -7,6 +7,7 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,7 @@ bool read_format(const kdl::Value& value, Display& display, Reading& reading)
         return false;
     }
     display.format = format->value;
-    display.granularity = {pixels_in_whole_bytes(format->value), 1};
+    display.granularity.width = std::lcm(display.granularity.width, pixels_in_whole_bytes(format->value));
     return true;
 }
 
@@ -50,14 +51,10 @@ std::optional<Display> named_display(const kdl::Value& value, Reading& reading)
     const auto name = read_text(value, reading);
     if (!name)
         return std::nullopt;
-    std::vector<std::string_view> known;
-    for (const Display& display : known_displays()) {
-        if (display.name == *name)
-            return display;
-        known.push_back(display.name);
-    }
+    if (const Display* const display = display_named(*name))
+        return *display;
     reading.report.error(value.place, "unknown panel " + quoted(*name),
-                         suggestion(*name, known) + ", or describe it: panel 240 240 format=rgb565");
+                         display_suggestion(*name) + ", or describe it: panel 240 240 format=rgb565");
     return std::nullopt;
 }
 

@@ -47,6 +47,18 @@ void check_bands(const Target& target, std::vector<std::string>& reasons)
                       " of the panel " + (rows == 1 ? "takes " : "take ") + std::to_string(least));
 }
 
+void check_outlines(const FitReport& report, std::vector<std::string>& reasons)
+{
+    if (!report.speed.overfull)
+        return;
+    const LargestOutlines& outlines = *report.speed.overfull;
+    reasons.push_back(
+        "outlines: those of frame " + frame_text(outlines.moment) +
+        " find no room with the coarsest curves either, parts of the picture are missing; of the " +
+        bytes_text(outlines.bytes) + " that found room " + std::to_string(outlines.item_bytes) + " are of " +
+        report.overfull_object);
+}
+
 void check_speed(const FitReport& report, std::vector<std::string>& reasons)
 {
     const double seconds = report.speed.median().seconds();
@@ -94,6 +106,7 @@ void judge(const Target& target, FitReport& report)
     check_flash(report, target, report.reasons);
     check_ram(report, target, report.reasons);
     check_bands(target, report.reasons);
+    check_outlines(report, report.reasons);
     check_speed(report, report.reasons);
     note_late_frames(report, report.notes);
     note_bus(target, report.notes);
@@ -113,6 +126,8 @@ FitReport fit_report(const FitWish& wish)
     const ItemLabels labels{wish.scene, wish.item_names};
     report.heaviest_object = labels[report.speed.heaviest.path];
     report.largest_object = labels[report.speed.outlines.path];
+    if (report.speed.overfull)
+        report.overfull_object = labels[report.speed.overfull->path];
     judge(wish.target, report);
     return report;
 }

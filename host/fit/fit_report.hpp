@@ -27,6 +27,7 @@ struct FitReport {
     double wanted_rate = 0;           ///< frames per second
     std::string heaviest_object;      ///< of the dearest frame
     std::string largest_object;       ///< of the frame with the largest outlines
+    std::string overfull_object;      ///< of the first frame whose outlines find no room
     std::vector<std::string> reasons; ///< why it does not fit, and by how much; none if it does
     std::vector<std::string> notes;   ///< what one should know besides
 

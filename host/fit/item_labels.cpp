@@ -4,17 +4,12 @@
 #include "host/every_item.hpp"
 
 namespace kfast::fit {
-namespace {
-
-const std::byte* place_of(const ItemView& item) { return item.tracks.rest().rest().data(); }
-
-}
 
 ItemLabels::ItemLabels(const SceneView& scene, std::span<const std::string> names) : scene_{scene}
 {
     std::size_t objects = 0;
     every_item(scene, [&](const ItemView& item) {
-        std::string& name = names_[place_of(item)];
+        std::string& name = names_[item.place];
         if (!names.empty()) {
             name = names.front();
             names = names.subspan(1);
@@ -33,7 +28,7 @@ void ItemLabels::add(ItemCursor items, const Outer& outer)
     while (!items.at_end()) {
         const ItemView item = items.next();
         Outer inner{path_to(item, outer.path, scene_), outer.label};
-        const std::string& name = names_.at(place_of(item));
+        const std::string& name = names_.at(item.place);
         if (!name.empty())
             inner.label += (inner.label.empty() ? "" : "/") + name;
         if (item.kind == ItemKind::object)

@@ -68,6 +68,15 @@ void SceneRun::visit_turn(Time offset, const VisitFrame& visit)
     }
 }
 
+void SceneRun::visit_end(const VisitFrame& visit)
+{
+    const SceneView& scene = player_.scene();
+    if (scene.loop() != Loop::once)
+        return;
+    draw(moment_of(frames_ - 1, {}), [](const FrameWork&) {});
+    draw(scene.length(), visit);
+}
+
 void SceneRun::draw(Time moment, const VisitFrame& visit)
 {
     WorkLog log;
@@ -87,6 +96,8 @@ void SceneRun::draw(Time moment, const VisitFrame& visit)
         }
     };
     with_format(display.format, draw_all);
+    if (!overfull_ && player_.picture().outlines.is_full())
+        overfull_ = outlines_of(moment, player_.picture());
     visit({moment, log.by_item(), player_.picture(), areas, bytes});
 }
 

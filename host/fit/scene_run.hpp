@@ -2,11 +2,13 @@
 
 #include "core/player.hpp"
 #include "core/stretch.hpp"
+#include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_log.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -38,6 +40,10 @@ public:
     void visit_first(Time offset, const VisitFrame& visit);
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
+    /// The very end, which the scene shows at last if it plays once; nothing otherwise.
+    void visit_end(const VisitFrame& visit);
+    /// Of the first picture so far that was not complete for want of room, also of one that was not visited.
+    const std::optional<LargestOutlines>& overfull() const { return overfull_; }
     /// 1, or of how many frames one is visited.
     int stride() const { return stride_; }
 
@@ -52,6 +58,7 @@ private:
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
     std::vector<std::byte> band_;
     Player player_;
+    std::optional<LargestOutlines> overfull_;
 };
 
 }

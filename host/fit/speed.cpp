@@ -4,36 +4,9 @@
 #include "host/fit/scene_run.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace kfast::fit {
 namespace {
-
-std::size_t bytes_of(const OutlineRange& outlines)
-{
-    return static_cast<std::size_t>(outlines.end_corner - outlines.first_corner) * sizeof(Corner) +
-           static_cast<std::size_t>(outlines.end_chain - outlines.first_chain) * sizeof(Chain);
-}
-
-/// What the outlines of each item take.
-std::map<std::uint32_t, std::size_t> outline_bytes(const TracedPicture& picture)
-{
-    std::map<std::uint32_t, std::size_t> bytes;
-    for (const PaintStep& step : picture.steps())
-        bytes[step.item] += bytes_of(step.layer.outlines);
-    return bytes;
-}
-
-LargestOutlines outlines_of(const FrameWork& frame)
-{
-    LargestOutlines outlines{.moment = frame.moment, .bytes = frame.picture.outlines.used_bytes()};
-    for (const auto& [path, bytes] : outline_bytes(frame.picture))
-        if (bytes > outlines.item_bytes) {
-            outlines.path = path;
-            outlines.item_bytes = bytes;
-        }
-    return outlines;
-}
 
 class SpeedMeter {
 public:
@@ -54,7 +27,7 @@ public:
         }
         speed_.frames.push_back(cost);
         if (frame.picture.outlines.used_bytes() > speed_.outlines.bytes)
-            speed_.outlines = outlines_of(frame);
+            speed_.outlines = outlines_of(frame.moment, frame.picture);
     }
 
 private:
@@ -105,6 +78,8 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit)
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
     for (const Time offset : {Time{0}, Time{Time::ticks_per_frame / 2}})
         run.visit_turn(offset, [&](const FrameWork& frame) { meter.take(frame); });
+    run.visit_end([&](const FrameWork& frame) { meter.take(frame); });
+    speed.overfull = run.overfull();
     speed.stride = run.stride();
     std::ranges::stable_sort(speed.frames, {}, &FrameCost::seconds);
     speed.by_cpu = limits_of(speed.frames, &FrameCost::cpu_seconds);

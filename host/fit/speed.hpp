@@ -3,10 +3,12 @@
 #include "core/canvas_map.hpp"
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
+#include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace kfast::fit {
@@ -30,14 +32,6 @@ struct HeaviestItem {
     double share = 0;
 };
 
-/// The picture whose outlines take most room.
-struct LargestOutlines {
-    Time moment;
-    std::size_t bytes = 0;
-    std::uint32_t path = 0;     ///< of the object that has most of them
-    std::size_t item_bytes = 0; ///< of that object
-};
-
 /// Seconds that frames take.
 struct Limits {
     double median = 0;
@@ -45,12 +39,13 @@ struct Limits {
 };
 
 /// How fast a scene plays: by frames, and by frames half a frame later, for a panel may be faster than the
-/// scene.
+/// scene; and at its very end, if it stops there.
 struct Speed {
-    std::vector<FrameCost> frames; ///< the cheapest first
-    FrameCost first;               ///< at the beginning: the whole panel
-    HeaviestItem heaviest;         ///< of the dearest frame
-    LargestOutlines outlines;
+    std::vector<FrameCost> frames;           ///< the cheapest first
+    FrameCost first;                         ///< at the beginning: the whole panel
+    HeaviestItem heaviest;                   ///< of the dearest frame
+    LargestOutlines outlines;                ///< of the picture that has most
+    std::optional<LargestOutlines> overfull; ///< of the first picture that is not complete for want of room
     Limits by_cpu;
     Limits by_bus;
     int stride = 1; ///< of how many frames one was looked at

@@ -42,7 +42,12 @@ class ExportTest(CommandTest):
 
     def test_memory_is_told_for_the_panel(self):
         def block(*arguments):
-            self.run_kfast("export", "--header", "repeat.kfast", "-o", "a.h", *arguments)
+            told = self.run_kfast("export", "--header", "repeat.kfast", "-o", "a.h", *arguments).stdout
+            figures = figures_of_header()
+            self.assertIn("{2} bytes of memory at {0}x{1}".format(*figures), told)
+            return figures
+
+        def figures_of_header():
             return tuple(int(n) for n in re.findall(r"a_(?:width|height|block_bytes) = (\d+)",
                                                     (self.folder / "a.h").read_text().replace("repeat_", "a_")))
 

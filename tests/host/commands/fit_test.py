@@ -24,6 +24,13 @@ group face { use eye 15 20 }
 object still fill=red { rect 0 0 4 4 }
 """
 
+COMB = " ".join(f"L {i} {35 + i % 2}" for i in range(60))
+WITHOUT_TRACKS = f"""kfast 1
+canvas 60 40 frames=8
+object comb fill=red {{{{ path "M 0 40 {COMB} L 60 40 Z" }}}}
+object square fill=white {{{{ {{keys}} }}}}
+"""
+
 ZIGZAG = " ".join(f"{2 * (i % 118 if i // 118 % 2 == 0 else 117 - i % 118)} {2 * (i // 118) + i % 2}"
                   for i in range(10_000))
 MANY_POINTS = f"""kfast 1
@@ -97,6 +104,14 @@ class FitTest(CommandTest):
         self.run_kfast("compile", "named.kfast")
         self.assertIn(self.report("named.kfb", *self.board())["worst"]["object"], ("object 1", "object 1/object 1"))
 
+    def test_objects_without_tracks_are_told_apart(self):
+        for keys in ("rect 8 8 4 4", "key 0 { circle 20 20 r=15 }; key 8 { circle 30 20 r=9 }"):
+            (self.folder / "two.kfast").write_text(WITHOUT_TRACKS.format(keys=keys))
+            self.assertEqual(self.report("two.kfast", *self.board())["largest_outlines"]["object"], "comb")
+            self.run_kfast("compile", "two.kfast")
+            self.assertEqual(self.report("two.kfb", *self.board())["largest_outlines"]["object"], "object 1")
+        self.assertEqual(self.report("two.kfast", *self.board())["worst"]["object"], "square")
+
     def test_too_little_ram_tells_how_much_and_where(self):
         (self.folder / "large.kfast").write_text(MANY_POINTS)
         report = self.refused("large.kfast", *self.board(ram=8))
@@ -152,7 +167,10 @@ class FitTest(CommandTest):
     def test_known_boards_and_panels(self):
         for board in ("blackpill", "lm3s6965evb", "pico"):
             self.report(ROOT / "examples/robot-eyes.kfast", "--board", board)
-        refused = self.refused(ROOT / "examples/robot-eyes.kfast", "--board", "bluepill")
+        for board in ("blackpill", "bluepill", "lm3s6965evb", "pico"):
+            self.assertEqual(self.report("repeat.kfast", "--board", board)["notes"], [])
+        (self.folder / "crowd.kfast").write_text(MANY_OBJECTS)
+        refused = self.refused("crowd.kfast", "--board", "bluepill")
         self.assertTrue(any(reason.startswith("RAM") for reason in refused["reasons"]), refused["reasons"])
         report = self.report("repeat.kfast", "--board", "pico", "--panel", "ssd1351")
         self.assertEqual(report["panel"], {"name": "ssd1351", "width": 128, "height": 128, "format": "rgb565"})

@@ -1,5 +1,7 @@
 #include "host/compiler/write_scene.hpp"
 
+#include "core/kfb_limits.hpp"
+#include "core/scene_view.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>
@@ -59,6 +61,27 @@ TEST_CASE("symbols that multiply beyond all numbers are refused too")
     CHECK(diagnostics.sorted().size() == 1);
 }
 
+TEST_CASE("steps of painting count wherever they are seen, two more for what fades as a whole")
+{
+    scene::Object both = filled({key(0, lines({{0, 0}, {16, 0}}))});
+    both.stroke = scene::StrokeStyle{};
+    const std::vector<scene::Item> dots(100, item(both, {}, "dot"));
+    scene::Scene scene = scene_of(uses(327, 0), {{"dots", dots}}); // 65400
+    const std::vector<scene::Item> faded(33, item(both, {fixed(Property::opacity, 99)}, "faded"));
+    scene.items.insert(scene.items.end(), faded.begin(), faded.end()); // 132
+    scene.items.push_back(item(both, {}, "last"));
+    const auto bytes = written(scene);
+    CHECK(SceneView::parse(bytes)->paint_steps() == kfb::max_paint_steps);
+    scene.items.push_back(item(filled({key(0, {})}), {fixed(Property::opacity, 99)}));
+    CHECK(refusal(scene).message ==
+          "the scene needs 65535 steps of painting, the format holds 65534; this use "
+          "of symbol \"dots\" alone needs 200");
+    scene.items.back() = item(scene::Group{}, {fixed(Property::opacity, 99)});
+    CHECK(refusal(scene).message.find("needs 65536 steps") != std::string::npos);
+    scene.items.back() = item(scene::Group{}, {fixed(Property::opacity, 255)});
+    CHECK(written(scene).size() > bytes.size());
+}
+
 TEST_CASE("points of all keys count, those of symbols once")
 {
     scene::Object heavy = filled({});
@@ -67,7 +90,8 @@ TEST_CASE("points of all keys count, those of symbols once")
     heavy.fill.reset();
     heavy.stroke = scene::StrokeStyle{};
     const auto used_twice = [&heavy] {
-        return scene_of({item(scene::Use{0}), item(scene::Use{0})}, {{"s", {item(heavy, {}, "h")}}});
+        return scene_of({item(scene::Use{0}), item(scene::Use{0})},
+                        {{"s", {item(heavy, {fixed(Property::visible, 0)}, "h")}}});
     };
     CHECK(written(used_twice()).size() > 0); // 64 * 65536
     heavy.keys.push_back(key(64, {}));

@@ -88,6 +88,22 @@ TEST_CASE("a panel can be named, with another size too")
     CHECK(turned.name == "ili9341");
 }
 
+TEST_CASE("a panel with another format is still written in its own steps")
+{
+    const auto steps = [](std::string_view panel) {
+        return read(with("320 172 format=grey4 window=9", panel)).display.granularity;
+    };
+    CHECK(steps("ssd1306") == Size{8, 8});
+    CHECK(steps("ssd1306 format=mono1_dithered") == Size{8, 8});
+    CHECK(steps("ssd1306 format=grey4") == Size{8, 8});
+    CHECK(steps("ssd1322 format=mono1") == Size{8, 1});
+    CHECK(steps("ssd1322 format=rgb565") == Size{4, 1});
+    CHECK(steps("st7789 format=rgb444") == Size{2, 1});
+    CHECK(steps("320 172 format=grey4") == Size{2, 1});
+    check_refused(with("320 172 format=grey4 window=9", "ssd1306 128 36 format=mono1_dithered"), "5:5",
+                  "multiples of that");
+}
+
 TEST_CASE("what may be left out has a default, and M0+ is M0")
 {
     const Target target = read(R"(board a {

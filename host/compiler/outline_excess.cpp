@@ -1,0 +1,112 @@
+#include "host/compiler/outline_excess.hpp"
+
+#include "core/item_path.hpp"
+#include "core/kfb_limits.hpp"
+#include "host/compiler/corner_tally.hpp"
+#include "host/compiler/outline_meter.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+
+namespace kfast {
+namespace {
+
+/// As many chains as there may be corners.
+constexpr std::size_t bytes_of_all_corners = OutlineStore::most_corners * (sizeof(Corner) + sizeof(Chain));
+
+using ByItem = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+/// What the outlines of a picture need.
+struct OutlineNeed {
+    std::string unit;  ///< "bytes"
+    std::string least; ///< "at least " if it may be more
+    std::uint64_t amount = 0;
+    std::uint64_t limit = 0;
+    ByItem by_item; ///< by the paths of objects
+};
+
+ByItem bytes_by_item(const TracedPicture& picture)
+{
+    ByItem bytes;
+    for (const PaintStep& step : picture.steps()) {
+        const OutlineRange& range = step.layer.outlines;
+        bytes[step.item] += static_cast<std::uint32_t>(
+            static_cast<std::size_t>(range.end_corner - range.first_corner) * sizeof(Corner) +
+            static_cast<std::size_t>(range.end_chain - range.first_chain) * sizeof(Chain));
+    }
+    return bytes;
+}
+
+std::uint64_t sum_of(const ByItem& amounts)
+{
+    std::uint64_t sum = 0;
+    for (const auto& [path, amount] : amounts)
+        sum += amount;
+    return sum;
+}
+
+/// Corners that close contours are not counted where there is no room.
+OutlineNeed need_at(const SceneView& view, Time moment)
+{
+    const CornerTally corners;
+    OutlineMeter meter{view, bytes_of_all_corners};
+    const TracedPicture& picture = meter.picture_at(moment);
+    if (!picture.outlines.is_full())
+        return {"bytes", "", picture.outlines.used_bytes(), kfb::max_outline_bytes, bytes_by_item(picture)};
+    const ByItem by_item = corners.by_item();
+    return {"corners", "at least ", sum_of(by_item), OutlineStore::most_corners, by_item};
+}
+
+/// Finds an object of a scene by its path (core/item_path.hpp).
+class ObjectSearch {
+public:
+    ObjectSearch(const scene::Scene& scene, const SceneView& view, std::uint32_t path)
+        : scene_{scene}, view_{view}, path_{path}
+    {
+    }
+
+    const scene::Item* found() { return found_among(scene_.items, view_.items(), 0); }
+
+private:
+    const scene::Item* found_among(const std::vector<scene::Item>& items, ItemCursor views,
+                                   std::uint32_t outer)
+    {
+        for (const scene::Item& item : items)
+            if (const scene::Item* const found = found_in(item, views.next(), outer))
+                return found;
+        return nullptr;
+    }
+
+    const scene::Item* found_in(const scene::Item& item, const ItemView& view, std::uint32_t outer)
+    {
+        const std::uint32_t path = path_to(view, outer, view_);
+        if (const auto* group = std::get_if<scene::Group>(&item.content))
+            return found_among(group->items, ItemCursor{view.items}, path);
+        if (const auto* use = std::get_if<scene::Use>(&item.content))
+            return found_among(scene_.symbols[use->symbol].items, view_.symbol(view.symbol), path);
+        return path == path_ ? &item : nullptr;
+    }
+
+    const scene::Scene& scene_;
+    const SceneView& view_;
+    std::uint32_t path_;
+};
+
+}
+
+void report_excess(const scene::Scene& scene, const SceneView& view, Time moment, Diagnostics& diagnostics)
+{
+    const OutlineNeed need = need_at(view, moment);
+    const auto& [path, most] = *std::ranges::max_element(need.by_item, {}, &ByItem::value_type::second);
+    const scene::Item& item = *ObjectSearch{scene, view, path}.found();
+    diagnostics.error(
+        item.place,
+        "the outlines at frame " + scene::text_of(moment) + " need " + need.least +
+            std::to_string(need.amount) + " " + need.unit + ", " + std::to_string(need.amount - need.limit) +
+            " more than the format holds; object \"" + item.name + "\" alone needs " + std::to_string(most),
+        "draw it with fewer points, or show less at a time");
+}
+
+}

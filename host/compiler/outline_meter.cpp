@@ -1,0 +1,40 @@
+#include "host/compiler/outline_meter.hpp"
+
+namespace kfast {
+namespace {
+
+/// Opposite to the middle of the canvas.
+Camera camera_of(const SceneView& scene)
+{
+    const Size canvas = scene.canvas();
+    return {.x = std::int64_t{canvas.width} * Fixed::one / 2,
+            .y = std::int64_t{canvas.height} * Fixed::one / 2,
+            .distance = std::int64_t{scene.camera()} * Fixed::one};
+}
+
+}
+
+OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
+    : outlines_(bytes / 4), steps_(scene.paint_steps()), bones_(scene.bone_count()),
+      backbone_nodes_(scene.backbone_nodes()), on_panel_{scene, {}, camera_of(scene), bones_, backbone_nodes_}
+{
+    picture_.outlines = OutlineStore{std::as_writable_bytes(std::span{outlines_}), OutlineStore::every_row};
+    picture_.storage = steps_;
+    set_up_bones(scene, bones_);
+    trace({});
+}
+
+const TracedPicture& OutlineMeter::picture_at(Time moment)
+{
+    if (!picture_.still.contains(moment))
+        trace(moment);
+    return picture_;
+}
+
+void OutlineMeter::trace(Time moment)
+{
+    pose_bones(on_panel_.scene, moment, bones_);
+    Tracer{on_panel_, moment, picture_, nullptr}.run();
+}
+
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/live_backbones.hpp"
+#include "core/live_bones.hpp"
+#include "core/scene_view.hpp"
+#include "core/traced_picture.hpp"
+#include "core/tracer.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kfast {
+
+/// Traces the pictures of a scene on a panel like its canvas, with the outlines outside of it: a panel of
+/// another shape shows more than the canvas.
+class OutlineMeter {
+public:
+    /// `bytes` for the outlines of a picture, a multiple of 4; `scene` must outlive it.
+    OutlineMeter(const SceneView& scene, std::size_t bytes);
+
+    /// Valid until the next call.
+    const TracedPicture& picture_at(Time moment);
+
+private:
+    void trace(Time moment);
+
+    std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
+    std::vector<PaintStep> steps_;
+    std::vector<LiveBone> bones_;
+    std::vector<BackboneNode> backbone_nodes_;
+    SceneOnPanel on_panel_;
+    TracedPicture picture_;
+};
+
+}

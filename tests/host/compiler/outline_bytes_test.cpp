@@ -1,0 +1,127 @@
+#include "core/kfb_limits.hpp"
+#include "core/player.hpp"
+#include "host/compiler/measured_moments.hpp"
+#include "tests/compiled.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+std::string scene_with(const std::string& objects, const std::string& length = "10")
+{
+    return "kfast 1\ncanvas 240 240 frames=" + length + "\n" + objects;
+}
+
+/// A closed path of `teeth` teeth, each two chains, between two heights.
+std::string comb(int teeth, int top, int bottom)
+{
+    std::string path = "path \"M 0 " + std::to_string(bottom);
+    for (int i = 0; i < teeth; ++i)
+        path += " L " + std::to_string(i % 240) + (i % 2 == 0 ? ".2 " : ".7 ") + std::to_string(top) + " L " +
+                std::to_string(i % 240) + ".4 " + std::to_string(bottom);
+    return path + " L 0 " + std::to_string(bottom + 9) + " Z\"";
+}
+
+/// Whether a player of this shape draws the picture at `moment` as finely as it wants to.
+bool finds_room(const std::vector<std::byte>& bytes, Size panel, Time moment)
+{
+    const SceneView scene = *SceneView::parse(bytes);
+    std::vector<std::uint32_t> block((Player::block_bytes(scene, panel) + 3) / 4);
+    auto player = Player::create(scene, panel, Fit::contain, std::as_writable_bytes(std::span{block}));
+    player->show_moment(moment);
+    return !player->picture().outlines.is_full() && player->picture().coarseness == 0;
+}
+
+std::string refusal(const std::string& text)
+{
+    Diagnostics diagnostics;
+    const SourceText source{"s.kfast", text};
+    CHECK_FALSE(compile(source, diagnostics));
+    REQUIRE(diagnostics.sorted().size() == 1);
+    return format(diagnostics.sorted().front(), source);
+}
+
+std::string layers_of(int count, const std::string& drawing)
+{
+    std::string objects;
+    for (int i = 0; i < count; ++i)
+        objects += "object z" + std::to_string(i) + " fill=red { " + drawing + " }\n";
+    return objects;
+}
+
+}
+
+TEST_CASE("a drawing that one frame of a long scene shows has room")
+{
+    const auto by_keys =
+        compiled(scene_with("object z fill=red { key 0 law=hold { rect 0 0 9 9 }; key 11 law=hold { " +
+                                comb(200, 9, 99) + " }; key 12 { rect 0 0 9 9 } }",
+                            "20000"));
+    CHECK(finds_room(by_keys, {240, 240}, Time::frame(11)));
+    for (const std::string track : {"visible", "opacity"}) {
+        CAPTURE(track);
+        const auto by_track =
+            compiled(scene_with("object z fill=red { track " + track +
+                                    " law=hold { at 0 0; at 11 1; at 12 0 }; " + comb(200, 9, 99) + " }",
+                                "20000"));
+        CHECK(finds_room(by_track, {240, 240}, Time::frame(11)));
+    }
+}
+
+TEST_CASE("moments are even, at changes and just before them")
+{
+    const auto bytes =
+        compiled(scene_with("object z fill=red { track x { at 0 0; at 5.3 9; at 99 0 }; rect 0 0 9 9 }"));
+    const auto moments = measured_moments(*SceneView::parse(bytes));
+    CHECK(moments.size() == 4 * 10 + 1 + 2);
+    CHECK(std::ranges::is_sorted(moments));
+    for (const std::int32_t ticks : {0, 256, 5426, 5427, 10'240})
+        CHECK(std::ranges::count(moments, Time{ticks}) == 1);
+}
+
+TEST_CASE("what lies above and below of the canvas has room on panels of all shapes")
+{
+    for (const auto& [top, bottom] : {std::pair{-50, -10}, std::pair{250, 290}}) {
+        const auto bytes = compiled(scene_with("object z fill=red { " + comb(400, top, bottom) + " }"));
+        for (const Size panel : {Size{240, 240}, Size{120, 240}, Size{60, 240}, Size{240, 480}})
+            CHECK(finds_room(bytes, panel, {}));
+    }
+}
+
+TEST_CASE("outlines of too many bytes are an error at the largest object")
+{
+    const std::string text =
+        refusal(scene_with("object small fill=red { rect 0 0 9 9 }\n" + layers_of(12, comb(2000, 9, 99)) +
+                           "group { object large fill=red { " + comb(2500, 9, 99) + " } }"));
+    CAPTURE(text);
+    CHECK(text.find("s.kfast:16:") == 0);
+    CHECK(text.find("the outlines at frame 0 need ") != std::string::npos);
+    CHECK(text.find(" bytes, ") != std::string::npos);
+    CHECK(text.find(" more than the format holds; object \"large\" alone needs 12") != std::string::npos);
+}
+
+TEST_CASE("outlines of too many corners are an error at the largest object, in a symbol too")
+{
+    std::string steps; // few chains
+    for (int i = 0; i < 4000; ++i)
+        steps +=
+            " L " + std::to_string(i % 200) + " " + std::to_string(i / 20) + "." + std::to_string(i % 20 * 5);
+    const std::string text = refusal(scene_with(
+        "symbol s { object stairs fill=red { track visible law=hold { at 0 0; at 7 1 }; path \"M 0 0" +
+        steps + " Z\" } }\n" + [] {
+            std::string uses;
+            for (int i = 0; i < 20; ++i)
+                uses += "use s\n";
+            return uses;
+        }()));
+    CAPTURE(text);
+    CHECK(text.find("s.kfast:3:") == 0);
+    CHECK(text.find("the outlines at frame 7 need at least 80") != std::string::npos);
+    CHECK(text.find(" corners, ") != std::string::npos);
+    CHECK(text.find("object \"stairs\" alone needs 400") != std::string::npos);
+}
+
+}

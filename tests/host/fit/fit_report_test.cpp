@@ -1,0 +1,66 @@
+#include "host/fit/fit_report.hpp"
+
+#include "host/compiler/header.hpp"
+#include "host/fit/scene_run.hpp"
+#include "tests/compiled.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::fit {
+namespace {
+
+Target desk()
+{
+    Target target;
+    target.name = "desk";
+    target.clock = 100e6;
+    target.flash = 1 << 20;
+    target.ram = 1 << 20;
+    target.bus.clock = 60e6;
+    target.display.size = {60, 40};
+    return target;
+}
+
+FitReport report_of(const std::vector<std::byte>& bytes)
+{
+    const Target target = desk();
+    const SceneView scene = *SceneView::parse(bytes);
+    return fit_report({.scene = scene, .item_names = {}, .target = target});
+}
+
+}
+
+TEST_CASE("a picture whose outlines find no room does not fit")
+{
+    auto bytes =
+        test::compiled("kfast 1\ncanvas 60 40 frames=30\nobject still fill=red { rect 0 0 9 9 }\n"
+                       "object comb fill=red { track visible { at 0 0; at 20 1; at 21 0 }\n"
+                       "    path \"M 0 0 L 1 9 L 2 0 L 3 9 L 4 0 L 5 9 L 6 0 L 7 9 L 8 0 L 9 9 Z\" }\n");
+    CHECK(report_of(bytes).fits());
+    set_outline_bytes(bytes, 200);
+    const FitReport report = report_of(bytes);
+    REQUIRE(report.reasons.size() == 1);
+    CAPTURE(report.reasons.front());
+    CHECK(report.reasons.front().find("outlines: those of frame 20 find no room") == 0);
+    CHECK(report.speed.overfull->moment == Time::frame(20));
+}
+
+TEST_CASE("the end of a scene that plays once is looked at")
+{
+    for (const std::string loop : {"once", "repeat"}) {
+        const auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=10 loop=" + loop +
+                                          "\nobject a fill=red { key 0 law=hold { rect 0 0 2 2 }\n"
+                                          "    key 10 { rect 0 0 60 40 } }\n");
+        const FitReport report = report_of(bytes);
+        CHECK(report.speed.frames.size() == (loop == "once" ? 21 : 20));
+        CHECK((report.speed.worst().moment == Time::frame(10)) == (loop == "once"));
+    }
+}
+
+TEST_CASE("the stack has no less than its bound")
+{
+    const auto bytes = test::compiled("kfast 1\ncanvas 60 40\nobject a fill=red { rect 0 0 2 2 }\n");
+    CHECK(report_of(bytes).ram.stack >= 8704);
+}
+
+}
