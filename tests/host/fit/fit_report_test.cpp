@@ -32,10 +32,10 @@ FitReport report_of(const std::vector<std::byte>& bytes)
 
 TEST_CASE("a picture whose outlines find no room does not fit")
 {
-    auto bytes =
-        test::compiled("kfast 1\ncanvas 60 40 frames=30\nobject still fill=red { rect 0 0 9 9 }\n"
-                       "object comb fill=red { track visible { at 0 0; at 20 1; at 21 0 }\n"
-                       "    path \"M 0 0 L 1 9 L 2 0 L 3 9 L 4 0 L 5 9 L 6 0 L 7 9 L 8 0 L 9 9 Z\" }\n");
+    auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=30\nobject still fill=red { rect 0 0 9 9 }\n"
+                                "object comb fill=red {\n"
+                                "    path \"M 0 0 L 1 9 L 2 0 L 3 9 L 4 0 L 5 9 L 6 0 L 7 9 L 8 0 L 9 9 Z\"\n"
+                                "    key 0 visible=#false; key 20 visible=#true; key 21 visible=#false }\n");
     CHECK(report_of(bytes).fits());
     set_outline_bytes(bytes, 200);
     const FitReport report = report_of(bytes);
