@@ -23,7 +23,7 @@ inline constexpr std::uint32_t max_depth = 8;
 inline constexpr std::uint32_t max_items = 65535;
 /// Fills and strokes of the whole scene, and two for each item that may be blended as a whole; those of a
 /// symbol counted wherever it is used. Steps have numbers of 16 bits.
-inline constexpr std::uint32_t max_paint_steps = 0xFFFE;
+inline constexpr std::uint32_t max_paint_steps = 0xFFFF;
 /// Items beside each other of which one has an order: the player looks through all of them for each.
 inline constexpr std::uint32_t max_ordered_items = 256;
 inline constexpr std::int32_t max_scale = 64 * 4096; ///< in 1/4096, in each direction

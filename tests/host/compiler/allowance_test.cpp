@@ -58,26 +58,27 @@ TEST_CASE("symbols that multiply beyond all numbers are refused too")
         symbols.push_back({std::to_string(i + 1), uses(2000, i)});
     Diagnostics diagnostics;
     CHECK(!write_scene(scene_of(uses(2000, 7), symbols), diagnostics));
-    CHECK(diagnostics.sorted().size() == 1);
+    CHECK(diagnostics.sorted().size() == 2); // items, and steps of painting
 }
 
 TEST_CASE("steps of painting count wherever they are seen, two more for what fades as a whole")
 {
-    scene::Object both = filled({key(0, lines({{0, 0}, {16, 0}}))});
+    scene::Object both = filled({key(0, {})});
     both.stroke = scene::StrokeStyle{};
     const std::vector<scene::Item> dots(100, item(both, {}, "dot"));
     scene::Scene scene = scene_of(uses(327, 0), {{"dots", dots}}); // 65400
     const std::vector<scene::Item> faded(33, item(both, {fixed(Property::opacity, 99)}, "faded"));
     scene.items.insert(scene.items.end(), faded.begin(), faded.end()); // 132
     scene.items.push_back(item(both, {}, "last"));
+    scene.items.push_back(item(filled({key(0, {})})));
     const auto bytes = written(scene);
     CHECK(SceneView::parse(bytes)->paint_steps() == kfb::max_paint_steps);
     scene.items.push_back(item(filled({key(0, {})}), {fixed(Property::opacity, 99)}));
     CHECK(refusal(scene).message ==
-          "the scene needs 65535 steps of painting, the format holds 65534; this use "
+          "the scene needs 65536 steps of painting, the format holds 65535; this use "
           "of symbol \"dots\" alone needs 200");
     scene.items.back() = item(scene::Group{}, {fixed(Property::opacity, 99)});
-    CHECK(refusal(scene).message.find("needs 65536 steps") != std::string::npos);
+    CHECK(refusal(scene).message.find("needs 65537 steps") != std::string::npos);
     scene.items.back() = item(scene::Group{}, {fixed(Property::opacity, 255)});
     CHECK(written(scene).size() > bytes.size());
 }

@@ -61,11 +61,12 @@ TEST_CASE("a drawing that one frame of a long scene shows has room")
                                 comb(200, 9, 99) + " }; key 12 { rect 0 0 9 9 } }",
                             "20000"));
     CHECK(finds_room(by_keys, {240, 240}, Time::frame(11)));
-    for (const std::string track : {"visible", "opacity"}) {
-        CAPTURE(track);
+    for (const std::string hidden : {"visible=#false", "opacity=0"}) {
+        CAPTURE(hidden);
+        const std::string seen = hidden == "opacity=0" ? "opacity=1" : "visible=#true";
         const auto by_track =
-            compiled(scene_with("object z fill=red { track " + track +
-                                    " law=hold { at 0 0; at 11 1; at 12 0 }; " + comb(200, 9, 99) + " }",
+            compiled(scene_with("object z fill=red { " + comb(200, 9, 99) + "; key 0 law=hold " + hidden +
+                                    "; key 11 law=hold " + seen + "; key 12 " + hidden + " }",
                                 "20000"));
         CHECK(finds_room(by_track, {240, 240}, Time::frame(11)));
     }
