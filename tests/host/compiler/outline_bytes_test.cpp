@@ -111,7 +111,7 @@ TEST_CASE("outlines of too many corners are an error at the largest object, in a
         steps +=
             " L " + std::to_string(i % 200) + " " + std::to_string(i / 20) + "." + std::to_string(i % 20 * 5);
     const std::string text = refusal(scene_with(
-        "symbol s { object stairs fill=red { track visible law=hold { at 0 0; at 7 1 }; path \"M 0 0" +
+        "symbol s { object stairs fill=red { key 0 visible=#false; key 7 visible=#true; path \"M 0 0" +
         steps + " Z\" } }\n" + [] {
             std::string uses;
             for (int i = 0; i < 20; ++i)
