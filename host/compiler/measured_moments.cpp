@@ -34,8 +34,7 @@ public:
     std::vector<Time> sorted()
     {
         std::ranges::sort(moments_);
-        const auto repeated = std::ranges::unique(moments_);
-        moments_.erase(repeated.begin(), repeated.end());
+        moments_.erase(std::unique(moments_.begin(), moments_.end()), moments_.end());
         return std::move(moments_);
     }
 
