@@ -8,8 +8,8 @@
 
 namespace kfast {
 
-/// Appends at least one value, each within ±2^30, as the core's PackedValues reads them (docs/format.md,
-/// "Values"), in as few bytes as it takes.
+/// Appends at least one value, no two of them 2^31 or more apart, as the core's PackedValues reads them
+/// (docs/format.md, "Values"), in as few bytes as it takes.
 void write_values(std::span<const std::int32_t> values, ByteWriter& bytes);
 
 }

@@ -67,8 +67,8 @@ TEST_CASE("what is written is read back")
         }
         REQUIRE(comes_back(values));
     }
-    CHECK(comes_back({-(1 << 30), 1 << 30}));
-    CHECK(comes_back({1 << 30, 1 << 30, -(1 << 30)}));
+    CHECK(comes_back({-(1 << 30), (1 << 30) - 1}));
+    CHECK(comes_back({(1 << 30) - 1, (1 << 30) - 1, 5, -(1 << 30)}));
 }
 
 TEST_CASE("whole pixels and whole degrees take few bits")
