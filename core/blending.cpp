@@ -15,11 +15,25 @@ bool may_be_transparent(const ItemView& item)
 
 }
 
-bool has_several_layers(const ItemView& item)
+bool has_several_layers(const SceneView& scene, const ItemView& item)
 {
-    return item.kind != ItemKind::object || layer_count(item.object.style) > 1;
+    ItemView only = item;
+    for (std::uint32_t depth = 0; depth <= kfb::max_depth; ++depth) {
+        if (only.kind == ItemKind::object)
+            return layer_count(only.object.style) > 1;
+        ItemCursor items = scene.items_in(only);
+        if (items.at_end())
+            return false;
+        only = items.next();
+        if (!items.at_end())
+            return true;
+    }
+    return true;
 }
 
-bool may_be_blended(const ItemView& item) { return has_several_layers(item) && may_be_transparent(item); }
+bool may_be_blended(const SceneView& scene, const ItemView& item)
+{
+    return may_be_transparent(item) && has_several_layers(scene, item);
+}
 
 }

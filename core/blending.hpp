@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/item_view.hpp"
+#include "core/scene_view.hpp"
 
 #include <cstdint>
 
@@ -13,10 +13,10 @@ constexpr std::uint32_t layer_count(const ObjectStyle& style)
 }
 
 /// Whether the opacity of `item` has to apply to its finished picture: a single layer is made transparent by
-/// its colour.
-bool has_several_layers(const ItemView& item);
+/// its colour, in however many groups and symbols it lies alone.
+bool has_several_layers(const SceneView& scene, const ItemView& item);
 
 /// Whether the picture of `item` is blended as a whole at some moment.
-bool may_be_blended(const ItemView& item);
+bool may_be_blended(const SceneView& scene, const ItemView& item);
 
 }

@@ -376,7 +376,7 @@ bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_
 /// `blended` items may be blended as a whole around this one.
 bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint32_t blended)
 {
-    if (may_be_blended(item)) {
+    if (may_be_blended(scene_, item)) {
         scene_.paint_steps_ += 2;
         scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
     }
@@ -386,8 +386,7 @@ bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint
     }
     if (depth == kfb::max_depth)
         return false;
-    return count_items(item.kind == ItemKind::group ? ItemCursor{item.items} : scene_.symbol(item.symbol),
-                       depth + 1, blended);
+    return count_items(scene_.items_in(item), depth + 1, blended);
 }
 
 }

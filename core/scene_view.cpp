@@ -121,6 +121,11 @@ std::size_t SceneView::first_bone(std::uint32_t skeleton) const
     return first;
 }
 
+ItemCursor SceneView::items_in(const ItemView& item) const
+{
+    return item.kind == ItemKind::group ? ItemCursor{item.items} : symbol(item.symbol);
+}
+
 ItemCursor SceneView::symbol(std::uint32_t number) const
 {
     ByteReader reader = symbols_;

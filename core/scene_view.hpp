@@ -65,6 +65,8 @@ public:
     ItemCursor items() const { return ItemCursor{items_}; }
     /// `number` is less than symbol_count().
     ItemCursor symbol(std::uint32_t number) const;
+    /// What lies in a group or in the symbol that is used.
+    ItemCursor items_in(const ItemView& item) const;
     std::uint32_t symbol_count() const { return symbol_count_; }
     /// `offset` is that of a key.
     PackedDrawing drawing(std::uint32_t offset) const { return drawing_at(drawings_, offset); }

@@ -9,6 +9,7 @@
 #include "core/work.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -64,29 +65,24 @@ void Tracer::trace(const ItemView& item, const Context& outer)
     const ItemState state{on_panel_.scene, item, moment_};
     context.still = outer.still & state.still();
     picture_.still = picture_.still & context.still;
-    const std::uint32_t opacity = state.opacity();
-    if (opacity == 0)
+    context.opacity = product_of_opacities(outer.opacity, state.opacity());
+    if (context.opacity == 0)
         return;
     if (!item.tracks.at_end())
         context.space = outer.space * state.placement();
-    if (opacity == 255 || !has_several_layers(item))
-        return trace(item, state, opacity, context);
+    if (context.opacity == 255 || !has_several_layers(on_panel_.scene, item))
+        return trace(item, state, context);
+    const auto opacity = static_cast<std::uint8_t>(std::exchange(context.opacity, 255));
     add_step(PaintStep::Kind::begin_blend, context);
-    trace(item, state, 255, context);
-    add_step(PaintStep::Kind::end_blend, context).opacity = static_cast<std::uint8_t>(opacity);
+    trace(item, state, context);
+    add_step(PaintStep::Kind::end_blend, context).opacity = opacity;
 }
 
-void Tracer::trace(const ItemView& item, const ItemState& state, std::uint32_t opacity,
-                   const Context& context)
+void Tracer::trace(const ItemView& item, const ItemState& state, const Context& context)
 {
-    switch (item.kind) {
-    case ItemKind::object:
-        return trace_object(item.object, state, opacity, context);
-    case ItemKind::group:
-        return trace(ItemCursor{item.items}, context);
-    case ItemKind::use:
-        return trace(on_panel_.scene.symbol(item.symbol), context);
-    }
+    if (item.kind == ItemKind::object)
+        return trace_object(item.object, state, context);
+    trace(on_panel_.scene.items_in(item), context);
 }
 
 /// Takes over what shows an object that has not moved since the last picture.
@@ -119,8 +115,7 @@ void Tracer::copy(const PaintStep& step)
     copied.layer.rewind();
 }
 
-void Tracer::trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
-                          const Context& outer)
+void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
 {
     const KeyInterval<Key> keys = interval_at(object.keys(), moment_);
     Context context = outer;
@@ -134,13 +129,13 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, std:
         trace_strokes(object, keys, is_flat ? context.space.plane : Affine{}, outline);
     };
     if (style.is_filled)
-        add_layer(state.fill(), opacity, style.fill_rule, context, trace);
+        add_layer(state.fill(), style.fill_rule, context, trace);
     if (!style.is_stroked)
         return;
     outline.stroke_with(pen_for(style, state.width(),
                                 is_flat ? context.space.plane.growth()
                                         : projection.growth_at(first_point(object, keys.from))));
-    add_layer(state.stroke(), opacity, FillRule::nonzero, context, trace);
+    add_layer(state.stroke(), FillRule::nonzero, context, trace);
 }
 
 Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys) const
@@ -204,14 +199,13 @@ PaintStep& Tracer::add_step(PaintStep::Kind kind, const Context& context)
 }
 
 template <class Trace>
-void Tracer::add_layer(Colour colour, std::uint32_t opacity, FillRule rule, const Context& context,
-                       Trace trace)
+void Tracer::add_layer(Colour colour, FillRule rule, const Context& context, Trace trace)
 {
     const OutlineRange mark = picture_.outlines.mark();
     trace();
     PaintStep& step = add_step(PaintStep::Kind::layer, context);
     step.layer = layer_of(picture_.outlines, picture_.outlines.range_from(mark));
-    colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, opacity));
+    colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, context.opacity));
     step.layer.colour = colour;
     step.layer.rule = rule;
 }

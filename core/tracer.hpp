@@ -45,7 +45,8 @@ private:
     struct Context {
         Space space;
         Still still;
-        std::uint32_t path = 0; ///< tells the item apart
+        std::uint32_t path = 0;      ///< tells the item apart
+        std::uint32_t opacity = 255; ///< of items around a single layer
         bool is_object = false;
     };
 
@@ -55,9 +56,8 @@ private:
     void trace_scene();
     void trace(ItemCursor items, const Context& context);
     void trace(const ItemView& item, const Context& context);
-    void trace(const ItemView& item, const ItemState& state, std::uint32_t opacity, const Context& context);
-    void trace_object(const ObjectView& object, const ItemState& state, std::uint32_t opacity,
-                      const Context& context);
+    void trace(const ItemView& item, const ItemState& state, const Context& context);
+    void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
     void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
                        ObjectOutline& outline);
     Still still_of(const ObjectView& object, const KeyInterval<Key>& keys) const;
@@ -68,7 +68,7 @@ private:
     void copy(const PaintStep& step);
     PaintStep& add_step(PaintStep::Kind kind, const Context& context);
     template <class Trace>
-    void add_layer(Colour colour, std::uint32_t opacity, FillRule rule, const Context& context, Trace trace);
+    void add_layer(Colour colour, FillRule rule, const Context& context, Trace trace);
 
     const SceneOnPanel& on_panel_;
     Time moment_;

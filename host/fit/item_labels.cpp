@@ -34,7 +34,7 @@ void ItemLabels::add(ItemCursor items, const Outer& outer)
         if (item.kind == ItemKind::object)
             labels_[inner.path] = inner.label;
         else
-            add(item.kind == ItemKind::group ? ItemCursor{item.items} : scene_.symbol(item.symbol), inner);
+            add(scene_.items_in(item), inner);
     }
 }
 
