@@ -88,14 +88,16 @@ void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
         return take(scene, track.property, {track.value, track.value, {}});
     if (track.is_smooth) {
         const HermiteSpan span = hermite_span_at(track.keys, time);
-        still_ = still_ & still_around<KeyTime>({span.from, span.to}, time, false);
+        still_ = still_ & still_around<KeyTime>({span.from, span.to}, time, moving_at(time));
         fine_[static_cast<std::size_t>(track.property)] = hermite(span, time);
         return;
     }
     const KeyInterval<TrackKey> keys = interval_at(track.keys, time);
+    const bool is_same = keys.from.value == keys.to.value || !tweens(track.property);
     still_ = still_ & still_around(keys, time,
-                                   keys.from.value == keys.to.value || !tweens(track.property) ||
-                                       holds(scene.laws(keys.from.laws)));
+                                   is_same ? Still{keys.from.time, keys.to.time}
+                                           : still_between(keys.from.time, keys.to.time, time,
+                                                           scene.laws(keys.from.laws)));
     take(scene, track.property, passage_between(scene, track.property, keys, time));
 }
 

@@ -44,6 +44,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/space.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/still.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_form.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/sweep.cpp

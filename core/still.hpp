@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/key_interval.hpp"
+#include "core/law_pair.hpp"
 #include "core/time.hpp"
 
 #include <algorithm>
@@ -26,16 +27,20 @@ struct Still {
 /// Moves at any moment.
 constexpr Still moving_at(Time moment) { return {moment, moment + Time{1}}; }
 
+/// Of something on the way between two keys. Less than the whole stretch where it is not certain. Of no use
+/// if `moment` is not between them.
+Still still_between(Time from, Time to, Time moment, const LawPair& laws);
+
 /// Of something that keys give, around `moment`, which lies in `keys`: it is still before the first of them
-/// and from the last one on; between two of them if `between`.
+/// and from the last one on, and `between` two of them.
 template <class Key>
-constexpr Still still_around(const KeyInterval<Key>& keys, Time moment, bool between)
+constexpr Still still_around(const KeyInterval<Key>& keys, Time moment, Still between)
 {
     if (moment < keys.from.time)
         return {Still{}.begin, keys.from.time};
     if (keys.to.time <= keys.from.time)
         return {keys.from.time, Still{}.end};
-    return between ? Still{keys.from.time, keys.to.time} : moving_at(moment);
+    return between;
 }
 
 }

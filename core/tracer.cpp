@@ -143,8 +143,12 @@ Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys) c
     if (object.carrier != Carrier::none)
         return moving_at(moment_);
     const std::uint32_t to = object.has_arrivals ? keys.from.arrival : keys.to.drawing;
+    const Time begin = keys.from.time;
+    const Time end = keys.to.time;
     return still_around(keys, moment_,
-                        keys.from.drawing == to || holds(on_panel_.scene.laws(keys.from.laws)));
+                        keys.from.drawing == to
+                            ? Still{begin, end}
+                            : still_between(begin, end, moment_, on_panel_.scene.laws(keys.from.laws)));
 }
 
 void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,

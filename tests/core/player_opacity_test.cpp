@@ -107,6 +107,22 @@ TEST_CASE("the opacity of an object with one layer multiplies with that of its c
           "8c");
 }
 
+TEST_CASE("a layer alone in groups and symbols fades by its colour, with nothing to blend")
+{
+    const std::string symbol = "kfast 1\ncanvas 2 1\nsymbol s { object o fill=white { rect 0 0 2 1 } }\n";
+    const auto expect = [&](const std::string& items, const std::string& levels) {
+        CAPTURE(items);
+        Stage stage{symbol + items, {2, 1}};
+        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == levels);
+        CHECK(stage.scene.paint_steps() == 1);
+        CHECK(stage.scene.blended_depth() == 0);
+    };
+    expect("use s opacity=0.5", "88");
+    expect("group opacity=0.5 { use s opacity=0.5 }", "44");
+    expect("group opacity=0.5 { group opacity=0.5 { use s x=1 } }", "04");
+    CHECK(Stage{symbol + "group opacity=0.5 { use s; use s x=1 }", {2, 1}}.scene.blended_depth() == 1);
+}
+
 TEST_CASE("an object's own colours let its fill shine through its stroke, its opacity does not")
 {
     const auto levels = [](const std::string& properties) {
