@@ -2,7 +2,8 @@
 include(${PROJECT_SOURCE_DIR}/core/sources.cmake)
 
 # Flash is short, so all is compiled for size but what every row of a picture goes through.
-set(KFAST_EVERY_ROW chain_edge changed_strips coverage_row covered_span player run_list sweep)
+set(KFAST_EVERY_ROW
+    chain_edge changed_strips coverage_row covered_span player row_parts run_list slab_sweep sweep sweep_line)
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 

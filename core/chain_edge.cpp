@@ -32,6 +32,8 @@ Fixed ChainEdge::x_at(std::int32_t subrow, std::int32_t slope) const
     if (whole >= subrows)
         return upper->x + Fixed::from_raw(way_down(slope, part));
     const std::int32_t way = (lower->x - upper->x).raw(); // divided in 32 bits: less than a row is left
+    if (way >= -short_way && way <= short_way)
+        return upper->x + Fixed::from_raw(floor_divide(way * part, whole));
     return upper->x + Fixed::from_raw(way / whole * part + floor_divide(way % whole * part, whole));
 }
 

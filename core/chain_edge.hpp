@@ -22,13 +22,6 @@ struct ChainEdge {
 /// nearest: over 480 rows x is off by 1/270 px at most.
 std::int32_t row_slope(const ChainEdge& edge);
 
-/// The lower end of the edge that a sweep stands in. Only while edges are left: chain.passed < chain.edges.
-inline const Corner& lower_end(const OutlineStore& store, const Chain& chain)
-{
-    const std::int32_t way = chain.passed + 1;
-    return store.corner(chain.runs_up != 0 ? chain.first - way : chain.first + way);
-}
-
 /// The edge of a chain that has `passed` others above it.
 inline ChainEdge edge_of(const OutlineStore& store, const Chain& chain, std::int32_t passed)
 {
@@ -36,16 +29,17 @@ inline ChainEdge edge_of(const OutlineStore& store, const Chain& chain, std::int
     return {upper, chain.runs_up != 0 ? upper - 1 : upper + 1};
 }
 
+/// The sub-row at which the edge ends that a sweep stands in. Only while edges are left.
+inline std::int32_t edge_end(const OutlineStore& store, const Chain& chain)
+{
+    const std::int32_t way = chain.passed + 1;
+    return store.corner(chain.runs_up != 0 ? chain.first - way : chain.first + way).y;
+}
+
 /// The edge that a sweep stands in. Only while edges are left.
 inline ChainEdge current_edge(const OutlineStore& store, const Chain& chain)
 {
     return edge_of(store, chain, chain.passed);
-}
-
-/// The edge below that. Only while another one is left.
-inline ChainEdge following_edge(const OutlineStore& store, const Chain& chain)
-{
-    return edge_of(store, chain, chain.passed + 1);
 }
 
 }

@@ -75,12 +75,17 @@ private:
         if (!layer.reaches(row))
             return true;
         const bool runs_through = sweep_row(coming_.outlines, layer, row, coverage_, coming_borders_, true);
+        CoveredSpan* at = storage_.data() + end_;
+        CoveredSpan* const last = storage_.data() + storage_.size();
+        bool has_room = has_room_;
         coverage_.take_spans([&](int begin, int end, std::int32_t level) {
-            has_room_ = has_room_ && end_ < storage_.size();
-            if (has_room_)
-                storage_[end_++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end),
-                                    static_cast<std::uint16_t>(number), static_cast<std::uint8_t>(level)};
+            has_room = has_room && at != last;
+            if (has_room)
+                *at++ = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end),
+                         static_cast<std::uint16_t>(number), static_cast<std::uint8_t>(level)};
         });
+        end_ = static_cast<std::uint16_t>(at - storage_.data());
+        has_room_ = has_room;
         return runs_through;
     }
 

@@ -11,4 +11,10 @@ enum class FillRule : std::uint8_t {
     even_odd, ///< those that the outlines go around an odd number of times
 };
 
+/// Whether what the outlines go around `winding` times is inside.
+constexpr bool is_inside(FillRule rule, std::int32_t winding)
+{
+    return rule == FillRule::nonzero ? winding != 0 : (winding & 1) != 0;
+}
+
 }

@@ -146,7 +146,8 @@ OutlineRange OutlineStore::copy(const OutlineStore& from, const OutlineRange& ra
     OutlineRange copied = mark();
     if (!find_room(corners, chains))
         return copied;
-    did(Work::copied_corner, static_cast<std::uint32_t>(corners + 2 * chains));
+    did(Work::copied_corner, static_cast<std::uint32_t>(corners));
+    did(Work::copied_chain, static_cast<std::uint32_t>(chains));
     std::copy_n(from.corners_ + range.first_corner, corners, corners_ + corner_count_);
     std::copy_n(from.end_ - range.end_chain, chains, end_ - chain_count_ - chains);
     const auto shift = static_cast<std::uint16_t>(corner_count_ - range.first_corner);

@@ -262,8 +262,12 @@ void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<
     while (!spans.empty() && spans.front().step < first)
         spans = spans.subspan(1);
     painter<format>(windows, row).paint(coming(), first, background_, [&](std::size_t step, auto paint) {
-        if (coming().steps()[step].change == PaintStep::Change::none)
-            return sweep_layer(step, row, paint);
+        const PaintStep& painted = coming().steps()[step];
+        if (painted.change == PaintStep::Change::none) {
+            const bool is_seen = painted.layer.left < windows.back().columns.end &&
+                                 painted.layer.right > windows.front().columns.begin;
+            return is_seen ? sweep_layer(step, row, paint) : void();
+        }
         for (; !spans.empty() && spans.front().step == step; spans = spans.subspan(1))
             paint(spans.front().begin, spans.front().end, spans.front().level);
     });

@@ -18,6 +18,8 @@ void RunList::insert(Run run)
     std::size_t at = count_;
     while (at > 0 && runs_[at - 1].begin > run.begin)
         --at;
+    if (at > 0 && run.end <= runs_[at - 1].end)
+        return;
     if (at > 0 && run.begin < runs_[at - 1].end + gap_)
         run = {runs_[--at].begin, std::max(runs_[at].end, run.end)};
     std::size_t behind = at;

@@ -38,16 +38,19 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/projection.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/row_parts.cpp
     ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/slab_sweep.cpp
     ${CMAKE_CURRENT_LIST_DIR}/space.cpp
     ${CMAKE_CURRENT_LIST_DIR}/still.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_form.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/sweep.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/sweep_line.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time_code.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track.cpp

@@ -3,6 +3,7 @@
 #include "core/coverage_row.hpp"
 #include "core/layer.hpp"
 #include "core/outline_store.hpp"
+#include "core/row_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,7 @@ struct Crossing {
 
 /// The borders in a row, from left to right, none touching the next.
 struct Crossings {
-    static constexpr std::size_t most = 12;
+    static constexpr std::size_t most = RowParts::most;
 
     std::array<Crossing, most> borders;
     std::size_t count = 0;
@@ -48,8 +49,8 @@ struct Crossings {
 /// true. What they enclose, by the fill rule of the layer, is added to `coverage`, which is empty; this is
 /// left out if they run through and `wants_coverage` is false.
 ///
-/// Areas are exact, but for a slight bend within a row, up to 7 degrees where the edge is upright: the chord
-/// that stands for it there is off by 1/64 of a pixel's area at most.
+/// Areas are exact, but for a slight bend within a row, up to 7 degrees where the edge is upright: its chord
+/// stands for it there, which is off by 1/64 of a pixel's area at most.
 ///
 /// Rows may come in any order; from one to the next below it is cheap.
 bool sweep_row(OutlineStore& store, Layer& layer, int row, CoverageRow& coverage, Crossings& crossings,

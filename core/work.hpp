@@ -34,14 +34,14 @@ enum class Work : std::uint8_t {
     corner,          ///< of an outline
     chain,           ///< of an outline
     copied_corner,   ///< of an outline that stands still
+    copied_chain,    ///< likewise
     // From outlines to pixels.
     strip,         ///< of rows that are drawn together
     searched_row,  ///< for changes
     step_visit,    ///< of a row to a step of the picture
     swept_row,     ///< of a layer
-    straight_part, ///< of a chain within a row that it runs through, the others beside it
-    part,          ///< likewise in any other row
-    bent_part,     ///< likewise, one that is not straight or does not run through
+    straight_part, ///< of a chain within a row that it runs through without a corner
+    bent_part,     ///< likewise any other one
     edge,          ///< entered
     slab,          ///< between chains that disturb each other
     slab_edge,     ///< of a slab

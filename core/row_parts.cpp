@@ -1,0 +1,151 @@
+#include "core/row_parts.hpp"
+
+#include "core/work.hpp"
+
+#include <cstdlib>
+
+namespace kfast {
+namespace {
+
+/// The triangle between a bend and its chord has this share of a pixel's area at most: 1/64.
+constexpr std::int32_t slight_bend = Fixed::one / 8;
+
+/// A straight line to the end.
+void make_straight(RowPart& part, Fixed end)
+{
+    part.end = end;
+    part.left = std::min(part.begin, end);
+    part.right = std::max(part.begin, end);
+}
+
+void stretch(RowPart& part, Fixed x)
+{
+    part.left = std::min(part.left, x);
+    part.right = std::max(part.right, x);
+}
+
+}
+
+bool RowParts::find()
+{
+    const Layer& layer = line_.layer();
+    for (std::uint16_t i = layer.active; i != Chain::none; i = line_.chain(i).next)
+        if (!add(i))
+            return false;
+    for (std::uint16_t i = layer.waiting; i != layer.outlines.end_chain && line_.top_of(i) < bottom_; ++i) {
+        line_.begin(line_.chain(i));
+        if (!add(i))
+            return false;
+    }
+    return true;
+}
+
+bool RowParts::add(std::uint16_t number)
+{
+    if (count_ == most)
+        return false;
+    RowPart& part = parts_[count_];
+    part.number = number;
+    part.chain = &line_.chain(number);
+    part.top = number < line_.layer().waiting ? top_ : line_.top_of(number);
+    measure(part);
+    run_through_ = run_through_ && runs_through(part);
+    put_in_order(part);
+    return true;
+}
+
+void RowParts::put_in_order(RowPart& part)
+{
+    std::size_t at = count_++;
+    for (; at > 0 && part.left < order_[at - 1]->left; --at)
+        order_[at] = order_[at - 1];
+    order_[at] = &part;
+}
+
+void RowParts::measure(RowPart& part) const
+{
+    const Chain& chain = *part.chain;
+    part.corners = 0;
+    part.is_over = false;
+    part.begin = chain.x;
+    part.bottom = bottom_;
+    const std::int32_t end = edge_end(line_.store(), chain);
+    part.is_straight = part.top == top_ && end > bottom_;
+    if (part.is_straight) { // mostly
+        did(Work::straight_part);
+        make_straight(part, chain.x + Fixed::from_raw(chain.slope));
+        return;
+    }
+    did(Work::bent_part);
+    if (end > bottom_)
+        make_straight(part, current_edge(line_.store(), chain).x_at(bottom_, chain.slope));
+    else
+        follow(part);
+}
+
+/// Past all corners down to the lower border of the row.
+void RowParts::follow(RowPart& part) const
+{
+    const OutlineStore& store = line_.store();
+    const Chain& chain = *part.chain;
+    Chain& below = part.below = chain;
+    const Corner* corner;
+    part.left = part.right = part.begin;
+    do {
+        corner = current_edge(store, below).lower;
+        stretch(part, corner->x);
+        ++part.corners;
+        part.is_over = ++below.passed == below.edges;
+        if (part.is_over)
+            break;
+        enter_edge(store, below);
+    } while (edge_end(store, below) <= bottom_);
+    if (part.is_over) {
+        part.end = corner->x;
+        part.bottom = corner->y;
+    } else {
+        part.end = below.x = current_edge(store, below).x_at(bottom_, below.slope);
+        stretch(part, part.end);
+    }
+    if (part.top != top_)
+        return;
+    const Corner& first = *current_edge(store, chain).lower;
+    part.is_straight = first.y == bottom_ || bends_slightly(part);
+    if (part.is_straight)
+        make_straight(part, first.y == bottom_ ? first.x : part.end);
+}
+
+/// Where edges are less than a row high, nothing tells their slopes.
+bool RowParts::bends_slightly(const RowPart& part) const
+{
+    const auto is_high = [this](const Chain& chain) {
+        return current_edge(line_.store(), chain).height() >= subrows;
+    };
+    return part.corners == 1 && !part.is_over && is_high(*part.chain) && is_high(part.below) &&
+           std::abs(part.below.slope - part.chain->slope) <= slight_bend;
+}
+
+bool RowParts::stand_apart() const
+{
+    for (std::size_t i = 1; i < count_; ++i)
+        if ((*this)[i].left < (*this)[i - 1].right)
+            return false;
+    return run_through_ || come_in_pairs();
+}
+
+bool RowParts::come_in_pairs() const
+{
+    for (std::size_t i = 0; i < count_; ++i) {
+        const RowPart& a = (*this)[i];
+        if (runs_through(a))
+            continue;
+        if (++i == count_)
+            return false;
+        const RowPart& b = (*this)[i];
+        if (b.top != a.top || b.bottom != a.bottom || b.chain->winding() + a.chain->winding() != 0)
+            return false;
+    }
+    return true;
+}
+
+}
