@@ -17,4 +17,11 @@ inline bool is_accepted(const RawScene& scene)
     return static_cast<bool>(view);
 }
 
+inline bool takes_items(const Bytes& items)
+{
+    RawScene scene;
+    scene.items = items;
+    return is_accepted(scene);
+}
+
 }
