@@ -5,7 +5,6 @@ import pathlib
 import subprocess
 
 CPUS = ("cortex-m0", "cortex-m3", "cortex-m4", "cortex-m7")
-PHASES = ("update", "draw", "send", "elsewhere")  # phase.hpp
 SCENE_ADDRESS = 0x20000
 PROFILE_WANTED = 0x2000FFF8
 TIMEOUT = 600
@@ -15,23 +14,11 @@ class GuestError(Exception):
     """The image did not play the scene to its end."""
 
 
-class NoRoom(GuestError):
-    """The scene needs a larger block than the image can lend."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Sample:
-    """Where the program was: its next instruction, and where the function would return to, if it is a leaf."""
-    phase: str
-    address: int
-    link: int
-
-
 @dataclasses.dataclass
 class Run:
     """What an image has told."""
     frames: list = dataclasses.field(default_factory=list)  # of the steady loop: numbers by name
-    samples: list = dataclasses.field(default_factory=list)  # of each of these frames
+    samples: list = dataclasses.field(default_factory=list)  # of each of these frames: addresses in the program
     lent: int = 0
     needed: int = 0
     stack: int = 0
@@ -62,7 +49,7 @@ def play(folder, cpu, scene, profile=False):
 
 def refusal(run, done):
     if run.needed > run.lent:
-        return NoRoom(f"it needs a block of {run.needed} bytes, the image lends {run.lent}")
+        return GuestError(f"it needs a block of {run.needed} bytes, the image lends {run.lent}")
     return GuestError(f"QEMU ended with status {done.returncode}: {done.stdout[-200:]}{done.stderr[-200:]}")
 
 
@@ -72,7 +59,7 @@ def parse(told):
     for line in told.splitlines():
         words = line.split()
         if words[0] == "p":
-            samples[-1].append(Sample(PHASES[int(words[1])], int(words[2]), int(words[3]) & ~1))
+            samples[-1].append(int(words[1]))
         elif words[0] == "shown":
             samples.append([])
         elif words[0] == "frame":

@@ -11,7 +11,7 @@ MOST_ROWS = 30
 
 def print_profile(folder, cpu, scene):
     frames = play(folder, cpu, scene.compiled, profile=True).samples
-    counts = collections.Counter(sample.address for frame in frames for sample in frame)
+    counts = collections.Counter(address for frame in frames for address in frame)
     places = source_places(image_for(folder, cpu), counts)
     unit = INSTRUCTIONS_PER_SAMPLE / len(frames)
     print(f"{scene.name} on {cpu}: {sum(counts.values()) * unit:,.0f} instructions per frame, mean of {len(frames)}")

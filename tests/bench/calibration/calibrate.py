@@ -120,7 +120,7 @@ class Calibration:
 
     def cycles(self, cpu):
         runs = list(self.profiled(cpu))
-        addresses = [sample.address for run in runs for frame in run.samples for sample in frame]
+        addresses = [address for run in runs for frame in run.samples for address in frame]
         return cycles.average(cpu, guest.image_for(self.chosen.images, cpu), addresses)
 
     def costs(self, cpu, plays):

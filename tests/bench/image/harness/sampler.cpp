@@ -3,7 +3,6 @@
 #include "tests/bench/image/harness/semihosting.hpp"
 #include "tests/bench/image/harness/systick.hpp"
 
-#include <initializer_list>
 #include <utility>
 
 namespace kfast::bench {
@@ -37,12 +36,8 @@ PhaseCosts Sampler::take()
 extern "C" [[gnu::used]] void take_sample(const ExceptionFrame* interrupted)
 {
     systick::stop();
-    semihosting::write("p");
-    for (const std::uint32_t number :
-         {static_cast<std::uint32_t>(current), interrupted->pc, interrupted->lr}) {
-        semihosting::write(" ");
-        semihosting::write(number);
-    }
+    semihosting::write("p ");
+    semihosting::write(interrupted->pc);
     semihosting::write("\n");
     systick::start(Sampler::period_ticks, systick::Interrupt::on);
 }

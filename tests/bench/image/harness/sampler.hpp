@@ -8,7 +8,7 @@ namespace kfast::bench {
 
 /// In the place of InstructionMeter: tells now and then where the program is, and "shown" after every frame.
 ///
-///     p <phase> <address of the next instruction> <where the link register points>
+///     p <address of the next instruction>
 class Sampler {
 public:
     static constexpr bool checks_pixels = false;
