@@ -1,5 +1,7 @@
 #include "core/blending.hpp"
 
+#include "core/kfb_limits.hpp"
+
 namespace kfast {
 namespace {
 

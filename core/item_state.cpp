@@ -94,10 +94,11 @@ void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
     }
     const KeyInterval<TrackKey> keys = interval_at(track.keys, time);
     const bool is_same = keys.from.value == keys.to.value || !tweens(track.property);
+    const LawPair laws = scene.laws(keys.from.laws);
+    const VelocityLaw& law = goes_by_y(track.property) ? laws.y : laws.x;
     still_ = still_ & still_around(keys, time,
                                    is_same ? Still{keys.from.time, keys.to.time}
-                                           : still_between(keys.from.time, keys.to.time, time,
-                                                           scene.laws(keys.from.laws)));
+                                           : still_between(keys.from.time, keys.to.time, time, {law, law}));
     take(scene, track.property, passage_between(scene, track.property, keys, time));
 }
 

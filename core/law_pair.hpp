@@ -13,12 +13,6 @@ struct LawPair {
     friend constexpr bool operator==(const LawPair&, const LawPair&) = default;
 };
 
-/// Nothing moves between two keys that these govern.
-constexpr bool holds(const LawPair& laws)
-{
-    return laws.x.kind == VelocityLaw::Kind::hold && laws.y.kind == VelocityLaw::Kind::hold;
-}
-
 /// Reads a pair as the scene format stores it.
 LawPair read_law_pair(ByteReader& bytes);
 

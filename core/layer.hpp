@@ -18,8 +18,8 @@ struct Layer {
     std::int16_t row = 0;               ///< that the sweep comes to next
     std::int16_t top = 0;               ///< the first row in which there is something
     std::int16_t bottom = 0;            ///< the row below the last one
-    std::int16_t left = 0;              ///< the first column in which there is something
-    std::int16_t right = 0;             ///< the column behind the last one
+    std::int16_t left = 0;              ///< no column before it has anything
+    std::int16_t right = 0;             ///< nor has this one, or one behind it
 
     void rewind()
     {

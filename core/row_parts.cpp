@@ -11,14 +11,14 @@ namespace {
 constexpr std::int32_t slight_bend = Fixed::one / 8;
 
 /// A straight line to the end.
-void make_straight(RowPart& part, Fixed end)
+void make_straight(RowPart& part, std::int32_t end)
 {
     part.end = end;
     part.left = std::min(part.begin, end);
     part.right = std::max(part.begin, end);
 }
 
-void stretch(RowPart& part, Fixed x)
+void stretch(RowPart& part, std::int32_t x)
 {
     part.left = std::min(part.left, x);
     part.right = std::max(part.right, x);
@@ -54,10 +54,14 @@ bool RowParts::add(std::uint16_t number)
     return true;
 }
 
+/// The order depends on nothing but where parts lie: however the sweep came to the row, it is the same.
 void RowParts::put_in_order(RowPart& part)
 {
     std::size_t at = count_++;
-    for (; at > 0 && part.left < order_[at - 1]->left; --at)
+    const auto is_left_of = [&part](const RowPart& other) {
+        return part.left < other.left || (part.left == other.left && part.right < other.right);
+    };
+    for (; at > 0 && is_left_of(*order_[at - 1]); --at)
         order_[at] = order_[at - 1];
     order_[at] = &part;
 }
@@ -65,20 +69,20 @@ void RowParts::put_in_order(RowPart& part)
 void RowParts::measure(RowPart& part) const
 {
     const Chain& chain = *part.chain;
+    const std::int32_t end = edge_end(line_.store(), chain);
     part.corners = 0;
     part.is_over = false;
-    part.begin = chain.x;
+    part.begin = chain.x.raw();
     part.bottom = bottom_;
-    const std::int32_t end = edge_end(line_.store(), chain);
     part.is_straight = part.top == top_ && end > bottom_;
     if (part.is_straight) { // mostly
         did(Work::straight_part);
-        make_straight(part, chain.x + Fixed::from_raw(chain.slope));
+        make_straight(part, part.begin + chain.slope);
         return;
     }
     did(Work::bent_part);
     if (end > bottom_)
-        make_straight(part, current_edge(line_.store(), chain).x_at(bottom_, chain.slope));
+        make_straight(part, current_edge(line_.store(), chain).x_at(bottom_, chain.slope).raw());
     else
         follow(part);
 }
@@ -87,13 +91,12 @@ void RowParts::measure(RowPart& part) const
 void RowParts::follow(RowPart& part) const
 {
     const OutlineStore& store = line_.store();
-    const Chain& chain = *part.chain;
-    Chain& below = part.below = chain;
+    Chain below = *part.chain;
     const Corner* corner;
     part.left = part.right = part.begin;
     do {
         corner = current_edge(store, below).lower;
-        stretch(part, corner->x);
+        stretch(part, corner->x.raw());
         ++part.corners;
         part.is_over = ++below.passed == below.edges;
         if (part.is_over)
@@ -101,28 +104,32 @@ void RowParts::follow(RowPart& part) const
         enter_edge(store, below);
     } while (edge_end(store, below) <= bottom_);
     if (part.is_over) {
-        part.end = corner->x;
+        part.end = corner->x.raw();
         part.bottom = corner->y;
     } else {
-        part.end = below.x = current_edge(store, below).x_at(bottom_, below.slope);
+        part.end = part.next_x = current_edge(store, below).x_at(bottom_, below.slope).raw();
+        part.next_slope = below.slope;
         stretch(part, part.end);
     }
     if (part.top != top_)
         return;
-    const Corner& first = *current_edge(store, chain).lower;
-    part.is_straight = first.y == bottom_ || bends_slightly(part);
+    const Corner& first = *current_edge(store, *part.chain).lower;
+    if (first.y == bottom_)
+        part.end = first.x.raw();
+    part.is_straight =
+        first.y == bottom_ || (part.corners == 1 && !part.is_over && bend_slightly(*part.chain, below));
     if (part.is_straight)
-        make_straight(part, first.y == bottom_ ? first.x : part.end);
+        make_straight(part, part.end);
 }
 
 /// Where edges are less than a row high, nothing tells their slopes.
-bool RowParts::bends_slightly(const RowPart& part) const
+bool RowParts::bend_slightly(const Chain& above, const Chain& below) const
 {
     const auto is_high = [this](const Chain& chain) {
         return current_edge(line_.store(), chain).height() >= subrows;
     };
-    return part.corners == 1 && !part.is_over && is_high(*part.chain) && is_high(part.below) &&
-           std::abs(part.below.slope - part.chain->slope) <= slight_bend;
+    return is_high(above) && is_high(below) &&
+           std::abs(std::int64_t{below.slope} - above.slope) <= slight_bend;
 }
 
 bool RowParts::stand_apart() const

@@ -1,37 +1,43 @@
 #pragma once
 
+#include "core/crossings.hpp"
 #include "core/sweep_line.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace kfast {
 
-/// What a row cuts out of a chain.
+/// What a row cuts out of a chain. All x are in 1/65536 px.
 struct RowPart {
+    Chain* chain;          ///< as it stands at the top
     std::uint16_t number;  ///< of the chain
     std::uint16_t corners; ///< that it passes within the row or at its lower border
     bool is_straight;      ///< it runs through the row, with a slight bend at most
     bool is_over;          ///< nothing of the chain is left below the row
     std::int32_t top;      ///< its sub-rows
     std::int32_t bottom;
-    Fixed begin; ///< x at its top
-    Fixed end;   ///< x at its bottom
-    Fixed left;  ///< the least x within it
-    Fixed right;
-    Chain* chain; ///< as it stands at the top
-    Chain below;  ///< as it stands below the row, if it passes corners and is not over
+    std::int32_t begin; ///< x at its top
+    std::int32_t end;   ///< x at its bottom
+    std::int32_t left;  ///< the least x within it
+    std::int32_t right;
+    std::int32_t next_x;     ///< of the edge below, if it passes corners and is not over
+    std::int32_t next_slope; ///< likewise
 };
 
-/// The parts that a row cuts out of the chains of a layer, from left to right. Nothing is moved.
+static_assert(std::is_trivially_default_constructible_v<RowPart>); // RowParts are made for every row
+
+/// The parts that a row cuts out of the chains of a layer, from left to right. No chain moves that is under
+/// way.
 class RowParts {
 public:
-    static constexpr std::size_t most = 12;
+    static constexpr std::size_t most = Crossings::most;
 
     /// The row begins at sub-row `top`, where `line` stands.
-    RowParts(const SweepLine& line, std::int32_t top) : line_{line}, top_{top}, bottom_{top + subrows} {}
+    RowParts(SweepLine& line, std::int32_t top) : line_{line}, top_{top}, bottom_{top + subrows} {}
 
     /// False if there are too many.
     bool find();
@@ -53,16 +59,16 @@ private:
     void put_in_order(RowPart& part);
     void measure(RowPart& part) const;
     void follow(RowPart& part) const;
-    bool bends_slightly(const RowPart& part) const;
+    bool bend_slightly(const Chain& above, const Chain& below) const;
     bool come_in_pairs() const;
     bool runs_through(const RowPart& part) const { return part.top == top_ && part.bottom == bottom_; }
 
-    const SweepLine& line_;
+    SweepLine& line_;
     std::int32_t top_;
     std::int32_t bottom_;
     std::size_t count_ = 0;
     bool run_through_ = true;
-    std::array<RowPart, most> parts_; // not initialized: made for every row
+    std::array<RowPart, most> parts_;
     std::array<RowPart*, most> order_;
 };
 

@@ -58,22 +58,22 @@ private:
     static void add_crossing(const RowPart& part, Crossings& crossings)
     {
         if (part.is_straight)
-            crossings.add(part.begin, part.end, false);
+            crossings.add(Fixed::from_raw(part.begin), Fixed::from_raw(part.end), false);
         else
-            crossings.add(part.left, part.right, true);
+            crossings.add(Fixed::from_raw(part.left), Fixed::from_raw(part.right), true);
     }
 
     void cover(const RowPart& part, std::int32_t sign)
     {
         if (part.is_straight)
-            coverage_.add(part.begin, part.end, subrows, sign);
+            coverage_.add(Fixed::from_raw(part.begin), Fixed::from_raw(part.end), subrows, sign);
         else
             cover_bent(part, sign);
     }
 
     void cover_bent(const RowPart& part, std::int32_t sign)
     {
-        Fixed x = part.begin;
+        Fixed x = Fixed::from_raw(part.begin);
         std::int32_t y = part.top;
         for (std::int32_t i = 0; i < part.corners; ++i) {
             const Corner& corner = *edge_of(line_.store(), *part.chain, part.chain->passed + i).lower;
@@ -81,16 +81,20 @@ private:
             x = corner.x;
             y = corner.y;
         }
-        coverage_.add(x, part.end, part.bottom - y, sign);
+        coverage_.add(x, Fixed::from_raw(part.end), part.bottom - y, sign);
     }
 
     /// Moves the chain below the row. Whether anything of it is left there.
     static bool take(const RowPart& part)
     {
-        if (part.corners == 0)
-            part.chain->x = part.end;
-        else if (!part.is_over)
-            *part.chain = part.below;
+        Chain& chain = *part.chain;
+        if (part.corners == 0) {
+            chain.x = Fixed::from_raw(part.end);
+        } else if (!part.is_over) {
+            chain.passed = static_cast<std::uint16_t>(chain.passed + part.corners);
+            chain.x = Fixed::from_raw(part.next_x);
+            chain.slope = part.next_slope;
+        }
         return !part.is_over;
     }
 
@@ -100,7 +104,8 @@ private:
     CoverageRow& coverage_;
 };
 
-/// The columns that outlines reach; a sweep leaves the others out.
+/// The columns that outlines may reach: a sweep rounds slopes, which takes x up to 1/100 px past a corner,
+/// and then x.
 void find_columns(const OutlineStore& store, Layer& layer)
 {
     std::int32_t left = std::numeric_limits<std::int32_t>::max();
@@ -109,8 +114,8 @@ void find_columns(const OutlineStore& store, Layer& layer)
         left = std::min(left, store.corner(i).x.raw());
         right = std::max(right, store.corner(i).x.raw());
     }
-    layer.left = static_cast<std::int16_t>(left >> 16);
-    layer.right = static_cast<std::int16_t>((right >> 16) + 2); // a sweep rounds x up to the next column
+    layer.left = static_cast<std::int16_t>((left >> 16) - 1);
+    layer.right = static_cast<std::int16_t>((right >> 16) + 2);
 }
 
 void find_rows(const OutlineStore& store, Layer& layer)

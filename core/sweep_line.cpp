@@ -25,13 +25,13 @@ void SweepLine::take_up(std::int32_t subrow)
     }
 }
 
-void SweepLine::begin(Chain& chain) const
+void SweepLine::begin(Chain& chain)
 {
     chain.passed = 0;
     enter_edge(store_, chain);
 }
 
-bool SweepLine::move_to(Chain& chain, std::int32_t subrow) const
+bool SweepLine::move_to(Chain& chain, std::int32_t subrow)
 {
     while (edge_end(store_, chain) <= subrow) {
         if (++chain.passed == chain.edges)

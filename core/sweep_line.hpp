@@ -20,9 +20,9 @@ public:
     /// Takes up the chains that begin at `subrow` or above it, in front of the others.
     void take_up(std::int32_t subrow);
     /// To the upper end of the chain.
-    void begin(Chain& chain) const;
+    void begin(Chain& chain);
     /// Moves the chain down to `subrow`. Whether anything of it is left below.
-    bool move_to(Chain& chain, std::int32_t subrow) const;
+    bool move_to(Chain& chain, std::int32_t subrow);
     /// Moves all chains in the list, and drops those that end.
     void move_to(std::int32_t subrow);
 

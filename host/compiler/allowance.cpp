@@ -88,13 +88,28 @@ bool may_be_transparent(const scene::Item& item)
     });
 }
 
+const std::vector<scene::Item>& items_in(const scene::Scene& scene, const scene::Item& item)
+{
+    if (const auto* use = std::get_if<scene::Use>(&item.content))
+        return scene.symbols[use->symbol].items;
+    return std::get<scene::Group>(item.content).items;
+}
+
+/// As the core's has_several_layers() tells.
+bool has_several_layers(const scene::Scene& scene, const scene::Item& item)
+{
+    if (const auto* object = std::get_if<scene::Object>(&item.content))
+        return layers_of(*object) > 1;
+    const std::vector<scene::Item>& items = items_in(scene, item);
+    return items.size() > 1 || (items.size() == 1 && has_several_layers(scene, items.front()));
+}
+
 /// As SceneView::paint_steps() counts them.
-std::uint64_t paint_steps_of(const scene::Item& item)
+std::uint64_t paint_steps_of(const scene::Scene& scene, const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);
-    const std::uint64_t layers = object != nullptr ? layers_of(*object) : 0;
-    const bool has_several_layers = object == nullptr || layers > 1;
-    return layers + (has_several_layers && may_be_transparent(item) ? 2 : 0);
+    return (object != nullptr ? layers_of(*object) : 0) +
+           (may_be_transparent(item) && has_several_layers(scene, item) ? 2 : 0);
 }
 
 std::string name_of(const scene::Item& item, const scene::Scene& scene)
@@ -128,6 +143,7 @@ void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, 
         return object != nullptr ? points.at(object) : 0;
     };
     const auto one = [](const scene::Item&) { return std::uint64_t{1}; };
+    const auto steps_of = [&scene](const scene::Item& item) { return paint_steps_of(scene, item); };
     check({"points in all keys together", "draw it with fewer points, or with fewer keys",
            kfb::max_key_points, stored_needs(scene, points_of)},
           scene, diagnostics);
@@ -135,7 +151,7 @@ void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, 
            needs_with_uses(scene, one)},
           scene, diagnostics);
     check({"steps of painting", "use symbols less often, or fill or stroke alone, or fade fewer groups",
-           kfb::max_paint_steps, needs_with_uses(scene, paint_steps_of)},
+           kfb::max_paint_steps, needs_with_uses(scene, steps_of)},
           scene, diagnostics);
 }
 

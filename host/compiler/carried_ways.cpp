@@ -13,6 +13,12 @@
 namespace kfast {
 namespace {
 
+/// Nothing moves between two keys that these govern.
+bool hold(const LawPair& laws)
+{
+    return laws.x.kind == VelocityLaw::Kind::hold && laws.y.kind == VelocityLaw::Kind::hold;
+}
+
 std::size_t point_count(const SegmentDrawing& drawing)
 {
     std::size_t points = 0;
@@ -47,7 +53,7 @@ private:
     {
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             const KeyWay& way = drawn[i];
-            if (i + 1 == drawn.size() || holds(way.laws))
+            if (i + 1 == drawn.size() || hold(way.laws))
                 add_still(way, way.time);
             else
                 add_moving(way, drawn[i + 1].time);

@@ -170,6 +170,45 @@ TEST_CASE("a picture that equals the last costs nothing")
     }
 }
 
+TEST_CASE("a step costs nothing up to the next")
+{
+    constexpr std::string_view stepping = R"kfast(
+kfast 1
+canvas 40 40 frames=20
+object moving fill=red { rect 2 2 9 9; key 0 x=0 law="steps(5)"; key 20 x=20 }
+object bending fill=blue {
+    key 0 law="steps(5)" { polygon 2 20 12 20 7 30 }
+    key 20 { polygon 22 20 32 20 30 38 }
+}
+object turning fill=lime { rect 6 30 8 4; key 0 y=0 law-x=ease law-y="steps(5)"; key 20 y=5 }
+)kfast";
+    Stage stage{stepping, {40, 40}};
+    PanelMemory<PixelFormat::rgb565> memory{{40, 40}};
+    for (int frame = 0; frame < 20; ++frame) {
+        stage.player.show(Time::frame(frame));
+        CHECK((bring_up_to_date(stage, memory, 4).areas != 0) == (frame % 4 == 0));
+        CHECK(stage.player.picture().still.contains(Time::frame(frame / 4 * 4 + 3)));
+        CHECK(memory.bytes() == Stage{stepping, {40, 40}}.picture(Time::frame(frame)));
+    }
+}
+
+TEST_CASE("what stands still is seen up to its borders, and again further down")
+{
+    for (int x = 0; x < 40; ++x) {
+        const std::string text = "kfast 1\ncanvas 60 40 frames=8\n"
+                                 "object still fill=red { circle 30 20 r=10.3 }\n"
+                                 "object dot fill=\"#ffffff80\" { rect " +
+                                 std::to_string(x) + " 2 12 5; rect 24 27 10 3; key 0 x=0; key 8 x=4 y=4 }\n";
+        Stage stage{text, {60, 40}};
+        PanelMemory<PixelFormat::rgb565> memory{{60, 40}};
+        for (int frame = 0; frame < 8; ++frame) {
+            stage.player.show(Time::frame(frame));
+            bring_up_to_date(stage, memory, 2);
+            CHECK(memory.bytes() == Stage{text, {60, 40}}.picture(Time::frame(frame)));
+        }
+    }
+}
+
 TEST_CASE("what stands still is not sent again, nor the inside of what moves")
 {
     Stage stage{two_squares, {100, 60}};

@@ -123,6 +123,31 @@ TEST_CASE("a layer alone in groups and symbols fades by its colour, with nothing
     CHECK(Stage{symbol + "group opacity=0.5 { use s; use s x=1 }", {2, 1}}.scene.blended_depth() == 1);
 }
 
+TEST_CASE("a layer alone in groups fades with them though it stands still")
+{
+    Stage stage{"kfast 1\ncanvas 2 1 frames=16\n"
+                "group { key 0 opacity=1; key 15 opacity=0\n object o fill=white { rect 0 0 2 1 } }\n",
+                {2, 1}};
+    Bytes pixels(1);
+    for (int frame = 0; frame < 16; ++frame) {
+        stage.player.show(Time::frame(frame));
+        const auto changes = stage.player.draw_changes<PixelFormat::grey4>(pixels, {2, 1}, 0);
+        REQUIRE(changes.size() == 1);
+        CHECK(changes.front().pixels.front() == std::byte((15 - frame) * 0x11));
+        stage.player.draw_changes<PixelFormat::grey4>(pixels, {2, 1}, 0);
+    }
+}
+
+TEST_CASE("a layer in as many groups as there may be fades by its colour")
+{
+    std::string text = "object o fill=white { rect 0 0 2 1 }";
+    for (std::uint32_t depth = 0; depth < kfb::max_depth; ++depth)
+        text = "group opacity=0.5 { " + text + " }";
+    Stage stage{"kfast 1\ncanvas 2 1\n" + text, {2, 1}};
+    CHECK(stage.scene.paint_steps() == 1);
+    CHECK(stage.scene.blended_depth() == 0);
+}
+
 TEST_CASE("an object's own colours let its fill shine through its stroke, its opacity does not")
 {
     const auto levels = [](const std::string& properties) {

@@ -228,25 +228,74 @@ Polygon disc(double x, double y, double radius)
     return polygon;
 }
 
+/// On whole pixels: chains begin and meet in the same places.
+Polygon coarse_polygon(std::mt19937& random, int size)
+{
+    std::uniform_int_distribution<int> place{0, size};
+    Polygon polygon(3 + random() % 5);
+    for (Point& point : polygon)
+        point = pixels(place(random), place(random));
+    return polygon;
+}
+
+/// As from the top down, if each row is swept by itself, and in any order.
+void expect_same_rows(const std::vector<Polygon>& polygons, int size, std::mt19937& random)
+{
+    CoveragePicture picture{size, size};
+    fill(picture, polygons);
+    const std::vector<int> expected = picture.levels();
+    std::vector<int> rows(static_cast<std::size_t>(size));
+    std::iota(rows.begin(), rows.end(), 0);
+    std::reverse(rows.begin(), rows.end());
+    picture.draw_rows(rows);
+    REQUIRE(picture.levels() == expected);
+    std::shuffle(rows.begin(), rows.end(), random);
+    picture.draw_rows(rows);
+    REQUIRE(picture.levels() == expected);
+}
+
 TEST_CASE("a row is the same however the sweep comes to it")
 {
     std::mt19937 random{3};
     std::uniform_real_distribution<double> place{0, 60};
-    std::vector<int> rows(60);
-    std::iota(rows.begin(), rows.end(), 0);
     for (int round = 0; round < 100; ++round) {
         std::vector<Polygon> polygons;
         for (std::size_t i = 0; i < 1 + random() % 6; ++i)
             polygons.push_back(random() % 4 == 0
                                    ? random_polygon(random, 0, 60)
                                    : disc(place(random), place(random), 12 + place(random) / 2));
-        CoveragePicture picture{60, 60};
-        fill(picture, polygons);
-        const std::vector<int> expected = picture.levels();
-        std::shuffle(rows.begin(), rows.end(), random);
-        picture.draw_rows(rows);
-        CHECK(picture.levels() == expected);
+        expect_same_rows(polygons, 60, random);
     }
+    for (int round = 0; round < 500; ++round)
+        expect_same_rows({coarse_polygon(random, 24), coarse_polygon(random, 24)}, 24, random);
+    expect_same_rows({{pixels(5, 0), pixels(9, 20), pixels(31, 8), pixels(5, 13), pixels(26, 3)},
+                      {pixels(27, 7), pixels(31.0625, 9.5), pixels(31.125, 14), pixels(27, 16.125)}},
+                     40, random);
+}
+
+TEST_CASE("nothing is covered outside of a layer's columns, on however high a panel")
+{
+    constexpr int height = 480;
+    std::mt19937 random{31};
+    for (int round = 0; round < 60; ++round) {
+        const auto x = [&random] {
+            return Fixed::from_raw(static_cast<std::int32_t>(Fixed::pixels(4).raw() + random() % 131072));
+        };
+        CoveragePicture picture{10, height};
+        fill(picture, {{{x(), {}}, {x(), Fixed::pixels(height)}, {x(), Fixed::pixels(3)}}});
+        const Layer layer = layer_of(picture.store(), picture.store().range_from({}));
+        for (int y = 0; y < height; ++y)
+            for (int column = 0; column < picture.width(); ++column)
+                if (picture.at(column, y) != 0)
+                    REQUIRE((column >= layer.left && column < layer.right));
+    }
+}
+
+TEST_CASE("lines across all that is held bend as they must")
+{
+    CoveragePicture picture{8, 3};
+    fill(picture, {{pixels(-16383, 0.5), pixels(16383, 1.6), pixels(-16383, 2.7)}});
+    CHECK(std::abs(picture.at(0, 1) - 255 * 95 / 100) <= 1); // from 1.05 on
 }
 
 TEST_CASE("a slight bend changes a pixel by less than 5 of 255")

@@ -3,9 +3,19 @@
 HEAD = """// Written by scripts/calibrate.
 
 #include "host/fit/cost_table.hpp"
+#include "host/fit/work_names.hpp"
+
+#include <array>
+#include <string_view>
 
 namespace kfast::fit {
 namespace {
+
+// What the costs below are of.
+constexpr auto kinds = std::to_array<std::string_view>({
+KINDS
+});
+static_assert(kinds == work_names, "the kinds of work have changed: scripts/calibrate");
 
 constexpr std::array<ProcessorCosts, processor_count> table{{
 """
@@ -30,4 +40,5 @@ def row(cpu, costs, names):
 
 
 def write_table(path, names, table):
-    path.write_text(HEAD + "".join(row(cpu, costs, names) for cpu, costs in table.items()) + TAIL, encoding="utf-8")
+    kinds = "\n".join(f'    "{name}",' for name in names)
+    path.write_text(HEAD.replace("KINDS", kinds) + "".join(row(cpu, costs, names) for cpu, costs in table.items()) + TAIL, encoding="utf-8")

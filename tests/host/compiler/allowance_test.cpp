@@ -77,9 +77,12 @@ TEST_CASE("steps of painting count wherever they are seen, two more for what fad
     CHECK(refusal(scene).message ==
           "the scene needs 65536 steps of painting, the format holds 65535; this use "
           "of symbol \"dots\" alone needs 200");
+    const scene::Item dot = item(filled({key(0, {})}));
+    scene.items.back() = item(scene::Group{{dot}}, {fixed(Property::opacity, 99)});
+    CHECK(refusal(scene).message.find("needs 65536 steps") != std::string::npos);
+    scene.items.back() = item(scene::Group{{dot, dot}}, {fixed(Property::opacity, 99)});
+    CHECK(refusal(scene).message.find("needs 65539 steps") != std::string::npos);
     scene.items.back() = item(scene::Group{}, {fixed(Property::opacity, 99)});
-    CHECK(refusal(scene).message.find("needs 65537 steps") != std::string::npos);
-    scene.items.back() = item(scene::Group{}, {fixed(Property::opacity, 255)});
     CHECK(written(scene).size() > bytes.size());
 }
 
