@@ -1,4 +1,4 @@
-"""The fit report's estimate is within 15 % of what QEMU counts, for every example but two on the M0:
+"""The fit report's estimate is within 15 % of what QEMU counts, for every example:
 
     estimate_test.py <folder of kfast and kfast-work> <folder of the bench images>
 """
@@ -19,8 +19,6 @@ from scenes import compile_scenes  # noqa: E402
 HOST, IMAGES = (pathlib.Path(argument) for argument in sys.argv[1:3])
 CPUS = ("cortex-m0", "cortex-m4")
 TOLERANCE = 0.15
-# Hardly more than that: nothing but copies of what stands still, nothing but evaluation of circles.
-KNOWN_WORSE = {("cortex-m0", "laws"): 0.18, ("cortex-m0", "spinner"): 0.18}
 
 
 def estimates(scene):
@@ -45,8 +43,7 @@ class Estimate(unittest.TestCase):
                 estimated = estimates(scene)[cpu]
                 for what, figure in (("median", statistics.median), ("worst", max)):
                     with self.subTest(scene=scene.name, cpu=cpu, frame=what):
-                        self.assertAlmostEqual(figure(estimated) / figure(counted), 1,
-                                               delta=KNOWN_WORSE.get((cpu, scene.name), TOLERANCE))
+                        self.assertAlmostEqual(figure(estimated) / figure(counted), 1, delta=TOLERANCE)
 
 
 if __name__ == "__main__":
