@@ -10,14 +10,6 @@ namespace {
 /// The triangle between a bend and its chord has this share of a pixel's area at most: 1/64.
 constexpr std::int32_t slight_bend = Fixed::one / 8;
 
-/// A straight line to the end.
-void make_straight(RowPart& part, std::int32_t end)
-{
-    part.end = end;
-    part.left = std::min(part.begin, end);
-    part.right = std::max(part.begin, end);
-}
-
 void stretch(RowPart& part, std::int32_t x)
 {
     part.left = std::min(part.left, x);
@@ -30,26 +22,42 @@ bool RowParts::find()
 {
     const Layer& layer = line_.layer();
     for (std::uint16_t i = layer.active; i != Chain::none; i = line_.chain(i).next)
-        if (!add(i))
+        if (!add(i, true))
             return false;
     for (std::uint16_t i = layer.waiting; i != layer.outlines.end_chain && line_.top_of(i) < bottom_; ++i) {
         line_.begin(line_.chain(i));
-        if (!add(i))
+        if (!add(i, false))
             return false;
     }
     return true;
 }
 
-bool RowParts::add(std::uint16_t number)
+bool RowParts::add(std::uint16_t number, bool is_under_way)
 {
     if (count_ == most)
         return false;
     RowPart& part = parts_[count_];
+    Chain& chain = line_.chain(number);
+    const std::int32_t end = edge_end(line_.store(), chain);
     part.number = number;
-    part.chain = &line_.chain(number);
-    part.top = number < line_.layer().waiting ? top_ : line_.top_of(number);
-    measure(part);
-    run_through_ = run_through_ && runs_through(part);
+    part.chain = &chain;
+    part.corners = 0;
+    part.is_over = false;
+    part.begin = chain.x.raw();
+    part.is_straight = is_under_way && end > bottom_;
+    if (part.is_straight) { // mostly
+        did(Work::straight_part);
+        part.end_at(part.begin + chain.slope);
+    } else {
+        did(Work::bent_part);
+        part.top = is_under_way ? top_ : line_.top_of(number);
+        part.bottom = bottom_;
+        if (end > bottom_)
+            part.end_at(current_edge(line_.store(), chain).x_at(bottom_, chain.slope).raw());
+        else
+            follow(part);
+        run_through_ = run_through_ && runs_through(part);
+    }
     put_in_order(part);
     return true;
 }
@@ -58,33 +66,17 @@ bool RowParts::add(std::uint16_t number)
 void RowParts::put_in_order(RowPart& part)
 {
     std::size_t at = count_++;
+    if (at == 0 || part.left >= order_[at - 1]->right) { // mostly
+        order_[at] = &part;
+        return;
+    }
+    came_apart_ = false;
     const auto is_left_of = [&part](const RowPart& other) {
         return part.left < other.left || (part.left == other.left && part.right < other.right);
     };
     for (; at > 0 && is_left_of(*order_[at - 1]); --at)
         order_[at] = order_[at - 1];
     order_[at] = &part;
-}
-
-void RowParts::measure(RowPart& part) const
-{
-    const Chain& chain = *part.chain;
-    const std::int32_t end = edge_end(line_.store(), chain);
-    part.corners = 0;
-    part.is_over = false;
-    part.begin = chain.x.raw();
-    part.bottom = bottom_;
-    part.is_straight = part.top == top_ && end > bottom_;
-    if (part.is_straight) { // mostly
-        did(Work::straight_part);
-        make_straight(part, part.begin + chain.slope);
-        return;
-    }
-    did(Work::bent_part);
-    if (end > bottom_)
-        make_straight(part, current_edge(line_.store(), chain).x_at(bottom_, chain.slope).raw());
-    else
-        follow(part);
 }
 
 /// Past all corners down to the lower border of the row.
@@ -119,7 +111,7 @@ void RowParts::follow(RowPart& part) const
     part.is_straight =
         first.y == bottom_ || (part.corners == 1 && !part.is_over && bend_slightly(*part.chain, below));
     if (part.is_straight)
-        make_straight(part, part.end);
+        part.end_at(part.end);
 }
 
 /// Where edges are less than a row high, nothing tells their slopes.
@@ -134,7 +126,7 @@ bool RowParts::bend_slightly(const Chain& above, const Chain& below) const
 
 bool RowParts::stand_apart() const
 {
-    for (std::size_t i = 1; i < count_; ++i)
+    for (std::size_t i = came_apart_ ? count_ : 1; i < count_; ++i)
         if ((*this)[i].left < (*this)[i - 1].right)
             return false;
     return run_through_ || come_in_pairs();
@@ -149,7 +141,8 @@ bool RowParts::come_in_pairs() const
         if (++i == count_)
             return false;
         const RowPart& b = (*this)[i];
-        if (b.top != a.top || b.bottom != a.bottom || b.chain->winding() + a.chain->winding() != 0)
+        if (runs_through(b) || b.top != a.top || b.bottom != a.bottom ||
+            b.chain->winding() + a.chain->winding() != 0)
             return false;
     }
     return true;

@@ -18,7 +18,7 @@ struct RowPart {
     std::uint16_t corners; ///< that it passes within the row or at its lower border
     bool is_straight;      ///< it runs through the row, with a slight bend at most
     bool is_over;          ///< nothing of the chain is left below the row
-    std::int32_t top;      ///< its sub-rows
+    std::int32_t top;      ///< its sub-rows; only if it is not straight
     std::int32_t bottom;
     std::int32_t begin; ///< x at its top
     std::int32_t end;   ///< x at its bottom
@@ -26,6 +26,14 @@ struct RowPart {
     std::int32_t right;
     std::int32_t next_x;     ///< of the edge below, if it passes corners and is not over
     std::int32_t next_slope; ///< likewise
+
+    /// Straight on from its beginning.
+    void end_at(std::int32_t x)
+    {
+        end = x;
+        left = std::min(begin, x);
+        right = std::max(begin, x);
+    }
 };
 
 static_assert(std::is_trivially_default_constructible_v<RowPart>); // RowParts are made for every row
@@ -55,19 +63,22 @@ public:
     RowParts& operator=(const RowParts&) = delete;
 
 private:
-    bool add(std::uint16_t number);
+    bool add(std::uint16_t number, bool is_under_way);
     void put_in_order(RowPart& part);
-    void measure(RowPart& part) const;
     void follow(RowPart& part) const;
     bool bend_slightly(const Chain& above, const Chain& below) const;
     bool come_in_pairs() const;
-    bool runs_through(const RowPart& part) const { return part.top == top_ && part.bottom == bottom_; }
+    bool runs_through(const RowPart& part) const
+    {
+        return part.is_straight || (part.top == top_ && part.bottom == bottom_);
+    }
 
     SweepLine& line_;
     std::int32_t top_;
     std::int32_t bottom_;
     std::size_t count_ = 0;
     bool run_through_ = true;
+    bool came_apart_ = true; ///< each to the right of the one before
     std::array<RowPart, most> parts_;
     std::array<RowPart*, most> order_;
 };
