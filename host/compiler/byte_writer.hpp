@@ -34,7 +34,8 @@ public:
     /// 2 v for v >= 0, -2 v - 1 below. `value` is within ±2^30.
     void signed_varint(std::int32_t value)
     {
-        varint(static_cast<std::uint32_t>(value < 0 ? -2 * value - 1 : 2 * value));
+        const std::uint32_t twice = static_cast<std::uint32_t>(value) * 2;
+        varint(value < 0 ? ~twice : twice);
     }
 
     /// A varint, the number of `bytes`, and these.
