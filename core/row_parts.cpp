@@ -7,7 +7,8 @@
 namespace kfast {
 namespace {
 
-/// The triangle between a bend and its chord has this share of a pixel's area at most: 1/64.
+/// How far the slope may change, in 1/65536 px a row: the triangle between a bend and its chord then has 1/64
+/// of a pixel's area at most.
 constexpr std::int32_t slight_bend = Fixed::one / 8;
 
 void stretch(RowPart& part, std::int32_t x)
