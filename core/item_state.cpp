@@ -20,6 +20,16 @@ Passage passage_between(const SceneView& scene, Property property, const KeyInte
     return passage_between(scene, keys, goes_by_y(property) ? LawAxis::y : LawAxis::x, time);
 }
 
+/// Likewise: how long it stays as it is on the way between them.
+Still still_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys, Time time)
+{
+    if (keys.from.value == keys.to.value || !tweens(property))
+        return {keys.from.time, keys.to.time};
+    const LawPair laws = scene.laws(keys.from.laws);
+    const VelocityLaw& law = goes_by_y(property) ? laws.y : laws.x;
+    return still_between(keys.from.time, keys.to.time, time, {law, law});
+}
+
 std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Way way)
 {
     const std::int32_t value = from + multiply(to - from, way.raw, 16);
@@ -93,12 +103,7 @@ void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
         return;
     }
     const KeyInterval<TrackKey> keys = interval_at(track.keys, time);
-    const bool is_same = keys.from.value == keys.to.value || !tweens(track.property);
-    const LawPair laws = scene.laws(keys.from.laws);
-    const VelocityLaw& law = goes_by_y(track.property) ? laws.y : laws.x;
-    still_ = still_ & still_around(keys, time,
-                                   is_same ? Still{keys.from.time, keys.to.time}
-                                           : still_between(keys.from.time, keys.to.time, time, {law, law}));
+    still_ = still_ & still_around(keys, time, still_between(scene, track.property, keys, time));
     take(scene, track.property, passage_between(scene, track.property, keys, time));
 }
 

@@ -75,6 +75,18 @@ Sent bring_up_to_date(Stage& stage, PanelMemory<format>& memory, int rows,
     }
 }
 
+/// Shows the frames one after the other, with room for `rows` rows at once.
+void check_frames(const Bytes& file, Size panel, int frames, int rows)
+{
+    Stage stage{file, panel};
+    PanelMemory<PixelFormat::rgb565> memory{panel};
+    for (int frame = 0; frame < frames; ++frame) {
+        stage.player.show(Time::frame(frame));
+        bring_up_to_date(stage, memory, rows);
+        CHECK(memory.bytes() == Stage{file, panel}.picture(Time::frame(frame)));
+    }
+}
+
 /// Random moments, in order and by leaps, unfinished pictures and redraws between them.
 template <PixelFormat format>
 void check_against_redraws(const Bytes& file, Size panel, Size granularity, unsigned seed)
@@ -199,13 +211,7 @@ TEST_CASE("what stands still is seen up to its borders, and again further down")
                                  "object still fill=red { circle 30 20 r=10.3 }\n"
                                  "object dot fill=\"#ffffff80\" { rect " +
                                  std::to_string(x) + " 2 12 5; rect 24 27 10 3; key 0 x=0; key 8 x=4 y=4 }\n";
-        Stage stage{text, {60, 40}};
-        PanelMemory<PixelFormat::rgb565> memory{{60, 40}};
-        for (int frame = 0; frame < 8; ++frame) {
-            stage.player.show(Time::frame(frame));
-            bring_up_to_date(stage, memory, 2);
-            CHECK(memory.bytes() == Stage{text, {60, 40}}.picture(Time::frame(frame)));
-        }
+        check_frames(compiled(text), {60, 40}, 8, 2);
     }
 }
 
@@ -252,14 +258,7 @@ std::string comb(int teeth)
 
 TEST_CASE("rows with more spans than find room are drawn whole")
 {
-    const Bytes file = compiled(comb(200));
-    Stage stage{file, {1000, 8}};
-    PanelMemory<PixelFormat::rgb565> memory{{1000, 8}};
-    for (int frame = 0; frame < 10; ++frame) {
-        stage.player.show(Time::frame(frame));
-        bring_up_to_date(stage, memory, 3);
-        CHECK(memory.bytes() == Stage{file, {1000, 8}}.picture(Time::frame(frame)));
-    }
+    check_frames(compiled(comb(200)), {1000, 8}, 10, 3);
 }
 
 TEST_CASE("a picture that finds no room is drawn with coarser curves, and writes to its block alone")

@@ -41,4 +41,5 @@ def row(cpu, costs, names):
 
 def write_table(path, names, table):
     kinds = "\n".join(f'    "{name}",' for name in names)
-    path.write_text(HEAD.replace("KINDS", kinds) + "".join(row(cpu, costs, names) for cpu, costs in table.items()) + TAIL, encoding="utf-8")
+    rows = "".join(row(cpu, costs, names) for cpu, costs in table.items())
+    path.write_text(HEAD.replace("KINDS", kinds) + rows + TAIL, encoding="utf-8")
