@@ -1,5 +1,6 @@
 # What every firmware image has in common: how the core is compiled for a CPU without an operating system.
 include(${PROJECT_SOURCE_DIR}/core/sources.cmake)
+include(${PROJECT_SOURCE_DIR}/firmware/sources.cmake)
 
 # Flash is short, so all is compiled for size but what every row of a picture goes through.
 set(KFAST_EVERY_ROW
@@ -29,7 +30,7 @@ endfunction()
 function(kfast_device_image NAME)
     cmake_parse_arguments(PARSE_ARGV 1 IMAGE "" "CPU;LINKER_SCRIPT" "SOURCES")
     kfast_cpu_options(CPU_OPTIONS ${IMAGE_CPU})
-    add_executable(${NAME} ${IMAGE_SOURCES} ${KFAST_CORE_SOURCES})
+    add_executable(${NAME} ${IMAGE_SOURCES} ${KFAST_FIRMWARE_SOURCES} ${KFAST_CORE_SOURCES})
     set_source_files_properties(${KFAST_EVERY_ROW} PROPERTIES COMPILE_OPTIONS -O2)
     target_compile_options(${NAME} PRIVATE ${CPU_OPTIONS} ${KFAST_DEVICE_OPTIONS})
     target_link_libraries(${NAME} PRIVATE kfast_firmware gcc)

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace kfast {
@@ -30,6 +31,17 @@ concept Panel = requires(P& panel, void (&pause)(Microseconds), Rect area, std::
     /// until busy() is false. Not while busy().
     { panel.start(area, pixels) } -> std::same_as<void>;
     { panel.busy() } -> std::same_as<bool>;
+};
+
+/// A panel whose light and power can be governed.
+template <class P>
+concept PoweredPanel = Panel<P> && requires(P& panel, void (&pause)(Microseconds), std::uint8_t brightness) {
+    /// Of the light, or of the pixels that shine, as far as the controller governs it. Not while busy().
+    { panel.set_brightness(brightness) } -> std::same_as<void>;
+    /// The least power: nothing is shown and start() is not allowed until wake(), after which the whole picture
+    /// is to be sent again. Not while busy().
+    { panel.sleep(pause) } -> std::same_as<void>;
+    { panel.wake(pause) } -> std::same_as<void>;
 };
 
 // clang-format on

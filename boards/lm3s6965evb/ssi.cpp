@@ -67,6 +67,13 @@ void Ssi::command(std::span<const std::byte> bytes)
         send(byte);
 }
 
+void Ssi::parameters(std::span<const std::byte> bytes)
+{
+    gpio_c_pin7.write(data_level);
+    for (const std::byte byte : bytes)
+        send(byte);
+}
+
 void Ssi::start_data(std::span<const std::byte> bytes)
 {
     gpio_c_pin7.write(data_level);

@@ -10,6 +10,7 @@ class Ssi {
 public:
     void begin();
     void command(std::span<const std::byte> bytes);
+    void parameters(std::span<const std::byte> bytes);
     void start_data(std::span<const std::byte> bytes);
     bool busy() const;
 };

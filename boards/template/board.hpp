@@ -18,6 +18,9 @@ public:
     /// D/C low, send all bytes, wait until the last bit is out.
     void command(std::span<const std::byte>) {}
 
+    /// Likewise with D/C high.
+    void parameters(std::span<const std::byte>) {}
+
     /// D/C high, start a DMA transfer (or an interrupt that feeds the FIFO) and return.
     void start_data(std::span<const std::byte>) {}
 

@@ -61,6 +61,23 @@ public:
 
     bool busy() { return bus_.busy(); }
 
+    void set_brightness(std::uint8_t brightness)
+    {
+        bus_.command(std::array{std::byte{0x81}, static_cast<std::byte>(brightness / 2)}); // seven bits
+    }
+
+    template <class Pause>
+    void sleep(Pause&&)
+    {
+        bus_.command(std::array{std::byte{0xAE}});
+    }
+
+    template <class Pause>
+    void wake(Pause&&)
+    {
+        bus_.command(std::array{std::byte{0xAF}});
+    }
+
 private:
     void select(std::uint8_t axis, int first, int count)
     {

@@ -21,6 +21,12 @@ public:
         model_.command(bytes);
     }
 
+    void parameters(std::span<const std::byte> bytes)
+    {
+        expect_idle("parameters");
+        model_.data(bytes);
+    }
+
     void start_data(std::span<const std::byte> bytes)
     {
         expect_idle("data");

@@ -16,6 +16,10 @@ public:
     };
 
     void command(std::span<const std::byte> bytes) { sent.push_back({false, {bytes.begin(), bytes.end()}}); }
+    void parameters(std::span<const std::byte> bytes)
+    {
+        sent.push_back({true, {bytes.begin(), bytes.end()}});
+    }
     void start_data(std::span<const std::byte> bytes)
     {
         sent.push_back({true, {bytes.begin(), bytes.end()}});

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "firmware/panel_settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace kfast {
+
+/// The wires between a chip and its display. Stored.
+enum class BusKind : std::uint8_t { spi, i2c, parallel_8 };
+
+/// In the order of BusKind.
+inline constexpr std::array<std::string_view, 3> bus_names{"spi", "i2c", "parallel"};
+
+/// What a pin of the chip is wired to. Stored.
+enum class PinRole : std::uint8_t {
+    clock,     ///< SCK, SCL, or WR of a parallel bus
+    data,      ///< MOSI, SDA, or D0 of a parallel bus, whose D1 … D7 are the pins after it
+    select,    ///< CS
+    dc,        ///< D/C, RS of a parallel bus
+    reset,     ///< of the display
+    backlight, ///< lit when high, dimmed by pulses
+    tearing,   ///< TE: the display tells that it has shown a picture
+    log,       ///< the board tells what it does, for a serial terminal at 115200 baud
+};
+
+/// In the order of PinRole.
+inline constexpr std::array<std::string_view, 8> pin_role_names{
+    "clock", "data", "select", "dc", "reset", "backlight", "tearing", "log",
+};
+
+/// The number of a pin as the chip's maker counts, or no_pin.
+using Pin = std::uint8_t;
+inline constexpr Pin no_pin = 0xFF;
+
+/// A text that is stored in place: at most `most` bytes of UTF-8, the rest 0.
+template <std::size_t most>
+struct StoredText {
+    std::array<char, most> bytes{};
+
+    constexpr StoredText() = default;
+    /// `text` is no longer than `most`.
+    constexpr StoredText(std::string_view text) { std::ranges::copy(text, bytes.begin()); }
+
+    constexpr std::string_view view() const
+    {
+        const auto end = std::ranges::find(bytes, '\0');
+        return {bytes.data(), static_cast<std::size_t>(end - bytes.begin())};
+    }
+
+    friend constexpr bool operator==(const StoredText&, const StoredText&) = default;
+};
+
+/// The longest name of a clip that a control can have, in bytes.
+inline constexpr std::size_t longest_clip_name = 24;
+using ClipName = StoredText<longest_clip_name>;
+
+/// What somebody touches. Stored.
+enum class ControlKind : std::uint8_t {
+    none,
+    button, ///< a switch from the pin to ground
+    knob,   ///< a potentiometer between ground and the supply, its slider on a pin with a converter
+};
+
+/// What a control does. Stored.
+enum class ControlAction : std::uint8_t {
+    play,  ///< button: plays the clip from its beginning, and what was played before when it has finished
+    pause, ///< button: stands still, and goes on
+    sleep, ///< button: switches the display off, and on
+    place, ///< knob: where in the clip, or in the whole scene, playing stands
+    speed, ///< knob: from backwards to twice as fast, the middle standing still
+    brightness, ///< knob: of the display
+};
+
+/// In the order of ControlAction.
+inline constexpr std::array<std::string_view, 6> control_action_names{
+    "play", "pause", "sleep", "place", "speed", "brightness",
+};
+
+constexpr bool is_for(ControlAction action, ControlKind kind)
+{
+    return (kind == ControlKind::button) == (action <= ControlAction::sleep) && kind != ControlKind::none;
+}
+
+struct Control {
+    ControlKind kind = ControlKind::none;
+    ControlAction action = ControlAction::play;
+    Pin pin = no_pin;
+    ClipName clip; ///< of `play` and `place`; empty: the whole scene
+
+    friend constexpr bool operator==(const Control&, const Control&) = default;
+};
+
+/// Everything about one gadget that its firmware does not know by itself: the display, the wires, what can be
+/// touched. It lies in a sector of flash (board_record.hpp), so that nobody needs a compiler to move a wire.
+struct BoardSettings {
+    static constexpr std::size_t most_controls = 8;
+
+    PanelSettings panel;
+    BusKind bus = BusKind::spi;
+    /// Hz: bits of SPI and I²C, writes of a parallel bus. The chip takes the next lower one that it can make.
+    std::uint32_t bus_clock = 0;
+    std::uint8_t i2c_address = 0x3C;                         ///< seven bits
+    std::array<Pin, pin_role_names.size()> pins = no_pins(); ///< in the order of PinRole
+    ClipName clip;                                           ///< played when nothing is touched; empty: all
+    std::array<Control, most_controls> controls{};
+
+    constexpr Pin pin(PinRole role) const { return pins[static_cast<std::size_t>(role)]; }
+    constexpr Pin& pin(PinRole role) { return pins[static_cast<std::size_t>(role)]; }
+
+    friend constexpr bool operator==(const BoardSettings&, const BoardSettings&) = default;
+
+private:
+    static constexpr std::array<Pin, pin_role_names.size()> no_pins()
+    {
+        std::array<Pin, pin_role_names.size()> pins{};
+        pins.fill(no_pin);
+        return pins;
+    }
+};
+
+}

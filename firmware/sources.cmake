@@ -1,0 +1,3 @@
+# What is no template over the board: shared by the host library and the device images.
+set(KFAST_FIRMWARE_SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/board_record.cpp)

@@ -1,0 +1,92 @@
+#include "firmware/board_record.hpp"
+
+#include "tests/bytes.hpp"
+
+#include <doctest/doctest.h>
+
+namespace kfast::test {
+
+namespace {
+
+BoardSettings unusual_settings()
+{
+    BoardSettings settings;
+    settings.panel = {.controller = Controller::st7735,
+                      .glass = {80, 160},
+                      .column = 26,
+                      .row = 1,
+                      .rotation = Rotation::three_quarters,
+                      .bgr = true,
+                      .inverted = true,
+                      .tearing_effect = true,
+                      .brightness = 77};
+    settings.bus = BusKind::parallel_8;
+    settings.bus_clock = 13'888'888;
+    settings.i2c_address = 0x3D;
+    settings.pin(PinRole::clock) = 8;
+    settings.pin(PinRole::data) = 0;
+    settings.pin(PinRole::log) = 16;
+    settings.clip = {"idle"};
+    settings.controls[0] = {ControlKind::button, ControlAction::sleep, 20, {}};
+    settings.controls[7] = {ControlKind::knob, ControlAction::place, 26, {"a clip of 24 bytes here!"}};
+    return settings;
+}
+
+}
+
+TEST_CASE("settings come back from their record as they were")
+{
+    CHECK(read_board_record(board_record({})) == BoardSettings{});
+    CHECK(read_board_record(board_record(unusual_settings())) == unusual_settings());
+}
+
+TEST_CASE("a record may be followed by the rest of its sector")
+{
+    std::array<std::byte, 4096> sector;
+    sector.fill(std::byte{0xFF});
+    std::ranges::copy(board_record(unusual_settings()), sector.begin());
+    CHECK(read_board_record(sector) == unusual_settings());
+}
+
+TEST_CASE("fields lie where their description says")
+{
+    const BoardRecord record = board_record(unusual_settings());
+    const std::span bytes{record};
+    CHECK(std::ranges::equal(bytes.first(24),
+                             test::bytes({'K', 'F', 'B', 'S', 1,  0, 0x12, 0x01, 2, 3,    7, 77,
+                                          80,  0,   160, 0,   26, 0, 1,    0,    2, 0x3D, 8, 0})));
+    CHECK(
+        std::ranges::equal(bytes.subspan(30, 8), test::bytes({0x78, 0xED, 0xD3, 0x00, 'i', 'd', 'l', 'e'})));
+}
+
+TEST_CASE("a record with any bit wrong is none")
+{
+    const BoardRecord record = board_record(unusual_settings());
+    for (std::size_t bit = 0; bit < 8 * record.size(); ++bit) {
+        BoardRecord damaged = record;
+        damaged[bit / 8] ^= std::byte{1} << bit % 8;
+        CHECK_FALSE(read_board_record(damaged));
+    }
+}
+
+TEST_CASE("what is shorter than a record is none")
+{
+    const BoardRecord record = board_record({});
+    for (std::size_t size = 0; size < record.size(); ++size)
+        CHECK_FALSE(read_board_record(std::span{record}.first(size)));
+}
+
+TEST_CASE("a number without a meaning makes a record none, though its checksum is right")
+{
+    BoardSettings settings;
+    settings.panel.controller = static_cast<Controller>(7);
+    CHECK_FALSE(read_board_record(board_record(settings)));
+    settings = {};
+    settings.bus = static_cast<BusKind>(3);
+    CHECK_FALSE(read_board_record(board_record(settings)));
+    settings = {};
+    settings.controls[3].action = static_cast<ControlAction>(6);
+    CHECK_FALSE(read_board_record(board_record(settings)));
+}
+
+}
