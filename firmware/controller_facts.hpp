@@ -32,7 +32,7 @@ inline constexpr int dcs_window_bytes = 5 + 5 + 1;
 
 /// In the order of Controller. Clocks are the write cycles of the makers' tables: a glass that has run faster
 /// on somebody's desk is not rated for it.
-inline constexpr std::array controller_facts{
+inline constexpr std::array<ControllerFacts, controller_names.size()> controller_facts{
     ControllerFacts{.usual = {.controller = Controller::st7789, .glass = {240, 240}, .inverted = true},
                     .memory = {240, 320},
                     .turns_across = true,
