@@ -15,6 +15,7 @@ namespace kfast {
 
 /// What tells one controller that follows MIPI DCS from the others.
 struct DcsController {
+    Size memory; ///< pixels that it keeps
     /// Begins with SWRESET, for panels without a reset line, and leaves the controller awake and dark, with
     /// 16 bits a pixel. What PanelSettings says is left to DcsPanel.
     std::span<const StartUpStep> start_up;
@@ -31,8 +32,8 @@ public:
 
     /// `bus` and `controller` must outlive the panel.
     DcsPanel(Bus& bus, const PanelSettings& settings, const DcsController& controller)
-        : bus_{bus}, settings_{settings},
-          controller_{controller}, place_{picture_place(settings, facts_of(settings.controller).memory)}
+        : bus_{bus}, settings_{settings}, controller_{controller}, place_{picture_place(settings,
+                                                                                        controller.memory)}
     {
     }
 

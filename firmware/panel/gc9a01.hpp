@@ -59,6 +59,7 @@ inline constexpr auto gc9a01_start_up = std::to_array<StartUpStep>({
 });
 
 /// Galaxycore GC9A01: round LCD of 240 x 240 pixels.
-inline constexpr DcsController gc9a01{.start_up = gc9a01_start_up, .dims = true};
+inline constexpr DcsController gc9a01{
+    .memory = facts_of(Controller::gc9a01).memory, .start_up = gc9a01_start_up, .dims = true};
 
 }

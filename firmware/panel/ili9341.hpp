@@ -33,6 +33,7 @@ inline constexpr auto ili9341_start_up = std::to_array<StartUpStep>({
 });
 
 /// Ilitek ILI9341: LCD of 240 x 320 pixels.
-inline constexpr DcsController ili9341{.start_up = ili9341_start_up, .dims = true};
+inline constexpr DcsController ili9341{
+    .memory = facts_of(Controller::ili9341).memory, .start_up = ili9341_start_up, .dims = true};
 
 }

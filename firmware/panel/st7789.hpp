@@ -29,6 +29,7 @@ inline constexpr auto st7789_start_up = std::to_array<StartUpStep>({
 });
 
 /// Sitronix ST7789: LCD of up to 240 x 320 pixels.
-inline constexpr DcsController st7789{.start_up = st7789_start_up, .dims = true};
+inline constexpr DcsController st7789{
+    .memory = facts_of(Controller::st7789).memory, .start_up = st7789_start_up, .dims = true};
 
 }

@@ -22,8 +22,8 @@ using Lines = std::vector<std::string>;
 
 constexpr std::array brief_start_up{StartUpStep{.command = 0x01, .wait = {120'000}},
                                     StartUpStep{0x3A, 1, {0x55}}};
-constexpr DcsController dimming{.start_up = brief_start_up, .dims = true};
-constexpr DcsController not_dimming{.start_up = brief_start_up, .dims = false};
+constexpr DcsController dimming{.memory = {240, 320}, .start_up = brief_start_up, .dims = true};
+constexpr DcsController not_dimming{.memory = {240, 320}, .start_up = brief_start_up, .dims = false};
 
 Lines begun(const PanelSettings& settings, const DcsController& controller = not_dimming)
 {
@@ -36,7 +36,9 @@ Lines begun(const PanelSettings& settings, const DcsController& controller = not
 Lines window(const PanelSettings& settings, Rect area)
 {
     TellingBus bus;
-    DcsPanel{bus, settings, not_dimming}.start(area, {});
+    DcsController controller = not_dimming;
+    controller.memory = facts_of(settings.controller).memory;
+    DcsPanel{bus, settings, controller}.start(area, {});
     CHECK(bus.lines.back() == "pixels");
     bus.lines.pop_back();
     return bus.lines;
