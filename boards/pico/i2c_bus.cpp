@@ -36,9 +36,8 @@ constexpr Unit unit_of(int number) { return {number == 0 ? 0x4004'4000u : 0x4004
 constexpr std::uint32_t master_in_fast_mode = 1 << 0 | 2 << 1;
 constexpr std::uint32_t can_restart = 1 << 5;
 constexpr std::uint32_t no_slave = 1 << 6;
-constexpr std::uint32_t empty_means_sent = 1 << 8; // the interrupt comes when the FIFO's last byte is out
-constexpr std::uint32_t then_stop = 1 << 9;        // in `data`
-constexpr std::uint32_t transmit_low = 1 << 4;     // interrupts
+constexpr std::uint32_t then_stop = 1 << 9;    // in `data`
+constexpr std::uint32_t transmit_low = 1 << 4; // interrupts
 constexpr std::uint32_t aborted = 1 << 6;
 constexpr std::uint32_t room_to_send = 1 << 1; // in `status`
 constexpr std::uint32_t transmit_empty = 1 << 2;
@@ -63,7 +62,7 @@ void configure(const Unit& i2c, const BoardSettings& settings)
 {
     const I2cRate rate = i2c_rate(settings.bus_clock);
     i2c.enable().write(0);
-    i2c.control().write(master_in_fast_mode | can_restart | no_slave | empty_means_sent);
+    i2c.control().write(master_in_fast_mode | can_restart | no_slave);
     i2c.target().write(settings.i2c_address);
     i2c.spike_length().write(spike_cycles);
     i2c.data_hold().write(hold_cycles);
@@ -92,6 +91,11 @@ void give_up(const Unit& i2c)
     static_cast<void>(i2c.clear_abort().read());
 }
 
+void await_interrupt(const Unit& i2c)
+{
+    i2c.interrupt_mask().write(next_byte == last_byte ? aborted : aborted | transmit_low);
+}
+
 void serve()
 {
     const Unit i2c = unit_of(bus_unit);
@@ -99,7 +103,7 @@ void serve()
         give_up(i2c);
     else
         fill(i2c);
-    i2c.interrupt_mask().write(next_byte == last_byte ? aborted : aborted | transmit_low);
+    await_interrupt(i2c);
 }
 
 void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
@@ -108,10 +112,12 @@ void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
         return;
     const Unit i2c = unit_of(bus_unit);
     std::atomic_signal_fence(std::memory_order_release); // the bytes are in memory before the interrupt looks
+    i2c.interrupt_mask().write(0);
     next_byte = bytes.data();
     last_byte = bytes.data() + bytes.size();
     i2c.data().write(control_byte);
-    i2c.interrupt_mask().write(aborted | transmit_low);
+    fill(i2c);
+    await_interrupt(i2c);
 }
 
 }

@@ -63,7 +63,7 @@ void run_with_pieces_of(std::uint32_t bits)
     control.write(0);
     shifting.write(refill_by_itself | bits << refill_after_at);
     control.write(machine_restart);
-    execute_now.write(pio::jump_to_0);
+    execute_now.write(pio::jump_to_0 | pio::side_high);
     control.write(machine_enable);
 }
 

@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 3> write_program(const WriteCycle& cycle)
     };
 }
 
-// For once, before the loop, without side-set.
+// For once, before the loop; without side-set but for the last.
 inline constexpr std::uint32_t set_pins_1 = 0xE001;
 inline constexpr std::uint32_t set_directions_1 = 0xE081;
 inline constexpr std::uint32_t mov_osr_ones = 0xA0EB; // mov osr, ~null
