@@ -1,18 +1,12 @@
 #pragma once
 
-#include "boards/pico/pins.hpp"
+#include "firmware/board_settings.hpp"
 
-namespace kfast::pico {
+/// Switches from a pin to ground. They bounce: what is said of one may change for milliseconds after a touch.
+namespace kfast::pico::button {
 
-/// A switch from the pin to ground. It bounces: what it says may change for some milliseconds after a touch.
-class Button {
-public:
-    explicit Button(Pin pin) : pin_{pin} {}
-
-    bool is_pressed() const { return !pin_.is_high(); }
-
-private:
-    InputPin pin_;
-};
+void begin(Pin pin);
+/// Whether the switch is closed, or has been since begin() or the last call.
+bool pressed(Pin pin);
 
 }

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace kfast::pico {
+namespace kfast::pico::converter {
 namespace {
 
 constexpr Register control{0x4004'C000};
@@ -33,18 +33,19 @@ int convert(std::uint32_t input)
 
 }
 
-Converter::Converter(Pin pin) : input_{*rp2040::converter_input(pin)}
+void begin(Pin pin)
 {
     connect(pin, PinFunction::none, Pad::converter_input);
     control.write(unit_enable);
     wait_until_ready();
 }
 
-int Converter::read() const
+int read(Pin pin)
 {
+    const auto input = static_cast<std::uint32_t>(*rp2040::converter_input(pin));
     int sum = 0;
     for (int i = 0; i < conversions; ++i)
-        sum += convert(static_cast<std::uint32_t>(input_));
+        sum += convert(input);
     return sum / conversions;
 }
 

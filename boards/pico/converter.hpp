@@ -2,18 +2,11 @@
 
 #include "firmware/board_settings.hpp"
 
-namespace kfast::pico {
+/// Measures voltages at the pins 26 to 29, as knobs make them. Needs start_clocks().
+namespace kfast::pico::converter {
 
-/// The voltage at one of the pins 26 to 29, as a knob makes it.
-class Converter {
-public:
-    explicit Converter(Pin pin);
-
-    /// 0 is ground, 4095 the supply: the mean of four conversions of 2 us each.
-    int read() const;
-
-private:
-    int input_;
-};
+void begin(Pin pin);
+/// 0 is ground, 4095 the supply: the mean of four conversions of 2 us each.
+int read(Pin pin);
 
 }

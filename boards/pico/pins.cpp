@@ -59,8 +59,8 @@ OutputPin::OutputPin(Pin pin, Pad pad) : bit_{bit_of(pin)}
 void OutputPin::high() const { level_set.write(bit_); }
 void OutputPin::low() const { level_clear.write(bit_); }
 
-InputPin::InputPin(Pin pin) : bit_{bit_of(pin)} { connect(pin, PinFunction::processor, Pad::pulled_up); }
+void connect_input(Pin pin) { connect(pin, PinFunction::processor, Pad::pulled_up); }
 
-bool InputPin::is_high() const { return (level_in.read() & bit_) == bit_; }
+bool is_high(Pin pin) { return (level_in.read() & bit_of(pin)) != 0; }
 
 }

@@ -41,15 +41,8 @@ private:
     std::uint32_t bit_; ///< 0: no pin
 };
 
-/// A pin that the program reads, pulled up. One without a pin is high.
-class InputPin {
-public:
-    explicit InputPin(Pin pin);
-
-    bool is_high() const;
-
-private:
-    std::uint32_t bit_; ///< 0: no pin
-};
+/// Makes the pin one that the program reads, pulled up.
+void connect_input(Pin pin);
+bool is_high(Pin pin);
 
 }
