@@ -91,15 +91,15 @@ struct ClockRange {
 };
 
 /// What a Pico can make, and no less than displays bear: 66 ns are the shortest write cycle of all parallel
-/// ones. Slowest: dividers of 254 x 256 for SPI, 2 x 65535 for I²C, 9 x 65535 for the parallel bus.
+/// ones. Slowest: what the dividers of the units hold (boards/pico/bus_rates.hpp).
 constexpr ClockRange clock_range(BusKind bus)
 {
     constexpr std::uint32_t chip = 125'000'000;
     if (bus == BusKind::spi)
         return {chip / (254 * 256) + 1, chip / 2};
     if (bus == BusKind::i2c)
-        return {chip / (2 * 65'535) + 1, 1'000'000};
-    return {chip / (9 * 65'535) + 1, 1'000'000'000 / 66};
+        return {chip / 100'000, 1'000'000};
+    return {chip / (32 * 65'535) + 1, 1'000'000'000 / 66};
 }
 
 /// Whether a display on the bus cannot do without the role.
