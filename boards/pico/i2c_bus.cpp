@@ -154,7 +154,7 @@ bool I2cBus::busy() const
     return next_byte != last_byte || (status & transmit_empty) == 0 || (status & sending) != 0;
 }
 
-extern "C" void isr_i2c0() { serve(); }
-extern "C" void isr_i2c1() { serve(); }
+extern "C" void i2c0_handler() { serve(); }
+extern "C" void i2c1_handler() { serve(); }
 
 }
