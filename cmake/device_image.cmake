@@ -16,22 +16,32 @@ set(KFAST_DEVICE_OPTIONS
     $<$<COMPILE_LANGUAGE:CXX>:-fno-use-cxa-atexit>
     -fno-unwind-tables -fno-asynchronous-unwind-tables)
 
-# The compiler options that choose a CPU.
+# Not among KFAST_FIRMWARE_SOURCES: a computer has these functions already.
+set(KFAST_DEVICE_MEMORY ${PROJECT_SOURCE_DIR}/firmware/memory.cpp)
+
+# The compiler options that choose a CPU. Those of the A profile run in ARM state, without an MMU, and nothing is read or
+# written across words then.
 function(kfast_cpu_options OUT CPU)
     set(OPTIONS -mcpu=${CPU} -mthumb)
+    if(CPU MATCHES "^cortex-a")
+        set(OPTIONS -mcpu=${CPU} -marm -mfloat-abi=soft -mno-unaligned-access)
+    endif()
     if(CPU STREQUAL cortex-m4)
         list(APPEND OPTIONS -mfloat-abi=hard -mfpu=fpv4-sp-d16)
     endif()
     set(${OUT} ${OPTIONS} PARENT_SCOPE)
 endfunction()
 
-# kfast_device_image(<name> CPU <cpu> LINKER_SCRIPT <file> SOURCES <file>...): the core, compiled for the CPU, and
-# the sources of the board, linked without any library but the compiler's own.
+# kfast_device_image(<name> CPU <cpu> LINKER_SCRIPT <file> SOURCES <file>...): the core and what else
+# is no board's own, compiled for the CPU, and the sources of the board, linked without any library but the compiler's own.
 function(kfast_device_image NAME)
     cmake_parse_arguments(PARSE_ARGV 1 IMAGE "" "CPU;LINKER_SCRIPT" "SOURCES")
     kfast_cpu_options(CPU_OPTIONS ${IMAGE_CPU})
-    add_executable(${NAME} ${IMAGE_SOURCES} ${KFAST_FIRMWARE_SOURCES} ${KFAST_CORE_SOURCES})
+    add_executable(${NAME} ${IMAGE_SOURCES} ${KFAST_DEVICE_MEMORY} ${KFAST_FIRMWARE_SOURCES}
+        ${KFAST_CORE_SOURCES})
     set_source_files_properties(${KFAST_EVERY_ROW} PROPERTIES COMPILE_OPTIONS -O2)
+    set_source_files_properties(${KFAST_DEVICE_MEMORY} PROPERTIES
+        COMPILE_OPTIONS -fno-tree-loop-distribute-patterns)
     target_compile_options(${NAME} PRIVATE ${CPU_OPTIONS} ${KFAST_DEVICE_OPTIONS})
     target_link_libraries(${NAME} PRIVATE kfast_firmware gcc)
     target_link_options(${NAME} PRIVATE ${CPU_OPTIONS}

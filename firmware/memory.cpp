@@ -1,5 +1,5 @@
 // What the compiler calls for copies and fills even without a C library: in words as far as the places allow
-// it, for a Cortex-M0 reads and writes words at multiples of four alone. Compiled with
+// it, for a Cortex-M0 reads and writes words at multiples of four alone. Of device images only, compiled with
 // -fno-tree-loop-distribute-patterns, or these loops would become calls to themselves.
 
 #include "core/wide_fill.hpp"
