@@ -200,16 +200,18 @@ TEST_CASE("the clock stands while a frame does")
     TestBoard board{console, scene()};
     const Microseconds before = board.now();
     CHECK(board.now() != before);
+    board.frame_shown({});
     CHECK(!board.running());
     const Microseconds stepped = board.now();
     CHECK(board.now() == stepped);
 
     board.sleep_until({7});
-    CHECK(console.typed == "x"); // no frame stands yet
+    CHECK(console.typed == "x"); // no frame stands yet: the panel is begun again
     board.frame_shown({});
     board.sleep_until({9});
     CHECK(console.typed.empty());
-    CHECK(board.now() == Microseconds{9});
+    board.sleep_until({11});
+    CHECK(board.now() == Microseconds{11});
 }
 
 TEST_CASE("what cannot be played is told, and ends it")
