@@ -25,7 +25,7 @@ TearingLine::TearingLine(Pin pin)
 
 std::uint32_t TearingLine::pictures() const { return pictures_shown; }
 
-extern "C" void isr_io_bank0()
+extern "C" void io_bank0_handler()
 {
     pin_edges::seen(line).write(pin_edges::risen(line));
     pictures_shown = pictures_shown + 1;
