@@ -46,6 +46,9 @@ private:
         reset_display(settings_, pause);
         with_panel(bus, settings_.panel, [this](auto& panel) {
             Board board{panel, settings_, clock_};
+            using B = decltype(board);
+            static_assert(EventBoard<B> && ChoosingBoard<B> && RestingBoard<B> && SynchronizedBoard<B> &&
+                          NamedBoard<B>);
             while (board.wants_to_run())
                 run(board);
         });

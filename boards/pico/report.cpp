@@ -8,13 +8,18 @@
 #include <cstdint>
 
 namespace kfast::pico::report {
+namespace {
+
+std::string_view name_of_bus(BusKind bus) { return bus_names[static_cast<std::size_t>(bus)]; }
+
+}
 
 void begun(const PanelSettings& panel)
 {
     log::write("KFAST ");
     log::write(version);
     log::write(" pico ");
-    log::write(controller_names[static_cast<std::size_t>(panel.controller)]);
+    log::write(name_of(panel.controller));
     log::write(' ');
     log::write_decimal(static_cast<std::uint32_t>(panel.size().width));
     log::write('x');
@@ -61,9 +66,9 @@ void fault(Error error)
 void other_bus(BusKind settings, BusKind bus)
 {
     log::write("ERROR the settings are for a display on ");
-    log::write(bus_names[static_cast<std::size_t>(settings)]);
+    log::write(name_of_bus(settings));
     log::write(", but this is the image for ");
-    log::write(bus_names[static_cast<std::size_t>(bus)]);
+    log::write(name_of_bus(bus));
     log::write('\n');
 }
 

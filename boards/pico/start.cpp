@@ -24,11 +24,11 @@ extern std::uint32_t stack_top[];
 void fault_handler();
 
 void timer_0_handler();
-void isr_io_bank0();
+void io_bank0_handler();
 void uart_handler();
 // Of a bus that not every image has.
-[[gnu::weak, gnu::alias("fault_handler")]] void isr_i2c0() noexcept;
-[[gnu::weak, gnu::alias("fault_handler")]] void isr_i2c1() noexcept;
+[[gnu::weak, gnu::alias("fault_handler")]] void i2c0_handler() noexcept;
+[[gnu::weak, gnu::alias("fault_handler")]] void i2c1_handler() noexcept;
 
 [[noreturn, gnu::section(".start")]] void reset_handler()
 {
@@ -94,11 +94,11 @@ constexpr std::array<Handler, 41> handlers = [] {
     table.fill(fault_handler);
     table[0] = reset_handler;
     table[of_chip(Interrupt::timer_0)] = timer_0_handler;
-    table[of_chip(Interrupt::io_bank0)] = isr_io_bank0;
+    table[of_chip(Interrupt::io_bank0)] = io_bank0_handler;
     table[of_chip(Interrupt::uart0)] = uart_handler;
     table[of_chip(Interrupt::uart1)] = uart_handler;
-    table[of_chip(Interrupt::i2c0)] = isr_i2c0;
-    table[of_chip(Interrupt::i2c1)] = isr_i2c1;
+    table[of_chip(Interrupt::i2c0)] = i2c0_handler;
+    table[of_chip(Interrupt::i2c1)] = i2c1_handler;
     return table;
 }();
 

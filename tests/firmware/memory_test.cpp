@@ -9,6 +9,7 @@ void* board_memcpy(void* to, const void* from, std::size_t count);
 void* board_memmove(void* to, const void* from, std::size_t count);
 void* board_memset(void* to, int value, std::size_t count);
 int board_memcmp(const void* left, const void* right, std::size_t count);
+std::size_t board_strlen(const char* text);
 }
 
 namespace kfast::test {
@@ -73,6 +74,13 @@ TEST_CASE("bytes are compared as unsigned, the first difference decides")
     CHECK(board_memcmp(a.data(), b.data(), 1) == 0);
     CHECK(board_memcmp(a.data(), b.data(), 3) > 0);
     CHECK(board_memcmp(b.data(), a.data(), 3) < 0);
+}
+
+TEST_CASE("strlen counts up to the zero")
+{
+    CHECK(board_strlen("") == 0);
+    CHECK(board_strlen("top") == 3);
+    CHECK(board_strlen("top\0below") == 3);
 }
 
 }
