@@ -19,19 +19,23 @@ constexpr std::uint8_t ssd0323_contrast(std::uint8_t brightness)
 }
 
 /// Register values as found in drivers of 128x64 modules. What only sibling controllers know (0x23, 0xB0,
-/// 0xB4) is left out. Only the rows of the glass are scanned, in whichever direction.
+/// 0xB4) is left out. Only the rows of the glass are scanned, in whichever direction; the lowest is wired to
+/// the first output.
 constexpr auto ssd0323_start_up(const PanelSettings& settings)
 {
-    const auto rows = static_cast<std::uint8_t>(settings.glass.height - 1);
+    const bool upright = settings.rotation == Rotation::none;
+    const int rows_of_memory = facts_of(Controller::ssd0323).memory.height;
+    const auto last_row = static_cast<std::uint8_t>(settings.glass.height - 1);
+    const auto offset = static_cast<std::uint8_t>(upright ? settings.glass.height % rows_of_memory : 0);
     const auto start_line = static_cast<std::uint8_t>(settings.row);
     // The left pixel is in the high nibble: turned by half, that of the byte at the other end.
-    const std::uint8_t remap = settings.rotation == Rotation::none ? 0x52 : 0x41;
+    const std::uint8_t remap = upright ? 0x52 : 0x41;
     const std::uint8_t shown = settings.inverted ? 0xA7 : 0xA4;
     return std::to_array<StartUpStep>({
         {0xAE},                                             // display off
         {0xB3, 1, {0x91}},                                  // clock
-        {0xA8, 1, {rows}},                                  // rows
-        {0xA2, 1, {0x40}},                                  // display offset
+        {0xA8, 1, {last_row}},                              // rows
+        {0xA2, 1, {offset}},                                // display offset
         {0xA1, 1, {start_line}},                            // start line
         {0xAD, 1, {0x02}},                                  // external supply
         {0xA0, 1, {remap}},                                 // nibbles, columns and rows from which end
