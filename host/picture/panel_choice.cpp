@@ -1,20 +1,22 @@
 #include "host/picture/panel_choice.hpp"
 
-#include "host/picture/board_source.hpp"
+#include "firmware/controller_facts.hpp"
+#include "host/simulator/simulated_panel.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace kfast {
 namespace {
 
-std::unique_ptr<FrameSource> open_ssd0323(std::span<const std::byte> scene)
-{
-    return std::make_unique<BoardSource>(scene);
-}
-
-constexpr std::array choices{
-    PanelChoice{"ssd0323", {Ssd0323Model::width, Ssd0323Model::height}, open_ssd0323},
-};
+constexpr auto choices = [] {
+    std::array<PanelChoice, simulated_controllers.size()> rows{};
+    std::ranges::transform(simulated_controllers, rows.begin(), [](Controller controller) {
+        return PanelChoice{controller_names[static_cast<std::size_t>(controller)],
+                           facts_of(controller).usual};
+    });
+    return rows;
+}();
 
 }
 
