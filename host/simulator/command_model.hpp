@@ -37,6 +37,8 @@ enum class ParameterLine { low, high };
 /// mistake with its place and time, and decodes nothing after it.
 class CommandModel : public ControllerModel {
 public:
+    CommandModel(const CommandModel&) = delete;
+
     void reset(std::chrono::nanoseconds time) final;
     void command(std::chrono::nanoseconds time, std::span<const std::byte> bytes) final;
     void data(std::chrono::nanoseconds time, std::span<const std::byte> bytes) final;

@@ -29,7 +29,4 @@ struct OledScan {
     }
 };
 
-/// What controllers that choose by the commands A4h to A7h show.
-enum class OledShow { memory, all_lit, all_dark, inverse };
-
 }

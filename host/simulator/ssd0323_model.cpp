@@ -23,13 +23,31 @@ constexpr std::uint8_t splits_lines = 0x40; ///< as modules are wired
 constexpr std::uint8_t known = mirrors_bytes | high_nibble_first | scans_from_last | splits_lines;
 
 const std::vector<CommandForm> commands{
-    {0x15, 2}, {0x75, 2},                       // window
-    {0x81, 1}, {0x84, 0}, {0x85, 0}, {0x86, 0}, // brightness
-    {0xA0, 1}, {0xA1, 1}, {0xA2, 1}, {0xA8, 1}, // geometry
-    {0xA4, 0}, {0xA5, 0}, {0xA6, 0}, {0xA7, 0}, // what is shown
-    {0xAD, 1}, {0xAE, 0}, {0xAF, 0},            // power
-    {0xB1, 1}, {0xB2, 1}, {0xB3, 1}, {0xB8, 8}, // timing, grey table
-    {0xBC, 1}, {0xBE, 1}, {0xBF, 1}, {0xE3, 0}, // voltages, nothing
+    {0x15, 2}, // columns, counted in bytes
+    {0x75, 2}, // rows
+    {0x81, 1}, // contrast
+    {0x84, 0}, // a quarter of the current
+    {0x85, 0}, // half of it
+    {0x86, 0}, // all of it
+    {0xA0, 1}, // remap
+    {0xA1, 1}, // start line
+    {0xA2, 1}, // display offset
+    {0xA4, 0}, // the memory is shown
+    {0xA5, 0}, // all pixels are lit
+    {0xA6, 0}, // all pixels are dark
+    {0xA7, 0}, // the memory is shown inverted
+    {0xA8, 1}, // lines
+    {0xAD, 1}, // supply
+    {0xAE, 0}, // off
+    {0xAF, 0}, // on
+    {0xB1, 1}, // phases
+    {0xB2, 1}, // row period
+    {0xB3, 1}, // clock
+    {0xB8, 8}, // grey table
+    {0xBC, 1}, // precharge voltage
+    {0xBE, 1}, // VCOMH
+    {0xBF, 1}, // VSL
+    {0xE3, 0}, // nothing
 };
 
 constexpr std::array needed{NeededCommand{0xA0}, NeededCommand{0xA8}};

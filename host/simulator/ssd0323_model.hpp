@@ -2,7 +2,7 @@
 
 #include "host/simulator/address_window.hpp"
 #include "host/simulator/command_model.hpp"
-#include "host/simulator/oled_scan.hpp"
+#include "host/simulator/oled_show.hpp"
 
 namespace kfast {
 

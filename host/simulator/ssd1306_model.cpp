@@ -15,40 +15,44 @@ constexpr int rows = 64;
 constexpr int rows_of_page = 8;
 constexpr int pages = rows / rows_of_page;
 
+// How the lines are wired to the two sides of the glass.
+constexpr std::uint8_t one_after_another = 0x02;
+constexpr std::uint8_t in_turns = 0x12;
+
 constexpr int not_modelled = CommandForm::not_modelled;
 
 std::vector<CommandForm> commands()
 {
     std::vector<CommandForm> forms{
-        {0x20, 1},
-        {0x21, 2},
-        {0x22, 2}, // addressing, window
-        {0x26, not_modelled},
-        {0x27, not_modelled},
-        {0x29, not_modelled}, // scrolling
-        {0x2A, not_modelled},
-        {0x2E, 0},
-        {0x2F, not_modelled},
-        {0xA3, not_modelled}, //
-        {0x81, 1},
-        {0x8D, 1},
-        {0xAE, 0},
-        {0xAF, 0}, // brightness, power
-        {0xA0, 0},
-        {0xA1, 0},
-        {0xA8, 1},
-        {0xC0, 0},
-        {0xC8, 0},
-        {0xD3, 1},
-        {0xDA, 1}, // geometry
-        {0xA4, 0},
-        {0xA5, 0},
-        {0xA6, 0},
-        {0xA7, 0}, // what is shown
-        {0xD5, 1},
-        {0xD9, 1},
-        {0xDB, 1},
-        {0xE3, 0}, // timing, voltage, nothing
+        {0x20, 1},            // addressing
+        {0x21, 2},            // columns
+        {0x22, 2},            // pages
+        {0x26, not_modelled}, // scrolling
+        {0x27, not_modelled}, //
+        {0x29, not_modelled}, //
+        {0x2A, not_modelled}, //
+        {0x2E, 0},            // no scrolling
+        {0x2F, not_modelled}, // scrolling
+        {0x81, 1},            // brightness
+        {0x8D, 1},            // voltage pump
+        {0xA0, 0},            // columns mirrored
+        {0xA1, 0},            // and not
+        {0xA3, not_modelled}, // area that scrolls
+        {0xA4, 0},            // the memory is shown
+        {0xA5, 0},            // all pixels are lit
+        {0xA6, 0},            // not inverted
+        {0xA7, 0},            // inverted
+        {0xA8, 1},            // lines
+        {0xAE, 0},            // off
+        {0xAF, 0},            // on
+        {0xC0, 0},            // scanned from the first line on
+        {0xC8, 0},            // from the last one on
+        {0xD3, 1},            // display offset
+        {0xD5, 1},            // clock
+        {0xD9, 1},            // phases
+        {0xDA, 1},            // wiring of the lines
+        {0xDB, 1},            // voltage
+        {0xE3, 0},            // nothing
     };
     for (int low = 0; low < 64; ++low)
         forms.push_back({0x40 + low, 0}); // start line
@@ -147,9 +151,7 @@ void Ssd1306Model::execute_geometry(std::uint8_t code, Parameters parameters)
             fail("a display offset of " + std::to_string(parameters[0]) + " is not modelled");
         return;
     case 0xDA:
-        if ((parameters[0] & 0xCF) != 0x02)
-            fail("the lines cannot be wired like " + hex(parameters[0]));
-        return;
+        return check_wiring(parameters[0]);
     default:
         return;
     }
@@ -190,6 +192,15 @@ void Ssd1306Model::set_lines(int last)
     registers_.lines = last + 1;
     if (last < 15 || last >= rows)
         fail("the last line is " + std::to_string(last) + ": it lies between 15 and 63");
+}
+
+void Ssd1306Model::check_wiring(std::uint8_t wiring)
+{
+    if (wiring != in_turns && wiring != one_after_another)
+        return fail("lines wired like " + hex(wiring) + " are not modelled");
+    if ((settings_.glass == Size{128, 64} && wiring != in_turns) ||
+        (settings_.glass == Size{128, 32} && wiring != one_after_another))
+        fail("the lines of this glass are not wired like " + hex(wiring));
 }
 
 void Ssd1306Model::set_pump(std::uint8_t pump)

@@ -45,6 +45,7 @@ private:
     void execute_display(std::uint8_t code, Parameters parameters);
     void set_addressing(std::uint8_t mode);
     void set_lines(int last);
+    void check_wiring(std::uint8_t wiring);
     void set_pump(std::uint8_t pump);
     bool is_ready();
     void take_byte(int column, int page, std::uint8_t byte);

@@ -24,41 +24,41 @@ constexpr std::uint8_t splits_lines = 0x20;    ///< as modules are wired
 constexpr int not_modelled = CommandForm::not_modelled;
 
 const std::vector<CommandForm> commands{
-    {0x15, 2},
-    {0x75, 2}, // window
-    {0x5C, 0},
-    {0x5D, not_modelled}, // write, read
-    {0x96, not_modelled},
-    {0x9E, 0},
+    {0x15, 2},            // columns
+    {0x5C, 0},            // write
+    {0x5D, not_modelled}, // read
+    {0x75, 2},            // rows
+    {0x96, not_modelled}, // scrolling
+    {0x9E, 0},            // no scrolling
     {0x9F, not_modelled}, // scrolling
-    {0xA0, 1},
-    {0xA1, 1},
-    {0xA2, 1},
-    {0xCA, 1}, // geometry
-    {0xA4, 0},
-    {0xA5, 0},
-    {0xA6, 0},
-    {0xA7, 0}, // what is shown
-    {0xAB, 1},
-    {0xAD, 0},
-    {0xAE, 0},
-    {0xAF, 0}, // power
-    {0xB0, 0},
-    {0xB1, 1},
-    {0xB2, 3},
-    {0xB3, 1},
-    {0xB4, 3},
-    {0xB6, 1}, // timing
-    {0xB5, 1},
-    {0xB8, 63},
-    {0xB9, 0},
-    {0xBB, 1},
-    {0xBE, 1}, // pins, grey table, voltages
-    {0xC1, 3},
-    {0xC7, 1}, // brightness
-    {0xD1, 0},
-    {0xE3, 0},
-    {0xFD, 1}, // nothing, lock
+    {0xA0, 1},            // remap
+    {0xA1, 1},            // start line
+    {0xA2, 1},            // display offset
+    {0xA4, 0},            // all pixels are dark
+    {0xA5, 0},            // all pixels are lit
+    {0xA6, 0},            // the memory is shown
+    {0xA7, 0},            // it is shown inverted
+    {0xAB, 1},            // voltage of the logic
+    {0xAD, 0},            // nothing
+    {0xAE, 0},            // off
+    {0xAF, 0},            // on
+    {0xB0, 0},            // nothing
+    {0xB1, 1},            // phases
+    {0xB2, 3},            // enhancement
+    {0xB3, 1},            // clock
+    {0xB4, 3},            // voltage of the segments
+    {0xB5, 1},            // pins
+    {0xB6, 1},            // second precharge
+    {0xB8, 63},           // grey table
+    {0xB9, 0},            // evenly spaced
+    {0xBB, 1},            // precharge voltage
+    {0xBE, 1},            // VCOMH
+    {0xC1, 3},            // contrast
+    {0xC7, 1},            // master current
+    {0xCA, 1},            // lines
+    {0xD1, 0},            // nothing
+    {0xE3, 0},            // nothing
+    {0xFD, 1},            // lock
 };
 
 constexpr std::array<std::uint8_t, 6> inner_commands{0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1};

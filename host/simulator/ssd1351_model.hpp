@@ -4,6 +4,7 @@
 #include "host/simulator/colour_memory.hpp"
 #include "host/simulator/command_model.hpp"
 #include "host/simulator/oled_scan.hpp"
+#include "host/simulator/oled_show.hpp"
 
 namespace kfast {
 

@@ -225,8 +225,17 @@ TEST_CASE("SSD1306 model: every mistake is named with the place of its byte")
     }
     SUBCASE("wiring of the lines")
     {
-        wired.low({0xDA, 0x10});
-        CHECK(error() == "the lines cannot be wired like 0x10");
+        wired.low({0xDA, 0x22});
+        CHECK(error() == "lines wired like 0x22 are not modelled");
+    }
+    SUBCASE("wiring of another glass")
+    {
+        WiredModel high{with_glass(Controller::ssd1306, {128, 64})};
+        CHECK(high.low({0xDA, 0x02}).error() ==
+              "byte 1 at 0.000 ms: the lines of this glass are not wired like 0x02");
+        WiredModel flat{with_glass(Controller::ssd1306, {128, 32})};
+        CHECK(flat.low({0xDA, 0x12}).error() ==
+              "byte 1 at 0.000 ms: the lines of this glass are not wired like 0x12");
     }
     SUBCASE("the pump while it is needed")
     {
