@@ -166,7 +166,8 @@ TEST_CASE("DCS models: not every controller has every pixel format")
     CHECK(error(Controller::st7735, 0x03) == "none");
     CHECK(error(Controller::ili9341, 0x53) == "byte");
     CHECK(error(Controller::gc9a01, 0x03) == "byte");
-    CHECK(error(Controller::st7735, 0x55) == "byte");
+    CHECK(error(Controller::st7735, 0x55) == "none");
+    CHECK(error(Controller::st7735, 0x04) == "byte");
     CHECK(error(Controller::st7789, 0x07) == "byte");
     CHECK(error(Controller::st7789, 0x75) == "byte");
 }
