@@ -23,7 +23,8 @@ struct DcsKind {
     std::vector<CommandForm> commands;
     std::span<const FixedBits> fixed_bits;
     bool takes_12_bits;
-    bool has_rgb_interface; ///< whose pixel format is in the upper half of 3Ah's parameter
+    /// Whose pixel format is in the upper half of 3Ah's parameter; without one nobody reads the upper bits.
+    bool has_rgb_interface;
     /// From a reset to the first command that is heard.
     std::chrono::milliseconds reset_time;
     /// From sleep out to the next command.

@@ -158,9 +158,9 @@ void DcsModel::set_access(std::uint8_t access)
 
 void DcsModel::set_format(std::uint8_t format)
 {
-    const int lower = format & 15;
-    const int upper = format >> 4;
-    const bool is_upper_known = upper == 0 || (kind_.has_rgb_interface && (upper == 5 || upper == 6));
+    const int lower = format & (kind_.has_rgb_interface ? 15 : 7);
+    const int upper = kind_.has_rgb_interface ? format >> 4 : 0;
+    const bool is_upper_known = upper == 0 || upper == 5 || upper == 6;
     registers_.pixel_bits = lower == 3 && kind_.takes_12_bits ? 12 : lower == 5 ? 16 : lower == 6 ? 24 : 0;
     if (registers_.pixel_bits == 0 || !is_upper_known)
         fail("the controller has no pixel format " + hex(format));

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <utility>
 
 namespace kfast::test {
 namespace {
@@ -64,14 +65,15 @@ constexpr std::array corners{
 
 TEST_CASE("DCS models: every memory access reaches the four corners of a glass with an offset")
 {
-    for (const auto& [access, first, last] : corners) {
-        CAPTURE(access);
+    for (const Corners& corner : corners) {
+        CAPTURE(corner.access);
+        const auto& [first, last] = std::pair{corner.left_upper, corner.right_lower};
         WiredModel wired{with_glass(Controller::st7735, {10, 6}, 2, 1)};
-        start(wired, access);
+        start(wired, corner.access);
         const auto paint = [&wired](int column, int row, int rgb565) {
             colour(window(wired, column, column, row, row), rgb565);
         };
-        const bool is_exchanged = (access & 0x20) != 0;
+        const bool is_exchanged = (corner.access & 0x20) != 0;
         paint(first[0], first[1], 1);
         paint(is_exchanged ? first[0] : last[0], is_exchanged ? last[1] : first[1], 2);
         paint(is_exchanged ? last[0] : first[0], is_exchanged ? first[1] : last[1], 3);
@@ -164,7 +166,8 @@ TEST_CASE("DCS models: not every controller has every pixel format")
     CHECK(error(Controller::st7735, 0x03) == "none");
     CHECK(error(Controller::ili9341, 0x53) == "byte");
     CHECK(error(Controller::gc9a01, 0x03) == "byte");
-    CHECK(error(Controller::st7735, 0x55) == "byte");
+    CHECK(error(Controller::st7735, 0x55) == "none");
+    CHECK(error(Controller::st7735, 0x04) == "byte");
     CHECK(error(Controller::st7789, 0x07) == "byte");
     CHECK(error(Controller::st7789, 0x75) == "byte");
 }

@@ -51,16 +51,16 @@ TEST_CASE("SSD1306 model: every orientation reaches the corners of a glass with 
         int upper; ///< the bit of the upper line
         int lower;
     };
-    for (const auto& [segments, lines, columns, page, upper, lower] :
+    for (const Orientation& way :
          {Orientation{0xA1, 0xC8, {5, 8}, 2, 0x01, 0x80}, Orientation{0xA0, 0xC8, {122, 119}, 2, 0x01, 0x80},
           Orientation{0xA1, 0xC0, {5, 8}, 5, 0x80, 0x01},
           Orientation{0xA0, 0xC0, {122, 119}, 5, 0x80, 0x01}}) {
-        CAPTURE(segments);
-        CAPTURE(lines);
+        CAPTURE(way.segments);
+        CAPTURE(way.lines);
         WiredModel wired = small_glass();
-        start(wired, segments, lines);
-        window(wired, columns[0], columns[0], page, page).high({upper | lower});
-        window(wired, columns[1], columns[1], page, page).high({lower});
+        start(wired, way.segments, way.lines);
+        window(wired, way.columns[0], way.columns[0], way.page, way.page).high({way.upper | way.lower});
+        window(wired, way.columns[1], way.columns[1], way.page, way.page).high({way.lower});
         CHECK(lit(wired) == "#...\n....\n....\n....\n....\n....\n....\n#..#\n");
     }
 }

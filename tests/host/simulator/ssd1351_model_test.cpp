@@ -45,17 +45,17 @@ TEST_CASE("SSD1351 model: every remap reaches the four corners of a glass with a
         std::array<int, 2> columns; ///< of the left and the right edge of the glass
         std::array<int, 2> rows;    ///< of its upper and lower edge
     };
-    for (const auto& [remap, columns, rows] :
+    for (const Mirrors& mirrors :
          {Mirrors{0x74, {4, 6}, {5, 6}}, Mirrors{0x76, {123, 121}, {5, 6}}, Mirrors{0x64, {4, 6}, {122, 121}},
           Mirrors{0x66, {123, 121}, {122, 121}}}) {
         for (const int rows_first : {0, 1}) {
-            CAPTURE(remap);
+            CAPTURE(mirrors.remap);
             WiredModel wired{with_glass(Controller::ssd1351, {3, 2}, 4, 5)};
-            start(wired, remap | rows_first);
-            window(wired, columns[0], columns[0], rows[0], rows[0]).high({0, 1});
-            window(wired, columns[1], columns[1], rows[0], rows[0]).high({0, 2});
-            window(wired, columns[0], columns[0], rows[1], rows[1]).high({0, 3});
-            window(wired, columns[1], columns[1], rows[1], rows[1]).high({0, 4});
+            start(wired, mirrors.remap | rows_first);
+            int number = 0;
+            for (const int row : mirrors.rows)
+                for (const int column : mirrors.columns)
+                    window(wired, column, column, row, row).high({0, ++number});
             CHECK(glass(wired) == std::vector{1, 0, 2, 3, 0, 4});
         }
     }
