@@ -20,9 +20,13 @@ set(KFAST_DEVICE_OPTIONS
 # Not among KFAST_FIRMWARE_SOURCES: a computer has these functions already.
 set(KFAST_DEVICE_MEMORY ${PROJECT_SOURCE_DIR}/firmware/memory.cpp)
 
-# The compiler options that choose a CPU.
+# The compiler options that choose a CPU. Those of the A profile run in ARM state, without an MMU, and nothing is read or
+# written across words then.
 function(kfast_cpu_options OUT CPU)
     set(OPTIONS -mcpu=${CPU} -mthumb)
+    if(CPU MATCHES "^cortex-a")
+        set(OPTIONS -mcpu=${CPU} -marm -mfloat-abi=soft -mno-unaligned-access)
+    endif()
     if(CPU STREQUAL cortex-m4)
         list(APPEND OPTIONS -mfloat-abi=hard -mfpu=fpv4-sp-d16)
     endif()

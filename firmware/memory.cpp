@@ -1,7 +1,7 @@
 // What the compiler calls for copies and fills, and the library's headers for the length of a text, even
 // without a C library. Copies and fills go in words as far as the places allow it, for a Cortex-M0 reads and
-// writes words at multiples of four alone. Compiled with -fno-tree-loop-distribute-patterns, or these loops
-// would become calls to themselves.
+// writes words at multiples of four alone. Of device images only, compiled with
+// -fno-tree-loop-distribute-patterns, or these loops would become calls to themselves.
 
 #include "core/wide_fill.hpp"
 

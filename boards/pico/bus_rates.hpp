@@ -1,12 +1,11 @@
 #pragma once
 
+#include "boards/pico/clocks.hpp"
+
 #include <cstdint>
 
 /// How the units of the buses divide the system clock: always to the next rate that is no higher than asked.
 namespace kfast::pico {
-
-/// Of the system and of all units on it.
-inline constexpr std::uint32_t bus_unit_hz = 125'000'000;
 
 constexpr std::uint32_t divided_up(std::uint32_t dividend, std::uint32_t divisor)
 {
@@ -18,13 +17,13 @@ struct SpiRate {
     std::uint32_t prescale; ///< even, 2 … 254
     std::uint32_t divisor;  ///< 1 … 256
 
-    constexpr std::uint32_t hz() const { return bus_unit_hz / (prescale * divisor); }
+    constexpr std::uint32_t hz() const { return system_hz / (prescale * divisor); }
 };
 
 /// `hz` lies within clock_range(BusKind::spi).
 constexpr SpiRate spi_rate(std::uint32_t hz)
 {
-    const std::uint32_t cycles = divided_up(bus_unit_hz, hz);
+    const std::uint32_t cycles = divided_up(system_hz, hz);
     const std::uint32_t prescale = 2 * divided_up(cycles, 2 * 256);
     return {prescale, divided_up(cycles, prescale)};
 }
@@ -34,14 +33,14 @@ struct I2cRate {
     std::uint32_t low;
     std::uint32_t high;
 
-    constexpr std::uint32_t hz() const { return bus_unit_hz / (low + high); }
+    constexpr std::uint32_t hz() const { return system_hz / (low + high); }
 };
 
 /// Low for 3/5 of the period, as fast mode (400 kHz: 1.3 µs of 2.5 µs) and fast mode plus need it.
 /// `hz` lies within clock_range(BusKind::i2c).
 constexpr I2cRate i2c_rate(std::uint32_t hz)
 {
-    const std::uint32_t cycles = divided_up(bus_unit_hz, hz);
+    const std::uint32_t cycles = divided_up(system_hz, hz);
     const std::uint32_t low = cycles * 3 / 5;
     return {low, cycles - low};
 }
@@ -58,14 +57,14 @@ struct WriteCycle {
     std::uint32_t hold;    ///< WR high again, data still there
 
     constexpr std::uint32_t cycles() const { return setup + low + hold; }
-    constexpr std::uint32_t hz() const { return bus_unit_hz / (divisor * cycles()); }
+    constexpr std::uint32_t hz() const { return system_hz / (divisor * cycles()); }
 };
 
 /// The shortest has WR low for 32 ns and high for 40 ns, 24 of them with the data that was taken.
 /// `hz` lies within clock_range(BusKind::parallel_8).
 constexpr WriteCycle write_cycle(std::uint32_t hz)
 {
-    const std::uint32_t system_cycles = divided_up(bus_unit_hz, hz);
+    const std::uint32_t system_cycles = divided_up(system_hz, hz);
     const std::uint32_t divisor = divided_up(system_cycles, WriteCycle::longest);
     std::uint32_t cycles = divided_up(system_cycles, divisor);
     if (cycles < WriteCycle::shortest)

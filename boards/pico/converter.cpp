@@ -2,6 +2,7 @@
 
 #include "boards/pico/pins.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
 #include <cstdint>
@@ -36,6 +37,7 @@ int convert(std::uint32_t input)
 void begin(Pin pin)
 {
     connect(pin, PinFunction::none, Pad::converter_input);
+    resets::release(resets::adc);
     control.write(unit_enable);
     wait_until_ready();
 }

@@ -2,6 +2,7 @@
 
 #include "boards/pico/pins.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
 namespace kfast::pico {
@@ -32,8 +33,8 @@ Dimmer::Dimmer(Pin pin) : pin_{pin}
 {
     if (pin == no_pin)
         return;
+    resets::restart(resets::pwm);
     const Slice slice = slice_of(pin);
-    slice.control().write(0);
     slice.divisor().write(divisor << whole_divisor_at);
     slice.top().write(steps - 1);
     slice.levels().write(0);

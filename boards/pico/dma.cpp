@@ -1,5 +1,7 @@
 #include "boards/pico/dma.hpp"
 
+#include "boards/pico/resets.hpp"
+
 #include <atomic>
 
 namespace kfast::pico::dma {
@@ -23,6 +25,8 @@ constexpr std::uint32_t quiet = 1 << 21; // no interrupt
 constexpr std::uint32_t is_busy = 1 << 24;
 
 }
+
+void begin() { resets::restart(resets::dma); }
 
 void start(std::span<const std::byte> bytes, Piece piece, Register target, Request request)
 {

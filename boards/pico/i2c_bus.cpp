@@ -4,6 +4,7 @@
 #include "boards/pico/interrupts.hpp"
 #include "boards/pico/pins.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
 #include <atomic>
@@ -126,6 +127,7 @@ I2cBus::I2cBus(const BoardSettings& settings)
 {
     const Pin clock = settings.pin(PinRole::clock);
     bus_unit = *rp2040::i2c_clock_unit(clock);
+    resets::restart(bus_unit == 0 ? resets::i2c0 : resets::i2c1);
     connect(clock, PinFunction::i2c, Pad::pulled_up);
     connect(settings.pin(PinRole::data), PinFunction::i2c, Pad::pulled_up);
     configure(unit_of(bus_unit), settings);

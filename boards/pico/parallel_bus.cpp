@@ -2,6 +2,7 @@
 
 #include "boards/pico/dma.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/resets.hpp"
 #include "boards/pico/write_program.hpp"
 
 namespace kfast::pico {
@@ -75,7 +76,9 @@ ParallelBus::ParallelBus(const BoardSettings& settings)
 {
     const Pin data = settings.pin(PinRole::data);
     const Pin write = settings.pin(PinRole::clock);
+    resets::restart(resets::pio0);
     control.write(0);
+    dma::begin();
     load_program(write_cycle(settings.bus_clock));
     drive_pins(data, write);
     connect(write, PinFunction::pio0, Pad::fast_output);

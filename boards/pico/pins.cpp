@@ -1,6 +1,7 @@
 #include "boards/pico/pins.hpp"
 
 #include "boards/pico/register.hpp"
+#include "boards/pico/resets.hpp"
 
 namespace kfast::pico {
 namespace {
@@ -45,6 +46,7 @@ void connect(Pin pin, PinFunction function, Pad pad)
 {
     if (pin == no_pin)
         return;
+    resets::release(resets::io_bank0 | resets::pads_bank0);
     pad_control(pin).write(pad_bits(pad));
     pin_control(pin).write(static_cast<std::uint32_t>(function));
 }

@@ -3,6 +3,7 @@
 #include "boards/pico/bus_rates.hpp"
 #include "boards/pico/dma.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
 namespace kfast::pico {
@@ -41,7 +42,7 @@ void pause_40_ns() { asm volatile("nop\n nop\n nop\n nop\n nop"); }
 void start(int unit, const SpiRate& rate)
 {
     const Unit spi = unit_of(unit);
-    spi.control1().write(0);
+    resets::restart(unit == 0 ? resets::spi0 : resets::spi1);
     spi.prescale().write(rate.prescale);
     spi.control0().write((rate.divisor - 1) << divisor_at | mode_3 | (8 - 1));
     spi.dma_control().write(dma_feeds);
@@ -61,6 +62,7 @@ SpiBus::SpiBus(const BoardSettings& settings)
                                                                     Pad::fast_output}
 {
     start(unit_, spi_rate(settings.bus_clock));
+    dma::begin();
     connect(settings.pin(PinRole::clock), PinFunction::spi, Pad::fast_output);
     connect(settings.pin(PinRole::data), PinFunction::spi, Pad::fast_output);
 }
