@@ -1,0 +1,52 @@
+#include "host/scene/part_rule.hpp"
+
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <string>
+
+namespace kfast::scene {
+namespace {
+
+std::string usage_remedy(const NodeForm& form) { return "write " + std::string{form.usage}; }
+
+}
+
+bool may_stand(const kdl::Node& part, const kdl::Node& whole, Times times, Reading& reading)
+{
+    const auto first = std::ranges::find(whole.children, part.name, &kdl::Node::name);
+    if (times == Times::any || &*first == &part)
+        return true;
+    return reading.report.error(part.name_place, "there is a " + part.name + " already, on " +
+                                                     reading.report.line(first->name_place));
+}
+
+void report_unknown_part(const kdl::Node& part, const kdl::Node& whole,
+                         std::span<const std::string_view> known, Reading& reading)
+{
+    reading.report.error(part.name_place, "a " + whole.name + " has no node " + quoted(part.name),
+                         suggestion(part.name, known));
+}
+
+void require_part(const NodeForm& form, const kdl::Node& whole, Reading& reading)
+{
+    if (std::ranges::find(whole.children, form.name, &kdl::Node::name) == whole.children.end())
+        reading.report.error(whole.name_place, "this " + whole.name + " has no " + std::string{form.name},
+                             "add \"" + std::string{form.usage} + '"');
+}
+
+const kdl::Node* only_node(const kdl::Document& document, const NodeForm& form, std::string_view what,
+                           Reading& reading)
+{
+    bool is_only = !document.nodes.empty();
+    for (const kdl::Node& node : document.nodes)
+        if (&node != &document.nodes.front() || node.name != form.name)
+            is_only =
+                reading.report.error(node.name_place, std::string{what} + " is one node", usage_remedy(form));
+    if (document.nodes.empty())
+        reading.report.error(Place{}, "there is no " + std::string{form.name} + " in this text",
+                             usage_remedy(form));
+    return is_only ? &document.nodes.front() : nullptr;
+}
+
+}
