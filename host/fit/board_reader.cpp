@@ -155,9 +155,8 @@ std::optional<Target> read_board(const SourceText& source, Diagnostics& diagnost
     if (diagnostics.has_errors())
         return std::nullopt;
     Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
-    const kdl::Node* const node = only_node(document, board_form, "a description of a board", reading);
     Target target;
-    if (!diagnostics.has_errors())
+    if (const kdl::Node* const node = only_node(document, board_form, "a description of a board", reading))
         read_board(*node, target, reading);
     if (diagnostics.has_errors())
         return std::nullopt;

@@ -38,15 +38,18 @@ void require_part(const NodeForm& form, const kdl::Node& whole, Reading& reading
 const kdl::Node* only_node(const kdl::Document& document, const NodeForm& form, std::string_view what,
                            Reading& reading)
 {
-    bool is_only = !document.nodes.empty();
-    for (const kdl::Node& node : document.nodes)
-        if (&node != &document.nodes.front() || node.name != form.name)
-            is_only =
-                reading.report.error(node.name_place, std::string{what} + " is one node", usage_remedy(form));
-    if (document.nodes.empty())
+    if (document.nodes.empty()) {
         reading.report.error(Place{}, "there is no " + std::string{form.name} + " in this text",
                              usage_remedy(form));
-    return is_only ? &document.nodes.front() : nullptr;
+        return nullptr;
+    }
+    const kdl::Node& first = document.nodes.front();
+    const bool begins_right = first.name == form.name;
+    if (begins_right && document.nodes.size() == 1)
+        return &first;
+    reading.report.error(begins_right ? document.nodes[1].name_place : first.name_place,
+                         std::string{what} + " is one node", usage_remedy(form));
+    return nullptr;
 }
 
 }
