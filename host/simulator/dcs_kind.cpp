@@ -82,7 +82,7 @@ constexpr std::array ili9341_bits{
     memory_access,
     scroll_high,
     scroll_low,
-    FixedBits{0xB6, 1, 0xE0, 0xA0}, // normally white; columns are wired from the last to the first
+    FixedBits{0xB6, 1, 0xC0, 0x80}, // normally white, scanned from the first line on
     FixedBits{0xB6, 2, 0x3F, 0x27}, // 320 lines
     FixedBits{0xF6, 0, 0xE8, 0x00}, // memory access means what it says
     FixedBits{0xF6, 2, 0x2E, 0x00}, // high byte first, pictures come from the memory
@@ -178,24 +178,28 @@ const DcsKind st7789{.commands = with(with(every_kind, later_commands), st7789_c
                      .fixed_bits = st7789_bits,
                      .takes_12_bits = true,
                      .has_rgb_interface = true,
+                     .is_wired_backwards = false,
                      .reset_time = milliseconds{5},
                      .wake_time = milliseconds{5}};
 const DcsKind ili9341{.commands = with(with(every_kind, later_commands), ili9341_commands),
                       .fixed_bits = ili9341_bits,
                       .takes_12_bits = false,
                       .has_rgb_interface = true,
+                      .is_wired_backwards = true,
                       .reset_time = milliseconds{5},
                       .wake_time = milliseconds{5}};
 const DcsKind st7735{.commands = with(every_kind, st7735_commands),
                      .fixed_bits = usual_bits,
                      .takes_12_bits = true,
                      .has_rgb_interface = false,
+                     .is_wired_backwards = false,
                      .reset_time = milliseconds{120},
                      .wake_time = milliseconds{120}};
 const DcsKind gc9a01{.commands = with(with(every_kind, later_commands), gc9a01_commands),
                      .fixed_bits = usual_bits,
                      .takes_12_bits = false,
                      .has_rgb_interface = true,
+                     .is_wired_backwards = false,
                      .reset_time = milliseconds{5},
                      .wake_time = milliseconds{5}};
 

@@ -25,6 +25,9 @@ struct DcsKind {
     bool takes_12_bits;
     /// Whose pixel format is in the upper half of 3Ah's parameter; without one nobody reads the upper bits.
     bool has_rgb_interface;
+    /// Whether glasses are wired from its last column to its first: bit 5 of B6h's second parameter puts that
+    /// right.
+    bool is_wired_backwards;
     /// From a reset to the first command that is heard.
     std::chrono::milliseconds reset_time;
     /// From sleep out to the next command.

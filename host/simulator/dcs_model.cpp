@@ -50,7 +50,11 @@ Frame DcsModel::picture() const
     const ColourPath path{.swaps = settings_.bgr != ((registers_.access & blue_first) != 0),
                           .inverts = settings_.inverted != registers_.inverts};
     return painted_frame<PixelFormat::rgb565>(settings_.glass, [&](int x, int y) {
-        return is_dark ? 0 : path.rgb565(memory_.at(settings_.column + x, settings_.row + y));
+        const int column = settings_.column + x;
+        const bool is_mirrored = kind_.is_wired_backwards && !registers_.starts_at_last_column;
+        return is_dark ? 0
+                       : path.rgb565(memory_.at(is_mirrored ? memory_size_.width - 1 - column : column,
+                                                settings_.row + y));
     });
 }
 
@@ -101,6 +105,9 @@ void DcsModel::execute(std::uint8_t code, Parameters parameters)
         return set_format(parameters[0]);
     case 0x3C:
         return go_on_writing();
+    case 0xB6:
+        registers_.starts_at_last_column = kind_.is_wired_backwards && (parameters[1] & 0x20) != 0;
+        return;
     default:
         return execute_power(code);
     }

@@ -26,7 +26,8 @@ private:
         bool is_on = false;
         bool inverts = false;
         std::uint8_t access = 0; ///< the bits of 36h
-        int pixel_bits = 0;      ///< on the bus
+        bool starts_at_last_column = false;
+        int pixel_bits = 0; ///< on the bus
         AddressWindow window;
         bool is_writing = false; ///< the window waits for pixels
         std::uint32_t bits = 0;  ///< those of a pixel that is not whole yet
