@@ -82,7 +82,7 @@ constexpr std::array ili9341_bits{
     memory_access,
     scroll_high,
     scroll_low,
-    FixedBits{0xB6, 1, 0xE0, 0x80}, // normally white, scanned from the first line and column on
+    FixedBits{0xB6, 1, 0xE0, 0xA0}, // normally white; columns are wired from the last to the first
     FixedBits{0xB6, 2, 0x3F, 0x27}, // 320 lines
     FixedBits{0xF6, 0, 0xE8, 0x00}, // memory access means what it says
     FixedBits{0xF6, 2, 0x2E, 0x00}, // high byte first, pictures come from the memory
