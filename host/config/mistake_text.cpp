@@ -1,5 +1,6 @@
 #include "host/config/mistake_text.hpp"
 
+#include "host/config/names.hpp"
 #include "host/config/pin_list.hpp"
 #include "host/scene/quantity_reader.hpp"
 
@@ -13,19 +14,8 @@ using scene::frequency, scene::quantity_text;
 
 constexpr std::uint8_t last_address = 0x77;
 
-std::string name_of(Controller controller)
-{
-    return std::string{controller_names[static_cast<std::size_t>(controller)]};
-}
-
-std::string name_of(BusKind bus) { return std::string{bus_names[static_cast<std::size_t>(bus)]}; }
-
-std::string name_of(PinRole role) { return std::string{pin_role_names[static_cast<std::size_t>(role)]}; }
-
-std::string text_of(Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
 /// "clock", "button 3"; of a parallel bus "data (D0 to D7 on GP0 to GP7)".
-std::string name_of(PinUser user, const BoardSettings& settings)
+std::string user_name(PinUser user, const BoardSettings& settings)
 {
     if (user.is_control())
         return (settings.controls[user.control()].kind == ControlKind::knob ? "knob " : "button ") +
@@ -50,9 +40,9 @@ Finding glass_beyond_memory_text(const BoardSettings& settings)
 {
     const PanelSettings& panel = settings.panel;
     const Size memory = facts_of(panel.controller).memory;
-    const std::string message = "a glass of " + text_of(panel.glass) + " at column " +
+    const std::string message = "a glass of " + size_text(panel.glass) + " at column " +
                                 std::to_string(panel.column) + ", row " + std::to_string(panel.row) +
-                                " does not lie within the " + text_of(memory) + " pixels of " +
+                                " does not lie within the " + size_text(memory) + " pixels of " +
                                 name_of(panel.controller);
     const bool lies_turned = panel.glass.width > memory.width && panel.glass.width <= memory.height &&
                              panel.glass.height <= memory.width;
@@ -68,8 +58,8 @@ Finding glass_ragged_text(const BoardSettings& settings)
 {
     const ControllerFacts& facts = facts_of(settings.panel.controller);
     const Size step = addressed_pixels(facts.format);
-    return {name_of(settings.panel.controller) + " addresses " + text_of(step) + " pixels at once",
-            "let the glass be a multiple of " + text_of(facts.granularity) + ", column and row of " +
+    return {name_of(settings.panel.controller) + " addresses " + size_text(step) + " pixels at once",
+            "let the glass be a multiple of " + size_text(facts.granularity) + ", column and row of " +
                 std::to_string(step.width) + " and " + std::to_string(step.height)};
 }
 
@@ -100,7 +90,7 @@ Finding address_text(const BoardSettings& settings)
 Finding pin_missing_text(PinUser user, const BoardSettings& settings)
 {
     if (user.is_control())
-        return {name_of(user, settings) + " has no pin", "give it one"};
+        return {user_name(user, settings) + " has no pin", "give it one"};
     const std::string role = name_of(user.role());
     if (user == PinRole::tearing)
         return {"there is no pin for the tearing effect", "add tearing=… to pins, or remove tearing=#true"};
@@ -111,7 +101,7 @@ Finding pin_not_on_board_text(PinUser user, const BoardSettings& settings)
 {
     const PinRow row = pins_of(settings, user);
     if (row.count > 1)
-        return {name_of(user, settings) + " does not lie on the edge of a Pico",
+        return {user_name(user, settings) + " does not lie on the edge of a Pico",
                 "let data= be one of 0 to " + std::to_string(last_pin_of_eight)};
     return {pin_name(row.first) + " is not on the edge of a Pico", "use one of " + pins_on_edge()};
 }
@@ -119,8 +109,8 @@ Finding pin_not_on_board_text(PinUser user, const BoardSettings& settings)
 Finding pin_shared_text(PinUser user, PinUser other, const BoardSettings& settings)
 {
     const int pin = std::max(pins_of(settings, user).first, pins_of(settings, other).first);
-    return {pin_name(pin) + " is taken twice: by " + name_of(other, settings) + " and by " +
-                name_of(user, settings),
+    return {pin_name(pin) + " is taken twice: by " + user_name(other, settings) + " and by " +
+                user_name(user, settings),
             "move one of them; free: " + free_pins(settings)};
 }
 
@@ -147,8 +137,7 @@ Finding units_differ_text(const BoardSettings& settings)
 
 Finding action_text(PinUser user, const BoardSettings& settings)
 {
-    const auto action = static_cast<std::size_t>(settings.controls[user.control()].action);
-    return {name_of(user, settings) + " cannot be for " + std::string{control_action_names[action]},
+    return {user_name(user, settings) + " cannot be for " + name_of(settings.controls[user.control()].action),
             "buttons are for play, pause and sleep, knobs for place, speed and brightness"};
 }
 
