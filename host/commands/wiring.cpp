@@ -1,9 +1,9 @@
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
 #include "host/config/config_input.hpp"
-#include "host/config/names.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"
+#include "host/config/setting_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,10 +39,10 @@ std::string json_text(const BoardSettings& settings, std::span<const config::Con
         connections.push_back(json_of(wire));
     const Json json{{"board", "pico"},
                     {"panel",
-                     {{"name", config::name_of(settings.panel.controller)},
+                     {{"name", config::word_of(settings.panel.controller)},
                       {"width", size.width},
                       {"height", size.height}}},
-                    {"bus", config::name_of(settings.bus)},
+                    {"bus", config::word_of(settings.bus)},
                     {"connections", connections}};
     return json.dump(2) + '\n';
 }
@@ -93,8 +93,8 @@ std::string table(std::span<const config::Connection> wires)
 std::string plain_text(const Options& options, std::span<const config::Connection> wires,
                        const BoardSettings& settings)
 {
-    return options.input + ": " + config::name_of(settings.panel.controller) + " by " +
-           config::name_of(settings.bus) + ", picture " + config::size_text(settings.panel.size()) + "\n" +
+    return options.input + ": " + config::word_of(settings.panel.controller) + " by " +
+           config::word_of(settings.bus) + ", picture " + config::size_text(settings.panel.size()) + "\n" +
            table(wires) + "\nThe Pico from above\n\n" + config::pico_drawing(wires);
 }
 

@@ -1,7 +1,7 @@
 #include "host/config/config_text.hpp"
 
 #include "host/config/mistake_text.hpp"
-#include "host/config/names.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/kdl/canonical.hpp"
 #include "host/scene/quantity_reader.hpp"
 #include "host/scene/value_reader.hpp"
@@ -37,7 +37,7 @@ std::string panel_text(const BoardSettings& settings)
     std::string text{note};
     text += "The glass, not turned; the picture on it is " + size_text(panel.size());
     text += line;
-    text += "panel " + name_of(panel.controller) + ' ' + std::to_string(panel.glass.width) + ' ' +
+    text += "panel " + word_of(panel.controller) + ' ' + std::to_string(panel.glass.width) + ' ' +
             std::to_string(panel.glass.height) + " column=" + std::to_string(panel.column) +
             " row=" + std::to_string(panel.row) +
             " rotation=" + std::to_string(90 * static_cast<int>(panel.rotation)) +
@@ -58,12 +58,12 @@ std::string address_text(std::uint8_t address)
 std::string bus_text(const BoardSettings& settings)
 {
     std::string text{note};
-    text += "The maker of " + name_of(settings.panel.controller) + " allows " +
+    text += "The maker of " + word_of(settings.panel.controller) + " allows " +
             quantity_text(rated_clock(settings), frequency);
     if (clock_warning(settings))
         text += "; many bear more";
     text += line;
-    text += "bus " + name_of(settings.bus) + " clock=" + quantity_text(settings.bus_clock, frequency);
+    text += "bus " + word_of(settings.bus) + " clock=" + quantity_text(settings.bus_clock, frequency);
     if (settings.bus == BusKind::i2c || settings.i2c_address != BoardSettings{}.i2c_address)
         text += address_text(settings.i2c_address);
     return text;
@@ -83,7 +83,7 @@ std::string control_text(const Control& control)
 {
     std::string text{line};
     text += (control.kind == ControlKind::knob ? "knob " : "button ") + std::to_string(control.pin) + ' ' +
-            name_of(control.action);
+            word_of(control.action);
     if (has_clip(control.action) && !control.clip.view().empty())
         text += ' ' + kdl::string_form(control.clip.view());
     return text;

@@ -1,7 +1,7 @@
 #include "host/config/mistake_text.hpp"
 
-#include "host/config/names.hpp"
 #include "host/config/pin_list.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/scene/quantity_reader.hpp"
 
 #include <algorithm>
@@ -21,9 +21,9 @@ std::string user_name(PinUser user, const BoardSettings& settings)
         return (settings.controls[user.control()].kind == ControlKind::knob ? "knob " : "button ") +
                std::to_string(user.control() + 1);
     const PinRow row = pins_of(settings, user);
-    return row.count > 1 ? name_of(user.role()) + " (D0 to D7 on " + pin_name(row.first) + " to " +
+    return row.count > 1 ? word_of(user.role()) + " (D0 to D7 on " + pin_name(row.first) + " to " +
                                pin_name(row.end() - 1) + ')'
-                         : name_of(user.role());
+                         : word_of(user.role());
 }
 
 Finding bus_not_taken_text(const BoardSettings& settings)
@@ -31,8 +31,8 @@ Finding bus_not_taken_text(const BoardSettings& settings)
     std::string taken;
     for (const BusKind bus : {BusKind::spi, BusKind::i2c, BusKind::parallel_8})
         if (facts_of(settings.panel.controller).takes(bus))
-            taken += (taken.empty() ? "bus " : " or bus ") + name_of(bus);
-    return {name_of(settings.panel.controller) + " cannot be driven by " + name_of(settings.bus),
+            taken += (taken.empty() ? "bus " : " or bus ") + word_of(bus);
+    return {word_of(settings.panel.controller) + " cannot be driven by " + word_of(settings.bus),
             "write " + taken};
 }
 
@@ -43,7 +43,7 @@ Finding glass_beyond_memory_text(const BoardSettings& settings)
     const std::string message = "a glass of " + size_text(panel.glass) + " at column " +
                                 std::to_string(panel.column) + ", row " + std::to_string(panel.row) +
                                 " does not lie within the " + size_text(memory) + " pixels of " +
-                                name_of(panel.controller);
+                                word_of(panel.controller);
     const bool lies_turned = panel.glass.width > memory.width && panel.glass.width <= memory.height &&
                              panel.glass.height <= memory.width;
     if (lies_turned)
@@ -58,7 +58,7 @@ Finding glass_ragged_text(const BoardSettings& settings)
 {
     const ControllerFacts& facts = facts_of(settings.panel.controller);
     const Size step = addressed_pixels(facts.format);
-    return {name_of(settings.panel.controller) + " addresses " + size_text(step) + " pixels at once",
+    return {word_of(settings.panel.controller) + " addresses " + size_text(step) + " pixels at once",
             "let the glass be a multiple of " + size_text(facts.granularity) + ", column and row of " +
                 std::to_string(step.width) + " and " + std::to_string(step.height)};
 }
@@ -66,7 +66,7 @@ Finding glass_ragged_text(const BoardSettings& settings)
 Finding clock_text(const BoardSettings& settings, const std::string& wrong)
 {
     const ClockRange range = clock_range(settings.bus);
-    return {"a Pico has no " + name_of(settings.bus) + " that is so " + wrong,
+    return {"a Pico has no " + word_of(settings.bus) + " that is so " + wrong,
             "allowed: " + quantity_text(range.least, frequency) + " to " +
                 quantity_text(range.most, frequency)};
 }
@@ -91,10 +91,10 @@ Finding pin_missing_text(PinUser user, const BoardSettings& settings)
 {
     if (user.is_control())
         return {user_name(user, settings) + " has no pin", "give it one"};
-    const std::string role = name_of(user.role());
+    const std::string role = word_of(user.role());
     if (user == PinRole::tearing)
         return {"there is no pin for the tearing effect", "add tearing=… to pins, or remove tearing=#true"};
-    return {name_of(settings.bus) + " needs a pin for " + role, "add " + role + "=… to pins"};
+    return {word_of(settings.bus) + " needs a pin for " + role, "add " + role + "=… to pins"};
 }
 
 Finding pin_not_on_board_text(PinUser user, const BoardSettings& settings)
@@ -116,7 +116,7 @@ Finding pin_shared_text(PinUser user, PinUser other, const BoardSettings& settin
 
 Finding function_missing_text(PinRole role, const BoardSettings& settings)
 {
-    const std::string what = role == PinRole::log ? "a log" : name_of(settings.bus) + ' ' + name_of(role);
+    const std::string what = role == PinRole::log ? "a log" : word_of(settings.bus) + ' ' + word_of(role);
     return {pin_name(settings.pin(role)) + " cannot carry " + what,
             "use one of " + pins_that_carry(role, settings.bus, std::nullopt)};
 }
@@ -137,20 +137,8 @@ Finding units_differ_text(const BoardSettings& settings)
 
 Finding action_text(PinUser user, const BoardSettings& settings)
 {
-    return {user_name(user, settings) + " cannot be for " + name_of(settings.controls[user.control()].action),
+    return {user_name(user, settings) + " cannot be for " + word_of(settings.controls[user.control()].action),
             "buttons are for play, pause and sleep, knobs for place, speed and brightness"};
-}
-
-bool has_function(const BoardSettings& settings, PinRole role)
-{
-    return !rp2040::function_name(role, settings.bus, settings.pin(role)).empty();
-}
-
-/// That the clock of no unit is not that of the data's unit has been told already.
-bool follows_from_another(const SettingsMistake& mistake, const BoardSettings& settings)
-{
-    return mistake.fault == SettingsFault::units_differ &&
-           (!has_function(settings, PinRole::clock) || !has_function(settings, PinRole::data));
 }
 
 }
@@ -159,7 +147,7 @@ std::vector<SettingsMistake> mistakes(const BoardSettings& settings)
 {
     std::vector<SettingsMistake> found;
     for (const SettingsRule rule : settings_rules)
-        if (const auto mistake = rule(settings); mistake && !follows_from_another(*mistake, settings))
+        if (const auto mistake = rule(settings))
             found.push_back(*mistake);
     return found;
 }
@@ -174,7 +162,7 @@ Finding text_of(const SettingsMistake& mistake, const BoardSettings& settings)
     case SettingsFault::glass_ragged:
         return glass_ragged_text(settings);
     case SettingsFault::rotation_not_done:
-        return {name_of(settings.panel.controller) + " cannot turn a picture by 90 or 270 degrees",
+        return {word_of(settings.panel.controller) + " cannot turn a picture by 90 or 270 degrees",
                 "write rotation=0 or 180"};
     case SettingsFault::clock_too_fast:
         return clock_text(settings, "fast");
@@ -221,7 +209,7 @@ std::optional<Finding> clock_warning(const BoardSettings& settings)
     if (rated == 0 || settings.bus_clock <= rated)
         return std::nullopt;
     const std::string clock = quantity_text(rated, frequency);
-    return Finding{"faster than the maker of " + name_of(settings.panel.controller) + " allows, " + clock,
+    return Finding{"faster than the maker of " + word_of(settings.panel.controller) + " allows, " + clock,
                    "many bear it; if the picture is torn or speckled, write clock=" + clock};
 }
 

@@ -1,9 +1,9 @@
 #include "host/config/wiring.hpp"
 
 #include "firmware/board_rules.hpp"
-#include "host/config/names.hpp"
 #include "host/config/panel_labels.hpp"
 #include "host/config/pico_edge.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/text/glyph.hpp"
 
 #include <array>
@@ -61,7 +61,7 @@ private:
         if (row.count > 1)
             return add_row(label, row);
         if (row.count == 1)
-            return add_gpio(label.empty() ? name_of(role) : label, settings_.pin(role), function_of(role));
+            return add_gpio(label.empty() ? word_of(role) : label, settings_.pin(role), function_of(role));
         add_idle(label, idle_level(role, settings_));
     }
 
@@ -110,7 +110,7 @@ private:
 
     static std::string purpose_of(const Control& control)
     {
-        std::string purpose = name_of(control.action);
+        std::string purpose = word_of(control.action);
         if (has_clip(control.action) && !control.clip.view().empty())
             purpose += ' ' + visible(control.clip.view());
         return purpose;
