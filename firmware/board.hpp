@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace kfast {
 
@@ -21,6 +23,12 @@ namespace kfast {
 struct FrameReport {
     Time time;
     std::uint32_t skipped = 0; ///< frames left out since the scene began, because their time had passed
+};
+
+/// What a board calls itself on its test card, in the letters of small_font.hpp.
+struct BoardNames {
+    std::string_view board;
+    std::string_view panel;
 };
 
 // Compound requirements would be torn apart.
@@ -76,6 +84,33 @@ concept EventBoard = Board<B> && requires(B& board, const EventView& event) {
 template <class B>
 concept ChoosingBoard = Board<B> && requires(B& board, const SceneView& scene) {
     { board.playhead(scene) } -> std::same_as<Playhead>;
+};
+
+/// A board with something to touch. Asked once before every frame, whatever is played.
+template <class B>
+concept SteeredBoard = Board<B> && requires(B& board, Playhead& playhead) {
+    { board.steer(playhead) } -> std::same_as<void>;
+};
+
+/// A board that can switch its display off: while it wants to rest, time stands still and nothing is shown.
+template <class B>
+concept RestingBoard = SteeredBoard<B> && PoweredPanel<std::remove_reference_t<decltype(std::declval<B&>().panel())>> &&
+    requires(B& board) {
+        { board.wants_rest() } -> std::same_as<bool>;
+    };
+
+/// A board that knows when its display has shown a picture. Asked once for every frame that changes anything,
+/// with its first band drawn; returns when sending may begin.
+template <class B>
+concept SynchronizedBoard = Board<B> && requires(B& board) {
+    { board.wait_for_blank() } -> std::same_as<void>;
+};
+
+/// A board that shows a test card when it has no scene: when the first four bytes of its place are all 0xFF, as
+/// erased flash is, or all 0.
+template <class B>
+concept NamedBoard = Board<B> && requires(const B& board) {
+    { board.names() } -> std::same_as<BoardNames>;
 };
 
 // clang-format on

@@ -3,12 +3,16 @@
 #include "core/player.hpp"
 #include "core/playhead.hpp"
 #include "firmware/board.hpp"
-#include "firmware/fault_picture.hpp"
+#include "firmware/fault_card.hpp"
 #include "firmware/frame_clock.hpp"
 #include "firmware/sending.hpp"
+#include "firmware/test_card.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace kfast {
@@ -24,11 +28,14 @@ void draw_frame(B& board, Animation& player)
     using P = PanelOf<B>;
     static_assert(P::granularity.height <= tallest_group);
     std::array bands = board.bands();
-    while (true) {
+    for (bool is_first = true; true; is_first = false) {
         const auto changes =
             player.template draw_changes<P::format>(bands[0], P::granularity, P::window_bytes);
         if (changes.empty())
             break;
+        if constexpr (SynchronizedBoard<B>)
+            if (is_first)
+                board.wait_for_blank();
         for (const auto& [area, pixels] : changes)
             send(board, area, pixels);
         std::swap(bands[0], bands[1]);
@@ -48,6 +55,20 @@ void advance(B& board, Playhead& playhead, std::uint32_t frames)
     });
 }
 
+/// Keeps the panel asleep as long as the board wants to rest.
+template <RestingBoard B>
+void rest(B& board, Playhead& playhead, FrameClock& clock)
+{
+    const auto pause = [&board](Microseconds time) { board.sleep_until(board.now() + time); };
+    board.panel().sleep(pause);
+    while (board.running() && board.wants_rest()) {
+        board.sleep_until(clock.due());
+        clock.advance(board.now());
+        board.steer(playhead);
+    }
+    board.panel().wake(pause);
+}
+
 /// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of
 /// a frame, and of those left out before it, are told before it is drawn.
 template <Board B, class Animation>
@@ -57,6 +78,13 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
     std::uint32_t frames = 0;
     while (board.running()) {
         advance(board, playhead, frames);
+        if constexpr (SteeredBoard<B>)
+            board.steer(playhead);
+        if constexpr (RestingBoard<B>)
+            if (board.wants_rest()) {
+                rest(board, playhead, clock);
+                player.redraw();
+            }
         report.time = playhead.moment();
         player.show_moment(report.time);
         if constexpr (RedrawingBoard<B>)
@@ -81,13 +109,32 @@ Playhead playhead_for(B& board, const SceneView& scene)
         return Playhead{scene};
 }
 
+/// Whether nothing has ever been written where a scene is to lie.
+inline bool is_blank(std::span<const std::byte> place)
+{
+    if (place.size() < 4)
+        return place.empty();
+    const auto beginning = place.first(4);
+    return std::ranges::all_of(beginning, [&](std::byte byte) { return byte == place[0]; }) &&
+           (place[0] == std::byte{0xFF} || place[0] == std::byte{0});
+}
+
+template <Board B>
+void show_why_nothing_plays(B& board, Error error)
+{
+    if constexpr (NamedBoard<B>)
+        if (is_blank(board.scene_bytes()))
+            return show_card(board, TestCard{board.names(), board.panel().size()});
+    show_card(board, FaultCard{error, board.panel().size()});
+}
+
 /// Says on the panel, if the bands hold a row of it, and to the board why nothing is played.
 template <Board B>
 void refuse(B& board, Error error)
 {
     if (rows_per_band(board.panel(), board.bands()[0].size()) != 0) {
         begin_panel(board);
-        show_fault(board, error);
+        show_why_nothing_plays(board, error);
     }
     board.fault(error);
 }

@@ -3,6 +3,7 @@
 #include "boards/lm3s6965evb/clock.hpp"
 #include "boards/lm3s6965evb/ssi.hpp"
 #include "firmware/board.hpp"
+#include "firmware/controller_facts.hpp"
 #include "firmware/panel/ssd0323.hpp"
 
 #include <array>
@@ -60,7 +61,7 @@ private:
 
     Clock clock_;
     Ssi bus_;
-    Ssd0323<Ssi> panel_{bus_};
+    Ssd0323<Ssi> panel_{bus_, facts_of(Controller::ssd0323).usual};
     std::uint32_t bytes_sent_ = 0; ///< since the last report
     bool wants_redraw_ = false;
     Mode mode_ = Mode::free_running;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/board.hpp"
+#include "firmware/controller_facts.hpp"
 #include "firmware/panel/ssd0323.hpp"
 
 #include <array>
@@ -33,7 +34,7 @@ public:
     /// Set the system clock; begin the timer and the bus; reset the display if it has a reset pin.
     Board() { bus_.begin(); }
 
-    /// The display: choose its driver from firmware/panel/.
+    /// The display: choose its driver from firmware/panel/, and say below how its glass is made and turned.
     Ssd0323<Bus>& panel() { return panel_; }
 
     /// Read a timer that counts microseconds in 32 bits and wraps.
@@ -72,7 +73,7 @@ private:
     alignas(4) static inline std::array<std::byte, 16 * 1024> block_;
     alignas(4) static inline std::array<std::array<std::byte, band_bytes>, 2> bands_;
     Bus bus_;
-    Ssd0323<Bus> panel_{bus_};
+    Ssd0323<Bus> panel_{bus_, facts_of(Controller::ssd0323).usual};
 };
 
 static_assert(kfast::Board<Board>);

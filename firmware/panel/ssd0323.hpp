@@ -1,7 +1,8 @@
 #pragma once
 
-#include "firmware/bus.hpp"
+#include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
+#include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
 
 #include <array>
@@ -11,51 +12,69 @@
 
 namespace kfast {
 
-/// Register values as found in drivers of 128x64 modules. What only sibling controllers know (0x23, 0xB0,
-/// 0xB4) is left out.
-inline constexpr auto ssd0323_start_up = std::to_array<StartUpStep>({
-    {0xAE},                                                      // display off
-    {0xB3, 1, {0x91}},                                           // clock
-    {0xA8, 1, {0x3F}},                                           // 64 rows
-    {0xA2, 1, {0x40}},                                           // display offset
-    {0xA1, 1, {0x00}},                                           // start line
-    {0xAD, 1, {0x02}},                                           // external supply
-    {0xA0, 1, {0x52}},                                           // left pixel in the high nibble
-    {0x86},                                                      // full current
-    {0x81, 1, {0x70}},                                           // contrast
-    {0xB2, 1, {0x51}},                                           // row period
-    {0xB1, 1, {0x55}},                                           // phase length
-    {0xBC, 1, {0x10}},                                           // precharge voltage
-    {0xBE, 1, {0x1C}},                                           // VCOMH
-    {0xBF, 1, {0x0F}},                                           // VSL
-    {0xB8, 8, {0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76}}, // grey table, evenly spaced
-    {0xA4},                                                      // show the memory
-    {0xAF},                                                      // display on
-});
+/// As bright as drivers of 128x64 modules let them be.
+constexpr std::uint8_t ssd0323_contrast(std::uint8_t brightness)
+{
+    return static_cast<std::uint8_t>(brightness * 0x70 / 255);
+}
 
-/// Solomon SSD0323: OLED, 128 x 64 pixels, 16 greys, two pixels a byte.
+/// Register values as found in drivers of 128x64 modules. What only sibling controllers know (0x23, 0xB0,
+/// 0xB4) is left out. Only the rows of the glass are scanned, in whichever direction.
+constexpr auto ssd0323_start_up(const PanelSettings& settings)
+{
+    const auto rows = static_cast<std::uint8_t>(settings.glass.height - 1);
+    const auto start_line = static_cast<std::uint8_t>(settings.row);
+    // The left pixel is in the high nibble: turned by half, that of the byte at the other end.
+    const std::uint8_t remap = settings.rotation == Rotation::none ? 0x52 : 0x41;
+    const std::uint8_t shown = settings.inverted ? 0xA7 : 0xA4;
+    return std::to_array<StartUpStep>({
+        {0xAE},                                             // display off
+        {0xB3, 1, {0x91}},                                  // clock
+        {0xA8, 1, {rows}},                                  // rows
+        {0xA2, 1, {0x40}},                                  // display offset
+        {0xA1, 1, {start_line}},                            // start line
+        {0xAD, 1, {0x02}},                                  // external supply
+        {0xA0, 1, {remap}},                                 // nibbles, columns and rows from which end
+        {0x86},                                             // full current
+        {0x81, 1, {ssd0323_contrast(settings.brightness)}}, // contrast
+        {0xB2, 1, {0x51}},                                  // row period
+        {0xB1, 1, {0x55}},                                  // phase length
+        {0xBC, 1, {0x10}},                                  // precharge voltage
+        {0xBE, 1, {0x1C}},                                  // VCOMH
+        {0xBF, 1, {0x0F}},                                  // VSL
+        {0xB8, 8, {0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76}}, // grey table, evenly spaced
+        {shown},                                                     // the memory, or its inverse
+        {0xAF},                                                      // display on
+    });
+}
+
+/// Solomon SSD0323: OLED of up to 128 x 80 pixels, 16 greys, two pixels a byte.
 template <DisplayBus Bus>
 class Ssd0323 {
 public:
-    static constexpr PixelFormat format = PixelFormat::grey4;
-    static constexpr Size granularity{.width = 2, .height = 1};
-    static constexpr int window_bytes = 6;
+    static constexpr PixelFormat format = facts_of(Controller::ssd0323).format;
+    static constexpr Size granularity = facts_of(Controller::ssd0323).granularity;
+    static constexpr int window_bytes = facts_of(Controller::ssd0323).window_bytes;
 
-    /// `bus` must outlive the panel.
-    explicit Ssd0323(Bus& bus) : bus_{bus} {}
+    /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in an even
+    /// column.
+    Ssd0323(Bus& bus, const PanelSettings& settings)
+        : bus_{bus}, settings_{settings}, column_{picture_place(settings, memory).column}
+    {
+    }
 
-    Size size() const { return {.width = 128, .height = 64}; }
+    Size size() const { return settings_.size(); }
 
     template <class Pause>
     void begin(Pause&& pause)
     {
-        send_start_up(bus_, ssd0323_start_up, pause);
+        send_start_up<arguments>(bus_, ssd0323_start_up(settings_), pause);
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
     {
-        select(0x15, area.x / 2, area.width / 2); // columns are counted in bytes
-        select(0x75, area.y, area.height);
+        select(0x15, (column_ + area.x) / 2, area.width / 2); // columns are counted in bytes
+        select(0x75, settings_.row + area.y, area.height);
         bus_.start_data(pixels);
     }
 
@@ -63,29 +82,33 @@ public:
 
     void set_brightness(std::uint8_t brightness)
     {
-        bus_.command(std::array{std::byte{0x81}, static_cast<std::byte>(brightness / 2)}); // seven bits
+        send_command<arguments>(bus_, 0x81, ssd0323_contrast(brightness));
     }
 
     template <class Pause>
     void sleep(Pause&&)
     {
-        bus_.command(std::array{std::byte{0xAE}});
+        send_command<arguments>(bus_, 0xAE);
     }
 
     template <class Pause>
     void wake(Pause&&)
     {
-        bus_.command(std::array{std::byte{0xAF}});
+        send_command<arguments>(bus_, 0xAF);
     }
 
 private:
-    void select(std::uint8_t axis, int first, int count)
+    static constexpr Arguments arguments = Arguments::with_command;
+    static constexpr Size memory = facts_of(Controller::ssd0323).memory;
+
+    void select(int axis, int first, int count)
     {
-        const auto last = static_cast<std::byte>(first + count - 1);
-        bus_.command(std::array{std::byte{axis}, static_cast<std::byte>(first), last});
+        send_command<arguments>(bus_, axis, first, first + count - 1);
     }
 
     Bus& bus_;
+    PanelSettings settings_;
+    int column_; ///< of the picture's left edge
 };
 
 }

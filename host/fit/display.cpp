@@ -1,5 +1,6 @@
 #include "host/fit/display.hpp"
 
+#include "firmware/controller_facts.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
@@ -8,23 +9,39 @@
 namespace kfast::fit {
 namespace {
 
-/// Column and row with two words each, and the command to write: the controllers that follow MIPI DCS.
-constexpr std::size_t dcs_window = 5 + 5 + 1;
 /// Column and row with two bytes each.
 constexpr std::size_t short_window = 3 + 3;
 
-/// Sizes are those of the usual glass. Clocks are the write cycles of the makers' tables; a glass that has
-/// run faster on somebody's desk is not rated for it. The byte order of colours is that of an 8-bit bus.
+constexpr Display usual(Controller controller)
+{
+    const ControllerFacts& facts = facts_of(controller);
+    return {.name = controller_names[static_cast<std::size_t>(controller)],
+            .size = facts.usual.glass,
+            .format = facts.format,
+            .granularity = facts.granularity,
+            .window_bytes = static_cast<std::size_t>(facts.window_bytes),
+            .rated_spi = static_cast<double>(facts.spi_hz)};
+}
+
+/// Its maker's table was not at hand: the figure is only what others say.
+constexpr Display unrated(Display display)
+{
+    display.rated_spi = 0;
+    return display;
+}
+
+/// Sizes are those of the usual glass. The byte order of colours is that of an 8-bit bus. Of those without a
+/// driver in firmware/panel/, clocks are the write cycles of the makers' tables too.
 constexpr std::array displays{
-    Display{"gc9a01", {240, 240}, PixelFormat::rgb565, {1, 1}, dcs_window, 0},
-    Display{"ili9341", {240, 320}, PixelFormat::rgb565, {1, 1}, dcs_window, 10e6},
-    Display{"ssd0323", {128, 64}, PixelFormat::grey4, {2, 1}, short_window, 4e6},
-    Display{"ssd1306", {128, 64}, PixelFormat::mono1, {8, 8}, short_window, 10e6},
+    unrated(usual(Controller::gc9a01)),
+    usual(Controller::ili9341),
+    usual(Controller::ssd0323),
+    usual(Controller::ssd1306),
     Display{"ssd1322", {256, 64}, PixelFormat::grey4, {4, 1}, short_window + 1, 10e6},
-    Display{"ssd1351", {128, 128}, PixelFormat::rgb565, {1, 1}, short_window + 1, 20e6},
-    Display{"st7735", {128, 160}, PixelFormat::rgb565, {1, 1}, dcs_window, 15.15e6},
-    Display{"st7789", {240, 240}, PixelFormat::rgb565, {1, 1}, dcs_window, 62.5e6},
-    Display{"st7796", {320, 480}, PixelFormat::rgb565, {1, 1}, dcs_window, 62.5e6},
+    usual(Controller::ssd1351),
+    usual(Controller::st7735),
+    usual(Controller::st7789),
+    Display{"st7796", {320, 480}, PixelFormat::rgb565, {1, 1}, dcs_window_bytes, 62.5e6},
 };
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/board.hpp"
+#include "firmware/controller_facts.hpp"
 #include "firmware/panel/ssd0323.hpp"
 #include "firmware/panel_mirror.hpp"
 #include "host/simulator/simulated_bus.hpp"
@@ -63,7 +64,7 @@ private:
     std::array<std::vector<std::byte>, 2> bands_;
     Ssd0323Model model_;
     SimulatedBus<Ssd0323Model> bus_{model_};
-    Ssd0323<SimulatedBus<Ssd0323Model>> panel_{bus_};
+    Ssd0323<SimulatedBus<Ssd0323Model>> panel_{bus_, facts_of(Controller::ssd0323).usual};
     Microseconds now_;
     PanelMirror<PixelFormat::grey4, Ssd0323Model::width, Ssd0323Model::height> mirror_;
     std::size_t frames_wanted_;

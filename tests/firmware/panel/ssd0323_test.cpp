@@ -5,16 +5,23 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
 #include <vector>
 
 namespace kfast::test {
 
-static_assert(Panel<Ssd0323<RecordedBus>>);
+static_assert(PoweredPanel<Ssd0323<RecordedBus>>);
+
+namespace {
+
+constexpr PanelSettings usual = facts_of(Controller::ssd0323).usual;
+
+}
 
 TEST_CASE("SSD0323: the start-up sequence, byte by byte, all of it with D/C low")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus};
+    Ssd0323 panel{bus, usual};
     panel.begin([](Microseconds) { FAIL("the controller needs no pause"); });
 
     std::vector<std::byte> sent;
@@ -30,7 +37,7 @@ TEST_CASE("SSD0323: the start-up sequence, byte by byte, all of it with D/C low"
 TEST_CASE("SSD0323: a window counts columns in bytes; its parameters go with D/C low, pixels with D/C high")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus};
+    Ssd0323 panel{bus, usual};
     const auto pixels = bytes({0x12, 0x34, 0x56, 0x78});
     panel.start({.x = 32, .y = 24, .width = 4, .height = 2}, pixels);
     CHECK(bus.sent == std::vector<RecordedBus::Transfer>{
@@ -43,7 +50,7 @@ TEST_CASE("SSD0323: a window counts columns in bytes; its parameters go with D/C
 TEST_CASE("SSD0323: the whole panel is columns 0 to 63 and rows 0 to 63")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus};
+    Ssd0323 panel{bus, usual};
     panel.start({.x = 0, .y = 0, .width = 128, .height = 64}, {});
     REQUIRE(bus.sent.size() == 3);
     CHECK(bus.sent[0].bytes == bytes({0x15, 0, 63}));
@@ -53,10 +60,52 @@ TEST_CASE("SSD0323: the whole panel is columns 0 to 63 and rows 0 to 63")
 TEST_CASE("SSD0323: the panel is busy as long as the bus is")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus};
+    Ssd0323 panel{bus, usual};
     CHECK_FALSE(panel.busy());
     bus.is_busy = true;
     CHECK(panel.busy());
+}
+
+TEST_CASE("SSD0323: the settings in the start-up")
+{
+    PanelSettings settings = usual;
+    settings.rotation = Rotation::half;
+    settings.inverted = true;
+    settings.brightness = 128;
+    settings.glass = {128, 56};
+    settings.row = 3;
+    TellingBus bus;
+    Ssd0323{bus, settings}.begin(bus.pause());
+    CHECK(bus.lines[2] == "command A8 37");
+    CHECK(bus.lines[4] == "command A1 03");
+    CHECK(bus.lines[6] == "command A0 41");
+    CHECK(bus.lines[8] == "command 81 38");
+    CHECK(bus.lines[15] == "command A7");
+}
+
+TEST_CASE("SSD0323: a glass beside the middle is counted from the other side when it is turned by half")
+{
+    PanelSettings settings{.controller = Controller::ssd0323, .glass = {96, 64}, .column = 20, .row = 8};
+    const auto window = [&settings] {
+        TellingBus bus;
+        Ssd0323{bus, settings}.start({0, 0, 96, 64}, {});
+        return bus.lines;
+    };
+    CHECK(window() == std::vector<std::string>{"command 15 0A 39", "command 75 08 47", "pixels"});
+    settings.rotation = Rotation::half;
+    CHECK(window() == std::vector<std::string>{"command 15 06 35", "command 75 08 47", "pixels"});
+}
+
+TEST_CASE("SSD0323: brightness, sleep and waking")
+{
+    TellingBus bus;
+    Ssd0323 panel{bus, usual};
+    panel.set_brightness(255);
+    panel.set_brightness(0);
+    panel.sleep(bus.pause());
+    panel.wake(bus.pause());
+    CHECK(bus.lines ==
+          std::vector<std::string>{"command 81 70", "command 81 00", "command AE", "command AF"});
 }
 
 }

@@ -1,5 +1,6 @@
 #include "host/simulator/simulated_bus.hpp"
 
+#include "firmware/controller_facts.hpp"
 #include "firmware/panel/ssd0323.hpp"
 #include "host/simulator/ssd0323_model.hpp"
 #include "tests/bytes.hpp"
@@ -12,7 +13,7 @@ namespace {
 struct Wired {
     Ssd0323Model model;
     SimulatedBus<Ssd0323Model> bus{model};
-    Ssd0323<SimulatedBus<Ssd0323Model>> panel{bus};
+    Ssd0323<SimulatedBus<Ssd0323Model>> panel{bus, facts_of(Controller::ssd0323).usual};
 
     void send(Rect area, std::span<const std::byte> pixels)
     {

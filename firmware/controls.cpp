@@ -1,0 +1,139 @@
+#include "firmware/controls.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+/// From backwards to twice as fast; around the middle it stands still.
+std::int32_t speed_at(int level)
+{
+    constexpr int middle = (Controls::full_level + 1) / 2;
+    constexpr int still = 2 * Controls::tremble;
+    const int away = level - middle;
+    if (away >= -still && away <= still)
+        return 0;
+    return 2 * Playhead::as_authored / middle * away;
+}
+
+}
+
+Controls::Controls(const BoardSettings& settings, const SceneView& scene)
+    : scene_{scene}, start_{settings.clip}, brightness_{settings.panel.brightness}
+{
+    std::ranges::transform(settings.controls, touches_.begin(),
+                           [](const Control& control) { return Touch{.control = control}; });
+}
+
+Playhead Controls::playhead_of(const ClipName& clip) const
+{
+    const auto found = clip.view().empty() ? std::nullopt : scene_.clip(clip.view());
+    return found ? Playhead{stretch_of(*found), scene_.events()} : Playhead{scene_};
+}
+
+bool Controls::is_pressed_anew(Touch& touch, bool pressed, Microseconds now)
+{
+    if (pressed == touch.pressed || !reached(now, touch.changed + bounce))
+        return false;
+    touch.pressed = pressed;
+    touch.changed = now;
+    return pressed;
+}
+
+bool Controls::is_turned(Touch& touch, int level)
+{
+    const bool is_at_end = level == 0 || level == full_level;
+    const int way = level < touch.level ? touch.level - level : level - touch.level;
+    if (touch.level != untouched && way < (is_at_end ? 1 : tremble))
+        return false;
+    touch.level = level;
+    return true;
+}
+
+void Controls::press(const Control& control, Playhead& playhead)
+{
+    switch (control.action) {
+    case ControlAction::play:
+        return play(control.clip, playhead);
+    case ControlAction::pause:
+        paused_ = !paused_;
+        return apply_speed(playhead);
+    case ControlAction::sleep:
+        wants_rest_ = !wants_rest_;
+        return;
+    case ControlAction::place:
+    case ControlAction::speed:
+    case ControlAction::brightness:
+        return; // what only a knob can do
+    }
+}
+
+void Controls::turn(const Touch& touch, Playhead& playhead)
+{
+    switch (touch.control.action) {
+    case ControlAction::place:
+        return place(touch, playhead);
+    case ControlAction::speed:
+        speed_ = speed_at(touch.level);
+        return apply_speed(playhead);
+    case ControlAction::brightness:
+        brightness_ = static_cast<std::uint8_t>(touch.level / 16);
+        return;
+    case ControlAction::play:
+    case ControlAction::pause:
+    case ControlAction::sleep:
+        return; // what only a button can do
+    }
+}
+
+/// A clip that repeats ends when its button is pressed again.
+void Controls::play(const ClipName& clip, Playhead& playhead)
+{
+    const bool is_playing_it = before_ && clip_ == clip;
+    if (is_playing_it && playhead.stretch().loop != Loop::once)
+        return go_back(playhead);
+    if (!before_)
+        before_ = playhead;
+    clip_ = clip;
+    paused_ = false;
+    playhead = playhead_of(clip);
+    apply_speed(playhead);
+}
+
+/// A button's clip goes first: the knob's place is taken up when it has finished.
+void Controls::place(const Touch& touch, Playhead& playhead)
+{
+    Playhead placed = playhead_of(touch.control.clip);
+    const Stretch& stretch = placed.stretch();
+    placed.seek(stretch.begin + Time{static_cast<std::int32_t>(std::int64_t{stretch.length().ticks} *
+                                                               touch.level / full_level)});
+    (before_ ? *before_ : playhead) = placed;
+    is_placed_ = true;
+    apply_speed(playhead);
+}
+
+void Controls::go_back(Playhead& playhead)
+{
+    playhead = *before_;
+    before_.reset();
+    apply_speed(playhead);
+}
+
+/// The end of a clip is shown for a frame before.
+void Controls::go_back_when_finished(Playhead& playhead)
+{
+    if (before_ && playhead.finished() && end_is_shown_)
+        go_back(playhead);
+    end_is_shown_ = before_ && playhead.finished();
+}
+
+void Controls::apply_speed(Playhead& playhead) const
+{
+    if (paused_)
+        return playhead.set_speed(0);
+    if (before_)
+        return playhead.set_speed(Playhead::as_authored);
+    playhead.set_speed(is_placed_ ? 0 : speed_);
+}
+
+}

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "core/playhead.hpp"
+#include "core/scene_view.hpp"
+#include "firmware/board_settings.hpp"
+#include "firmware/microseconds.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+
+namespace kfast {
+
+// Compound requirements would be torn apart.
+// clang-format off
+
+/// Where the state of controls is read.
+template <class T>
+concept TouchedPins = requires(T& pins, Pin pin) {
+    /// Whether the button is closed, or has been since it was last asked about.
+    { pins.pressed(pin) } -> std::same_as<bool>;
+    /// How far the knob is turned: 0 … Controls::full_level.
+    { pins.level(pin) } -> std::same_as<int>;
+};
+
+// clang-format on
+
+/// What the buttons and knobs of a board do to what is played. A clip that the scene does not have stands for
+/// the whole scene.
+class Controls {
+public:
+    static constexpr int full_level = 4095;
+    /// A knob that is not touched trembles less than this.
+    static constexpr int tremble = 24;
+    /// What a switch does for so long after it has changed is bouncing.
+    static constexpr Microseconds bounce{20'000};
+
+    /// The bytes of `scene` must outlive the controls.
+    Controls(const BoardSettings& settings, const SceneView& scene);
+
+    /// What is played at first.
+    Playhead playhead() const { return playhead_of(start_); }
+
+    /// Reads every control and does what it asks.
+    template <TouchedPins Pins>
+    void steer(Playhead& playhead, Pins& pins, Microseconds now)
+    {
+        go_back_when_finished(playhead);
+        for (Touch& touch : touches_) {
+            if (touch.control.kind == ControlKind::button) {
+                if (is_pressed_anew(touch, pins.pressed(touch.control.pin), now))
+                    press(touch.control, playhead);
+            } else if (touch.control.kind == ControlKind::knob) {
+                if (is_turned(touch, pins.level(touch.control.pin)))
+                    turn(touch, playhead);
+            }
+        }
+    }
+
+    /// Whether the display is to be off.
+    bool wants_rest() const { return wants_rest_; }
+    /// Of the display, as the settings or a knob have it.
+    std::uint8_t brightness() const { return brightness_; }
+
+private:
+    static constexpr int untouched = -1;
+
+    struct Touch {
+        Control control;
+        bool pressed = false;
+        Microseconds changed{}; ///< when the button was last pressed or let go
+        int level = untouched;  ///< of a knob when it last did something
+    };
+
+    Playhead playhead_of(const ClipName& clip) const;
+    static bool is_pressed_anew(Touch& touch, bool pressed, Microseconds now);
+    static bool is_turned(Touch& touch, int level);
+    void press(const Control& control, Playhead& playhead);
+    void turn(const Touch& touch, Playhead& playhead);
+    void play(const ClipName& clip, Playhead& playhead);
+    void place(const Touch& touch, Playhead& playhead);
+    void go_back(Playhead& playhead);
+    void go_back_when_finished(Playhead& playhead);
+    void apply_speed(Playhead& playhead) const;
+
+    SceneView scene_;
+    ClipName start_;
+    std::array<Touch, BoardSettings::most_controls> touches_;
+    std::optional<Playhead> before_;             ///< what was played before a button's clip
+    ClipName clip_;                              ///< of the button that is being played
+    std::int32_t speed_ = Playhead::as_authored; ///< a button's clip is always played as authored
+    bool is_placed_ = false;                     ///< a knob says where playing stands
+    bool end_is_shown_ = false;                  ///< of a button's clip
+    bool paused_ = false;
+    bool wants_rest_ = false;
+    std::uint8_t brightness_;
+};
+
+}

@@ -1,0 +1,255 @@
+#include "firmware/controls.hpp"
+
+#include "tests/compiled.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+namespace kfast::test {
+namespace {
+
+/// Pins as a test sets them.
+struct FakePins {
+    bool pressed(Pin pin) { return closed[pin]; }
+    int level(Pin pin) { return levels[pin]; }
+
+    std::map<Pin, bool> closed;
+    std::map<Pin, int> levels;
+};
+
+constexpr Microseconds frame{33'333};
+
+/// A scene of 60 frames with clips, and what is touched while it plays, frame by frame.
+class Gadget {
+public:
+    explicit Gadget(BoardSettings settings)
+        : controls_{settings, *SceneView::parse(scene_)}, playhead_{controls_.playhead()}
+    {
+    }
+
+    int frame_shown() const { return playhead_.moment().ticks / Time::ticks_per_frame; }
+    const Controls& controls() const { return controls_; }
+
+    void steer()
+    {
+        controls_.steer(playhead_, pins, now_);
+        now_ = now_ + frame;
+    }
+    /// Lets frames pass.
+    void run(int frames)
+    {
+        for (int i = 0; i < frames; ++i) {
+            playhead_.advance(Time::ticks_per_frame);
+            steer();
+        }
+    }
+    void click(Pin pin)
+    {
+        pins.closed[pin] = true;
+        steer();
+        pins.closed[pin] = false;
+        steer();
+    }
+
+    FakePins pins;
+
+private:
+    std::vector<std::byte> scene_ =
+        compiled("kfast 1\ncanvas 8 8 frames=60\nobject a fill=white { rect 1 1 2 2 }\n"
+                 "clip wink from=10 to=14\nclip spin from=20 to=30 loop=repeat\n"
+                 "clip idle from=40 to=50 loop=repeat\n");
+    Controls controls_;
+    Playhead playhead_;
+    Microseconds now_{1'000'000};
+};
+
+BoardSettings with(std::initializer_list<Control> controls)
+{
+    BoardSettings settings;
+    std::ranges::copy(controls, settings.controls.begin());
+    return settings;
+}
+
+constexpr Control wink{ControlKind::button, ControlAction::play, 1, {"wink"}};
+constexpr Control spin{ControlKind::button, ControlAction::play, 2, {"spin"}};
+constexpr Control pause_button{ControlKind::button, ControlAction::pause, 3, {}};
+constexpr Control sleep_button{ControlKind::button, ControlAction::sleep, 4, {}};
+constexpr Control speed_knob{ControlKind::knob, ControlAction::speed, 26, {}};
+constexpr Control place_knob{ControlKind::knob, ControlAction::place, 27, {"idle"}};
+constexpr Control light_knob{ControlKind::knob, ControlAction::brightness, 28, {}};
+
+}
+
+TEST_CASE(
+    "the whole scene is played, or the clip of the settings; one that the scene lacks is the whole scene")
+{
+    CHECK(Gadget{{}}.frame_shown() == 0);
+    BoardSettings settings;
+    settings.clip = {"idle"};
+    CHECK(Gadget{settings}.frame_shown() == 40);
+    settings.clip = {"gone"};
+    CHECK(Gadget{settings}.frame_shown() == 0);
+}
+
+TEST_CASE("a button plays its clip once, then what was played before goes on where it was")
+{
+    Gadget gadget{with({wink})};
+    gadget.run(5);
+    gadget.click(1);
+    CHECK(gadget.frame_shown() == 10);
+    gadget.run(3);
+    CHECK(gadget.frame_shown() == 13);
+    gadget.run(2);
+    CHECK(gadget.frame_shown() == 5);
+    gadget.run(1);
+    CHECK(gadget.frame_shown() == 6);
+}
+
+TEST_CASE("a clip starts anew when its button is pressed again, and another button's clip takes its place")
+{
+    Gadget gadget{with({wink, spin})};
+    gadget.run(5);
+    gadget.click(1);
+    gadget.run(2);
+    gadget.click(1);
+    CHECK(gadget.frame_shown() == 10);
+    gadget.click(2);
+    CHECK(gadget.frame_shown() == 20);
+    gadget.click(2);
+    CHECK(gadget.frame_shown() == 5);
+}
+
+TEST_CASE("a clip that repeats is played until its button is pressed again")
+{
+    Gadget gadget{with({spin})};
+    gadget.run(5);
+    gadget.click(2);
+    gadget.run(35);
+    CHECK(gadget.frame_shown() == 25);
+    gadget.click(2);
+    CHECK(gadget.frame_shown() == 5);
+}
+
+TEST_CASE("a button that is held counts once")
+{
+    Gadget gadget{with({pause_button})};
+    gadget.pins.closed[3] = true;
+    gadget.run(10);
+    CHECK(gadget.frame_shown() == 1); // the frame that had passed before it was pressed
+}
+
+TEST_CASE("a switch that changes within 20 ms bounces")
+{
+    const auto bytes = compiled("kfast 1\ncanvas 8 8 frames=9\nobject a fill=white { rect 1 1 2 2 }\n");
+    Controls controls{with({sleep_button}), *SceneView::parse(bytes)};
+    Playhead playhead = controls.playhead();
+    FakePins pins;
+    const auto at = [&](std::uint32_t time, bool closed) {
+        pins.closed[4] = closed;
+        controls.steer(playhead, pins, Microseconds{time});
+        return controls.wants_rest();
+    };
+    CHECK(at(100'000, true));
+    CHECK(at(105'000, false));
+    CHECK(at(110'000, true));
+    CHECK(at(119'999, false));
+    CHECK(at(120'000, false)); // now it is believed to be open
+    CHECK(at(139'999, true));
+    CHECK_FALSE(at(140'000, true));
+}
+
+TEST_CASE("pausing stands still and goes on; a clip's button ends it")
+{
+    Gadget gadget{with({wink, pause_button})};
+    gadget.run(5);
+    gadget.click(3);
+    gadget.run(10);
+    CHECK(gadget.frame_shown() == 5);
+    gadget.click(3);
+    gadget.run(2);
+    CHECK(gadget.frame_shown() == 7);
+    gadget.click(3);
+    gadget.click(1);
+    gadget.run(6);
+    CHECK(gadget.frame_shown() == 8);
+}
+
+TEST_CASE("the sleep button asks for rest, and ends it")
+{
+    Gadget gadget{with({sleep_button})};
+    CHECK_FALSE(gadget.controls().wants_rest());
+    gadget.click(4);
+    CHECK(gadget.controls().wants_rest());
+    gadget.click(4);
+    CHECK_FALSE(gadget.controls().wants_rest());
+}
+
+TEST_CASE("a knob sets the speed: backwards, still around the middle, twice as fast")
+{
+    Gadget gadget{with({speed_knob})};
+    gadget.pins.levels[26] = Controls::full_level;
+    gadget.steer();
+    gadget.run(10);
+    CHECK(gadget.frame_shown() == 19); // a little less than twice: 2047 of 2048 steps
+    gadget.pins.levels[26] = 2048 + 40;
+    gadget.run(1);
+    const int stood = gadget.frame_shown();
+    gadget.run(10);
+    CHECK(gadget.frame_shown() == stood);
+    gadget.pins.levels[26] = 1024;
+    gadget.steer();
+    gadget.run(10);
+    CHECK(gadget.frame_shown() == stood - 10);
+}
+
+TEST_CASE("a knob says where in its clip playing stands, from its beginning to its end")
+{
+    Gadget gadget{with({place_knob})};
+    gadget.steer();
+    CHECK(gadget.frame_shown() == 40);
+    gadget.run(5);
+    CHECK(gadget.frame_shown() == 40);
+    gadget.pins.levels[27] = 2048;
+    gadget.steer();
+    CHECK(gadget.frame_shown() == 45);
+    gadget.pins.levels[27] = 4094;
+    gadget.steer();
+    CHECK(gadget.frame_shown() == 49);
+}
+
+TEST_CASE("a knob that trembles does nothing, but its ends are reached")
+{
+    Gadget gadget{with({light_knob})};
+    gadget.pins.levels[28] = 1600;
+    gadget.steer();
+    CHECK(gadget.controls().brightness() == 100);
+    gadget.pins.levels[28] = 1600 + Controls::tremble - 1;
+    gadget.steer();
+    CHECK(gadget.controls().brightness() == 100);
+    gadget.pins.levels[28] = 1600 + Controls::tremble;
+    gadget.steer();
+    CHECK(gadget.controls().brightness() == 101);
+    gadget.pins.levels[28] = 4090;
+    gadget.steer();
+    gadget.pins.levels[28] = Controls::full_level;
+    gadget.steer();
+    CHECK(gadget.controls().brightness() == 255);
+}
+
+TEST_CASE("a button's clip goes before a knob's place, which is taken up when it has finished")
+{
+    Gadget gadget{with({wink, place_knob})};
+    gadget.steer();
+    gadget.click(1);
+    CHECK(gadget.frame_shown() == 10);
+    gadget.pins.levels[27] = 2048;
+    gadget.run(2);
+    CHECK(gadget.frame_shown() == 12);
+    gadget.run(3);
+    CHECK(gadget.frame_shown() == 45);
+    gadget.run(3);
+    CHECK(gadget.frame_shown() == 45);
+}
+
+}
