@@ -40,6 +40,7 @@ export class Board {
     #cyclesBefore = 0;
     #nanosPerCycle = 8;
     #restart = false;
+    #interrupted = false;
     #startedAt = 0;
 
     /** @param {Uint8Array} image what lies in flash from its beginning; the rest is empty */
@@ -72,6 +73,7 @@ export class Board {
     /** Ends the run after the current instruction. */
     end(why) {
         this.ending ??= why;
+        this.#interrupted = true;
     }
 
     passTime(nanos) {
@@ -110,20 +112,32 @@ export class Board {
         }
     }
 
+    /** Runs until something changes that it takes for granted; the innermost loop, so that all is at hand. */
     #execute(end) {
         const { clock } = this;
         const { core } = this.mcu;
-        while (clock.nanosCounter < end && !this.#restart && this.ending === undefined) {
-            if (core.waiting && !wakes(core)) {
-                clock.tick(Math.min(this.#idleNanos(), end - clock.nanosCounter));
+        const nanosPerCycle = this.#nanosPerCycle;
+        this.#interrupted = false;
+        while (clock.nanosCounter < end && !this.#interrupted) {
+            if (core.waiting && !this.#wakeUp(core, end))
                 continue;
-            }
-            if (core.waiting) {
-                core.waiting = false;
-                core.interruptsUpdated = true;
-            }
-            clock.tick(core.executeInstruction() * this.#nanosPerCycle);
+            const after = clock.nanosCounter + core.executeInstruction() * nanosPerCycle;
+            if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= after)
+                clock.tick(after - clock.nanosCounter);
+            else
+                clock.nanosCounter = after;
         }
+    }
+
+    /** Whether the core goes on after WFI or WFE; if not, time has passed. */
+    #wakeUp(core, end) {
+        if (!wakes(core)) {
+            this.clock.tick(Math.min(this.#idleNanos(), end - this.nanos));
+            return false;
+        }
+        core.waiting = false;
+        core.interruptsUpdated = true;
+        return true;
     }
 
     #idleNanos() {
@@ -184,7 +198,10 @@ export class Board {
     }
 
     #followClock() {
-        this.mcu.addClockListener((hertz) => (this.#nanosPerCycle = 1e9 / hertz));
+        this.mcu.addClockListener((hertz) => {
+            this.#nanosPerCycle = 1e9 / hertz;
+            this.#interrupted = true;
+        });
         this.mcu.updateClocks(); // at first it runs from the ring oscillator; rp2040js from 125 MHz
     }
 
@@ -218,6 +235,7 @@ export class Board {
         this.watchdogResets.push(this.nanos);
         this.#watchdog.alarm.enable = false; // or rp2040js rings for ever
         this.#restart = true;
+        this.#interrupted = true;
     }
 
     #boot() {
@@ -254,13 +272,11 @@ export class Board {
     /** While code cannot be fetched, nobody may read the flash. */
     #guardFlash() {
         const { mcu } = this;
+        const isOpen = this.flashInterface.isReadable() && !this.#flashStale;
         for (const name of ['readUint8', 'readUint16', 'readUint32']) {
-            delete mcu[name];
-            if (this.flashInterface.isReadable() && !this.#flashStale)
-                continue;
-            const read = mcu[name];
-            mcu[name] = (address) => (address - flashAddress >>> 0 < flashWindow ? this.#refuseFlash(address)
-                : read.call(mcu, address));
+            const read = RP2040.prototype[name];
+            mcu[name] = isOpen ? read : (address) => (address - flashAddress >>> 0 < flashWindow
+                ? this.#refuseFlash(address) : read.call(mcu, address)); // `delete` would make it slow for ever
         }
     }
 

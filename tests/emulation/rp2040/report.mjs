@@ -29,24 +29,28 @@ function rounded(times) {
 }
 
 /** Registers that the emulator does not heed, or that tell how fast the bus can be. */
-function registers(mcu, { bus, pins }) {
+function registers(mcu, { bus, pins, controls }) {
     return {
         clkSys: mcu.clkSys,
         clkPeri: mcu.clocks.periFreq,
         watchdogEnabled: mcu.peripherals[0x40058].enable,
-        pins: pinRegisters(mcu, pins),
+        pins: Object.fromEntries(usedPins(bus, pins).map(([role, pin]) => [role, pinRegisters(mcu.gpio[pin])])),
+        controls: controls.map(({ kind, pin }) => ({ kind, ...pinRegisters(mcu.gpio[pin]) })),
         ...(bus === 'spi' && { spi: spiRegisters(mcu.spi[(pins.clock >>> 3) & 1]) }),
         ...(bus === 'i2c' && { i2c: i2cRegisters(mcu.i2c[(pins.clock >>> 1) & 1]) }),
         ...(bus === 'parallel' && { pio: mcu.pio.map(pioRegisters) }),
     };
 }
 
-function pinRegisters(mcu, pins) {
-    const used = Object.entries(pins).filter(([, pin]) => pin !== noPin);
-    return Object.fromEntries(used.map(([role, pin]) => {
-        const { functionSelect, padValue } = mcu.gpio[pin];
-        return [role, { pin, functionSelect, pad: padValue }];
-    }));
+/** [role, pin]; of a parallel bus the data pins are D0 ... D7. */
+function usedPins(bus, pins) {
+    const used = Object.entries(pins).filter(([role, pin]) => pin !== noPin && (bus !== 'parallel' || role !== 'data'));
+    const data = Array.from({ length: 8 }, (_, i) => [`D${i}`, pins.data + i]);
+    return bus === 'parallel' ? [...used, ...data] : used;
+}
+
+function pinRegisters({ index, functionSelect, padValue }) {
+    return { pin: index, functionSelect, pad: padValue };
 }
 
 function spiRegisters(spi) {

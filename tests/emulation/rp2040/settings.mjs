@@ -5,6 +5,8 @@ export const sceneOffset = 0x40000;
 
 const controllers = ['st7789', 'ili9341', 'st7735', 'gc9a01', 'ssd1306', 'ssd1351', 'ssd0323'];
 const buses = ['spi', 'i2c', 'parallel'];
+const controlKinds = ['none', 'button', 'knob'];
+const mostControls = 8;
 const roles = ['clock', 'data', 'select', 'dc', 'reset', 'backlight', 'tearing', 'log'];
 
 /**
@@ -22,5 +24,8 @@ export function readSettings(bytes) {
         address: bytes[21],
         pins,
         clock: view.getUint32(30, true),
+        controls: Array.from({ length: mostControls }, (_, i) => 58 + 28 * i)
+            .map((at) => ({ kind: controlKinds[bytes[at]], pin: bytes[at + 2] }))
+            .filter(({ kind }) => kind !== 'none'),
     };
 }

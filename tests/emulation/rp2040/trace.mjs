@@ -19,6 +19,7 @@ const longestPause = 1e6; // nanoseconds within one record
  */
 export class Trace {
     #records = [];
+    #latest = 0;
     #open; // the record that bytes may be added to
     #lastByte = 0;
 
@@ -55,7 +56,8 @@ export class Trace {
     }
 
     #add(kind, nanos) {
-        const record = new Record(kind, nanos);
+        const record = new Record(kind, Math.max(nanos, this.#latest)); // a byte that was on its way before a note
+        this.#latest = record.nanos;
         this.#records.push(record);
         return record;
     }
