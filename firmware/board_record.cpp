@@ -6,7 +6,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::array magic{std::byte{'K'}, std::byte{'F'}, std::byte{'B'}, std::byte{'S'}};
+constexpr std::array<std::byte, 4> magic{std::byte{'K'}, std::byte{'F'}, std::byte{'B'}, std::byte{'S'}};
 constexpr std::uint32_t record_version = 1;
 
 constexpr std::uint32_t bgr = 1;

@@ -28,7 +28,7 @@ using BoardRecord = std::array<std::byte, board_record_bytes>;
 BoardRecord board_record(const BoardSettings& settings);
 
 /// What a record holds; nothing if it is damaged, of another version, or no record, or if a number in it has
-/// no meaning. Pins and sizes may still contradict each other or the chip (settings_rules.hpp). More bytes
+/// no meaning. Pins and sizes may still contradict each other or the chip (board_rules.hpp). More bytes
 /// may follow.
 std::optional<BoardSettings> read_board_record(std::span<const std::byte> bytes);
 

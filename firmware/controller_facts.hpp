@@ -33,7 +33,8 @@ inline constexpr int dcs_window_bytes = 5 + 5 + 1;
 
 /// In the order of Controller. Clocks are the write cycles of the makers' tables: a glass that has run faster
 /// on somebody's desk is not rated for it.
-inline constexpr std::array controller_facts{
+// The type is written out because g++ 12 keeps in RAM what it has deduced.
+inline constexpr std::array<ControllerFacts, controller_names.size()> controller_facts{
     ControllerFacts{.usual = {.controller = Controller::st7789, .glass = {240, 240}, .inverted = true},
                     .memory = {240, 320},
                     .turns_across = true,
@@ -69,7 +70,7 @@ inline constexpr std::array controller_facts{
         .format = PixelFormat::rgb565,
         .granularity = {1, 1},
         .window_bytes = dcs_window_bytes,
-        .spi_hz = 100'000'000,
+        .spi_hz = 100'000'000, // as others tell: the maker's table was not at hand
         .parallel_hz = 0,
         .i2c_hz = 0},
     ControllerFacts{.usual = {.controller = Controller::ssd1306, .glass = {128, 64}},
@@ -106,7 +107,6 @@ constexpr const ControllerFacts& facts_of(Controller controller)
     return controller_facts[static_cast<std::size_t>(controller)];
 }
 
-static_assert(controller_facts.size() == controller_names.size());
 static_assert(std::ranges::all_of(controller_facts, [](const ControllerFacts& facts) {
     return &facts == &facts_of(facts.usual.controller);
 }));

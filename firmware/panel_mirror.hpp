@@ -12,8 +12,9 @@
 
 namespace kfast {
 
-/// What a panel shows, kept in RAM by a board that watches: for the hash of the picture, which must equal the
-/// one that `kfast hash` gives.
+/// What a panel shows, put together in RAM from what is sent to it. A board that watches keeps it for the
+/// hash of the picture, which must equal the one that `kfast hash` gives; a display controller may show it
+/// from there.
 template <PixelFormat format, int width, int height>
 class PanelMirror {
 public:
@@ -26,6 +27,9 @@ public:
         for (; area.height > 0; --area.height, row += stride, pixels = pixels.subspan(bytes))
             std::ranges::copy(pixels.first(bytes), row);
     }
+
+    /// All rows, one after another.
+    std::span<const std::byte> bytes() const { return memory_; }
 
     /// CRC-32 of all rows.
     std::uint32_t hash() const

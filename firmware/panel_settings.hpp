@@ -3,6 +3,7 @@
 #include "core/size.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -15,6 +16,11 @@ enum class Controller : std::uint8_t { st7789, ili9341, st7735, gc9a01, ssd1306,
 inline constexpr std::array<std::string_view, 7> controller_names{
     "st7789", "ili9341", "st7735", "gc9a01", "ssd1306", "ssd1351", "ssd0323",
 };
+
+constexpr std::string_view name_of(Controller controller)
+{
+    return controller_names[static_cast<std::size_t>(controller)];
+}
 
 /// How far the picture is turned on the glass, clockwise, against the way that the controller scans it.
 /// Stored.

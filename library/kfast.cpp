@@ -40,12 +40,12 @@ constexpr kfast_error code_of(Error error)
 /// In the order of kfast_error.
 constexpr std::array error_texts{
     "ok",
-    error_text(Error::truncated),
-    error_text(Error::bad_magic),
-    error_text(Error::unsupported_version),
-    error_text(Error::bad_checksum),
-    error_text(Error::bad_scene),
-    error_text(Error::block_too_small),
+    error_text(Error::truncated).data(),
+    error_text(Error::bad_magic).data(),
+    error_text(Error::unsupported_version).data(),
+    error_text(Error::bad_checksum).data(),
+    error_text(Error::bad_scene).data(),
+    error_text(Error::block_too_small).data(),
     "buffer_too_small: the buffer does not hold a row of the panel",
     "bad_panel_size: a side of the panel is not 1 to 4096 pixels long",
     "no_such_clip: the scene has no clip of this name",

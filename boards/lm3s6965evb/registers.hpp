@@ -1,24 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include "firmware/register.hpp"
 
 namespace kfast::lm3s6965evb {
-
-/// A 32-bit register of the chip. Every read() and write() happens, in the order written.
-class Register {
-public:
-    explicit constexpr Register(std::uint32_t address) : address_{address} {}
-
-    std::uint32_t read() const { return *pointer(); }
-    void write(std::uint32_t value) const { *pointer() = value; }
-    void set(std::uint32_t bits) const { write(read() | bits); }
-    void clear(std::uint32_t bits) const { write(read() & ~bits); }
-
-private:
-    volatile std::uint32_t* pointer() const { return reinterpret_cast<volatile std::uint32_t*>(address_); }
-
-    std::uint32_t address_;
-};
 
 // System control
 inline constexpr Register ris{0x400F'E050};
@@ -42,14 +26,6 @@ inline constexpr Register ssi_dr{0x4000'8008};
 inline constexpr Register ssi_sr{0x4000'800C};
 inline constexpr Register ssi_cpsr{0x4000'8010};
 inline constexpr Register ssi_im{0x4000'8014};
-
-// UART0 (PL011)
-inline constexpr Register uart_dr{0x4000'C000};
-inline constexpr Register uart_fr{0x4000'C018};
-inline constexpr Register uart_ibrd{0x4000'C024};
-inline constexpr Register uart_fbrd{0x4000'C028};
-inline constexpr Register uart_lcrh{0x4000'C02C};
-inline constexpr Register uart_ctl{0x4000'C030};
 
 // The CPU's own
 inline constexpr Register systick_control{0xE000'E010};

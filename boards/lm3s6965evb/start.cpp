@@ -1,5 +1,6 @@
 #include "boards/lm3s6965evb/registers.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
+#include "firmware/console.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,12 +42,12 @@ void systick_handler();
 /// Any exception that nobody handles: names its number (3 is a hard fault) and stops.
 [[noreturn]] void fault_handler()
 {
-    using namespace kfast::lm3s6965evb;
+    using namespace kfast;
     std::uint32_t exception = 0;
     asm volatile("mrs %0, ipsr" : "=r"(exception));
-    uart::write("FAULT ");
-    uart::write_decimal(exception);
-    uart::write('\n');
+    write_text(lm3s6965evb::uart, "FAULT ");
+    write_decimal(lm3s6965evb::uart, exception);
+    lm3s6965evb::uart.write('\n');
     stop();
 }
 }

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
+#include "firmware/pl011.hpp"
 
-/// UART0: 115200 baud, 8 bits, no parity. Writing waits for room.
-namespace kfast::lm3s6965evb::uart {
+namespace kfast::lm3s6965evb {
 
-void begin();
-void write(char letter);
-void write(const char* text);
-void write(std::string_view text);
-void write_decimal(std::uint32_t number);
-/// Eight digits.
-void write_hex(std::uint32_t number);
+/// UART0: 115200 baud, 8 bits, no parity, on PA0 and PA1.
+inline constexpr Pl011 uart{0x4000'C000};
 
-/// Whether read() has a byte to give.
-bool pending();
-/// Waits for a byte.
-char read();
+void start_uart();
 
 }

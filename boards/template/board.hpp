@@ -8,6 +8,12 @@
 #include <cstddef>
 #include <span>
 
+extern "C" {
+// From the linker script.
+extern const std::byte scene_region_begin[];
+extern const std::byte scene_region_end[];
+}
+
 namespace kfast::board_template {
 
 /// The wires to the display.
@@ -43,9 +49,8 @@ public:
     /// Wait, best asleep, until reached(now(), moment).
     void sleep_until(Microseconds) {}
 
-    /// Where the scene lies in flash: a region of its own or an array that is linked in. More bytes may
-    /// follow.
-    std::span<const std::byte> scene_bytes() { return {}; }
+    /// Where the scene lies in flash: a region of its own, as link.ld has it, or an array that is linked in.
+    std::span<const std::byte> scene_bytes() { return {scene_region_begin, scene_region_end}; }
 
     /// As much RAM as the largest scene needs that the board is to play.
     std::span<std::byte> block() { return block_; }
@@ -62,8 +67,8 @@ public:
     /// A frame is on the display. Say so, or do nothing.
     void frame_shown(FrameReport) {}
 
-    /// There is nothing to play, and the display shows the number of the error. Blink, or write
-    /// error_text(error) to a serial port.
+    /// There is nothing to play, and the display says why. Blink, or write error_text(error) to a serial
+    /// port.
     void fault(Error) {}
 
 private:

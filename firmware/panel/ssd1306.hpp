@@ -20,36 +20,19 @@ constexpr std::uint8_t ssd1306_row_wiring(Size glass)
     return glass.width > 64 && glass.height <= 32 ? 0x02 : 0x12;
 }
 
-/// Register values as found in drivers of 128x64 and 128x32 modules. Only the rows of the glass are scanned,
-/// in whichever direction.
-constexpr auto ssd1306_start_up(const PanelSettings& settings)
-{
-    const bool upright = settings.rotation == Rotation::none;
-    const auto rows = static_cast<std::uint8_t>(settings.glass.height - 1);
-    const auto start_line = static_cast<std::uint8_t>(0x40 + settings.row);
-    const std::uint8_t columns_from = upright ? 0xA1 : 0xA0; // glasses are wired from the last to the first
-    const std::uint8_t rows_from = upright ? 0xC8 : 0xC0;
-    const std::uint8_t lit = settings.inverted ? 0xA7 : 0xA6;
-    return std::to_array<StartUpStep>({
-        {0xAE},                                          // display off
-        {0xD5, 1, {0x80}},                               // clock
-        {0xA8, 1, {rows}},                               // rows
-        {0xD3, 1, {0x00}},                               // display offset
-        {start_line},                                    // display start line
-        {0x8D, 1, {0x14}},                               // charge pump on
-        {0x20, 1, {0x00}},                               // addresses count along the page, then to the next
-        {columns_from},                                  // segment remap
-        {rows_from},                                     // direction of the rows
-        {0xDA, 1, {ssd1306_row_wiring(settings.glass)}}, // wiring of the rows
-        {0x81, 1, {settings.brightness}},                // contrast
-        {0xD9, 1, {0xF1}},                               // precharge
-        {0xDB, 1, {0x40}},                               // VCOMH
-        {0x2E},                                          // no scrolling
-        {0xA4},                                          // show the memory
-        {lit},                                           // set bits are lit, or clear ones
-        {0xAF},                                          // display on
-    });
-}
+/// Register values as found in drivers of 128x64 modules. What PanelSettings says, and to switch on, is left
+/// to Ssd1306.
+inline constexpr auto ssd1306_start_up = std::to_array<StartUpStep>({
+    {0xAE},            // display off
+    {0xD5, 1, {0x80}}, // clock
+    {0xD3, 1, {0x00}}, // display offset
+    {0x8D, 1, {0x14}}, // charge pump on
+    {0x20, 1, {0x00}}, // addresses count along the page, then to the next
+    {0xD9, 1, {0xF1}}, // precharge
+    {0xDB, 1, {0x40}}, // VCOMH
+    {0x2E},            // no scrolling
+    {0xA4},            // show the memory
+});
 
 /// Solomon SSD1306: OLED of up to 128 x 64 pixels, lit or dark, eight of them below each other in a byte.
 /// Over SPI or I²C.
@@ -73,7 +56,11 @@ public:
     void begin(Pause&& pause)
     {
         pause(Microseconds{10'000}); // modules without a reset line reset themselves when the power comes
-        send_start_up<arguments>(bus_, ssd1306_start_up(settings_), pause);
+        send_start_up<arguments>(bus_, ssd1306_start_up, pause);
+        send_glass();
+        send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
+        set_brightness(settings_.brightness);
+        send_command<arguments>(bus_, 0xAF); // display on
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -106,6 +93,18 @@ public:
 private:
     static constexpr Arguments arguments = Arguments::with_command;
     static constexpr Size memory = facts_of(Controller::ssd1306).memory;
+
+    /// Only the rows of the glass are scanned, so that they are the same in either direction.
+    void send_glass()
+    {
+        // An upright glass is wired from the last column and row to the first.
+        const bool upright = settings_.rotation == Rotation::none;
+        send_command<arguments>(bus_, 0xA8, settings_.glass.height - 1);
+        send_command<arguments>(bus_, 0x40 + settings_.row); // start line
+        send_command<arguments>(bus_, upright ? 0xA1 : 0xA0);
+        send_command<arguments>(bus_, upright ? 0xC8 : 0xC0);
+        send_command<arguments>(bus_, 0xDA, ssd1306_row_wiring(settings_.glass));
+    }
 
     void select(int axis, int first, int count)
     {

@@ -23,7 +23,7 @@ constexpr Display usual(Controller controller)
             .rated_spi = static_cast<double>(facts.spi_hz)};
 }
 
-/// Its maker's table was not at hand: the figure is only what others say.
+/// Its clock is not known from the maker himself (firmware/controller_facts.hpp).
 constexpr Display unrated(Display display)
 {
     display.rated_spi = 0;

@@ -7,17 +7,13 @@ import tempfile
 from images import symbol
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "emulation"))
-from qemu import Qemu  # pylint: disable=wrong-import-position
+from qemu import Qemu, loaded  # pylint: disable=wrong-import-position
 
 SCENE_ADDRESS = 0x20000
 RAM_ADDRESS = 0x20000000
 RAM_BYTES = 64 * 1024
 PAINT = b"\x01\x0c\x11\xc0"
 TIMEOUT = 120
-
-
-def loaded(path, address):
-    return ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
 
 
 def stack_used(image, cpu, scene, frames):

@@ -1,6 +1,7 @@
 """QEMU without a window, its UART and its control port on sockets."""
 
 import json
+import os
 import pathlib
 import socket
 import subprocess
@@ -8,11 +9,18 @@ import tempfile
 import time
 
 
-class Qemu:
-    """`with Qemu(arguments) as qemu:` runs a machine; it is killed at the end, whatever happens."""
+def loaded(path, address):
+    """The arguments that put a file into the machine's memory."""
+    return ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
 
-    def __init__(self, arguments, timeout=30):
+
+class Qemu:
+    """`with Qemu(arguments) as qemu:` runs a machine; it is killed at the end, whatever happens. An instruction
+    lasts 2^pace ns."""
+
+    def __init__(self, arguments, timeout=30, pace=5):
         self._arguments = arguments
+        self._pace = pace
         self._timeout = timeout
 
     def __enter__(self):
@@ -36,11 +44,14 @@ class Qemu:
     def _start(self):
         control, uart = self._listen("control"), self._listen("uart")
         command = ["qemu-system-arm", "-display", "none", "-monitor", "none", "-nodefaults", "-nic", "none",
-                   "-icount", "shift=5,sleep=off",
-                   "-chardev", f"socket,id=control,path={self._path('control')}", "-mon", "chardev=control,mode=control",
+                   "-icount", f"shift={self._pace},sleep=off",
+                   "-chardev", f"socket,id=control,path={self._path('control')}",
+                   "-mon", "chardev=control,mode=control",
                    "-chardev", f"socket,id=uart,path={self._path('uart')}", "-serial", "chardev:uart"]
+        silent = os.environ | {"QEMU_AUDIO_DRV": "none"}  # or it looks for loudspeakers
         with open(self._path("stderr"), "wb") as errors:
-            self._process = subprocess.Popen(command + self._arguments, stdin=subprocess.DEVNULL, stderr=errors)
+            self._process = subprocess.Popen(command + self._arguments, stdin=subprocess.DEVNULL, stderr=errors,
+                                             env=silent)
         self._control = self._accept(control).makefile("rwb", buffering=0)
         self._uart = self._accept(uart)
         json.loads(self._control.readline())

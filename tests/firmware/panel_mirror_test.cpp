@@ -23,6 +23,7 @@ TEST_CASE("a mirror holds what was sent, wherever it lies")
     mirror.take({0, 0, 6, 2}, bytes({1, 2, 3, 4, 5, 6}));
     mirror.take({2, 1, 4, 2}, bytes({7, 8, 9, 10}));
     CHECK(mirror.hash() == crc({1, 2, 3, 4, 7, 8, 0, 9, 10}));
+    CHECK(std::ranges::equal(mirror.bytes(), bytes({1, 2, 3, 4, 7, 8, 0, 9, 10})));
 }
 
 }

@@ -5,10 +5,11 @@
 #include <numeric>
 
 extern "C" {
-void* board_memcpy(void* to, const void* from, std::size_t count);
-void* board_memmove(void* to, const void* from, std::size_t count);
-void* board_memset(void* to, int value, std::size_t count);
-int board_memcmp(const void* left, const void* right, std::size_t count);
+void* device_memcpy(void* to, const void* from, std::size_t count);
+void* device_memmove(void* to, const void* from, std::size_t count);
+void* device_memset(void* to, int value, std::size_t count);
+int device_memcmp(const void* left, const void* right, std::size_t count);
+std::size_t device_strlen(const char* text);
 }
 
 namespace kfast::test {
@@ -35,7 +36,7 @@ TEST_CASE("bytes are copied from any place to any other, as many as told")
                 target.bytes.fill(99);
                 expected.bytes.fill(99);
                 std::copy_n(source.bytes.begin() + from, count, expected.bytes.begin() + to);
-                CHECK(board_memcpy(&target.bytes[to], &source.bytes[from], count) == &target.bytes[to]);
+                CHECK(device_memcpy(&target.bytes[to], &source.bytes[from], count) == &target.bytes[to]);
                 REQUIRE(target.bytes == expected.bytes);
             }
 }
@@ -49,7 +50,7 @@ TEST_CASE("bytes are moved onto themselves, up and down")
                 Memory memory;
                 Memory expected;
                 std::copy_n(before.bytes.begin() + from, count, expected.bytes.begin() + to);
-                CHECK(board_memmove(&memory.bytes[to], &memory.bytes[from], count) == &memory.bytes[to]);
+                CHECK(device_memmove(&memory.bytes[to], &memory.bytes[from], count) == &memory.bytes[to]);
                 REQUIRE(memory.bytes == expected.bytes);
             }
 }
@@ -61,7 +62,7 @@ TEST_CASE("any stretch of bytes is set, and nothing else")
             Memory memory;
             Memory expected;
             std::fill_n(expected.bytes.begin() + to, count, static_cast<unsigned char>(0xAB));
-            CHECK(board_memset(&memory.bytes[to], 0x5AB, count) == &memory.bytes[to]);
+            CHECK(device_memset(&memory.bytes[to], 0x5AB, count) == &memory.bytes[to]);
             REQUIRE(memory.bytes == expected.bytes);
         }
 }
@@ -70,9 +71,16 @@ TEST_CASE("bytes are compared as unsigned, the first difference decides")
 {
     const std::array<unsigned char, 3> a{1, 200, 5};
     const std::array<unsigned char, 3> b{1, 100, 9};
-    CHECK(board_memcmp(a.data(), b.data(), 1) == 0);
-    CHECK(board_memcmp(a.data(), b.data(), 3) > 0);
-    CHECK(board_memcmp(b.data(), a.data(), 3) < 0);
+    CHECK(device_memcmp(a.data(), b.data(), 1) == 0);
+    CHECK(device_memcmp(a.data(), b.data(), 3) > 0);
+    CHECK(device_memcmp(b.data(), a.data(), 3) < 0);
+}
+
+TEST_CASE("strlen counts up to the zero")
+{
+    CHECK(device_strlen("") == 0);
+    CHECK(device_strlen("top") == 3);
+    CHECK(device_strlen("top\0below") == 3);
 }
 
 }

@@ -1,8 +1,8 @@
 """Runs a firmware image in QEMU and compares it with the preview:
 
-    lm3s6965evb_test.py <lm3s6965evb-cortex-….elf> <scene.kfb> <kfast> [--linked]
+    board_test.py <lm3s6965evb-cortex-….elf or vexpress-a9-….elf> <scene.kfb> <kfast> [--linked]
 
-The scene is put into the board's flash; with --linked it is part of the image already (KFAST_SCENE).
+The scene is put into the board's memory; with --linked it is part of the image already (KFAST_SCENE).
 Every frame must have the hash that `kfast hash` gives, the events must be those that `kfast preview --headless` tells,
 each with the frame that it was passed before, and screenshots of the emulated display must equal the
 pictures of `kfast render` in every pixel. What is no scene must be refused, with the error's number on the display."""
@@ -16,14 +16,11 @@ import zlib
 
 from PIL import Image, ImageChops
 
+from machine import machine_for
 from qemu import Qemu
 
-SCENE_ADDRESS = 0x20000
-RAM_ADDRESS = 0x20000000
 SCREENSHOTS = 12
-PIXEL = 4  # the emulated display shows a pixel as a block of 4 x 4
 FREE_FRAMES = 20
-WHOLE_PICTURE = 128 * 64 // 2 + 8 * 6  # bytes: all pixels, and a window for each band of eight rows
 
 # The errors that boards show, by their numbers.
 NUMBERS = {"bad_magic": """
@@ -49,8 +46,8 @@ def kfast(program, *arguments):
                           timeout=120).stdout
 
 
-def expected_hashes(program, scene):
-    lines = [line.split() for line in kfast(program, "hash", scene, "--panel", "ssd0323").splitlines()]
+def expected_hashes(program, scene, machine):
+    lines = [line.split() for line in kfast(program, "hash", scene, *machine.options).splitlines()]
     expect(lines and [int(index) for index, _ in lines] == list(range(len(lines))), f"hash printed {lines[:3]}")
     return [value for _, value in lines]
 
@@ -62,19 +59,10 @@ def expected_events(program, scene):
     return [(float(moment), name) for _, moment, name in lines]
 
 
-def cpu_of(image):
-    return re.search(r"cortex-m\d+", pathlib.Path(image).name).group()
-
-
-def loaded(path, address):
-    return ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
-
-
-def board(image, folder, scene=None):
+def board(machine, folder, scene=None):
     noise = folder / "noise"
     noise.write_bytes(bytes(range(1, 256)) * 256)  # what RAM may hold when the power comes on
-    arguments = ["-M", "lm3s6965evb", "-cpu", cpu_of(image), "-kernel", str(image)] + loaded(noise, RAM_ADDRESS)
-    return Qemu(arguments if scene is None else arguments + loaded(scene, SCENE_ADDRESS))
+    return Qemu(machine.arguments(noise, scene), pace=machine.pace)
 
 
 def wait_for(qemu, start):
@@ -103,15 +91,14 @@ def expect_quiet(qemu):
     expect("error:" not in qemu.errors(), f"the emulated display objects: {qemu.errors()}")
 
 
-def compare_picture(shown, expected, index):
-    screenshot, preview = Image.open(shown).convert("RGB"), Image.open(expected).convert("RGB")
-    preview = preview.resize((preview.width * PIXEL, preview.height * PIXEL), Image.Resampling.NEAREST)
+def compare_picture(machine, shown, expected, index):
+    screenshot, preview = Image.open(shown).convert("RGB"), machine.shown(Image.open(expected).convert("RGB"))
     expect(screenshot.size == preview.size, f"frame {index}: {screenshot.size}, preview {preview.size}")
     difference = ImageChops.difference(screenshot, preview).getbbox()
     expect(difference is None, f"frame {index}: screenshot and preview differ within {difference}")
 
 
-def check_frames(qemu, hashes, events, pictures, folder):
+def check_frames(machine, qemu, hashes, events, pictures, folder):
     """Steps through the scene, of which the last frame is asked for whole; returns the number of screenshots."""
     last = len(hashes) - 1
     moments = {round(i * last / (SCREENSHOTS - 1)) for i in range(SCREENSHOTS)}
@@ -122,27 +109,27 @@ def check_frames(qemu, hashes, events, pictures, folder):
         before = ticks
         expect(-(-ticks // 1024) == index, f"frame {index} was shown for time {ticks}/1024")
         expect(shown == expected, f"frame {index}: hash {shown} on the board, {expected} in the preview")
-        expect(sent == WHOLE_PICTURE or index not in (0, last),
-               f"frame {index}: {sent} bytes were sent, {WHOLE_PICTURE} are all of it")
+        expect(sent == machine.whole_picture or index not in (0, last),
+               f"frame {index}: {sent} bytes were sent, {machine.whole_picture} are all of it")
         if index in moments:
             qemu.screenshot(folder / "shown.png")
-            compare_picture(folder / "shown.png", pictures / f"{index:04d}.png", index)
+            compare_picture(machine, folder / "shown.png", pictures / f"{index:04d}.png", index)
         qemu.send(b"q" if index == last else b"r" if index == last - 1 else b"n")
     expect(qemu.line() == "END", "the board was to end")
     expect_quiet(qemu)
     return len(moments)
 
 
-def check_stepped(qemu_board, scene, hashes, events, pictures, folder):
+def check_stepped(machine, qemu_board, scene, hashes, events, pictures, folder):
     with qemu_board as qemu:
         banner = qemu.line()
-        expect(re.fullmatch(r"KFAST \S+ lm3s6965evb ssd0323 128x64 grey4", banner), f"banner: {banner!r}")
+        expect(re.fullmatch(rf"KFAST \S+ {machine.name} {machine.panel}", banner), f"banner: {banner!r}")
         qemu.send(b"s")
         wait_for(qemu, "STEP")
         data = pathlib.Path(scene).read_bytes()
         announced = qemu.line()
         expect(announced == f"SCENE {len(data)} {zlib.crc32(data):08x}", f"the board plays another scene: {announced}")
-        return check_frames(qemu, hashes, events, pictures, folder)
+        return check_frames(machine, qemu, hashes, events, pictures, folder)
 
 
 def rising(times):
@@ -166,15 +153,21 @@ def check_free_running(qemu_board, hashes, events):
 
 
 def number_on(screenshot):
-    """The blocks of nine pixels that a fault is shown in, row by row."""
-    shown = Image.open(screenshot).convert("L")
-    middle = lambda block, first: (first + 9 * block + 4) * PIXEL
-    return "".join("\n    " + "".join("#" if shown.getpixel((middle(column, 32), middle(line, 9))) == 255 else "."
-                                     for column in range(7)) for line in range(5))
+    """The blocks that a fault's number is shown in, row by row; the words that follow below a dark row must be there."""
+    shown = Image.open(screenshot).convert("L").point(lambda level: 255 if level > 128 else 0)
+    width, height = shown.size
+    lit = [shown.crop((0, y, width, y + 1)).getbbox() is not None for y in range(height)]
+    top = lit.index(True)
+    bottom = lit.index(False, top)
+    expect(True in lit[bottom:], "the display does not say in words what is wrong")
+    left, _, right, _ = shown.crop((0, top, width, bottom)).getbbox()
+    middles = lambda first, end, blocks: [first + (end - first) * (2 * i + 1) // (2 * blocks) for i in range(blocks)]
+    return "".join("\n    " + "".join("#" if shown.getpixel((x, y)) else "." for x in middles(left, right, 7))
+                   for y in middles(top, bottom, 5))
 
 
-def check_error(image, scene, expected, folder):
-    with board(image, folder, scene) as qemu:
+def check_error(machine, scene, expected, folder):
+    with board(machine, folder, scene) as qemu:
         qemu.line()
         line = qemu.line()
         expect(line.startswith(f"ERROR {expected}: "), f"{line!r} instead of ERROR {expected}")
@@ -184,29 +177,30 @@ def check_error(image, scene, expected, folder):
     expect(number == NUMBERS[expected], f"the display shows{number}")
 
 
-def check_damaged(image, scene, folder):
+def check_damaged(machine, scene, folder):
     damaged = bytearray(pathlib.Path(scene).read_bytes())
     damaged[len(damaged) // 2] ^= 0x10
     (folder / "damaged.kfb").write_bytes(damaged)
-    check_error(image, folder / "damaged.kfb", "bad_checksum", folder)
+    check_error(machine, folder / "damaged.kfb", "bad_checksum", folder)
 
 
 def main(image, scene, program, *options):
     is_linked = options == ("--linked",)
     expect(pathlib.Path(image).is_file(), f"{image} is missing: build the board first")
+    machine = machine_for(image)
     with tempfile.TemporaryDirectory(prefix="kfast") as name:
         folder = pathlib.Path(name)
         pictures = folder / "preview"
-        hashes = expected_hashes(program, scene)
+        hashes = expected_hashes(program, scene, machine)
         events = expected_events(program, scene)
-        kfast(program, "render", scene, "--panel", "ssd0323", "--all", "-o", pictures)
-        in_flash = None if is_linked else scene
-        screenshots = check_stepped(board(image, folder, in_flash), scene, hashes, events, pictures, folder)
-        check_free_running(board(image, folder, in_flash), hashes, events)
-        check_damaged(image, scene, folder)
+        kfast(program, "render", scene, *machine.options, "--all", "-o", pictures)
+        in_memory = None if is_linked else scene
+        screenshots = check_stepped(machine, board(machine, folder, in_memory), scene, hashes, events, pictures, folder)
+        check_free_running(board(machine, folder, in_memory), hashes, events)
+        check_damaged(machine, scene, folder)
         if not is_linked:
-            check_error(image, None, "bad_magic", folder)
-    print(f"board and preview agree: {len(hashes)} frames, {screenshots} screenshots, {cpu_of(image)}")
+            check_error(machine, None, "bad_magic", folder)
+    print(f"board and preview agree: {len(hashes)} frames, {screenshots} screenshots, {pathlib.Path(image).stem}")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
-// What the compiler calls for copies and fills even without a C library: in words as far as the places allow
-// it, for a Cortex-M0 reads and writes words at multiples of four alone. Compiled with
+// What the compiler calls for copies and fills, and the library's headers for the length of a text, even
+// without a C library. Copies and fills go in words as far as the places allow it, for a Cortex-M0 reads and
+// writes words at multiples of four alone. Of device images only, compiled with
 // -fno-tree-loop-distribute-patterns, or these loops would become calls to themselves.
 
 #include "core/wide_fill.hpp"
@@ -115,5 +116,13 @@ int memcmp(const void* left, const void* right, std::size_t count)
             return a[i] - b[i];
     }
     return 0;
+}
+
+std::size_t strlen(const char* text)
+{
+    const char* end = text;
+    while (*end != 0)
+        ++end;
+    return static_cast<std::size_t>(end - text);
 }
 }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "firmware/microseconds.hpp"
+
+namespace kfast::pico {
+
+/// The time since the chip's reset, kept by the timer. Needs start_clocks().
+class Clock {
+public:
+    void begin();
+    Microseconds now() const;
+    /// Sleeps, and feeds the watchdog.
+    void sleep_until(Microseconds moment) const;
+};
+
+}

@@ -1,0 +1,108 @@
+#include "boards/pico/flash.hpp"
+
+#include "boards/pico/interrupts.hpp"
+#include "boards/pico/watchdog.hpp"
+
+#include <array>
+
+extern "C" {
+// From the linker script.
+extern const std::uint32_t flash_begin[];
+// Of the boot ROM: addresses in 16 bits.
+extern const volatile std::uint16_t rom_function_table;
+extern const volatile std::uint16_t rom_table_lookup;
+}
+
+namespace kfast::pico::flash {
+namespace {
+
+/// The name of a function of the boot ROM: two letters, the first in the low byte.
+constexpr std::uint32_t named(char first, char second)
+{
+    return static_cast<std::uint32_t>(first) | static_cast<std::uint32_t>(second) << 8;
+}
+
+template <class Function>
+Function* rom_function(std::uint32_t name)
+{
+    using Lookup = std::uint32_t(std::uint32_t table, std::uint32_t name);
+    auto* const look_up = reinterpret_cast<Lookup*>(std::uint32_t{rom_table_lookup});
+    return reinterpret_cast<Function*>(look_up(rom_function_table, name));
+}
+
+/// While it lives flash takes commands and cannot be read: what happens meanwhile is in RAM, as all code of
+/// the image is but the first of start.cpp.
+class CommandMode {
+public:
+    CommandMode()
+    {
+        for (std::size_t word = 0; word < boot_block_.size(); ++word)
+            boot_block_[word] = flash_begin[word];
+        connect_();
+        leave_reading_();
+    }
+    ~CommandMode()
+    {
+        flush_cache_();
+        set_up_reading();
+    }
+    CommandMode(const CommandMode&) = delete;
+    CommandMode& operator=(const CommandMode&) = delete;
+
+private:
+    using Step = void();
+
+    void set_up_reading()
+    {
+        asm volatile("" ::: "memory"); // the copy is complete
+        constexpr std::uintptr_t thumb = 1;
+        reinterpret_cast<Step*>(reinterpret_cast<std::uintptr_t>(boot_block_.data()) | thumb)();
+    }
+
+    InterruptsOff guard_;
+    std::array<std::uint32_t, 64> boot_block_; // with the code that lets flash be read again
+    Step* connect_ = rom_function<Step>(named('I', 'F'));
+    Step* leave_reading_ = rom_function<Step>(named('E', 'X'));
+    Step* flush_cache_ = rom_function<Step>(named('F', 'C'));
+};
+
+void expect(bool is_kept)
+{
+    if (!is_kept)
+        __builtin_trap();
+}
+
+bool lies_in_ram(const void* place) { return reinterpret_cast<std::uintptr_t>(place) >> 28 == 2; }
+
+void erase_sector(std::uint32_t offset)
+{
+    using Erase =
+        void(std::uint32_t offset, std::size_t count, std::uint32_t block_bytes, std::uint32_t block_command);
+    auto* const erase = rom_function<Erase>(named('R', 'E'));
+    constexpr std::uint32_t block_bytes = 1 << 16;
+    constexpr std::uint32_t erase_block = 0xD8;
+    const CommandMode mode;
+    erase(offset, sector_bytes, block_bytes, erase_block);
+}
+
+}
+
+void erase(std::uint32_t offset, std::size_t count)
+{
+    expect(offset % sector_bytes == 0 && count % sector_bytes == 0);
+    for (const auto end = static_cast<std::uint32_t>(offset + count); offset != end; offset += sector_bytes) {
+        watchdog::feed();
+        erase_sector(offset);
+    }
+}
+
+void program(std::uint32_t offset, std::span<const std::byte> bytes)
+{
+    using Program = void(std::uint32_t offset, const std::byte* bytes, std::size_t count);
+    expect(offset % page_bytes == 0 && bytes.size() % page_bytes == 0 && lies_in_ram(bytes.data()));
+    auto* const program = rom_function<Program>(named('R', 'P'));
+    const CommandMode mode;
+    program(offset, bytes.data(), bytes.size());
+}
+
+}

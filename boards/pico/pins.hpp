@@ -1,0 +1,48 @@
+#pragma once
+
+#include "firmware/board_settings.hpp"
+
+#include <cstdint>
+
+namespace kfast::pico {
+
+/// What a pin is led to: the numbers of the chip's function table.
+enum class PinFunction : std::uint32_t {
+    spi = 1,
+    uart = 2,
+    i2c = 3,
+    pulse = 4,
+    processor = 5,
+    pio0 = 6,
+    none = 31
+};
+
+/// The electrics of a pin.
+enum class Pad : std::uint32_t {
+    output,         ///< 4 mA, slow edges
+    fast_output,    ///< 8 mA, fast edges: the wires of a display's bus
+    pulled_up,      ///< an input that is high when nothing is wired to it, or I²C
+    converter_input ///< no digital input and no pull: a voltage between the levels would only waste current
+};
+
+/// Leads the pin to the function. Nothing for no_pin.
+void connect(Pin pin, PinFunction function, Pad pad);
+
+/// A pin that the program drives. One without a pin swallows what it is told.
+class OutputPin {
+public:
+    /// Drives the pin high from the beginning.
+    OutputPin(Pin pin, Pad pad);
+
+    void high() const;
+    void low() const;
+
+private:
+    std::uint32_t bit_; ///< 0: no pin
+};
+
+/// Makes the pin one that the program reads, pulled up.
+void connect_input(Pin pin);
+bool is_high(Pin pin);
+
+}

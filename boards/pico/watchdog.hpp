@@ -1,0 +1,11 @@
+#pragma once
+
+/// Resets the chip unless it is fed for 8.3 seconds. Needs the tick of start_clocks().
+namespace kfast::pico::watchdog {
+
+void start();
+void feed();
+/// Now, and from the boot ROM on.
+[[noreturn]] void reboot();
+
+}

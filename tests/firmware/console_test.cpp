@@ -1,0 +1,28 @@
+#include "firmware/console.hpp"
+
+#include "tests/firmware/recorded_console.hpp"
+
+namespace kfast::test {
+
+static_assert(Console<RecordedConsole>);
+
+TEST_CASE("texts are told letter by letter, with a length or up to their 0")
+{
+    RecordedConsole console;
+    write_text(console, "one");
+    write_text(console, std::string_view{"two three"}.substr(3, 4));
+    CHECK(console.told == "one thr");
+}
+
+TEST_CASE("numbers are told without zeros before them, and in eight digits of base 16")
+{
+    RecordedConsole console;
+    for (const std::uint32_t number : {0U, 9U, 10U, 4'294'967'295U}) {
+        write_decimal(console, number);
+        console.write(' ');
+    }
+    write_hex(console, 0x0012'ABCF);
+    CHECK(console.told == "0 9 10 4294967295 0012abcf");
+}
+
+}
