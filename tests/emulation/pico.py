@@ -4,6 +4,7 @@ import dataclasses
 import functools
 import json
 import pathlib
+import struct
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -40,6 +41,13 @@ class Shown:
     moment: float  # nanoseconds since the power came on
 
 
+def append_note(trace, text, moment):
+    """Has `kfast-panel` look at the display once more; see rp2040/trace.mjs."""
+    note = 6
+    with open(trace, "ab") as file:
+        file.write(struct.pack("<BQI", note, moment, len(text)) + text.encode())
+
+
 class Run:
     """What a run has brought: the runner's report, and what `kfast-panel` makes of the trace."""
 
@@ -72,9 +80,9 @@ class Desk:
     def settings(self, configuration, change=lambda text: text):
         """A ready configuration that tells its log, changed as text; the log's pin is one that nobody uses."""
         text = (CONFIGURATIONS / f"{configuration}.kdl").read_text(encoding="utf-8")
-        pin = 28 if " parallel " in text else 0
+        pin = 28 if "bus parallel" in text else 0
         text = change(text.replace("\n    pins ", f"\n    pins log={pin} "))
-        source, record = self.folder / "settings.kdl", self.folder / "settings.bin"
+        source, record = self.folder / f"{configuration}.kdl", self.folder / f"{configuration}.bin"
         source.write_text(text, encoding="utf-8")
         self.kfast("config", source, "-o", record)
         words = text.split("panel ")[1].split("\n")[0].split()
@@ -82,6 +90,12 @@ class Desk:
         across = "rotation=90" in words or "rotation=270" in words
         return Settings(record, words[0], text.split("bus ")[1].split()[0],
                         f"{height}x{width}" if across else f"{width}x{height}")
+
+    def image(self, settings):
+        """The one for the settings' bus."""
+        image = self._images / f"pico-{settings.bus}.bin"
+        expect(image.is_file(), f"{image} is missing: build the preset pico first")
+        return image
 
     def compile(self, source):
         compiled = self.folder / f"{pathlib.Path(source).stem}.kfb"
@@ -93,18 +107,20 @@ class Desk:
         told = self.kfast("hash", scene, "--size", settings.size, "--format", settings.format, *options)
         return [line.split()[1] for line in told.splitlines()]
 
-    def run(self, settings, scene=None, *options, pictures=None, image=None):
-        """Boots the image for the settings' bus. AssertionError if anything was wrong with it or on the wires."""
+    def run(self, settings, scene=None, *options, image=None, pictures=None, look_at_end=False):
+        """Boots the image for the settings' bus, or `image`. Whatever is wrong with it or on the wires is an
+        AssertionError. Pictures of the frames go to the folder `pictures`; with `look_at_end` one more is what is shown
+        at the end."""
         trace, report = self.folder / "trace.kft", self.folder / "report.json"
-        report.unlink(missing_ok=True)
-        chosen = image or self._images / f"pico-{settings.bus}.bin"
-        expect(pathlib.Path(chosen).is_file(), f"{chosen} is missing: build the preset pico first")
         placed = [] if scene is None else ["--scene", scene]
-        self._call("node", RUNNER, chosen, "--settings", settings.record, "--trace", trace, "--report", report, *placed,
-                   *options)
+        self._call("node", RUNNER, image or self.image(settings), "--settings", settings.record, "--trace", trace,
+                   "--report", report, *placed, *options)
+        found = json.loads(report.read_text(encoding="utf-8"))
+        if look_at_end:
+            append_note(trace, "F 0 0", round(found["milliseconds"] * 1e6))
         wanted = [] if pictures is None else ["--pictures", pictures]
-        told = self._call(self._programs / "kfast-panel", trace, settings.record, *wanted).stdout
-        return Run(json.loads(report.read_text(encoding="utf-8")), told.splitlines())
+        told = self._call(self._programs / "kfast-panel", trace, settings.record, *wanted).stdout.splitlines()
+        return Run(found, told[:-1] if look_at_end else told)
 
     def _call(self, *command):
         done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
