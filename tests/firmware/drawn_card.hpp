@@ -24,7 +24,7 @@ std::vector<std::string> drawn(const Card& card, Size panel)
     };
     std::vector<std::string> rows;
     for (int y = 0; y < panel.height; ++y) {
-        alignas(2) std::vector<std::byte> pixels(row_bytes(format, panel.width), std::byte{0x5A});
+        std::vector<std::byte> pixels(row_bytes(format, panel.width), std::byte{0x5A});
         card.draw_row(Row{pixels.data(), 0, y});
         std::string& text = rows.emplace_back();
         for (int x = 0; x < panel.width; ++x)
