@@ -73,6 +73,7 @@ function wiredBoard(memory, settings, values) {
     const trace = new Trace();
     const busTime = new BusTime();
     const board = new Board(memory);
+    busTime.programCounter = () => board.mcu.core.PC;
     const inputs = board.add(new Inputs());
     const display = board.add(new Display(settings, trace, busTime));
     const bus = board.add(busFor(display));
