@@ -7,7 +7,9 @@ import { Kind } from './trace.mjs';
  * into a trace and is timed.
  */
 export class Display {
-    /** Called with each byte that comes with D/C low. */
+    /** Bytes that came with D/C low, some of which are parameters of OLEDs: [nanoseconds, byte]. */
+    commands = [];
+    /** Called with each of them. */
     onCommand = () => {};
 
     #selected = false;
@@ -68,7 +70,12 @@ export class Display {
         this.trace.bytes(isData ? Kind.data : Kind.command, begin, end, bytes);
         this.busTime.bytes(isData, begin, end, bytes.length);
         if (!isData)
-            bytes.forEach((byte) => this.onCommand(byte));
+            bytes.forEach((byte) => this.#tellCommand(begin, byte));
+    }
+
+    #tellCommand(nanos, byte) {
+        this.commands.push([nanos, byte]);
+        this.onCommand(byte);
     }
 
     /** D/C as it is driven now. */

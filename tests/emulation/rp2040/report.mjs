@@ -6,7 +6,7 @@ import { noPin } from './pins.mjs';
  * @param wired what run_pico.mjs has built
  * @param {string | undefined} failure why it broke off
  */
-export function report({ board, bus, busTime, log, settings, tearing }, failure) {
+export function report({ board, bus, busTime, display, log, settings, tearing }, failure) {
     return {
         failure,
         ending: failure ? 'failure' : board.ending ?? 'the time was over',
@@ -20,6 +20,7 @@ export function report({ board, bus, busTime, log, settings, tearing }, failure)
         shortest: bus.shortest && rounded(bus.shortest),
         tearingRises: tearing?.rises ?? [],
         log: log.lines,
+        commands: display.commands,
         frames: busTime.frames,
     };
 }
@@ -35,6 +36,7 @@ function registers(mcu, { bus, pins, controls }) {
         clkPeri: mcu.clocks.periFreq,
         watchdogEnabled: mcu.peripherals[0x40058].enable,
         pins: Object.fromEntries(usedPins(bus, pins).map(([role, pin]) => [role, pinRegisters(mcu.gpio[pin])])),
+        light: light(mcu, pins.backlight),
         controls: controls.map(({ kind, pin }) => ({ kind, ...pinRegisters(mcu.gpio[pin]) })),
         ...(bus === 'spi' && { spi: spiRegisters(mcu.spi[(pins.clock >>> 3) & 1]) }),
         ...(bus === 'i2c' && { i2c: i2cRegisters(mcu.i2c[(pins.clock >>> 1) & 1]) }),
@@ -47,6 +49,14 @@ function usedPins(bus, pins) {
     const used = Object.entries(pins).filter(([role, pin]) => pin !== noPin && (bus !== 'parallel' || role !== 'data'));
     const data = Array.from({ length: 8 }, (_, i) => [`D${i}`, pins.data + i]);
     return bus === 'parallel' ? [...used, ...data] : used;
+}
+
+/** The share of time for which the backlight is lit, as its PWM is set; nothing without one. */
+function light(mcu, pin) {
+    if (pin === noPin)
+        return undefined;
+    const { cc, top } = mcu.pwm.channels[(pin >>> 1) & 7];
+    return Math.min(((cc >>> (16 * (pin & 1))) & 0xffff) / (top + 1), 1);
 }
 
 function pinRegisters({ index, functionSelect, padValue }) {

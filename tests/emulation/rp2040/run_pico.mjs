@@ -89,7 +89,7 @@ function wiredBoard(memory, settings, values) {
         tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
         display.onCommand = (byte) => tearing.command(byte);
     }
-    return { board, bus, busTime, log, settings, tearing, trace };
+    return { board, bus, busTime, display, log, settings, tearing, trace };
 }
 
 function run(wired, milliseconds) {
