@@ -1,6 +1,6 @@
 """Times the Pico's images in the emulator, in emulated time:
 
-    pico_timing_test.py <folder of kfast and kfast-panel> <folder of images> <scene.kfast, of one length for ever>
+    pico_timing_test.py <folder of kfast and kfast-panel> <folder of images>
 
 How full the bus is when every pixel changes, over SPI and in parallel; that the processor draws while DMA sends; that
 frames begin when the display has shown the one before, or do not wait when nobody tells; that they keep their pace."""
@@ -11,7 +11,10 @@ import tempfile
 
 from pico import Desk, TICKS, expect
 
-ALL_CHANGES = pathlib.Path(__file__).with_name("all_changes.kfast")
+HERE = pathlib.Path(__file__).resolve().parent
+ALL_CHANGES = HERE / "all_changes.kfast"
+DOT = HERE / "dot.kfast"
+RATE = 30  # of the dot, frames a second
 PIXELS = 240 * 240
 LEAST_SHARE = 0.95
 PARALLEL_GAIN = 1.75
@@ -83,15 +86,14 @@ def check_missing_tearing(desk, scene):
     expect(max(steps) < 18 * MILLISECOND, f"frames of 60 a second come {max(steps) / MILLISECOND:.1f} ms apart")
 
 
-def check_pace(desk, source, seconds):
+def check_pace(desk, seconds):
     """The same picture comes after exactly one turn of the scene, and the watchdog is content meanwhile."""
-    scene = desk.compile(source)
+    scene = desk.compile(DOT)
     settings = desk.settings("pico-st7789")
     turn = len(desk.hashes(scene, settings))
     run = desk.run(settings, scene, "--for", 1000 * seconds)
     expect(run.frames[-1].skipped == 0, f"{run.frames[-1].skipped} frames were late")
-    rate = 30
-    period = turn / rate * 1e9
+    period = turn / RATE * 1e9
     pairs = list(zip(run.frames[1:], run.frames[1 + turn:]))
     expect(len(pairs) >= turn, f"{len(run.frames)} frames in {seconds} s are no two turns of {turn}")
     for first, again in pairs:
@@ -101,14 +103,14 @@ def check_pace(desk, source, seconds):
     expect(run.report["starts"] == 1, "the watchdog has bitten")
 
 
-def main(programs, images, lasting):
+def main(programs, images):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         desk = Desk(programs, images, folder)
         scene = desk.compile(ALL_CHANGES)
         spi, parallel = check_buses(desk, scene)
         check_tearing(desk, scene)
         check_missing_tearing(desk, scene)
-        check_pace(desk, lasting, seconds=11)
+        check_pace(desk, seconds=11)
     print(f"the Pico keeps time: SPI {spi / 1e6:.2f} MB/s, parallel {parallel / 1e6:.2f} MB/s")
 
 
