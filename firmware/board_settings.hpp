@@ -86,6 +86,12 @@ constexpr bool is_for(ControlAction action, ControlKind kind)
     return (kind == ControlKind::button) == (action <= ControlAction::sleep) && kind != ControlKind::none;
 }
 
+/// Whether it can be about one clip, rather than the whole scene.
+constexpr bool has_clip(ControlAction action)
+{
+    return action == ControlAction::play || action == ControlAction::place;
+}
+
 struct Control {
     ControlKind kind = ControlKind::none;
     ControlAction action = ControlAction::play;

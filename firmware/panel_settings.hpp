@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 7> controller_names{
     "st7789", "ili9341", "st7735", "gc9a01", "ssd1306", "ssd1351", "ssd0323",
 };
 
-constexpr std::string_view name_of(Controller controller)
+constexpr std::string_view controller_name(Controller controller)
 {
     return controller_names[static_cast<std::size_t>(controller)];
 }

@@ -32,7 +32,7 @@ public:
     {
     }
 
-    BoardNames names() const { return {"Pico", name_of(settings_.panel.controller)}; }
+    BoardNames names() const { return {"Pico", controller_name(settings_.panel.controller)}; }
 
     /// Whether there is something to run, for the first time or again.
     bool wants_to_run() const { return wants_to_run_; }

@@ -19,7 +19,7 @@ void begun(const PanelSettings& panel)
     log::write("KFAST ");
     log::write(version);
     log::write(" pico ");
-    log::write(name_of(panel.controller));
+    log::write(controller_name(panel.controller));
     log::write(' ');
     log::write_decimal(static_cast<std::uint32_t>(panel.size().width));
     log::write('x');

@@ -51,7 +51,8 @@ void uart_handler();
     constexpr std::size_t place_of_pc = 6;
     std::uint32_t exception = 0;
     asm volatile("mrs %0, ipsr" : "=r"(exception));
-    log::write("FAULT ");
+    log::send_waiting(); // makes room
+    log::write("\nFAULT ");
     log::write_decimal(exception);
     log::write(" at ");
     log::write_hex(frame[place_of_pc]);

@@ -42,7 +42,7 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
-        pause(Microseconds{5'000}); // the power, or the reset line, may have risen just now
+        pause(settle); // the power, or the reset line, may have risen just now
         send_start_up<arguments>(bus_, controller_.start_up, pause);
         send_command<arguments>(bus_, 0x36, address_mode());             // MADCTL
         send_command<arguments>(bus_, settings_.inverted ? 0x21 : 0x20); // INVON, INVOFF
@@ -88,7 +88,7 @@ public:
 
 private:
     static constexpr Arguments arguments = Arguments::as_parameters;
-    static constexpr Microseconds settle{120'000};
+    static constexpr Microseconds settle{120'000}; // the ST7735 wants as much after a reset too, others 5 ms
 
     int address_mode() const
     {

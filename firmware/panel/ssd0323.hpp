@@ -19,20 +19,23 @@ constexpr std::uint8_t ssd0323_contrast(std::uint8_t brightness)
 }
 
 /// Register values as found in drivers of 128x64 modules. What only sibling controllers know (0x23, 0xB0,
-/// 0xB4) is left out. Only the rows of the glass are scanned, in whichever direction.
+/// 0xB4) is left out. The lowest row of the glass is wired to the first output.
 constexpr auto ssd0323_start_up(const PanelSettings& settings)
 {
-    const auto rows = static_cast<std::uint8_t>(settings.glass.height - 1);
-    const auto start_line = static_cast<std::uint8_t>(settings.row);
+    const Size memory = facts_of(Controller::ssd0323).memory;
+    const bool upright = settings.rotation == Rotation::none;
+    const auto last_row = static_cast<std::uint8_t>(scanned(settings, memory).height - 1);
+    const int first_output = upright ? settings.glass.height % memory.height : settings.row;
+    const auto offset = static_cast<std::uint8_t>(first_output);
     // The left pixel is in the high nibble: turned by half, that of the byte at the other end.
-    const std::uint8_t remap = settings.rotation == Rotation::none ? 0x52 : 0x41;
+    const std::uint8_t remap = upright ? 0x52 : 0x41;
     const std::uint8_t shown = settings.inverted ? 0xA7 : 0xA4;
     return std::to_array<StartUpStep>({
         {0xAE},                                             // display off
         {0xB3, 1, {0x91}},                                  // clock
-        {0xA8, 1, {rows}},                                  // rows
-        {0xA2, 1, {0x40}},                                  // display offset
-        {0xA1, 1, {start_line}},                            // start line
+        {0xA8, 1, {last_row}},                              // rows
+        {0xA2, 1, {offset}},                                // display offset
+        {0xA1, 1, {0x00}},                                  // start line
         {0xAD, 1, {0x02}},                                  // external supply
         {0xA0, 1, {remap}},                                 // nibbles, columns and rows from which end
         {0x86},                                             // full current
@@ -59,7 +62,7 @@ public:
     /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in an even
     /// column.
     Ssd0323(Bus& bus, const PanelSettings& settings)
-        : bus_{bus}, settings_{settings}, column_{picture_place(settings, memory).column}
+        : bus_{bus}, settings_{settings}, place_{picture_place(settings, scanned(settings, memory))}
     {
     }
 
@@ -73,8 +76,8 @@ public:
 
     void start(Rect area, std::span<const std::byte> pixels)
     {
-        select(0x15, (column_ + area.x) / 2, area.width / 2); // columns are counted in bytes
-        select(0x75, settings_.row + area.y, area.height);
+        select(0x15, (place_.column + area.x) / 2, area.width / 2); // columns are counted in bytes
+        select(0x75, place_.row + area.y, area.height);
         bus_.start_data(pixels);
     }
 
@@ -108,7 +111,7 @@ private:
 
     Bus& bus_;
     PanelSettings settings_;
-    int column_; ///< of the picture's left edge
+    PicturePlace place_;
 };
 
 }

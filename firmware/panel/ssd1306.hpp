@@ -26,6 +26,7 @@ inline constexpr auto ssd1306_start_up = std::to_array<StartUpStep>({
     {0xAE},            // display off
     {0xD5, 1, {0x80}}, // clock
     {0xD3, 1, {0x00}}, // display offset
+    {0x40},            // start line
     {0x8D, 1, {0x14}}, // charge pump on
     {0x20, 1, {0x00}}, // addresses count along the page, then to the next
     {0xD9, 1, {0xF1}}, // precharge
@@ -46,7 +47,7 @@ public:
     /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in a row that
     /// is a multiple of 8.
     Ssd1306(Bus& bus, const PanelSettings& settings)
-        : bus_{bus}, settings_{settings}, column_{picture_place(settings, memory).column}
+        : bus_{bus}, settings_{settings}, place_{picture_place(settings, scanned(settings, memory))}
     {
     }
 
@@ -65,8 +66,8 @@ public:
 
     void start(Rect area, std::span<const std::byte> pixels)
     {
-        select(0x21, column_ + area.x, area.width);
-        select(0x22, (settings_.row + area.y) / 8, area.height / 8);
+        select(0x21, place_.column + area.x, area.width);
+        select(0x22, (place_.row + area.y) / 8, area.height / 8);
         const std::span sent = std::span{pages_}.first(pixels.size());
         fill_pages(pixels, row_bytes(format, area.width), sent);
         bus_.start_data(sent);
@@ -94,13 +95,11 @@ private:
     static constexpr Arguments arguments = Arguments::with_command;
     static constexpr Size memory = facts_of(Controller::ssd1306).memory;
 
-    /// Only the rows of the glass are scanned, so that they are the same in either direction.
     void send_glass()
     {
         // An upright glass is wired from the last column and row to the first.
         const bool upright = settings_.rotation == Rotation::none;
-        send_command<arguments>(bus_, 0xA8, settings_.glass.height - 1);
-        send_command<arguments>(bus_, 0x40 + settings_.row); // start line
+        send_command<arguments>(bus_, 0xA8, scanned(settings_, memory).height - 1);
         send_command<arguments>(bus_, upright ? 0xA1 : 0xA0);
         send_command<arguments>(bus_, upright ? 0xC8 : 0xC0);
         send_command<arguments>(bus_, 0xDA, ssd1306_row_wiring(settings_.glass));
@@ -113,7 +112,7 @@ private:
 
     Bus& bus_;
     PanelSettings settings_;
-    int column_; ///< of the picture's left edge
+    PicturePlace place_;
     std::array<std::byte, row_bytes(format, memory.width) * memory.height> pages_{}; ///< on their way
 };
 

@@ -16,14 +16,15 @@ namespace {
 constexpr int input_is_wrong = 1;
 constexpr int usage_is_wrong = 2;
 
-constexpr std::array commands{&new_command,  &compile_command, &check_command,
-                              &info_command, &render_command,  &preview_command,
-                              &hash_command, &fit_command,     &export_command};
+constexpr std::array commands{&new_command,    &compile_command, &check_command,  &info_command,
+                              &render_command, &preview_command, &hash_command,   &fit_command,
+                              &export_command, &config_command,  &wiring_command, &uf2_command};
 
 std::string usage_message(const CLI::App* kfast, const CLI::Error& error)
 {
-    const auto chosen = kfast->get_subcommands();
-    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + ' ';
+    std::string command;
+    for (auto chosen = kfast->get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands())
+        command += chosen.front()->get_name() + ' ';
     return std::string("kfast: ") + error.what() + "\nTry 'kfast " + command + "--help'.\n";
 }
 
@@ -41,16 +42,24 @@ void declare_commands(CLI::App& kfast)
 }
 
 /// CLI11 alone would name neither the word nor the commands there are.
-void require_command(int count, const char* const* arguments)
+void require_one_of(std::span<const std::string_view> known, std::string_view word)
 {
-    const std::string_view word = count > 1 ? arguments[1] : "";
-    if (word.starts_with('-') || std::ranges::find(commands, word, &Command::name) != commands.end())
+    if (word.starts_with('-') || std::ranges::find(known, word) != known.end())
         return;
-    std::array<std::string_view, commands.size()> names;
-    std::ranges::transform(commands, names.begin(), &Command::name);
     const std::string wrong =
         word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
-    throw CLI::RequiredError(wrong + ": " + suggestion(word, names), CLI::ExitCodes::RequiredError);
+    throw CLI::RequiredError(wrong + ": " + suggestion(word, known), CLI::ExitCodes::RequiredError);
+}
+
+void require_command(std::span<const char* const> arguments)
+{
+    const auto word = [&](std::size_t place) { return place < arguments.size() ? arguments[place] : ""; };
+    std::array<std::string_view, commands.size()> names;
+    std::ranges::transform(commands, names.begin(), &Command::name);
+    require_one_of(names, word(1));
+    const auto chosen = std::ranges::find(commands, std::string_view{word(1)}, &Command::name);
+    if (chosen != commands.end() && !(*chosen)->subcommands.empty())
+        require_one_of((*chosen)->subcommands, word(2));
 }
 
 int fail(const char* reason)
@@ -62,7 +71,7 @@ int fail(const char* reason)
 int parse_and_run(CLI::App& kfast, int count, const char* const* arguments)
 {
     try {
-        require_command(count, arguments);
+        require_command({arguments, static_cast<std::size_t>(count)});
         kfast.parse(count, arguments);
     } catch (const CLI::ParseError& error) {
         return kfast.exit(error) == 0 ? 0 : usage_is_wrong;

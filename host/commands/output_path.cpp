@@ -6,12 +6,12 @@ namespace kfast {
 
 namespace fs = std::filesystem;
 
-fs::path output_path(const fs::path& output, const fs::path& input)
+fs::path output_path(const fs::path& output, const fs::path& input, std::string_view what)
 {
     std::error_code none_yet;
     if (fs::equivalent(output, input, none_yet))
-        throw Failure(output.string() +
-                      ": this would overwrite the scene itself: choose another name with -o");
+        throw Failure(output.string() + ": this would overwrite the " + std::string{what} +
+                      ": choose another name with -o");
     return output;
 }
 

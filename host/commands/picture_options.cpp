@@ -1,5 +1,6 @@
 #include "host/commands/picture_options.hpp"
 
+#include "host/picture/board_source.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/picture/player_source.hpp"
 #include "host/text/suggestion.hpp"
@@ -120,13 +121,13 @@ void declare_picture_options(CLI::App& app, PictureOptions& options)
 
 Size panel_size(const PictureOptions& options, const SceneView& scene)
 {
-    return options.panel != nullptr ? options.panel->size : options.size.value_or(scene.canvas());
+    return options.panel != nullptr ? options.panel->settings.size() : options.size.value_or(scene.canvas());
 }
 
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
     if (options.panel != nullptr)
-        return options.panel->open(scene.bytes);
+        return open_board_source(scene.bytes, options.panel->settings);
     const Size size = panel_size(options, scene.view);
     return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
 }

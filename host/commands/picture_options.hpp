@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/player.hpp"
+#include "host/picture/frame_source.hpp"
 #include "host/picture/panel_choice.hpp"
 #include "host/scene_file.hpp"
 

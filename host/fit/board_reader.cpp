@@ -1,19 +1,17 @@
 #include "host/fit/board_reader.hpp"
 
 #include "host/fit/display_reader.hpp"
-#include "host/fit/quantity_reader.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/part_rule.hpp"
 #include "host/scene/property_rule.hpp"
-#include "host/text/glyph.hpp"
-
-#include <algorithm>
-#include <vector>
+#include "host/scene/quantity_reader.hpp"
 
 namespace kfast::fit {
 namespace {
 
-using scene::assign, scene::NodeForm, scene::PropertyRule, scene::Range, scene::Reading, scene::Word;
+using scene::assign, scene::frequency, scene::memory_size, scene::NodeForm, scene::PartRule,
+    scene::PropertyRule, scene::Range, scene::Reading, scene::Times, scene::Word;
 
 constexpr Range clocks{1e6, 2e9};
 constexpr Range bus_clocks{1e3, 1e9};
@@ -129,59 +127,14 @@ bool read_reserved(const kdl::Node& node, Target& target, Reading& reading)
     return read_properties(node, reserved_rules, target, reading);
 }
 
-/// What may stand in a board, once each.
-struct PartRule {
-    NodeForm form;
-    bool (*read)(const kdl::Node& node, Target& target, Reading& reading);
-    bool is_required = true;
-};
-
 constexpr std::array part_rules{
-    PartRule{{"core", "core cortex-m0+ clock=(MHz)125", 1, 1}, read_core},
-    PartRule{{"memory", "memory flash=(MiB)2 ram=(KiB)264"}, read_memory},
-    PartRule{{"bus", "bus spi clock=(MHz)62.5", 1, 1}, read_bus},
-    PartRule{{"panel", "panel st7789", 0, 3}, read_panel},
-    PartRule{{"bands", "bands (KiB)4", 1, 1}, read_bands, false},
-    PartRule{{"reserved", "reserved flash=(KiB)40 ram=(KiB)8"}, read_reserved, false},
+    PartRule<Target>{{"core", "core cortex-m0+ clock=(MHz)125", 1, 1}, read_core},
+    PartRule<Target>{{"memory", "memory flash=(MiB)2 ram=(KiB)264"}, read_memory},
+    PartRule<Target>{{"bus", "bus spi clock=(MHz)62.5", 1, 1}, read_bus},
+    PartRule<Target>{{"panel", "panel st7789", 0, 3}, read_panel},
+    PartRule<Target>{{"bands", "bands (KiB)4", 1, 1}, read_bands, Times::at_most_once},
+    PartRule<Target>{{"reserved", "reserved flash=(KiB)40 ram=(KiB)8"}, read_reserved, Times::at_most_once},
 };
-
-void report_unknown_part(const kdl::Node& node, Reading& reading)
-{
-    std::vector<std::string_view> known;
-    for (const PartRule& rule : part_rules)
-        known.push_back(rule.form.name);
-    reading.report.error(node.name_place, "a board has no node " + quoted(node.name),
-                         suggestion(node.name, known));
-}
-
-const kdl::Node* only_part(const kdl::Node& board, const PartRule& rule, Reading& reading)
-{
-    const kdl::Node* part = nullptr;
-    for (const kdl::Node& node : board.children) {
-        if (node.name != rule.form.name)
-            continue;
-        if (part != nullptr)
-            reading.report.error(node.name_place, "there is a " + node.name + " already, on " +
-                                                      reading.report.line(part->name_place));
-        part = &node;
-    }
-    if (part == nullptr && rule.is_required)
-        reading.report.error(board.name_place, "this board has no " + std::string{rule.form.name},
-                             "add \"" + std::string{rule.form.usage} + '"');
-    return part;
-}
-
-void read_parts(const kdl::Node& board, Target& target, Reading& reading)
-{
-    for (const kdl::Node& node : board.children)
-        if (std::ranges::none_of(part_rules,
-                                 [&](const PartRule& rule) { return rule.form.name == node.name; }))
-            report_unknown_part(node, reading);
-    for (const PartRule& rule : part_rules)
-        if (const kdl::Node* part = only_part(board, rule, reading))
-            if (fits(*part, rule.form, reading))
-                rule.read(*part, target, reading);
-}
 
 constexpr NodeForm board_form{"board", "board NAME { core …; memory …; bus …; panel … }", 1, 1, true};
 
@@ -191,20 +144,7 @@ void read_board(const kdl::Node& node, Target& target, Reading& reading)
         return;
     if (const auto name = read_name(node.arguments.front(), reading))
         target.name = *name;
-    read_parts(node, target, reading);
-}
-
-/// The only node there is.
-const kdl::Node* board_node(const kdl::Document& document, Reading& reading)
-{
-    for (const kdl::Node& node : document.nodes)
-        if (&node != &document.nodes.front() || node.name != board_form.name)
-            reading.report.error(node.name_place, "a description of a board is one node",
-                                 "write " + std::string{board_form.usage});
-    if (document.nodes.empty())
-        reading.report.error(Place{}, "there is no board in this text",
-                             "write " + std::string{board_form.usage});
-    return document.nodes.empty() ? nullptr : &document.nodes.front();
+    read_parts(node, part_rules, target, reading);
 }
 
 }
@@ -215,9 +155,8 @@ std::optional<Target> read_board(const SourceText& source, Diagnostics& diagnost
     if (diagnostics.has_errors())
         return std::nullopt;
     Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
-    const kdl::Node* const node = board_node(document, reading);
     Target target;
-    if (!diagnostics.has_errors())
+    if (const kdl::Node* const node = only_node(document, board_form, "a description of a board", reading))
         read_board(*node, target, reading);
     if (diagnostics.has_errors())
         return std::nullopt;

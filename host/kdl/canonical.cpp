@@ -4,18 +4,12 @@
 #include "host/kdl/identifier.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 namespace kfast::kdl {
 
 namespace {
 
 constexpr std::size_t indent_width = 4;
-
-std::string string_form(std::string_view text)
-{
-    return is_identifier(text) ? std::string(text) : '"' + escaped(text) + '"';
-}
 
 struct DataForm {
     std::string operator()(Null) const { return "#null"; }
@@ -66,6 +60,11 @@ void append_nodes(std::string& text, const std::vector<Node>& nodes, std::size_t
         append_node(text, node, indent);
 }
 
+}
+
+std::string string_form(std::string_view text)
+{
+    return is_identifier(text) ? std::string(text) : '"' + escaped(text) + '"';
 }
 
 std::string canonical(const Document& document)

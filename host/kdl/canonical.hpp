@@ -3,10 +3,14 @@
 #include "host/kdl/document.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace kfast::kdl {
 
 /// The canonical form that KDL's published test cases expect (tests/README.md of kdl-org/kdl).
 std::string canonical(const Document& document);
+
+/// `text` as a name or a value is written: bare where that is allowed, else in quotes.
+std::string string_form(std::string_view text);
 
 }

@@ -1,30 +1,19 @@
 #pragma once
 
-#include "core/player.hpp"
+#include "firmware/panel_settings.hpp"
 #include "host/picture/frame_source.hpp"
-#include "host/simulator/simulated_board.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 
 namespace kfast {
 
-/// What a board with an SSD0323 shows: the firmware sends to the simulator what differs from the picture
-/// before, and the pictures are decoded from the bytes on its bus.
-class BoardSource : public FrameSource {
-public:
-    /// `scene` is a checked scene and must outlive the source.
-    explicit BoardSource(std::span<const std::byte> scene);
-    BoardSource(const BoardSource&) = delete;
-
-    /// Throws Failure for a mistake on the bus.
-    const Frame& show(Time moment) override;
-    Pace pace() const override { return Pace::by_frames; }
-
-private:
-    SimulatedBoard board_;
-    Player player_;
-    Frame frame_;
-};
+/// What a board with such a panel shows: the firmware sends to the simulator what differs from the picture
+/// before, and the pictures are decoded from the bytes on its bus. show() throws Failure for a mistake there.
+///
+/// `scene` is a checked scene and must outlive the source.
+std::unique_ptr<FrameSource> open_board_source(std::span<const std::byte> scene,
+                                               const PanelSettings& settings);
 
 }

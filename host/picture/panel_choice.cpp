@@ -1,20 +1,20 @@
 #include "host/picture/panel_choice.hpp"
 
-#include "host/picture/board_source.hpp"
+#include "firmware/controller_facts.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace kfast {
 namespace {
 
-std::unique_ptr<FrameSource> open_ssd0323(std::span<const std::byte> scene)
-{
-    return std::make_unique<BoardSource>(scene);
-}
-
-constexpr std::array choices{
-    PanelChoice{"ssd0323", {Ssd0323Model::width, Ssd0323Model::height}, open_ssd0323},
-};
+constexpr auto choices = [] {
+    std::array<PanelChoice, controller_facts.size()> rows{};
+    std::ranges::transform(controller_facts, rows.begin(), [](const ControllerFacts& facts) {
+        return PanelChoice{controller_name(facts.usual.controller), facts.usual};
+    });
+    return rows;
+}();
 
 }
 

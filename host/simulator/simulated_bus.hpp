@@ -1,5 +1,9 @@
 #pragma once
 
+#include "host/simulator/controller_model.hpp"
+#include "host/simulator/simulated_clock.hpp"
+
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -8,52 +12,78 @@
 namespace kfast {
 
 /// The wires to a controller model. As with DMA, data are read only while they are on their way, so a buffer
-/// that is drawn into too early spoils the picture.
-template <class Model>
+/// that is drawn into too early spoils the picture. The bytes take no time.
 class SimulatedBus {
 public:
-    /// `model` must outlive the bus.
-    explicit SimulatedBus(Model& model) : model_{model} {}
+    /// `model` and `clock` must outlive the bus.
+    SimulatedBus(ControllerModel& model, const SimulatedClock& clock) : model_{model}, clock_{clock} {}
 
     void command(std::span<const std::byte> bytes)
     {
         expect_idle("a command");
-        model_.command(bytes);
+        model_.command(clock_.elapsed(), bytes);
     }
 
     void parameters(std::span<const std::byte> bytes)
     {
         expect_idle("parameters");
-        model_.data(bytes);
+        model_.data(clock_.elapsed(), bytes);
     }
 
     void start_data(std::span<const std::byte> bytes)
     {
         expect_idle("data");
         on_their_way_ = bytes;
+        unit_ = 1;
+    }
+
+    void start_words(std::span<const std::byte> words)
+    {
+        if (words.size() % 2 != 0)
+            refuse("half a word");
+        start_data(words);
+        unit_ = 2;
     }
 
     /// Every question lets half of what is left arrive.
     bool busy()
     {
-        const std::size_t now = on_their_way_.size() - on_their_way_.size() / 2;
-        model_.data(on_their_way_.first(now));
-        on_their_way_ = on_their_way_.subspan(now);
-        return now != 0;
+        const std::size_t units = on_their_way_.size() / unit_;
+        const auto now = on_their_way_.first((units - units / 2) * unit_);
+        on_their_way_ = on_their_way_.subspan(now.size());
+        if (unit_ == 1)
+            model_.data(clock_.elapsed(), now);
+        else
+            send_words(now);
+        return !now.empty();
     }
 
     /// A rule of the bus that was broken.
     const std::optional<std::string>& error() const { return error_; }
 
 private:
-    void expect_idle(const char* what)
+    void send_words(std::span<const std::byte> words)
     {
-        if (!on_their_way_.empty() && !error_)
-            error_ = std::string{what} + " while data are on their way";
+        for (; !words.empty(); words = words.subspan(2))
+            model_.data(clock_.elapsed(), std::array{words[1], words[0]});
     }
 
-    Model& model_;
+    void expect_idle(const char* what)
+    {
+        if (!on_their_way_.empty())
+            refuse(std::string{what} + " while data are on their way");
+    }
+
+    void refuse(const std::string& what)
+    {
+        if (!error_)
+            error_ = what;
+    }
+
+    ControllerModel& model_;
+    const SimulatedClock& clock_;
     std::span<const std::byte> on_their_way_;
+    std::size_t unit_ = 1; ///< bytes that arrive together
     std::optional<std::string> error_;
 };
 

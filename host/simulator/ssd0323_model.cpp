@@ -1,133 +1,222 @@
 #include "host/simulator/ssd0323_model.hpp"
 
-#include <algorithm>
+#include "host/simulator/glass_place.hpp"
+#include "host/simulator/painted_frame.hpp"
+
 #include <array>
-#include <cstdio>
 
 namespace kfast {
 namespace {
 
-constexpr int memory_columns = 64;
-constexpr int memory_rows = 80;
+using Axis = AddressWindow::Axis;
 
-struct Command {
-    std::uint8_t code;
-    std::uint8_t parameters;
+constexpr int columns = 128;
+constexpr int bytes_of_row = columns / 2;
+constexpr int rows = 80;
+constexpr int brightest = 15;
+
+// Bits of the remap.
+constexpr std::uint8_t mirrors_bytes = 0x01;
+constexpr std::uint8_t high_nibble_first = 0x02;
+constexpr std::uint8_t scans_from_last = 0x10;
+constexpr std::uint8_t splits_lines = 0x40; ///< as modules are wired
+constexpr std::uint8_t known = mirrors_bytes | high_nibble_first | scans_from_last | splits_lines;
+
+const std::vector<CommandForm> commands{
+    {0x15, 2}, // columns, counted in bytes
+    {0x75, 2}, // rows
+    {0x81, 1}, // contrast
+    {0x84, 0}, // a quarter of the current
+    {0x85, 0}, // half of it
+    {0x86, 0}, // all of it
+    {0xA0, 1}, // remap
+    {0xA1, 1}, // start line
+    {0xA2, 1}, // display offset
+    {0xA4, 0}, // the memory is shown
+    {0xA5, 0}, // all pixels are lit
+    {0xA6, 0}, // all pixels are dark
+    {0xA7, 0}, // the memory is shown inverted
+    {0xA8, 1}, // lines
+    {0xAD, 1}, // supply
+    {0xAE, 0}, // off
+    {0xAF, 0}, // on
+    {0xB1, 1}, // phases
+    {0xB2, 1}, // row period
+    {0xB3, 1}, // clock
+    {0xB8, 8}, // grey table
+    {0xBC, 1}, // precharge voltage
+    {0xBE, 1}, // VCOMH
+    {0xBF, 1}, // VSL
+    {0xE3, 0}, // nothing
 };
 
-constexpr std::array commands{
-    Command{0x15, 2}, Command{0x75, 2},                                     // window
-    Command{0x81, 1}, Command{0x84, 0}, Command{0x85, 0}, Command{0x86, 0}, // brightness
-    Command{0xA0, 1}, Command{0xA1, 1}, Command{0xA2, 1}, Command{0xA8, 1}, // geometry
-    Command{0xA4, 0},                                                       // show the memory
-    Command{0xAD, 1}, Command{0xAE, 0}, Command{0xAF, 0},                   // power
-    Command{0xB1, 1}, Command{0xB2, 1}, Command{0xB3, 1}, Command{0xB8, 8}, // timing, grey table
-    Command{0xBC, 1}, Command{0xBE, 1}, Command{0xBF, 1}, Command{0xE3, 0}, // voltages, nothing
-};
+constexpr std::array needed{NeededCommand{0xA0}, NeededCommand{0xA8}};
 
-std::string hex(std::uint8_t value)
-{
-    std::array<char, 5> text{};
-    std::snprintf(text.data(), text.size(), "0x%02X", value);
-    return text.data();
-}
+/// Counted around the rows of the memory.
+constexpr int around(int row) { return (row % rows + rows) % rows; }
 
 }
 
-void Ssd0323Model::command(std::span<const std::byte> bytes)
+Ssd0323Model::Ssd0323Model(const PanelSettings& settings)
+    : CommandModel{commands, ParameterLine::low}, settings_{settings}, memory_(columns * rows)
 {
-    for (const std::byte byte : bytes) {
-        if (!error_)
-            take_command(std::to_integer<std::uint8_t>(byte));
-        ++position_;
-    }
 }
 
-void Ssd0323Model::data(std::span<const std::byte> bytes)
+Frame Ssd0323Model::picture() const
 {
-    for (const std::byte byte : bytes) {
-        if (!error_)
-            take_data(std::to_integer<std::uint8_t>(byte));
-        ++position_;
-    }
+    return painted_frame<PixelFormat::grey4>(settings_.glass,
+                                             [this](int x, int y) { return level_at(x, y); });
 }
 
-Ssd0323Model::Picture Ssd0323Model::picture() const { return on_ ? memory_ : Picture{}; }
-
-void Ssd0323Model::take_command(std::uint8_t byte)
+std::uint32_t Ssd0323Model::level_at(int x, int y) const
 {
-    if (pending_.empty()) {
-        const auto found = std::ranges::find(commands, byte, &Command::code);
-        if (found == commands.end())
-            return fail("unknown command " + hex(byte));
-        parameters_ = found->parameters;
-    }
-    pending_.push_back(byte);
-    if (pending_.size() == 1 + parameters_) {
-        execute();
-        pending_.clear();
-    }
+    const auto row = row_of(settings_.row + y);
+    if (!registers_.is_on || registers_.show == OledShow::all_dark || !row)
+        return 0;
+    if (registers_.show == OledShow::all_lit)
+        return brightest;
+    const int level = memory_[static_cast<std::size_t>(*row * columns + settings_.column + x)];
+    const bool inverts = settings_.inverted != (registers_.show == OledShow::inverse);
+    return static_cast<std::uint32_t>(inverts ? brightest - level : level);
 }
 
-void Ssd0323Model::execute()
+void Ssd0323Model::begin(std::uint8_t code)
 {
-    switch (pending_[0]) {
+    if (code == 0xAE && registers_.window.is_begun() && !registers_.window.is_full())
+        fail("sleep while the window waits for pixels");
+}
+
+void Ssd0323Model::execute(std::uint8_t code, Parameters parameters)
+{
+    switch (code) {
     case 0x15:
-        return select(column_, memory_columns, "columns");
+        return select(Axis::columns, parameters);
     case 0x75:
-        return select(row_, memory_rows, "rows");
+        return select(Axis::rows, parameters);
+    case 0x81:
     case 0xA0:
-        if (pending_[1] != 0x52)
-            fail("orientation " + hex(pending_[1]) + " is not modelled");
+    case 0xA1:
+    case 0xA2:
+    case 0xA8:
+        return execute_geometry(code, parameters[0]);
+    default:
+        return execute_display(code);
+    }
+}
+
+void Ssd0323Model::execute_geometry(std::uint8_t code, std::uint8_t value)
+{
+    if (code == 0xA0)
+        return set_remap(value);
+    // A whole turn of the display offset is written as 80, too.
+    const int limit = code == 0x81 ? 127 : code == 0xA2 ? rows : rows - 1;
+    if (value > limit || (code == 0xA8 && value < 15))
+        return fail(std::to_string(value) + " is no parameter of " + hex(code));
+    if (code == 0xA1)
+        registers_.start = value;
+    else if (code == 0xA2)
+        registers_.offset = value;
+    else if (code == 0xA8)
+        registers_.lines = value + 1;
+}
+
+void Ssd0323Model::execute_display(std::uint8_t code)
+{
+    switch (code) {
+    case 0xA4:
+        registers_.show = OledShow::memory;
+        return;
+    case 0xA5:
+        registers_.show = OledShow::all_lit;
+        return;
+    case 0xA6:
+        registers_.show = OledShow::all_dark;
+        return;
+    case 0xA7:
+        registers_.show = OledShow::inverse;
         return;
     case 0xAE:
     case 0xAF:
-        on_ = pending_[0] == 0xAF;
+        registers_.is_on = code == 0xAF;
         return;
     default: // changes nothing that the picture is made of
         return;
     }
 }
 
-void Ssd0323Model::select(Axis& axis, int limit, const char* name)
+void Ssd0323Model::select(Axis axis, Parameters parameters)
 {
-    const int first = pending_[1];
-    const int last = pending_[2];
-    const std::string range = std::string{name} + ' ' + std::to_string(first) + " to " + std::to_string(last);
-    if (first > last)
-        return fail(range + ": reversed");
-    if (last >= limit)
-        return fail(range + ": the last one is " + std::to_string(limit - 1));
-    axis = {.first = first, .last = last, .at = first, .given = true};
-    window_full_ = false;
+    const int limit = axis == Axis::columns ? bytes_of_row : rows;
+    if (const auto mistake = registers_.window.set(axis, parameters[0], parameters[1], limit))
+        fail(*mistake);
 }
 
-void Ssd0323Model::take_data(std::uint8_t byte)
+void Ssd0323Model::set_remap(std::uint8_t remap)
 {
-    if (!pending_.empty())
-        return fail("data where command " + hex(pending_[0]) + " lacks parameters");
-    if (!on_)
-        return fail("pixels before the display is on");
-    if (!column_.given || !row_.given)
-        return fail("pixels before a window is set");
-    if (window_full_)
-        return fail("more pixels than the window holds");
+    registers_.remap = remap;
+    if ((remap & ~known) != 0 || (remap & splits_lines) == 0)
+        fail("orientation " + hex(remap) + " is not modelled");
+}
 
-    if (row_.at < height) {
-        const std::size_t left =
-            static_cast<std::size_t>(row_.at) * width + 2 * static_cast<std::size_t>(column_.at);
-        memory_[left] = byte >> 4;
-        memory_[left + 1] = byte & 15;
-    }
-    if (++column_.at <= column_.last)
+void Ssd0323Model::take_pixels(std::uint8_t byte)
+{
+    if (!is_ready())
         return;
-    column_.at = column_.first;
-    window_full_ = ++row_.at > row_.last;
+    AddressWindow& window = registers_.window;
+    const bool is_mirrored = (registers_.remap & mirrors_bytes) != 0;
+    const bool high_first = (registers_.remap & high_nibble_first) != 0;
+    const int column = 2 * (is_mirrored ? bytes_of_row - 1 - window.column() : window.column());
+    take_pixel(column, window.row(), high_first ? byte >> 4 : byte & 15);
+    take_pixel(column + 1, window.row(), high_first ? byte & 15 : byte >> 4);
+    window.advance(Axis::columns);
 }
 
-void Ssd0323Model::fail(const std::string& what)
+bool Ssd0323Model::is_ready()
 {
-    error_ = "byte " + std::to_string(position_) + ": " + what;
+    if (!registers_.is_on)
+        fail("pixels before the display is on");
+    else if (const auto code = missing(needed))
+        fail("pixels before " + hex(*code) + " was given");
+    else if (!registers_.window.is_given())
+        fail("pixels before a window is set");
+    else if (registers_.window.is_full())
+        fail("more pixels than the window holds");
+    else
+        return true;
+    return false;
+}
+
+void Ssd0323Model::take_pixel(int column, int row, int level)
+{
+    const GlassPlace place{column, row, column - settings_.column, line_of(row) - settings_.row};
+    if (const auto mistake = place.mistake(settings_.glass))
+        return fail(*mistake);
+    memory_[static_cast<std::size_t>(row * columns + column)] = static_cast<std::uint8_t>(level);
+}
+
+/// What a line of the glass shows; nothing if it is not scanned. The display offset shifts the rows on the
+/// wires, which are mirrored after that.
+std::optional<int> Ssd0323Model::row_of(int line) const
+{
+    const int place = mirrored(around(settings_.glass.height - 1 - line));
+    const int step = around(place + registers_.offset);
+    if (step >= registers_.lines)
+        return std::nullopt;
+    return around(registers_.start + step);
+}
+
+/// The line of the glass that shows a row, or one beyond it.
+int Ssd0323Model::line_of(int row) const
+{
+    const int step = around(row - registers_.start);
+    if (step >= registers_.lines)
+        return rows;
+    return around(settings_.glass.height - 1 - mirrored(around(step - registers_.offset)));
+}
+
+int Ssd0323Model::mirrored(int wire) const
+{
+    return (registers_.remap & scans_from_last) != 0 ? rows - 1 - wire : wire;
 }
 
 }

@@ -1,58 +1,52 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
+#include "host/simulator/address_window.hpp"
+#include "host/simulator/command_model.hpp"
+#include "host/simulator/oled_show.hpp"
 
 namespace kfast {
 
-/// What an SSD0323 makes of the bytes on its wires, stricter than the real one: the first mistake is kept as
-/// error(), and nothing is decoded after it.
-class Ssd0323Model {
+/// Solomon SSD0323: OLED, 128 x 80 pixels of 16 greys, two in a byte. Modules are wired so that the lowest
+/// line of the glass is the controller's first. More than the maker asks: remap and lines are set before the
+/// first pixel.
+class Ssd0323Model : public CommandModel {
 public:
-    static constexpr int width = 128;
-    static constexpr int height = 64;
-    /// Levels 0..15, row by row.
-    using Picture = std::array<std::uint8_t, std::size_t{width} * height>;
+    explicit Ssd0323Model(const PanelSettings& settings);
 
-    /// Bytes that arrive with D/C low.
-    void command(std::span<const std::byte> bytes);
-    /// Bytes that arrive with D/C high.
-    void data(std::span<const std::byte> bytes);
-
-    /// What was wrong first, with the position of the byte among all bytes received.
-    const std::optional<std::string>& error() const { return error_; }
-
-    /// What is on the glass: black until the display is on.
-    Picture picture() const;
+    /// In grey4.
+    Frame picture() const override;
 
 private:
-    struct Axis {
-        int first = 0;
-        int last = 0;
-        int at = 0;
-        bool given = false;
+    struct Registers {
+        bool is_on = false;
+        std::uint8_t remap = 0; ///< the bits of A0h
+        int lines = 80;
+        int start = 0;
+        int offset = 0;
+        OledShow show = OledShow::memory;
+        AddressWindow window; ///< columns count bytes
     };
 
-    void take_command(std::uint8_t byte);
-    void take_data(std::uint8_t byte);
-    void execute();
-    void select(Axis& axis, int limit, const char* name);
-    void fail(const std::string& what);
+    void forget() override { registers_ = {}; }
+    void begin(std::uint8_t code) override;
+    void execute(std::uint8_t code, Parameters parameters) override;
+    bool writes_pixels(std::uint8_t) const override { return true; }
+    void take_pixels(std::uint8_t byte) override;
 
-    std::vector<std::uint8_t> pending_; ///< a command and those of its parameters that have come
-    std::size_t parameters_ = 0;        ///< how many the pending command has
-    Axis column_;                       ///< counted in bytes
-    Axis row_;
-    bool window_full_ = false;
-    bool on_ = false;
-    Picture memory_{};
-    std::size_t position_ = 0;
-    std::optional<std::string> error_;
+    void execute_geometry(std::uint8_t code, std::uint8_t value);
+    void execute_display(std::uint8_t code);
+    void select(AddressWindow::Axis axis, Parameters parameters);
+    void set_remap(std::uint8_t remap);
+    bool is_ready();
+    void take_pixel(int column, int row, int level);
+    std::uint32_t level_at(int x, int y) const;
+    std::optional<int> row_of(int line) const;
+    int line_of(int row) const;
+    int mirrored(int wire) const;
+
+    PanelSettings settings_;
+    std::vector<std::uint8_t> memory_; ///< levels 0..15, row by row, not remapped
+    Registers registers_;
 };
 
 }

@@ -57,7 +57,7 @@ Lines whole(PanelSettings settings, Rotation rotation)
 TEST_CASE("MIPI DCS: the start-up table, then what the settings say, then light")
 {
     CHECK(begun({.glass = {240, 240}}) == Lines{
-                                              "pause 5000",
+                                              "pause 120000",
                                               "command 01",
                                               "pause 120000",
                                               "command 3A | 55",
@@ -72,7 +72,7 @@ TEST_CASE("MIPI DCS: the start-up table, then what the settings say, then light"
                  .tearing_effect = true,
                  .brightness = 0x80},
                 dimming) == Lines{
-                                "pause 5000",
+                                "pause 120000",
                                 "command 01",
                                 "pause 120000",
                                 "command 3A | 55",

@@ -14,7 +14,7 @@ TEST_CASE("GC9A01: the start-up of the usual glass, byte by byte")
     TellingBus bus;
     DcsPanel{bus, facts_of(Controller::gc9a01).usual, gc9a01}.begin(bus.pause());
     CHECK(bus.lines == std::vector<std::string>{
-                           "pause 5000",
+                           "pause 120000",
                            "command 01",
                            "pause 120000",
                            "command EF",

@@ -14,7 +14,7 @@ TEST_CASE("ILI9341: the start-up of the usual glass, byte by byte")
     TellingBus bus;
     DcsPanel{bus, facts_of(Controller::ili9341).usual, ili9341}.begin(bus.pause());
     CHECK(bus.lines == std::vector<std::string>{
-                           "pause 5000",
+                           "pause 120000",
                            "command 01",
                            "pause 120000",
                            "command EF | 03 80 02",

@@ -40,6 +40,15 @@ TEST_CASE(
           std::array<PicturePlace, 4>{{{52, 40}, {40, 53}, {53, 40}, {40, 52}}});
 }
 
+TEST_CASE("of a memory that is scanned no further than the glass, nothing lies below the glass")
+{
+    PanelSettings settings{.glass = {72, 40}, .column = 30, .row = 8};
+    CHECK(scanned(settings, {128, 64}) == Size{128, 48});
+    CHECK(picture_place(settings, scanned(settings, {128, 64})) == PicturePlace{30, 8});
+    settings.rotation = Rotation::half;
+    CHECK(picture_place(settings, scanned(settings, {128, 64})) == PicturePlace{26, 0});
+}
+
 TEST_CASE("every pixel of a turned picture lies where the glass has it")
 {
     const PanelSettings glass{.glass = {3, 4}, .column = 2, .row = 1};

@@ -76,11 +76,23 @@ TEST_CASE("SSD0323: the settings in the start-up")
     settings.row = 3;
     TellingBus bus;
     Ssd0323{bus, settings}.begin(bus.pause());
-    CHECK(bus.lines[2] == "command A8 37");
-    CHECK(bus.lines[4] == "command A1 03");
+    CHECK(bus.lines[2] == "command A8 3A");
+    CHECK(bus.lines[3] == "command A2 03");
     CHECK(bus.lines[6] == "command A0 41");
     CHECK(bus.lines[8] == "command 81 38");
     CHECK(bus.lines[15] == "command A7");
+}
+
+TEST_CASE("SSD0323: the output of the uppermost row is found by the height of an upright glass")
+{
+    const auto offset = [](int height) {
+        TellingBus bus;
+        Ssd0323{bus, {.controller = Controller::ssd0323, .glass = {128, height}}}.begin(bus.pause());
+        return bus.lines[3];
+    };
+    CHECK(offset(56) == "command A2 38");
+    CHECK(offset(64) == "command A2 40");
+    CHECK(offset(80) == "command A2 00"); // as far as 80 would be, and allowed
 }
 
 TEST_CASE("SSD0323: a glass beside the middle is counted from the other side when it is turned by half")
@@ -93,7 +105,7 @@ TEST_CASE("SSD0323: a glass beside the middle is counted from the other side whe
     };
     CHECK(window() == std::vector<std::string>{"command 15 0A 39", "command 75 08 47", "pixels"});
     settings.rotation = Rotation::half;
-    CHECK(window() == std::vector<std::string>{"command 15 06 35", "command 75 08 47", "pixels"});
+    CHECK(window() == std::vector<std::string>{"command 15 06 35", "command 75 00 3F", "pixels"});
 }
 
 TEST_CASE("SSD0323: brightness, sleep and waking")

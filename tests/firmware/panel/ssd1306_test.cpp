@@ -51,6 +51,7 @@ TEST_CASE("SSD1306: the start-up of the usual glass, byte by byte, all of it wit
                               "command AE",
                               "command D5 80",
                               "command D3 00",
+                              "command 40",
                               "command 8D 14",
                               "command 20 00",
                               "command D9 F1",
@@ -58,7 +59,6 @@ TEST_CASE("SSD1306: the start-up of the usual glass, byte by byte, all of it wit
                               "command 2E",
                               "command A4",
                               "command A8 3F",
-                              "command 40",
                               "command A1",
                               "command C8",
                               "command DA 12",
@@ -80,7 +80,7 @@ TEST_CASE("SSD1306: the settings in the start-up")
     CHECK(with([](auto& s) { s.brightness = 0xCF; }) == Lines{"command 81 CF"});
     CHECK(with([](auto& s) { s.glass = {128, 32}; }) == Lines{"command A8 1F", "command DA 02"});
     CHECK(with([](auto& s) { s.glass = {64, 32}; }) == Lines{"command A8 1F"});
-    CHECK(with([](auto& s) { s.row = 16, s.glass = {72, 40}; }) == Lines{"command A8 27", "command 50"});
+    CHECK(with([](auto& s) { s.row = 16, s.glass = {72, 40}; }) == Lines{"command A8 37"});
 }
 
 TEST_CASE("SSD1306: a window is columns and pages, their arguments with D/C low")
@@ -94,7 +94,7 @@ TEST_CASE("SSD1306: a glass beside the middle is counted from the other side whe
     PanelSettings settings{.controller = Controller::ssd1306, .glass = {72, 40}, .column = 30, .row = 8};
     CHECK(window(settings, {0, 0, 72, 40}) == Lines{"command 21 1E 65", "command 22 01 05", "pixels"});
     settings.rotation = Rotation::half;
-    CHECK(window(settings, {0, 0, 72, 40}) == Lines{"command 21 1A 61", "command 22 01 05", "pixels"});
+    CHECK(window(settings, {0, 0, 72, 40}) == Lines{"command 21 1A 61", "command 22 00 04", "pixels"});
 }
 
 TEST_CASE("SSD1306: rows of pixels are sent as pages, from memory of the panel's own")

@@ -10,8 +10,8 @@ class UsageTest(CommandTest):
     def test_help_everywhere(self):
         example = re.search(r"Example:\n  kfast preview (\S+)", self.run_kfast("--help").stdout)
         self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
-        for command in ("compile", "check", "info", "render", "preview", "hash", "export"):
-            self.assertIn(f"  kfast {command} ", self.run_kfast(command, "--help").stdout)
+        for command in ("compile", "check", "info", "render", "preview", "hash", "export", "config", "wiring", "uf2 pack"):
+            self.assertIn(f"  kfast {command} ", self.run_kfast(*command.split(), "--help").stdout)
 
     def test_version(self):
         self.assertRegex(self.run_kfast("--version").stdout, r"^kfast \d+\.\d+\.\d+\n$")

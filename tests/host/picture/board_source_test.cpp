@@ -1,5 +1,6 @@
 #include "host/picture/board_source.hpp"
 
+#include "firmware/controller_facts.hpp"
 #include "host/picture/player_source.hpp"
 #include "tests/compiled.hpp"
 
@@ -26,14 +27,14 @@ group opacity=0.5 {
     object a fill=red { key 0 x=0; key 47 x=60; rect 4 40 30 20 }
     object b stroke=white width=2 { line 0 63 127 0 }
 })");
-    BoardSource on_board{bytes};
+    const auto on_board = open_board_source(bytes, facts_of(Controller::ssd0323).usual);
     PlayerSource drawn{*SceneView::parse(bytes), {128, 64}, Fit::contain, PixelFormat::grey4};
     std::minstd_rand random{5};
     std::int32_t tick = 0;
     for (int i = 0; i < 400; ++i) {
         tick = i % 3 == 0 ? static_cast<std::int32_t>(random() % (48 * 1024)) : tick + 300;
         CAPTURE(tick);
-        REQUIRE(on_board.show({tick}).pixels == drawn.show({tick}).pixels);
+        REQUIRE(on_board->show({tick}).pixels == drawn.show({tick}).pixels);
     }
 }
 

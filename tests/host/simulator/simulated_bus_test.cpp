@@ -1,19 +1,23 @@
 #include "host/simulator/simulated_bus.hpp"
 
-#include "firmware/controller_facts.hpp"
-#include "firmware/panel/ssd0323.hpp"
-#include "host/simulator/ssd0323_model.hpp"
-#include "tests/bytes.hpp"
+#include "host/simulator/simulated_panel.hpp"
+#include "tests/host/simulator/wired_model.hpp"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 
 namespace kfast::test {
 namespace {
 
+static_assert(WordBus<SimulatedBus>);
+
 struct Wired {
-    Ssd0323Model model;
-    SimulatedBus<Ssd0323Model> bus{model};
-    Ssd0323<SimulatedBus<Ssd0323Model>> panel{bus, facts_of(Controller::ssd0323).usual};
+    PanelSettings settings = facts_of(Controller::ssd0323).usual;
+    std::unique_ptr<ControllerModel> model = make_controller_model(settings);
+    SimulatedClock clock;
+    SimulatedBus bus{*model, clock};
+    Ssd0323<SimulatedBus> panel = simulated_panel<Ssd0323<SimulatedBus>>(bus, settings);
 
     void send(Rect area, std::span<const std::byte> pixels)
     {
@@ -36,17 +40,11 @@ TEST_CASE("the SSD0323 driver draws on the model what it is given")
     const std::vector<std::byte> patch(3 * 5, std::byte{0x5A});
     wired.send({.x = 122, .y = 59, .width = 6, .height = 5}, patch);
 
-    CHECK_FALSE(wired.model.error().has_value());
+    CHECK_FALSE(wired.model->error().has_value());
     CHECK_FALSE(wired.bus.error().has_value());
-    const auto picture = wired.model.picture();
-    for (std::size_t y = 0; y < 64; ++y) {
-        for (std::size_t x = 0; x < 128; ++x) {
-            const auto byte = x >= 122 && y >= 59 ? std::byte{0x5A} : whole[y * 64 + x / 2];
-            const auto expected = std::to_integer<int>(x % 2 == 0 ? byte >> 4 : byte & std::byte{15});
-            if (picture[y * 128 + x] != expected)
-                FAIL_CHECK("wrong at ", x, ", ", y);
-        }
-    }
+    for (std::size_t y = 59; y < 64; ++y)
+        std::fill_n(whole.begin() + static_cast<std::ptrdiff_t>(y * 64 + 61), 3, std::byte{0x5A});
+    CHECK(wired.model->picture().pixels == whole);
 }
 
 TEST_CASE("a buffer that is drawn into while it is sent spoils the picture")
@@ -58,7 +56,7 @@ TEST_CASE("a buffer that is drawn into while it is sent spoils the picture")
     row.assign(64, std::byte{0x22});
     while (wired.panel.busy()) {
     }
-    CHECK(wired.model.picture()[127] == 2);
+    CHECK(wired.model->picture().pixels[63] == std::byte{0x22});
 }
 
 TEST_CASE("the bus notices whoever does not wait")
@@ -83,6 +81,39 @@ TEST_CASE("the bus notices whoever does not wait")
         wired.bus.command(bytes({0xAE}));
         CHECK_FALSE(wired.bus.error().has_value());
     }
+}
+
+TEST_CASE("the bus sends words with the high byte first")
+{
+    WiredModel wired{with_glass(Controller::ssd1351, {2, 1})};
+    wired.send(0xFD, {0xB1}).send(0xA0, {0x74}).send(0xCA, {127}).send(0xA2, {0}).low({0xAF});
+    wired.send(0x15, {0, 1}).send(0x75, {0, 0}).low({0x5C});
+    const SimulatedClock clock;
+    SimulatedBus bus{*wired.model, clock};
+    const auto words = bytes({0x34, 0x12, 0xCD, 0xAB});
+    SUBCASE("all of them")
+    {
+        bus.start_words(words);
+        while (bus.busy()) {
+        }
+        CHECK(wired.error() == "none");
+        CHECK(pixels_of<PixelFormat::rgb565>(wired.model->picture()) == std::vector{0x1234, 0xABCD});
+    }
+    SUBCASE("in whole words only")
+    {
+        bus.start_words(std::span{words}.first(3));
+        CHECK(bus.error() == "half a word");
+    }
+}
+
+TEST_CASE("the bus tells the model what time it is")
+{
+    Wired wired;
+    wired.clock.pass(Microseconds{1500});
+    wired.clock.pass(Microseconds{0xFFFF'FFFF});
+    wired.bus.command(bytes({0x23}));
+    CHECK(wired.model->error() == "byte 0 at 4294968.795 ms: unknown command 0x23");
+    CHECK(wired.clock.now() == Microseconds{1499});
 }
 
 }

@@ -1,4 +1,4 @@
-#include "host/fit/quantity_reader.hpp"
+#include "host/scene/quantity_reader.hpp"
 
 #include "host/text/glyph.hpp"
 
@@ -7,20 +7,10 @@
 #include <string>
 #include <vector>
 
-namespace kfast::fit {
+namespace kfast::scene {
 namespace {
 
-/// In the largest unit of which it has at least one.
-std::string text_of(double quantity, const QuantityForm& form)
-{
-    const auto value_in = [quantity](const QuantityUnit& unit) { return quantity / unit.factor; };
-    const auto best = std::ranges::min_element(form.units, {}, [&](const QuantityUnit& unit) {
-        return value_in(unit) >= 1 ? value_in(unit) : std::numeric_limits<double>::max();
-    });
-    return '(' + std::string{best->name} + ')' + scene::text_of(value_in(*best));
-}
-
-const QuantityUnit* unit_of(const kdl::Value& value, const QuantityForm& form, scene::Reading& reading)
+const QuantityUnit* unit_of(const kdl::Value& value, const QuantityForm& form, Reading& reading)
 {
     if (!value.type) {
         reading.report.error(value.place, std::string{form.noun} + " needs a unit",
@@ -38,8 +28,17 @@ const QuantityUnit* unit_of(const kdl::Value& value, const QuantityForm& form, s
 
 }
 
-std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, scene::Range range,
-                                    scene::Reading& reading)
+std::string quantity_text(double quantity, const QuantityForm& form)
+{
+    const auto value_in = [quantity](const QuantityUnit& unit) { return quantity / unit.factor; };
+    const auto best = std::ranges::min_element(form.units, {}, [&](const QuantityUnit& unit) {
+        return value_in(unit) >= 1 ? value_in(unit) : std::numeric_limits<double>::max();
+    });
+    return '(' + std::string{best->name} + ')' + text_of(value_in(*best));
+}
+
+std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, Range range,
+                                    Reading& reading)
 {
     const kdl::Number* const number = value.number();
     if (number == nullptr) {
@@ -54,7 +53,8 @@ std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm&
     if (quantity >= range.low && quantity <= range.high)
         return quantity;
     reading.report.error(value.place, "this number is out of range",
-                         "allowed: " + text_of(range.low, form) + " to " + text_of(range.high, form));
+                         "allowed: " + quantity_text(range.low, form) + " to " +
+                             quantity_text(range.high, form));
     return std::nullopt;
 }
 

@@ -5,9 +5,10 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
-namespace kfast::fit {
+namespace kfast::scene {
 
 /// A unit that numbers of a kind are written with, as in (MHz)125.
 struct QuantityUnit {
@@ -29,8 +30,11 @@ inline constexpr std::array memory_units{QuantityUnit{"KiB", 1024}, QuantityUnit
 inline constexpr QuantityForm frequency{"a frequency", "(MHz)125", frequency_units};
 inline constexpr QuantityForm memory_size{"a size of memory", "(KiB)264", memory_units};
 
+/// As few digits as tell it, in the largest unit of which it has at least one: "(MHz)62.5"
+std::string quantity_text(double quantity, const QuantityForm& form);
+
 /// In Hz or bytes. Reports what is wrong and then returns nothing.
-std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, scene::Range range,
-                                    scene::Reading& reading);
+std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, Range range,
+                                    Reading& reading);
 
 }

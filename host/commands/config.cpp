@@ -1,0 +1,116 @@
+#include "host/atomic_file.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/output_path.hpp"
+#include "host/config/config_input.hpp"
+#include "host/config/config_text.hpp"
+#include "host/config/configurations.hpp"
+#include "host/config/pico_flash.hpp"
+#include "host/flash/uf2.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <span>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string input;
+    std::string output;
+    bool list = false;
+};
+
+using Bytes = std::vector<std::byte>;
+
+Bytes as_text(const BoardSettings& settings)
+{
+    const std::string text = config::config_text(settings);
+    const auto bytes = std::as_bytes(std::span{text});
+    return {bytes.begin(), bytes.end()};
+}
+
+Bytes as_uf2(const BoardSettings& settings)
+{
+    const std::array regions{Uf2Region{pico_flash::settings, config::settings_sector(settings)}};
+    return uf2_of(regions);
+}
+
+/// What a file is called tells what is written into it.
+struct OutputForm {
+    const char* suffix;
+    const char* noun;
+    Bytes (*bytes)(const BoardSettings& settings);
+};
+
+constexpr std::array forms{
+    OutputForm{".kdl", "a text to edit", as_text},
+    OutputForm{".bin", "the sector for 0x1003F000", config::settings_sector},
+    OutputForm{".uf2", "for the drive RPI-RP2", as_uf2},
+};
+
+const OutputForm& form_of(const fs::path& output)
+{
+    for (const OutputForm& form : forms)
+        if (output.extension() == form.suffix)
+            return form;
+    throw CLI::ValidationError(
+        "--output", "'" + output.string() + "': settings are written as .kdl (text), .bin (sector) or .uf2");
+}
+
+void write_settings(const Options& options, const BoardSettings& settings)
+{
+    const OutputForm& form = form_of(options.output);
+    const fs::path output = output_path(options.output, options.input, "file that is read");
+    write_file(output, form.bytes(settings));
+    std::cout << output.string() << ": settings of " << options.input << ", " << form.noun << '\n';
+}
+
+std::string first_comment(std::string_view text) { return std::string{text.substr(3, text.find('\n') - 3)}; }
+
+void list_configurations()
+{
+    std::size_t width = 0;
+    for (const config::Configuration& configuration : config::configurations())
+        width = std::max(width, configuration.name.size());
+    for (const config::Configuration& configuration : config::configurations())
+        std::cout << configuration.name << std::string(width - configuration.name.size() + 2, ' ')
+                  << first_comment(configuration.text) << '\n';
+}
+
+void run(const Options& options)
+{
+    if (options.list)
+        return list_configurations();
+    if (options.input.empty())
+        throw CLI::RequiredError("INPUT (kfast config --list tells what there is ready)");
+    if (!options.output.empty())
+        static_cast<void>(form_of(options.output)); // before anything is said about the input
+    const BoardSettings settings = config::chosen_settings(options.input);
+    if (options.output.empty())
+        std::cout << config::config_text(settings);
+    else
+        write_settings(options, settings);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    CLI::Option* const input =
+        app.add_option("INPUT", options->input,
+                       "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)");
+    CLI::Option* const output = app.add_option("-o,--output", options->output,
+                                               "A .kdl, .bin or .uf2 file (default: the text is printed)");
+    app.add_flag("--list", options->list, "Name the ready configurations")->excludes(input)->excludes(output);
+    app.callback([options] { run(*options); });
+}
+
+}
+
+const Command config_command{"config",
+                             "Make, check and read the settings of a board: display, pins, controls",
+                             "kfast config pico-st7789 -o gadget.kdl", declare};
+
+}

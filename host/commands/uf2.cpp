@@ -1,0 +1,111 @@
+#include "host/flash/uf2.hpp"
+#include "host/atomic_file.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/output_path.hpp"
+#include "host/config/config_input.hpp"
+#include "host/config/firmware_file.hpp"
+#include "host/config/pico_flash.hpp"
+#include "host/failure.hpp"
+#include "host/scene_file.hpp"
+
+#include <array>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+struct Options {
+    std::string firmware;
+    std::string config;
+    std::string scene;
+    std::string output;
+};
+
+/// What the file is to hold, and that in words.
+struct Contents {
+    std::vector<Uf2Region> regions;
+    std::string words;
+
+    void add(std::uint32_t address, std::vector<std::byte> bytes, const std::string& what)
+    {
+        words += (words.empty() ? "" : ", ") + what;
+        regions.push_back({address, std::move(bytes)});
+    }
+};
+
+void add_firmware(const std::string& name, Contents& contents)
+{
+    std::vector<std::byte> bytes = config::load_firmware(name);
+    const std::string what = "firmware of " + std::to_string(bytes.size()) + " bytes";
+    contents.add(pico_flash::begin, std::move(bytes), what);
+}
+
+void add_config(const std::string& name, Contents& contents)
+{
+    contents.add(pico_flash::settings, config::settings_sector(config::chosen_settings(name)),
+                 "settings of " + name);
+}
+
+void add_scene(const std::string& name, Contents& contents)
+{
+    SceneFile scene = load_scene(name);
+    const std::size_t size = scene.bytes.size();
+    constexpr std::size_t room = pico_flash::end - pico_flash::scene;
+    if (size > room)
+        throw Failure(name + ": " + std::to_string(size) + " bytes once compiled, " +
+                      std::to_string(size - room) +
+                      " more than a Pico has room for: shorten the scene or draw it with fewer points");
+    contents.add(pico_flash::scene, std::move(scene.bytes), "scene of " + std::to_string(size) + " bytes");
+}
+
+void pack(const Options& options)
+{
+    if (options.firmware.empty() && options.config.empty() && options.scene.empty())
+        throw CLI::RequiredError("one of --firmware, --config and --scene");
+    Contents contents;
+    if (!options.firmware.empty())
+        add_firmware(options.firmware, contents);
+    if (!options.config.empty())
+        add_config(options.config, contents);
+    if (!options.scene.empty())
+        add_scene(options.scene, contents);
+    std::filesystem::path output = options.output;
+    for (const std::string* input : {&options.firmware, &options.config, &options.scene})
+        output = output_path(output, *input, "file that is read");
+    write_file(output, uf2_of(contents.regions));
+    std::cout << output.string() << ": " << contents.words
+              << "\nHold BOOTSEL while you plug the Pico in, and copy the file to the drive RPI-RP2.\n";
+}
+
+void declare_pack(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
+    app.add_option("--config", options->config, "As for 'kfast config': a ready configuration or a file")
+        ->type_name("INPUT");
+    app.add_option("--scene", options->scene, "A scene text (.kfast) or compiled scene (.kfb)")
+        ->type_name("FILE");
+    app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
+    app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
+               "kfast-pico-spi.bin "
+               "--config pico-st7789 --scene eyes.kfast -o eyes.uf2");
+    app.callback([options] { pack(*options); });
+}
+
+constexpr std::array<std::string_view, 1> subcommands{"pack"};
+
+void declare(CLI::App& app)
+{
+    declare_pack(*app.add_subcommand("pack", "Put firmware, settings and scene together in one file"));
+    app.require_subcommand(1);
+}
+
+}
+
+const Command uf2_command{"uf2", "Make the file that is dragged onto the drive of a Pico",
+                          "kfast uf2 pack --config pico-st7789 --scene eyes.kfast -o eyes.uf2", declare,
+                          subcommands};
+
+}

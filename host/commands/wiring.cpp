@@ -1,0 +1,131 @@
+#include "host/config/wiring.hpp"
+#include "host/commands/command.hpp"
+#include "host/config/config_input.hpp"
+#include "host/config/pico_drawing.hpp"
+#include "host/config/pico_edge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string input;
+    bool json = false;
+};
+
+std::string controller_of(const BoardSettings& settings)
+{
+    return std::string{controller_names[static_cast<std::size_t>(settings.panel.controller)]};
+}
+
+std::string bus_of(const BoardSettings& settings)
+{
+    return std::string{bus_names[static_cast<std::size_t>(settings.bus)]};
+}
+
+Json json_of(const config::Connection& wire)
+{
+    return {{"part", wire.part},
+            {"end", wire.end},
+            {"gpio", wire.gpio ? Json(*wire.gpio) : Json(nullptr)},
+            {"name", config::edge_name(wire.pin)},
+            {"pin", wire.pin},
+            {"side", config::edge_side(wire.pin)},
+            {"purpose", wire.purpose}};
+}
+
+std::string json_text(const BoardSettings& settings, std::span<const config::Connection> wires)
+{
+    const Size size = settings.panel.size();
+    Json connections = Json::array();
+    for (const config::Connection& wire : wires)
+        connections.push_back(json_of(wire));
+    const Json json{
+        {"board", "pico"},
+        {"panel", {{"name", controller_of(settings)}, {"width", size.width}, {"height", size.height}}},
+        {"bus", bus_of(settings)},
+        {"connections", connections}};
+    return json.dump(2) + '\n';
+}
+
+using Cells = std::array<std::string, 5>;
+
+Cells cells_of(const config::Connection& wire)
+{
+    return {wire.end, config::edge_name(wire.pin), "pin " + std::to_string(wire.pin),
+            std::string{config::edge_side(wire.pin)}, wire.purpose};
+}
+
+using Widths = std::array<std::size_t, std::tuple_size_v<Cells>>;
+
+Widths widths_of(std::span<const config::Connection> wires)
+{
+    Widths widths{};
+    for (const config::Connection& wire : wires) {
+        const Cells cells = cells_of(wire);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            widths[i] = std::max(widths[i], cells[i].size());
+    }
+    return widths;
+}
+
+std::string row_text(const Cells& cells, const Widths& widths)
+{
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        text += "  " + cells[i] + std::string(widths[i] - cells[i].size(), ' ');
+    return text.erase(text.find_last_not_of(' ') + 1) + '\n';
+}
+
+std::string table(std::span<const config::Connection> wires)
+{
+    const Widths widths = widths_of(wires);
+    std::string text;
+    std::string part;
+    for (const config::Connection& wire : wires) {
+        if (wire.part != part)
+            text += '\n' + wire.part + '\n';
+        part = wire.part;
+        text += row_text(cells_of(wire), widths);
+    }
+    return text;
+}
+
+std::string plain_text(const Options& options, std::span<const config::Connection> wires,
+                       const BoardSettings& settings)
+{
+    const Size size = settings.panel.size();
+    return options.input + ": " + controller_of(settings) + " by " + bus_of(settings) + ", picture " +
+           std::to_string(size.width) + " x " + std::to_string(size.height) + "\n" + table(wires) +
+           "\nThe Pico from above\n\n" + config::pico_drawing(wires);
+}
+
+void print_wiring(const Options& options)
+{
+    const BoardSettings settings = config::chosen_settings(options.input);
+    const std::vector<config::Connection> wires = config::wiring(settings);
+    std::cout << (options.json ? json_text(settings, wires) : plain_text(options, wires, settings));
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    app.add_option("INPUT", options->input,
+                   "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
+        ->required();
+    app.add_flag("--json", options->json, "For programs: a JSON object");
+    app.callback([options] { print_wiring(*options); });
+}
+
+}
+
+const Command wiring_command{"wiring", "Tell which pin of the board goes to which pin of the display",
+                             "kfast wiring pico-st7789", declare};
+
+}

@@ -1,0 +1,124 @@
+#include "host/config/config_reader.hpp"
+
+#include "host/config/bus_reader.hpp"
+#include "host/config/control_reader.hpp"
+#include "host/config/mistake_text.hpp"
+#include "host/config/panel_reader.hpp"
+#include "host/config/pins_reader.hpp"
+#include "host/kdl/parser.hpp"
+#include "host/scene/part_rule.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace kfast::config {
+namespace {
+
+using scene::NodeForm, scene::PartRule, scene::Reading, scene::Times, scene::Word;
+
+constexpr std::array part_rules{
+    PartRule<Draft>{{"panel", "panel st7789, or panel st7789 240 320", 1, 3}, read_panel},
+    PartRule<Draft>{{"bus", "bus spi, bus i2c or bus parallel", 1, 1}, read_bus},
+    PartRule<Draft>{{"pins", "pins clock=18 data=19 select=17 dc=16 reset=20"}, read_pins},
+    PartRule<Draft>{{"clip", "clip NAME", 1, 1}, read_clip, Times::at_most_once},
+    PartRule<Draft>{{"button", "button 12 play, or button 12 play CLIP", 2, 3}, read_button, Times::any},
+    PartRule<Draft>{{"knob", "knob 26 place, or knob 26 place CLIP", 2, 3}, read_knob, Times::any},
+};
+
+constexpr NodeForm board_form{"board", "board pico { panel …; bus …; pins … }", 1, 1, true};
+
+/// Which pins there are, and what they can do.
+constexpr std::array chips{Word<bool>{"pico", true}};
+
+/// What may be left out, and follows from the rest.
+void complete(Draft& draft)
+{
+    BoardSettings& settings = draft.settings;
+    const std::uint32_t most = clock_range(settings.bus).most;
+    const std::uint32_t rated = rated_clock(settings);
+    settings.bus_clock = draft.clock.value_or(rated == 0 ? most : std::min(rated, most));
+    settings.panel.tearing_effect = draft.tearing.value_or(settings.pin(PinRole::tearing) != no_pin);
+}
+
+Place pin_place(PinUser user, const Draft& draft)
+{
+    if (user.is_control())
+        return draft.control_nodes[user.control()]->arguments.front().place;
+    return scene::property_place(*draft.pins, pin_role_names[static_cast<std::size_t>(user.role())]);
+}
+
+Place glass_place(const kdl::Node& panel)
+{
+    const kdl::Value& value = panel.arguments.front();
+    return panel.arguments.size() == 1 ? value.place
+                                       : scene::span(panel.arguments[1].place, panel.arguments.back().place);
+}
+
+Place place_of(const SettingsMistake& mistake, const Draft& draft)
+{
+    switch (mistake.fault) {
+    case SettingsFault::bus_not_taken:
+        return draft.bus->arguments.front().place;
+    case SettingsFault::glass_beyond_memory:
+    case SettingsFault::glass_ragged:
+        return glass_place(*draft.panel);
+    case SettingsFault::rotation_not_done:
+        return scene::property_place(*draft.panel, "rotation");
+    case SettingsFault::clock_too_fast:
+    case SettingsFault::clock_too_slow:
+        return scene::property_place(*draft.bus, "clock");
+    case SettingsFault::address_reserved:
+        return scene::property_place(*draft.bus, "address");
+    case SettingsFault::pin_missing:
+    case SettingsFault::pin_not_on_board:
+    case SettingsFault::pin_shared:
+    case SettingsFault::function_missing:
+    case SettingsFault::units_differ:
+    case SettingsFault::converter_missing:
+    case SettingsFault::action_not_of_control:
+        return pin_place(*mistake.user, draft);
+    }
+    return {};
+}
+
+void check_rules(const Draft& draft, Reading& reading)
+{
+    const std::vector<SettingsMistake> found = mistakes(draft.settings);
+    for (const SettingsMistake& mistake : found) {
+        const Finding finding = text_of(mistake, draft.settings);
+        reading.report.error(place_of(mistake, draft), finding.message, finding.remedy);
+    }
+    if (const auto finding = clock_warning(draft.settings); finding && found.empty())
+        reading.report.warning(scene::property_place(*draft.bus, "clock"), finding->message, finding->remedy);
+}
+
+void read_board(const kdl::Node& node, Draft& draft, Reading& reading)
+{
+    if (!fits(node, board_form, reading) || !refuse_properties(node, reading))
+        return;
+    read_word(node.arguments.front(), chips, reading);
+    read_parts(node, part_rules, draft, reading);
+}
+
+}
+
+std::optional<BoardSettings> read_config(const SourceText& source, Diagnostics& diagnostics)
+{
+    const kdl::Document document = kdl::parse(source.text, diagnostics);
+    if (diagnostics.has_errors())
+        return std::nullopt;
+    Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
+    Draft draft;
+    if (const kdl::Node* const node = only_node(document, board_form, "a text of settings", reading))
+        read_board(*node, draft, reading);
+    if (!diagnostics.has_errors()) {
+        complete(draft);
+        check_rules(draft, reading);
+    }
+    return diagnostics.has_errors() ? std::nullopt : std::optional{draft.settings};
+}
+
+}

@@ -1,0 +1,120 @@
+#include "host/config/config_text.hpp"
+
+#include "host/config/mistake_text.hpp"
+#include "host/kdl/canonical.hpp"
+#include "host/scene/quantity_reader.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace kfast::config {
+namespace {
+
+using scene::frequency, scene::quantity_text;
+
+constexpr std::string_view line = "\n    ";
+constexpr std::string_view note = "\n    // ";
+
+std::string size_text(Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+std::string flag_text(bool flag) { return flag ? "#true" : "#false"; }
+
+template <class E, std::size_t count>
+std::string name_of(const std::array<std::string_view, count>& names, E value)
+{
+    return std::string{names[static_cast<std::size_t>(value)]};
+}
+
+/// The shortest share of one that stands for it: three decimals tell all 256 apart.
+std::string brightness_text(std::uint8_t brightness)
+{
+    constexpr double full = 255;
+    for (double parts = 1;; parts *= 10) {
+        const double share = std::round(brightness * parts / full) / parts;
+        if (std::lround(share * full) == brightness)
+            return scene::text_of(share);
+    }
+}
+
+std::string panel_text(const BoardSettings& settings)
+{
+    const PanelSettings& panel = settings.panel;
+    std::string text{note};
+    text += "The glass, not turned; the picture on it is " + size_text(panel.size());
+    text += line;
+    text += "panel " + name_of(controller_names, panel.controller) + ' ' + std::to_string(panel.glass.width) +
+            ' ' + std::to_string(panel.glass.height) + " column=" + std::to_string(panel.column) +
+            " row=" + std::to_string(panel.row) +
+            " rotation=" + std::to_string(90 * static_cast<int>(panel.rotation)) +
+            " colours=" + (panel.bgr ? "bgr" : "rgb") + " inverted=" + flag_text(panel.inverted) +
+            " brightness=" + brightness_text(panel.brightness);
+    if (panel.tearing_effect != (settings.pin(PinRole::tearing) != no_pin))
+        text += " tearing=" + flag_text(panel.tearing_effect);
+    return text;
+}
+
+std::string address_text(std::uint8_t address)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), " address=0x%02X", unsigned{address});
+    return text.data();
+}
+
+std::string bus_text(const BoardSettings& settings)
+{
+    std::string text{note};
+    text += "The maker of " + name_of(controller_names, settings.panel.controller) + " allows " +
+            quantity_text(rated_clock(settings), frequency);
+    if (clock_warning(settings))
+        text += "; many bear more";
+    text += line;
+    text +=
+        "bus " + name_of(bus_names, settings.bus) + " clock=" + quantity_text(settings.bus_clock, frequency);
+    if (settings.bus == BusKind::i2c || settings.i2c_address != BoardSettings{}.i2c_address)
+        text += address_text(settings.i2c_address);
+    return text;
+}
+
+std::string pins_text(const BoardSettings& settings)
+{
+    std::string text{note};
+    text += "Numbers of GPIOs; kfast wiring tells where they are\n    pins";
+    for (std::size_t i = 0; i < settings.pins.size(); ++i)
+        if (settings.pins[i] != no_pin)
+            text += ' ' + std::string{pin_role_names[i]} + '=' + std::to_string(settings.pins[i]);
+    return text;
+}
+
+std::string control_text(const Control& control)
+{
+    std::string text{line};
+    text += (control.kind == ControlKind::knob ? "knob " : "button ") + std::to_string(control.pin) + ' ' +
+            name_of(control_action_names, control.action);
+    if (has_clip(control.action) && !control.clip.view().empty())
+        text += ' ' + kdl::string_form(control.clip.view());
+    return text;
+}
+
+std::string clip_text(const ClipName& clip)
+{
+    if (clip.view().empty())
+        return {};
+    return std::string{note} + "What plays when nothing is touched" + std::string{line} + "clip " +
+           kdl::string_form(clip.view());
+}
+
+}
+
+std::string config_text(const BoardSettings& settings)
+{
+    std::string text = "board pico {" + panel_text(settings) + bus_text(settings) + pins_text(settings) +
+                       clip_text(settings.clip);
+    for (const Control& control : settings.controls)
+        if (control.kind != ControlKind::none)
+            text += control_text(control);
+    return text + "\n}\n";
+}
+
+}

@@ -1,0 +1,111 @@
+#include "host/config/control_reader.hpp"
+
+#include "host/config/pins_reader.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace kfast::config {
+namespace {
+
+using scene::Reading;
+
+bool read_clip_name(const kdl::Value& value, ClipName& clip, Reading& reading)
+{
+    const auto name = read_name(value, reading);
+    if (!name)
+        return false;
+    if (name->size() > longest_clip_name)
+        return reading.report.error(
+            value.place, "a board holds names of clips up to " + std::to_string(longest_clip_name) + " bytes",
+            "give the clip a shorter name in the scene");
+    clip = ClipName{*name};
+    return true;
+}
+
+/// What a control of this kind does not do, or nobody.
+void report_unknown_action(const kdl::Value& value, std::string_view name, ControlKind kind, Reading& reading)
+{
+    std::vector<std::string_view> known;
+    for (std::size_t i = 0; i < control_action_names.size(); ++i)
+        if (is_for(static_cast<ControlAction>(i), kind))
+            known.push_back(control_action_names[i]);
+    const bool is_of_others = std::ranges::find(control_action_names, name) != control_action_names.end();
+    if (is_of_others)
+        reading.report.error(value.place,
+                             std::string{name} + " is not for a " +
+                                 (kind == ControlKind::knob ? "knob" : "button"),
+                             suggestion({}, known));
+    else
+        report_unknown_word(value, name, known, reading);
+}
+
+std::optional<ControlAction> read_action(const kdl::Value& value, ControlKind kind, Reading& reading)
+{
+    const auto name = read_text(value, reading);
+    if (!name)
+        return std::nullopt;
+    const auto place = std::ranges::find(control_action_names, *name);
+    const auto action = static_cast<ControlAction>(place - control_action_names.begin());
+    if (place != control_action_names.end() && is_for(action, kind))
+        return action;
+    report_unknown_action(value, *name, kind, reading);
+    return std::nullopt;
+}
+
+bool read_clip_of(const kdl::Node& node, Control& control, Reading& reading)
+{
+    if (node.arguments.size() < 3)
+        return true;
+    if (has_clip(control.action))
+        return read_clip_name(node.arguments[2], control.clip, reading);
+    return reading.report.error(node.arguments[2].place, *node.arguments[1].string() + " is for no clip",
+                                "remove it");
+}
+
+bool has_room(const kdl::Node& node, const Draft& draft, Reading& reading)
+{
+    return draft.controls < BoardSettings::most_controls ||
+           reading.report.error(node.name_place,
+                                "a board has at most " + std::to_string(BoardSettings::most_controls) +
+                                    " buttons and knobs",
+                                "remove this one");
+}
+
+bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Reading& reading)
+{
+    Control control{.kind = kind, .action = ControlAction::play, .pin = no_pin, .clip = {}};
+    const bool has_pin = scene::assign(read_pin(node.arguments[0], reading), control.pin);
+    const bool has_action = scene::assign(read_action(node.arguments[1], kind, reading), control.action);
+    if (!refuse_properties(node, reading) || !has_room(node, draft, reading) || !has_pin || !has_action ||
+        !read_clip_of(node, control, reading))
+        return false;
+    draft.control_nodes[draft.controls] = &node;
+    draft.settings.controls[draft.controls++] = control;
+    return true;
+}
+
+}
+
+bool read_clip(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+{
+    return refuse_properties(node, reading) &&
+           read_clip_name(node.arguments.front(), draft.settings.clip, reading);
+}
+
+bool read_button(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+{
+    return read_control(node, ControlKind::button, draft, reading);
+}
+
+bool read_knob(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+{
+    return read_control(node, ControlKind::knob, draft, reading);
+}
+
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "host/config/draft.hpp"
+#include "host/scene/reading.hpp"
+
+namespace kfast::config {
+
+/// `clip idle`. Whether it was good; reports what is wrong.
+bool read_clip(const kdl::Node& node, Draft& draft, scene::Reading& reading);
+
+/// `button 12 play blink`, `button 13 pause`. Whether it was good; reports what is wrong.
+bool read_button(const kdl::Node& node, Draft& draft, scene::Reading& reading);
+
+/// `knob 26 place`, `knob 27 brightness`. Whether it was good; reports what is wrong.
+bool read_knob(const kdl::Node& node, Draft& draft, scene::Reading& reading);
+
+}

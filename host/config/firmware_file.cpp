@@ -1,0 +1,44 @@
+#include "host/config/firmware_file.hpp"
+
+#include "host/config/pico_flash.hpp"
+#include "host/failure.hpp"
+#include "host/flash/boot_checksum.hpp"
+#include "host/input_file.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace kfast::config {
+namespace {
+
+constexpr InputKind firmware_input{"firmware", "a .bin file", "build it again"};
+constexpr std::size_t boot_code_bytes = 252;
+
+bool begins_with_boot_block(std::span<const std::byte> bytes)
+{
+    if (bytes.size() < BootBlock{}.size())
+        return false;
+    return std::ranges::equal(with_boot_checksum(bytes.first(boot_code_bytes)),
+                              bytes.first(BootBlock{}.size()));
+}
+
+}
+
+std::vector<std::byte> load_firmware(const std::filesystem::path& path)
+{
+    const std::string content = read_input(path, firmware_input);
+    const auto bytes = std::as_bytes(std::span{content});
+    if (!begins_with_boot_block(bytes))
+        throw Failure(path.string() +
+                      ": does not begin with a boot block of the RP2040: name the .bin file of a "
+                      "firmware for the Pico");
+    constexpr std::size_t room = pico_flash::settings - pico_flash::begin;
+    if (bytes.size() > room)
+        throw Failure(path.string() + ": " + std::to_string(bytes.size()) + " bytes, " +
+                      std::to_string(bytes.size() - room) +
+                      " more than lie before the settings at 0x1003F000");
+    return {bytes.begin(), bytes.end()};
+}
+
+}

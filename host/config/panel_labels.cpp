@@ -1,0 +1,69 @@
+#include "host/config/panel_labels.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace kfast::config {
+namespace {
+
+/// In the order of PinRole, without the log, which is no pin of a display.
+using Labels = std::array<std::string_view, static_cast<std::size_t>(PinRole::log)>;
+
+constexpr Labels colour_by_spi{"SCL, SCK or CLK", "SDA, MOSI or DIN", "CS", "DC, RS or A0",
+                               "RES or RST",      "BLK, BL or LED",   "TE"};
+constexpr Labels lit_by_spi{
+    "SCL, SCK or CLK", "SDA, MOSI or DIN", "CS", "DC, RS or A0", "RES or RST", "", ""};
+constexpr Labels mono_by_spi{"D0, CLK or SCK", "D1, DIN or MOSI", "CS", "DC", "RES or RST", "", ""};
+constexpr Labels by_i2c{"SCL or SCK", "SDA", "", "", "RES or RST", "", ""};
+constexpr Labels parallel{"WR", "D", "CS", "RS or DC", "RST or RES", "BLK, BL or LED", "TE"};
+
+/// Whether the pixels shine themselves.
+constexpr bool is_oled(Controller controller)
+{
+    return controller == Controller::ssd1306 || controller == Controller::ssd1351 ||
+           controller == Controller::ssd0323;
+}
+
+const Labels& labels_of(const BoardSettings& settings)
+{
+    switch (settings.bus) {
+    case BusKind::i2c:
+        return by_i2c;
+    case BusKind::parallel_8:
+        return parallel;
+    case BusKind::spi:
+        break;
+    }
+    if (!is_oled(settings.panel.controller))
+        return colour_by_spi;
+    return settings.panel.controller == Controller::ssd1351 ? lit_by_spi : mono_by_spi;
+}
+
+}
+
+std::string_view panel_label(PinRole role, const BoardSettings& settings)
+{
+    return role == PinRole::log ? std::string_view{} : labels_of(settings)[static_cast<std::size_t>(role)];
+}
+
+IdleLevel idle_level(PinRole role, const BoardSettings& settings)
+{
+    if (settings.pin(role) != no_pin || panel_label(role, settings).empty())
+        return IdleLevel::none;
+    switch (role) {
+    case PinRole::select:
+        return IdleLevel::low;
+    case PinRole::reset:
+    case PinRole::backlight:
+        return IdleLevel::high;
+    case PinRole::clock:
+    case PinRole::data:
+    case PinRole::dc:
+    case PinRole::tearing:
+    case PinRole::log:
+        break;
+    }
+    return IdleLevel::none;
+}
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "firmware/board_settings.hpp"
+
+#include <string_view>
+
+namespace kfast::config {
+
+/// What is printed beside the pin of a display: "SCL, SCK or CLK", the likeliest first. Empty where such
+/// displays have no such pin. Of a parallel bus, data is "D" without its number.
+std::string_view panel_label(PinRole role, const BoardSettings& settings);
+
+/// Where a pin goes that the display may have and no GPIO drives.
+enum class IdleLevel : std::uint8_t { none, low, high };
+
+/// What holds a display ready that has a pin for the role, though the settings have none.
+IdleLevel idle_level(PinRole role, const BoardSettings& settings);
+
+}

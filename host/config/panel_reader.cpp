@@ -1,0 +1,111 @@
+#include "host/config/panel_reader.hpp"
+
+#include "core/player.hpp"
+#include "firmware/controller_facts.hpp"
+#include "host/config/named_words.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace kfast::config {
+namespace {
+
+using scene::assign, scene::PropertyRule, scene::Range, scene::Reading, scene::Word;
+
+constexpr Range sides{1, Player::max_panel};
+constexpr Range places{0, Player::max_panel};
+constexpr Range degrees{0, 360};
+constexpr Range shares{0, 1};
+constexpr int quarter = 90;
+constexpr double full_brightness = 255;
+
+constexpr std::array controller_words = named_words<Controller>(controller_names);
+constexpr std::array colour_words{Word<bool>{"rgb", false}, Word<bool>{"bgr", true}};
+
+bool read_rotation(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    const auto angle = read_whole_number(value, degrees, reading);
+    if (!angle)
+        return false;
+    if (*angle % quarter != 0 || *angle == 4 * quarter)
+        return reading.report.error(value.place, "a picture is turned by quarters, clockwise",
+                                    "write 0, 90, 180 or 270");
+    draft.settings.panel.rotation = static_cast<Rotation>(*angle / quarter);
+    return true;
+}
+
+bool read_colours(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    return assign(read_word(value, colour_words, reading), draft.settings.panel.bgr);
+}
+
+bool read_inverted(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    return assign(read_flag(value, reading), draft.settings.panel.inverted);
+}
+
+bool read_tearing(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    draft.tearing = read_flag(value, reading);
+    return draft.tearing.has_value();
+}
+
+bool read_column(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    return assign(read_whole_number(value, places, reading), draft.settings.panel.column);
+}
+
+bool read_row(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    return assign(read_whole_number(value, places, reading), draft.settings.panel.row);
+}
+
+bool read_brightness(const kdl::Value& value, Draft& draft, Reading& reading)
+{
+    const auto share = read_number(value, shares, reading);
+    if (share)
+        draft.settings.panel.brightness = static_cast<std::uint8_t>(std::lround(*share * full_brightness));
+    return share.has_value();
+}
+
+constexpr std::array rules{
+    PropertyRule<Draft>{"rotation", read_rotation}, PropertyRule<Draft>{"colours", read_colours},
+    PropertyRule<Draft>{"inverted", read_inverted}, PropertyRule<Draft>{"column", read_column},
+    PropertyRule<Draft>{"row", read_row},           PropertyRule<Draft>{"brightness", read_brightness},
+    PropertyRule<Draft>{"tearing", read_tearing},
+};
+
+/// Another glass than the usual one begins somewhere else, which only its seller knows.
+bool read_glass(const kdl::Node& node, PanelSettings& panel, Reading& reading)
+{
+    if (node.arguments.size() == 1)
+        return true;
+    if (node.arguments.size() == 2)
+        return reading.report.error(node.arguments[1].place, "a panel has a width and a height",
+                                    "write panel st7789 or panel st7789 240 320");
+    const auto width = read_whole_number(node.arguments[1], sides, reading);
+    const auto height = read_whole_number(node.arguments[2], sides, reading);
+    if (!width || !height)
+        return false;
+    const Size glass{*width, *height};
+    if (glass != panel.glass)
+        panel.column = panel.row = 0;
+    panel.glass = glass;
+    return true;
+}
+
+}
+
+bool read_panel(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+{
+    draft.panel = &node;
+    const auto controller = read_word(node.arguments.front(), controller_words, reading);
+    PanelSettings& panel = draft.settings.panel;
+    panel = facts_of(controller.value_or(Controller::st7789)).usual;
+    const bool has_glass = read_glass(node, panel, reading);
+    return read_properties(node, rules, draft, reading) && has_glass && controller;
+}
+
+}

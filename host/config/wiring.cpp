@@ -1,0 +1,139 @@
+#include "host/config/wiring.hpp"
+
+#include "firmware/board_rules.hpp"
+#include "host/config/panel_labels.hpp"
+#include "host/config/pico_edge.hpp"
+#include "host/text/glyph.hpp"
+
+#include <array>
+
+namespace kfast::config {
+namespace {
+
+constexpr int supply = rp2040::pico_supply_pin;
+constexpr int display_ground = 38;
+
+/// As they lie on most modules.
+constexpr std::array display_roles{PinRole::clock,  PinRole::data,      PinRole::reset,  PinRole::dc,
+                                   PinRole::select, PinRole::backlight, PinRole::tearing};
+
+/// Gathers the wires of one part after another.
+class Wiring {
+public:
+    explicit Wiring(const BoardSettings& settings) : settings_{settings} {}
+
+    std::vector<Connection> connections() &&
+    {
+        add_display();
+        for (std::size_t i = 0; i < settings_.controls.size(); ++i)
+            add_control(settings_.controls[i], i + 1);
+        add_log();
+        return std::move(list_);
+    }
+
+private:
+    void add(std::string end, int pin, std::string purpose = {})
+    {
+        list_.push_back({part_, std::move(end), pin, std::nullopt, std::move(purpose)});
+    }
+
+    void add_gpio(std::string end, Pin gpio, std::string purpose)
+    {
+        list_.push_back({part_, std::move(end), edge_pin(gpio), gpio, std::move(purpose)});
+    }
+
+    void add_display()
+    {
+        part_ = "display";
+        add("GND", display_ground);
+        add("VCC or 3V3", supply);
+        for (const PinRole role : display_roles)
+            add_role(role);
+        if (settings_.bus == BusKind::parallel_8)
+            add("RD", supply, "nothing is read");
+    }
+
+    void add_role(PinRole role)
+    {
+        const PinRow row = pins_of(settings_, role);
+        const std::string label{panel_label(role, settings_)};
+        if (row.count > 1)
+            return add_row(label, row);
+        if (row.count == 1)
+            return add_gpio(label.empty() ? std::string{pin_role_names[static_cast<std::size_t>(role)]}
+                                          : label,
+                            settings_.pin(role), function_of(role));
+        add_idle(label, idle_level(role, settings_));
+    }
+
+    void add_row(const std::string& label, PinRow row)
+    {
+        for (int i = 0; i < row.count; ++i)
+            add_gpio(label + std::to_string(i), static_cast<Pin>(row.first + i), {});
+    }
+
+    void add_idle(const std::string& label, IdleLevel level)
+    {
+        if (level == IdleLevel::low)
+            add(label, display_ground, "if there is such a pin: always selected");
+        if (level == IdleLevel::high)
+            add(label, supply, "if there is such a pin: never off");
+    }
+
+    std::string function_of(PinRole role) const
+    {
+        return std::string{rp2040::function_name(role, settings_.bus, settings_.pin(role))};
+    }
+
+    void add_button(const Control& control)
+    {
+        const int pin = edge_pin(control.pin);
+        add_gpio("one leg", control.pin, purpose_of(control));
+        add("other leg", nearest_ground(pin));
+    }
+
+    void add_knob(const Control& control)
+    {
+        const int pin = edge_pin(control.pin);
+        add("left end", nearest_ground(pin));
+        add_gpio("slider", control.pin, purpose_of(control));
+        add("right end", supply);
+    }
+
+    void add_control(const Control& control, std::size_t number)
+    {
+        part_ = (control.kind == ControlKind::knob ? "knob " : "button ") + std::to_string(number);
+        if (control.kind == ControlKind::button)
+            add_button(control);
+        if (control.kind == ControlKind::knob)
+            add_knob(control);
+    }
+
+    static std::string purpose_of(const Control& control)
+    {
+        std::string purpose{control_action_names[static_cast<std::size_t>(control.action)]};
+        if (has_clip(control.action) && !control.clip.view().empty())
+            purpose += ' ' + visible(control.clip.view());
+        return purpose;
+    }
+
+    void add_log()
+    {
+        const Pin pin = settings_.pin(PinRole::log);
+        if (pin == no_pin)
+            return;
+        part_ = "serial adapter";
+        add_gpio("RXD", pin, function_of(PinRole::log) + ", 115200 baud");
+        add("GND", nearest_ground(edge_pin(pin)));
+    }
+
+    const BoardSettings& settings_;
+    std::string part_; ///< whose wires are being added
+    std::vector<Connection> list_;
+};
+
+}
+
+std::vector<Connection> wiring(const BoardSettings& settings) { return Wiring{settings}.connections(); }
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "firmware/panel_settings.hpp"
+#include "host/simulator/command_model.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace kfast {
+
+/// Bits of a parameter that must be so because the model knows no other way, or the maker none.
+struct FixedBits {
+    std::uint8_t code;
+    std::size_t parameter; ///< counted from 0
+    std::uint8_t mask;
+    std::uint8_t value;
+};
+
+/// In what the controllers of the MIPI DCS family differ.
+struct DcsKind {
+    std::vector<CommandForm> commands;
+    std::span<const FixedBits> fixed_bits;
+    bool takes_12_bits;
+    /// Whose pixel format is in the upper half of 3Ah's parameter; without one nobody reads the upper bits.
+    bool has_rgb_interface;
+    /// Whether glasses are wired from its last column to its first: bit 5 of B6h's second parameter puts that
+    /// right.
+    bool is_wired_backwards;
+    /// From a reset to the first command that is heard.
+    std::chrono::milliseconds reset_time;
+    /// From sleep out to the next command.
+    std::chrono::milliseconds wake_time;
+};
+
+/// `controller` belongs to the family.
+const DcsKind& dcs_kind(Controller controller);
+
+}
