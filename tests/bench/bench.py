@@ -13,6 +13,7 @@ import board_stack
 import guest
 import host_side
 import images
+import pico_board
 import report
 import results
 from hot_spots import print_profile
@@ -32,10 +33,11 @@ def options(arguments):
                         help="print what has grown by more than 2 %% since it was recorded, and exit with 1 then")
     parser.add_argument("--record", action="store_true", help="keep the figures, for --compare")
     parser.add_argument("--profile", metavar="SCENE", help="only tell where its instructions go")
-    parser.add_argument("--instructions-only", action="store_true", help="neither stacks of boards nor this computer")
+    parser.add_argument("--instructions-only", action="store_true", help="neither boards nor this computer")
     parser.add_argument("--host", type=pathlib.Path, default=ROOT / "build/host/bin", help="kfast and bench_player")
     parser.add_argument("--images", type=pathlib.Path, default=ROOT / "build/bench", help="the images to be measured")
     parser.add_argument("--board", type=pathlib.Path, default=ROOT / "build/lm3s6965evb", help="the board's images")
+    parser.add_argument("--pico", type=pathlib.Path, default=ROOT / "build/pico", help="the Pico's images")
     parser.add_argument("--recorded", type=pathlib.Path, default=RECORDED, help="what --compare and --record use")
     parser.add_argument("--check-options", action="store_true", help="measure nothing")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build/bench/results.json")
@@ -69,6 +71,8 @@ class Bench:
             if not self._chosen.instructions_only:
                 self._measure_boards(pool, found)
                 self._measure_host(pool, found)
+        if is_whole(self._chosen):
+            found["pico"] = pico_board.figures(self._chosen.host, self._chosen.pico)
         return found
 
     def _measure_traffic(self, pool, found):
@@ -133,6 +137,8 @@ def print_figures(found):
             print(f"{cpu} {name}: {report.pair(figures)} instructions in a frame ({parts})")
     for name, figures in found["host"].items():
         print(f"this computer, {name}: {figures['frames_per_second']:,} frames per second")
+    for name, figures in found.get("pico", {"scenes": {}})["scenes"].items():
+        print(f"Pico, {name}: {figures['frames_per_second']} of 60 frames a second")
 
 
 def write_json(path, figures):

@@ -104,6 +104,15 @@ class Bench(unittest.TestCase):
         self.assertEqual(text, document.read_text())
 
 
+class Pico(unittest.TestCase):
+    def test_figures_stand_in_tables(self):
+        scenes = report.pico_section({"eyes": {"frames_per_second": 59.0, "shown": 59, "late": 1, "bus_share": 0.0321}})
+        self.assertIn("| eyes | 59.0 | 1 of 60 | 3.2 % |", scenes)
+        buses = report.pico_bus_section({"SPI": {"bytes_per_second": 7768439, "bus_share": 0.9949,
+                                                 "bus_share_when_all_changes": 0.99}})
+        self.assertIn("| SPI | 7.77 | 99.5 % | 99.0 % |", buses)
+
+
 class Growth(unittest.TestCase):
     def test_two_percent_is_let_pass(self):
         self.assertEqual([], results.growth({"kfb_bytes": {"eyes": 1000}}, {"kfb_bytes": {"eyes": 1020}}))

@@ -26,7 +26,10 @@ def markdown(results):
     sections += [part_section(cpu, counted[cpu]) for cpu in counted if cpu in SPLIT]
     sections += [peer_section(cpu, counted[cpu]) for cpu in counted if any(cpu in peer for peer in PEERS["instructions"])]
     sections += [image_section(results), block_section(results), sent_section(results), file_section(results),
-                 host_section(results), f"Figures of others: {PEERS['source']}.\n"]
+                 host_section(results)]
+    if "pico" in results:
+        sections += [pico_section(results["pico"]["scenes"]), pico_bus_section(results["pico"]["buses"])]
+    sections += [f"Figures of others: {PEERS['source']}.\n"]
     return "\n".join(sections)
 
 
@@ -135,3 +138,21 @@ def host_section(results):
     rows = [["**KFAST**"] + [pair(counted.get(name)) for name in REFERENCES]]
     rows += [[peer["peer"]] + [pair(peer[name]) for name in REFERENCES] for peer in PEERS["host_instructions"]]
     return section("On a PC (x86-64), instructions in a frame, median / worst", [""] + list(REFERENCES), rows)
+
+
+def pico_section(scenes):
+    rows = [[name, f"{figures['frames_per_second']}", f"{figures['late']} of {figures['shown'] + figures['late']}",
+             percent(figures["bus_share"])] for name, figures in scenes.items()]
+    return section("On a Pico (RP2040 at 125 MHz, ST7789 240 x 240 on SPI at 62.5 MHz), asked for 60 frames a second",
+                   ["scene", "frames a second", "left out", "bus busy"], rows)
+
+
+def pico_bus_section(buses):
+    rows = [[name, f"{figures['bytes_per_second'] / 1e6:.2f}", percent(figures["bus_share"]),
+             percent(figures["bus_share_when_all_changes"])] for name, figures in buses.items()]
+    return section("Buses of a Pico, while a picture is sent whole",
+                   ["bus", "MB/s", "busy, first picture", "busy, every pixel changes"], rows)
+
+
+def percent(share):
+    return f"{share:.1%}".replace("%", " %")

@@ -1,0 +1,111 @@
+"""Boots the Pico's images in the emulator, in order and not:
+
+    pico_boot_test.py <folder of kfast and kfast-panel> <folder of images> <scene.kfast>
+
+The boot block runs where the boot ROM puts it and sets up the flash interface; a damaged one is refused. Without a
+scene, with a damaged one and with settings for another image, the board says so."""
+
+import pathlib
+import sys
+import tempfile
+
+from PIL import Image
+
+from card_text import lines_on
+from pico import Desk, expect
+
+FLASH_HERTZ = 50_000_000  # that any chip bears with command 03h
+VECTORS = 0x10000100
+
+
+def check_boot_block(desk, settings, scene):
+    report = desk.run(settings, scene, "--frames", 1).report
+    block = report["bootBlock"]
+    writes = block["writes"]
+    expect(block["cycles"] > 0 and block["vectors"] == VECTORS, f"the boot block ends with VTOR {block['vectors']:#x}")
+    expect(writes[0] == ["SSIENR", 0] and writes[-1] == ["SSIENR", 1], f"the flash interface is not switched: {writes}")
+    final = dict(map(tuple, writes))
+    expect(125_000_000 / final["BAUDR"] <= FLASH_HERTZ, f"flash is clocked by 1/{final['BAUDR']} of 125 MHz")
+    expect(final["CTRLR0"] == 31 << 16 | 3 << 8 and final["SPI_CTRLR0"] == 0x03000218, f"flash is read oddly: {writes}")
+    expect(report["flash"]["operations"] == [], "the board wrote to flash")
+
+
+def check_damaged_boot_block(desk, settings, scene):
+    image = desk.image(settings)
+    for offset in (0, 100, 255):
+        flipped = image.read_bytes()[offset] ^ 0x10
+        run = desk.run(settings, scene, "--patch", f"{offset}={flipped}")
+        expect(run.report["ending"] == "the boot block was refused", f"byte {offset} is wrong: {run.report['ending']}")
+        expect(run.report["cycles"] == 0 and run.log == [], "the board ran all the same")
+
+
+def last_picture(desk, settings, scene=None):
+    """What is on the display when nothing happens any more, and the log."""
+    shown = desk.folder / "shown"
+    run = desk.run(settings, scene, "--for", 900, pictures=shown, look_at_end=True)
+    return Image.open(sorted(shown.iterdir())[-1]).convert("RGB"), run.log
+
+
+def check_test_card(desk, configuration, rotation):
+    settings = desk.settings(configuration, lambda text: text.replace("240 240", f"240 240 rotation={rotation}"))
+    picture, log = last_picture(desk, settings)
+    width, height = picture.size
+    border = ([(x, y) for x in range(width) for y in (0, height - 1)] + [(x, y) for y in range(height) for x in (0, width - 1)])
+    expect(all(picture.getpixel(place) == (255, 255, 255) for place in border), "the frame at the border is not whole")
+    text = lines_on(picture)
+    for words in ("^ TOP ^", "PICO", settings.controller.upper(), settings.size.upper(), "NO SCENE"):
+        expect(words in text, f"the test card says {text}, not {words}; the board told {log}")
+    check_bars(picture)
+
+
+def check_bars(picture):
+    """From left to right red, green, blue, somewhere below the middle."""
+    wanted = [(255, 0, 0), (0, 255, 0), (0, 0, 255)]
+    width, height = picture.size
+    rows = ([colour for colour in (picture.getpixel((x, y)) for x in range(width)) if colour in wanted]
+            for y in range(height // 2, height))
+    found = next((row for row in rows if row), [])
+    order = [colour for i, colour in enumerate(found) if i == 0 or found[i - 1] != colour]
+    expect(order == wanted, f"the bars are {order}")
+
+
+def check_damaged_scene(desk, settings, scene):
+    damaged = bytearray(scene.read_bytes())
+    damaged[len(damaged) // 2] ^= 0x10
+    (desk.folder / "damaged.kfb").write_bytes(damaged)
+    picture, log = last_picture(desk, settings, desk.folder / "damaged.kfb")
+    errors = [line.removeprefix("ERROR ") for line in log if line.startswith("ERROR ")]
+    expect(len(errors) == 1 and "checksum" in errors[0], f"the board told {log}")
+    number, *words = lines_on(picture)
+    expect(number == "E4", f"the display shows the number {number}")
+    shown = " ".join(word or "?" for word in words)
+    expect(shown == errors[0].upper().replace("_", " "), f"the display says {shown!r}, the log {errors[0]!r}")
+
+
+def check_other_bus(desk):
+    settings = desk.settings("pico-ssd1306-i2c")
+    run = desk.run(settings, None, "--for", 200, image=desk.image(desk.settings("pico-st7789")))
+    expect(any("i2c" in line and "spi" in line for line in run.log if line.startswith("ERROR")), f"it told {run.log}")
+    expect(run.report["frames"] == [], "it sent something all the same")
+
+
+def main(programs, images, source):
+    with tempfile.TemporaryDirectory(prefix="kfast") as folder:
+        desk = Desk(programs, images, folder)
+        settings = desk.settings("pico-st7789")
+        scene = desk.compile(source)
+        check_boot_block(desk, settings, scene)
+        check_damaged_boot_block(desk, settings, scene)
+        check_damaged_scene(desk, settings, scene)
+        check_test_card(desk, "pico-gc9a01", 0)
+        for rotation in (90, 180, 270):
+            check_test_card(desk, "pico-st7789", rotation)
+        check_other_bus(desk)
+    print("the Pico boots, and says what is wrong")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except AssertionError as failure:
+        sys.exit(f"the Pico does not start rightly: {failure}")
