@@ -50,7 +50,8 @@ def check_test_card(desk, configuration, rotation):
     settings = desk.settings(configuration, lambda text: text.replace("240 240", f"240 240 rotation={rotation}"))
     picture, log = last_picture(desk, settings)
     width, height = picture.size
-    border = ([(x, y) for x in range(width) for y in (0, height - 1)] + [(x, y) for y in range(height) for x in (0, width - 1)])
+    border = [(x, y) for x in range(width) for y in (0, height - 1)]
+    border += [(x, y) for y in range(height) for x in (0, width - 1)]
     expect(all(picture.getpixel(place) == (255, 255, 255) for place in border), "the frame at the border is not whole")
     text = lines_on(picture)
     for words in ("^ TOP ^", "PICO", settings.controller.upper(), settings.size.upper(), "NO SCENE"):
