@@ -9,11 +9,15 @@ namespace kfast {
 // Compound requirements would be torn apart.
 // clang-format off
 
-/// A line to somebody who reads what a board tells, and answers.
+/// Where letters go.
+template <class O>
+concept LetterOutput = requires(O& output, char letter) {
+    { output.write(letter) } -> std::same_as<void>;
+};
+
+/// A line to somebody who reads what a board tells, and answers. Its write() waits for room.
 template <class C>
-concept Console = requires(C& console, char letter) {
-    /// Waits for room.
-    { console.write(letter) } -> std::same_as<void>;
+concept Console = LetterOutput<C> && requires(C& console) {
     /// Whether read() has a byte to give.
     { console.pending() } -> std::same_as<bool>;
     /// Waits for a byte.
@@ -22,27 +26,27 @@ concept Console = requires(C& console, char letter) {
 
 // clang-format on
 
-template <Console C>
-void write_text(C& console, std::string_view text)
+template <LetterOutput O>
+void write_text(O& output, std::string_view text)
 {
     for (const char letter : text)
-        console.write(letter);
+        output.write(letter);
 }
 
-template <Console C>
-void write_decimal(C& console, std::uint32_t number)
+template <LetterOutput O>
+void write_decimal(O& output, std::uint32_t number)
 {
     if (number >= 10)
-        write_decimal(console, number / 10);
-    console.write(static_cast<char>('0' + number % 10));
+        write_decimal(output, number / 10);
+    output.write(static_cast<char>('0' + number % 10));
 }
 
 /// Eight digits.
-template <Console C>
-void write_hex(C& console, std::uint32_t number)
+template <LetterOutput O>
+void write_hex(O& output, std::uint32_t number)
 {
     for (int shift = 28; shift >= 0; shift -= 4)
-        console.write("0123456789abcdef"[number >> shift & 15]);
+        output.write("0123456789abcdef"[number >> shift & 15]);
 }
 
 }

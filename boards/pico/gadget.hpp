@@ -21,7 +21,7 @@ public:
         watchdog::start();
         led::begin();
         clock_.begin();
-        log::begin(settings_.pin(PinRole::log));
+        log.begin(settings_.pin(PinRole::log));
         report::begun(settings_.panel);
         if (accepts_settings())
             show_scene();

@@ -8,7 +8,7 @@
 #include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
-namespace kfast::pico::log {
+namespace kfast::pico {
 namespace {
 
 // The divisor system_hz / (16 x baud) in 1/64, rounded: 4340, that is 67 + 52/64.
@@ -51,7 +51,7 @@ void feed_uart()
 
 }
 
-void begin(Pin pin)
+void Log::begin(Pin pin) const
 {
     const auto unit = rp2040::uart_unit(pin);
     if (!unit)
@@ -66,9 +66,9 @@ void begin(Pin pin)
     enable(*unit == 0 ? Interrupt::uart0 : Interrupt::uart1);
 }
 
-bool is_on() { return uart.is_there(); }
+bool Log::is_on() const { return uart.is_there(); }
 
-void write(char letter)
+void Log::write(char letter) const
 {
     if (!is_on())
         return;
@@ -78,32 +78,7 @@ void write(char letter)
         feed_uart();
 }
 
-void write(const char* text)
-{
-    for (; *text != 0; ++text)
-        write(*text);
-}
-
-void write(std::string_view text)
-{
-    for (const char letter : text)
-        write(letter);
-}
-
-void write_decimal(std::uint32_t number)
-{
-    if (number >= 10)
-        write_decimal(number / 10);
-    write(static_cast<char>('0' + number % 10));
-}
-
-void write_hex(std::uint32_t number)
-{
-    for (int shift = 28; shift >= 0; shift -= 4)
-        write("0123456789abcdef"[number >> shift & 15]);
-}
-
-void send_waiting()
+void Log::send_waiting() const
 {
     if (!is_on())
         return;

@@ -16,67 +16,67 @@ std::string_view name_of_bus(BusKind bus) { return bus_names[static_cast<std::si
 
 void begun(const PanelSettings& panel)
 {
-    log::write("KFAST ");
-    log::write(version);
-    log::write(" pico ");
-    log::write(controller_name(panel.controller));
-    log::write(' ');
-    log::write_decimal(static_cast<std::uint32_t>(panel.size().width));
-    log::write('x');
-    log::write_decimal(static_cast<std::uint32_t>(panel.size().height));
-    log::write('\n');
+    write_text(log, "KFAST ");
+    write_text(log, version);
+    write_text(log, " pico ");
+    write_text(log, controller_name(panel.controller));
+    log.write(' ');
+    write_decimal(log, static_cast<std::uint32_t>(panel.size().width));
+    log.write('x');
+    write_decimal(log, static_cast<std::uint32_t>(panel.size().height));
+    log.write('\n');
 }
 
 void scene_started(std::span<const std::byte> scene)
 {
-    if (!log::is_on()) // the sum takes time
+    if (!log.is_on()) // the sum takes time
         return;
     Crc32 sum;
     sum.add(scene);
-    log::write("SCENE ");
-    log::write_decimal(static_cast<std::uint32_t>(scene.size()));
-    log::write(' ');
-    log::write_hex(sum.value());
-    log::write('\n');
+    write_text(log, "SCENE ");
+    write_decimal(log, static_cast<std::uint32_t>(scene.size()));
+    log.write(' ');
+    write_hex(log, sum.value());
+    log.write('\n');
 }
 
 void event_passed(std::string_view name)
 {
-    log::write("EVENT ");
-    log::write(name);
-    log::write('\n');
+    write_text(log, "EVENT ");
+    write_text(log, name);
+    log.write('\n');
 }
 
 void frame_shown(FrameReport frame)
 {
-    log::write("F ");
-    log::write_decimal(static_cast<std::uint32_t>(frame.time.ticks));
-    log::write(' ');
-    log::write_decimal(frame.skipped);
-    log::write('\n');
+    write_text(log, "F ");
+    write_decimal(log, static_cast<std::uint32_t>(frame.time.ticks));
+    log.write(' ');
+    write_decimal(log, frame.skipped);
+    log.write('\n');
 }
 
 void fault(Error error)
 {
-    log::write("ERROR ");
-    log::write(error_text(error));
-    log::write('\n');
+    write_text(log, "ERROR ");
+    write_text(log, error_text(error));
+    log.write('\n');
 }
 
 void other_bus(BusKind settings, BusKind bus)
 {
-    log::write("ERROR the settings are for a display on ");
-    log::write(name_of_bus(settings));
-    log::write(", but this is the image for ");
-    log::write(name_of_bus(bus));
-    log::write('\n');
+    write_text(log, "ERROR the settings are for a display on ");
+    write_text(log, name_of_bus(settings));
+    write_text(log, ", but this is the image for ");
+    write_text(log, name_of_bus(bus));
+    log.write('\n');
 }
 
 void mistake(SettingsMistake mistake)
 {
-    log::write("ERROR the settings break rule ");
-    log::write_decimal(static_cast<std::uint32_t>(mistake.fault));
-    log::write("; kfast config tells more\n");
+    write_text(log, "ERROR the settings break rule ");
+    write_decimal(log, static_cast<std::uint32_t>(mistake.fault));
+    write_text(log, "; kfast config tells more\n");
 }
 
 }

@@ -14,6 +14,7 @@
 ///     EVENT <name>                                            when it is passed, before the frame
 ///     F <time in 1/1024 frame> <frames skipped so far>        when it has arrived
 ///     ERROR <what is wrong>
+///     FAULT <exception> at <address>                          from start.cpp, before the watchdog resets
 namespace kfast::pico::report {
 
 void begun(const PanelSettings& panel);

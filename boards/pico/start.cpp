@@ -47,19 +47,20 @@ void uart_handler();
 /// blinks in haste until the watchdog starts everything anew. `frame` is what the processor saved.
 [[noreturn, gnu::used]] void report_fault(const std::uint32_t* frame)
 {
-    using namespace kfast::pico;
+    using namespace kfast;
+    using pico::log;
     constexpr std::size_t place_of_pc = 6;
     std::uint32_t exception = 0;
     asm volatile("mrs %0, ipsr" : "=r"(exception));
-    log::send_waiting(); // makes room
-    log::write("\nFAULT ");
-    log::write_decimal(exception);
-    log::write(" at ");
-    log::write_hex(frame[place_of_pc]);
-    log::write('\n');
-    log::send_waiting();
+    log.send_waiting(); // makes room
+    write_text(log, "\nFAULT ");
+    write_decimal(log, exception);
+    write_text(log, " at ");
+    write_hex(log, frame[place_of_pc]);
+    log.write('\n');
+    log.send_waiting();
     while (true) {
-        led::toggle();
+        pico::led::toggle();
         for (std::uint32_t turns = 4'000'000; turns > 0; --turns)
             asm volatile("");
     }

@@ -3,6 +3,7 @@
 #include "host/config/config_input.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"
+#include "host/config/setting_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,16 +19,6 @@ struct Options {
     std::string input;
     bool json = false;
 };
-
-std::string controller_of(const BoardSettings& settings)
-{
-    return std::string{controller_names[static_cast<std::size_t>(settings.panel.controller)]};
-}
-
-std::string bus_of(const BoardSettings& settings)
-{
-    return std::string{bus_names[static_cast<std::size_t>(settings.bus)]};
-}
 
 Json json_of(const config::Connection& wire)
 {
@@ -46,11 +37,13 @@ std::string json_text(const BoardSettings& settings, std::span<const config::Con
     Json connections = Json::array();
     for (const config::Connection& wire : wires)
         connections.push_back(json_of(wire));
-    const Json json{
-        {"board", "pico"},
-        {"panel", {{"name", controller_of(settings)}, {"width", size.width}, {"height", size.height}}},
-        {"bus", bus_of(settings)},
-        {"connections", connections}};
+    const Json json{{"board", "pico"},
+                    {"panel",
+                     {{"name", config::word_of(settings.panel.controller)},
+                      {"width", size.width},
+                      {"height", size.height}}},
+                    {"bus", config::word_of(settings.bus)},
+                    {"connections", connections}};
     return json.dump(2) + '\n';
 }
 
@@ -100,10 +93,9 @@ std::string table(std::span<const config::Connection> wires)
 std::string plain_text(const Options& options, std::span<const config::Connection> wires,
                        const BoardSettings& settings)
 {
-    const Size size = settings.panel.size();
-    return options.input + ": " + controller_of(settings) + " by " + bus_of(settings) + ", picture " +
-           std::to_string(size.width) + " x " + std::to_string(size.height) + "\n" + table(wires) +
-           "\nThe Pico from above\n\n" + config::pico_drawing(wires);
+    return options.input + ": " + config::word_of(settings.panel.controller) + " by " +
+           config::word_of(settings.bus) + ", picture " + config::size_text(settings.panel.size()) + "\n" +
+           table(wires) + "\nThe Pico from above\n\n" + config::pico_drawing(wires);
 }
 
 void print_wiring(const Options& options)

@@ -1,6 +1,7 @@
 #include "host/config/config_text.hpp"
 
 #include "host/config/mistake_text.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/kdl/canonical.hpp"
 #include "host/scene/quantity_reader.hpp"
 #include "host/scene/value_reader.hpp"
@@ -17,15 +18,7 @@ using scene::frequency, scene::quantity_text;
 constexpr std::string_view line = "\n    ";
 constexpr std::string_view note = "\n    // ";
 
-std::string size_text(Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
 std::string flag_text(bool flag) { return flag ? "#true" : "#false"; }
-
-template <class E, std::size_t count>
-std::string name_of(const std::array<std::string_view, count>& names, E value)
-{
-    return std::string{names[static_cast<std::size_t>(value)]};
-}
 
 /// The shortest share of one that stands for it: three decimals tell all 256 apart.
 std::string brightness_text(std::uint8_t brightness)
@@ -44,8 +37,8 @@ std::string panel_text(const BoardSettings& settings)
     std::string text{note};
     text += "The glass, not turned; the picture on it is " + size_text(panel.size());
     text += line;
-    text += "panel " + name_of(controller_names, panel.controller) + ' ' + std::to_string(panel.glass.width) +
-            ' ' + std::to_string(panel.glass.height) + " column=" + std::to_string(panel.column) +
+    text += "panel " + word_of(panel.controller) + ' ' + std::to_string(panel.glass.width) + ' ' +
+            std::to_string(panel.glass.height) + " column=" + std::to_string(panel.column) +
             " row=" + std::to_string(panel.row) +
             " rotation=" + std::to_string(90 * static_cast<int>(panel.rotation)) +
             " colours=" + (panel.bgr ? "bgr" : "rgb") + " inverted=" + flag_text(panel.inverted) +
@@ -65,13 +58,12 @@ std::string address_text(std::uint8_t address)
 std::string bus_text(const BoardSettings& settings)
 {
     std::string text{note};
-    text += "The maker of " + name_of(controller_names, settings.panel.controller) + " allows " +
+    text += "The maker of " + word_of(settings.panel.controller) + " allows " +
             quantity_text(rated_clock(settings), frequency);
     if (clock_warning(settings))
         text += "; many bear more";
     text += line;
-    text +=
-        "bus " + name_of(bus_names, settings.bus) + " clock=" + quantity_text(settings.bus_clock, frequency);
+    text += "bus " + word_of(settings.bus) + " clock=" + quantity_text(settings.bus_clock, frequency);
     if (settings.bus == BusKind::i2c || settings.i2c_address != BoardSettings{}.i2c_address)
         text += address_text(settings.i2c_address);
     return text;
@@ -91,7 +83,7 @@ std::string control_text(const Control& control)
 {
     std::string text{line};
     text += (control.kind == ControlKind::knob ? "knob " : "button ") + std::to_string(control.pin) + ' ' +
-            name_of(control_action_names, control.action);
+            word_of(control.action);
     if (has_clip(control.action) && !control.clip.view().empty())
         text += ' ' + kdl::string_form(control.clip.view());
     return text;

@@ -1,6 +1,7 @@
 #include "host/config/mistake_text.hpp"
 
 #include "host/config/pin_list.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/scene/quantity_reader.hpp"
 
 #include <algorithm>
@@ -13,27 +14,16 @@ using scene::frequency, scene::quantity_text;
 
 constexpr std::uint8_t last_address = 0x77;
 
-std::string name_of(Controller controller)
-{
-    return std::string{controller_names[static_cast<std::size_t>(controller)]};
-}
-
-std::string name_of(BusKind bus) { return std::string{bus_names[static_cast<std::size_t>(bus)]}; }
-
-std::string name_of(PinRole role) { return std::string{pin_role_names[static_cast<std::size_t>(role)]}; }
-
-std::string text_of(Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
 /// "clock", "button 3"; of a parallel bus "data (D0 to D7 on GP0 to GP7)".
-std::string name_of(PinUser user, const BoardSettings& settings)
+std::string user_name(PinUser user, const BoardSettings& settings)
 {
     if (user.is_control())
         return (settings.controls[user.control()].kind == ControlKind::knob ? "knob " : "button ") +
                std::to_string(user.control() + 1);
     const PinRow row = pins_of(settings, user);
-    return row.count > 1 ? name_of(user.role()) + " (D0 to D7 on " + pin_name(row.first) + " to " +
+    return row.count > 1 ? word_of(user.role()) + " (D0 to D7 on " + pin_name(row.first) + " to " +
                                pin_name(row.end() - 1) + ')'
-                         : name_of(user.role());
+                         : word_of(user.role());
 }
 
 Finding bus_not_taken_text(const BoardSettings& settings)
@@ -41,8 +31,8 @@ Finding bus_not_taken_text(const BoardSettings& settings)
     std::string taken;
     for (const BusKind bus : {BusKind::spi, BusKind::i2c, BusKind::parallel_8})
         if (facts_of(settings.panel.controller).takes(bus))
-            taken += (taken.empty() ? "bus " : " or bus ") + name_of(bus);
-    return {name_of(settings.panel.controller) + " cannot be driven by " + name_of(settings.bus),
+            taken += (taken.empty() ? "bus " : " or bus ") + word_of(bus);
+    return {word_of(settings.panel.controller) + " cannot be driven by " + word_of(settings.bus),
             "write " + taken};
 }
 
@@ -50,10 +40,10 @@ Finding glass_beyond_memory_text(const BoardSettings& settings)
 {
     const PanelSettings& panel = settings.panel;
     const Size memory = facts_of(panel.controller).memory;
-    const std::string message = "a glass of " + text_of(panel.glass) + " at column " +
+    const std::string message = "a glass of " + size_text(panel.glass) + " at column " +
                                 std::to_string(panel.column) + ", row " + std::to_string(panel.row) +
-                                " does not lie within the " + text_of(memory) + " pixels of " +
-                                name_of(panel.controller);
+                                " does not lie within the " + size_text(memory) + " pixels of " +
+                                word_of(panel.controller);
     const bool lies_turned = panel.glass.width > memory.width && panel.glass.width <= memory.height &&
                              panel.glass.height <= memory.width;
     if (lies_turned)
@@ -68,15 +58,15 @@ Finding glass_ragged_text(const BoardSettings& settings)
 {
     const ControllerFacts& facts = facts_of(settings.panel.controller);
     const Size step = addressed_pixels(facts.format);
-    return {name_of(settings.panel.controller) + " addresses " + text_of(step) + " pixels at once",
-            "let the glass be a multiple of " + text_of(facts.granularity) + ", column and row of " +
+    return {word_of(settings.panel.controller) + " addresses " + size_text(step) + " pixels at once",
+            "let the glass be a multiple of " + size_text(facts.granularity) + ", column and row of " +
                 std::to_string(step.width) + " and " + std::to_string(step.height)};
 }
 
 Finding clock_text(const BoardSettings& settings, const std::string& wrong)
 {
     const ClockRange range = clock_range(settings.bus);
-    return {"a Pico has no " + name_of(settings.bus) + " that is so " + wrong,
+    return {"a Pico has no " + word_of(settings.bus) + " that is so " + wrong,
             "allowed: " + quantity_text(range.least, frequency) + " to " +
                 quantity_text(range.most, frequency)};
 }
@@ -100,18 +90,18 @@ Finding address_text(const BoardSettings& settings)
 Finding pin_missing_text(PinUser user, const BoardSettings& settings)
 {
     if (user.is_control())
-        return {name_of(user, settings) + " has no pin", "give it one"};
-    const std::string role = name_of(user.role());
+        return {user_name(user, settings) + " has no pin", "give it one"};
+    const std::string role = word_of(user.role());
     if (user == PinRole::tearing)
         return {"there is no pin for the tearing effect", "add tearing=… to pins, or remove tearing=#true"};
-    return {name_of(settings.bus) + " needs a pin for " + role, "add " + role + "=… to pins"};
+    return {word_of(settings.bus) + " needs a pin for " + role, "add " + role + "=… to pins"};
 }
 
 Finding pin_not_on_board_text(PinUser user, const BoardSettings& settings)
 {
     const PinRow row = pins_of(settings, user);
     if (row.count > 1)
-        return {name_of(user, settings) + " does not lie on the edge of a Pico",
+        return {user_name(user, settings) + " does not lie on the edge of a Pico",
                 "let data= be one of 0 to " + std::to_string(last_pin_of_eight)};
     return {pin_name(row.first) + " is not on the edge of a Pico", "use one of " + pins_on_edge()};
 }
@@ -119,14 +109,14 @@ Finding pin_not_on_board_text(PinUser user, const BoardSettings& settings)
 Finding pin_shared_text(PinUser user, PinUser other, const BoardSettings& settings)
 {
     const int pin = std::max(pins_of(settings, user).first, pins_of(settings, other).first);
-    return {pin_name(pin) + " is taken twice: by " + name_of(other, settings) + " and by " +
-                name_of(user, settings),
+    return {pin_name(pin) + " is taken twice: by " + user_name(other, settings) + " and by " +
+                user_name(user, settings),
             "move one of them; free: " + free_pins(settings)};
 }
 
 Finding function_missing_text(PinRole role, const BoardSettings& settings)
 {
-    const std::string what = role == PinRole::log ? "a log" : name_of(settings.bus) + ' ' + name_of(role);
+    const std::string what = role == PinRole::log ? "a log" : word_of(settings.bus) + ' ' + word_of(role);
     return {pin_name(settings.pin(role)) + " cannot carry " + what,
             "use one of " + pins_that_carry(role, settings.bus, std::nullopt)};
 }
@@ -147,21 +137,8 @@ Finding units_differ_text(const BoardSettings& settings)
 
 Finding action_text(PinUser user, const BoardSettings& settings)
 {
-    const auto action = static_cast<std::size_t>(settings.controls[user.control()].action);
-    return {name_of(user, settings) + " cannot be for " + std::string{control_action_names[action]},
+    return {user_name(user, settings) + " cannot be for " + word_of(settings.controls[user.control()].action),
             "buttons are for play, pause and sleep, knobs for place, speed and brightness"};
-}
-
-bool has_function(const BoardSettings& settings, PinRole role)
-{
-    return !rp2040::function_name(role, settings.bus, settings.pin(role)).empty();
-}
-
-/// That the clock of no unit is not that of the data's unit has been told already.
-bool follows_from_another(const SettingsMistake& mistake, const BoardSettings& settings)
-{
-    return mistake.fault == SettingsFault::units_differ &&
-           (!has_function(settings, PinRole::clock) || !has_function(settings, PinRole::data));
 }
 
 }
@@ -170,7 +147,7 @@ std::vector<SettingsMistake> mistakes(const BoardSettings& settings)
 {
     std::vector<SettingsMistake> found;
     for (const SettingsRule rule : settings_rules)
-        if (const auto mistake = rule(settings); mistake && !follows_from_another(*mistake, settings))
+        if (const auto mistake = rule(settings))
             found.push_back(*mistake);
     return found;
 }
@@ -185,7 +162,7 @@ Finding text_of(const SettingsMistake& mistake, const BoardSettings& settings)
     case SettingsFault::glass_ragged:
         return glass_ragged_text(settings);
     case SettingsFault::rotation_not_done:
-        return {name_of(settings.panel.controller) + " cannot turn a picture by 90 or 270 degrees",
+        return {word_of(settings.panel.controller) + " cannot turn a picture by 90 or 270 degrees",
                 "write rotation=0 or 180"};
     case SettingsFault::clock_too_fast:
         return clock_text(settings, "fast");
@@ -232,7 +209,7 @@ std::optional<Finding> clock_warning(const BoardSettings& settings)
     if (rated == 0 || settings.bus_clock <= rated)
         return std::nullopt;
     const std::string clock = quantity_text(rated, frequency);
-    return Finding{"faster than the maker of " + name_of(settings.panel.controller) + " allows, " + clock,
+    return Finding{"faster than the maker of " + word_of(settings.panel.controller) + " allows, " + clock,
                    "many bear it; if the picture is torn or speckled, write clock=" + clock};
 }
 

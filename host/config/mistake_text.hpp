@@ -14,7 +14,7 @@ struct Finding {
     std::string remedy;
 };
 
-/// The first mistake against each of the rules; none that only follows from another.
+/// The first mistake against each of the rules.
 std::vector<SettingsMistake> mistakes(const BoardSettings& settings);
 
 /// A mistake of these settings in words.

@@ -1,6 +1,7 @@
 #include "host/config/pins_reader.hpp"
 
 #include "firmware/rp2040_pins.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -41,7 +42,7 @@ bool report_unknown_role(const kdl::Node& node, const kdl::Property& property, R
     const auto printed = std::ranges::find(printed_names, property.name, &PrintedName::name);
     if (printed == printed_names.end())
         return report_unknown_property(node, property, pin_role_names, reading);
-    const std::string role{pin_role_names[static_cast<std::size_t>(printed->role)]};
+    const std::string role = word_of(printed->role);
     return reading.report.error(property.name_place, "pins has no property " + quoted(property.name),
                                 "here it is called " + role + ": write " + role + "=…");
 }

@@ -3,6 +3,7 @@
 #include "firmware/board_rules.hpp"
 #include "host/config/panel_labels.hpp"
 #include "host/config/pico_edge.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/text/glyph.hpp"
 
 #include <array>
@@ -60,9 +61,7 @@ private:
         if (row.count > 1)
             return add_row(label, row);
         if (row.count == 1)
-            return add_gpio(label.empty() ? std::string{pin_role_names[static_cast<std::size_t>(role)]}
-                                          : label,
-                            settings_.pin(role), function_of(role));
+            return add_gpio(label.empty() ? word_of(role) : label, settings_.pin(role), function_of(role));
         add_idle(label, idle_level(role, settings_));
     }
 
@@ -111,7 +110,7 @@ private:
 
     static std::string purpose_of(const Control& control)
     {
-        std::string purpose{control_action_names[static_cast<std::size_t>(control.action)]};
+        std::string purpose = word_of(control.action);
         if (has_clip(control.action) && !control.clip.view().empty())
             purpose += ' ' + visible(control.clip.view());
         return purpose;

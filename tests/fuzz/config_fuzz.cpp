@@ -19,8 +19,8 @@ void demand(bool condition)
 
 }
 
-/// Any bytes at all: they are refused with messages that can be shown, or are settings that keep all rules and
-/// come back from their text and their record.
+/// Any bytes at all: they are refused with messages that can be shown, or are settings that keep all rules
+/// and come back from their text and their record.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const SourceText source{.name = "fuzz", .text = std::string(data, data + size)};

@@ -134,7 +134,7 @@ class ConfigTest(CommandTest):
         self.file("flash.dump").write_bytes(b"\xff" * 0x3F000 + sector + bytes(0x1000))
         for name in ("./record", "flash.dump"):
             self.assertEqual(self.text(name), told)
-        self.file("f.bin").write_bytes(firmware(3 * 4096))
+        self.file("f.bin").write_bytes(firmware(0x3F000))  # up to the settings
         self.run_kfast("uf2", "pack", "--firmware", "f.bin", "--config", "a.bin", "--scene", "once.kfast", "-o", "all.uf2")
         self.assertEqual(self.text("all.uf2"), told)
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "firmware/board_settings.hpp"
+
+#include <cstddef>
+#include <string>
+
+/// What settings are called in texts and messages.
+namespace kfast::config {
+
+inline std::string word_of(Controller controller)
+{
+    return std::string{controller_names[static_cast<std::size_t>(controller)]};
+}
+
+inline std::string word_of(BusKind bus) { return std::string{bus_names[static_cast<std::size_t>(bus)]}; }
+
+inline std::string word_of(PinRole role)
+{
+    return std::string{pin_role_names[static_cast<std::size_t>(role)]};
+}
+
+inline std::string word_of(ControlAction action)
+{
+    return std::string{control_action_names[static_cast<std::size_t>(action)]};
+}
+
+/// "240 x 320"
+inline std::string size_text(Size size)
+{
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+}
