@@ -12,8 +12,9 @@ MOST_LETTERS = 60
 def _font():
     """Letters by their blocks, from the header's tables."""
     text = FONT.read_text(encoding="utf-8")
-    tables = {name: re.findall(r"0\d{5}", text.split(f"> {name}{{")[1].split("};")[0]) for name in ("capitals", "digits")}
-    letters = dict(zip(tables["capitals"], "ABCDEFGHIJKLMNOPQRSTUVWXYZ")) | dict(zip(tables["digits"], "0123456789"))
+    def table(name):
+        return re.findall(r"0\d{5}", text.split(f"> {name}{{")[1].split("};")[0])
+    letters = dict(zip(table("capitals"), "ABCDEFGHIJKLMNOPQRSTUVWXYZ")) | dict(zip(table("digits"), "0123456789"))
     letters |= {blocks: sign for sign, blocks in re.findall(r"case '(.)':[^\n]*\n\s*return (0\d{5});", text)}
     return {int(blocks, 8): sign for blocks, sign in letters.items()} | {0: " "}
 

@@ -123,7 +123,7 @@ class Desk:
         return Run(found, told[:-1] if look_at_end else told)
 
     def _call(self, *command):
-        done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              timeout=600, check=False)
+        done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, timeout=600, check=False)
         expect(done.returncode == 0, f"{pathlib.Path(command[0]).name}: {done.stderr.strip()}")
         return done

@@ -24,7 +24,7 @@ def check_boot_block(desk, settings, scene):
     writes = block["writes"]
     expect(block["cycles"] > 0 and block["vectors"] == VECTORS, f"the boot block ends with VTOR {block['vectors']:#x}")
     expect(writes[0] == ["SSIENR", 0] and writes[-1] == ["SSIENR", 1], f"the flash interface is not switched: {writes}")
-    final = dict(map(tuple, writes))
+    final = {"BAUDR": 2, "CTRLR0": None, "SPI_CTRLR0": None} | dict(map(tuple, writes))
     expect(125_000_000 / final["BAUDR"] <= FLASH_HERTZ, f"flash is clocked by 1/{final['BAUDR']} of 125 MHz")
     expect(final["CTRLR0"] == 31 << 16 | 3 << 8 and final["SPI_CTRLR0"] == 0x03000218, f"flash is read oddly: {writes}")
     expect(report["flash"]["operations"] == [], "the board wrote to flash")
@@ -50,7 +50,8 @@ def check_test_card(desk, configuration, rotation):
     settings = desk.settings(configuration, lambda text: text.replace("240 240", f"240 240 rotation={rotation}"))
     picture, log = last_picture(desk, settings)
     width, height = picture.size
-    border = ([(x, y) for x in range(width) for y in (0, height - 1)] + [(x, y) for y in range(height) for x in (0, width - 1)])
+    border = [(x, y) for x in range(width) for y in (0, height - 1)]
+    border += [(x, y) for y in range(height) for x in (0, width - 1)]
     expect(all(picture.getpixel(place) == (255, 255, 255) for place in border), "the frame at the border is not whole")
     text = lines_on(picture)
     for words in ("^ TOP ^", "PICO", settings.controller.upper(), settings.size.upper(), "NO SCENE"):

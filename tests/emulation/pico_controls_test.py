@@ -63,8 +63,9 @@ def check_pads(controls):
             expect(control["functionSelect"] == SIO, f"the button's pin has function {control['functionSelect']}")
             expect(pad & PULL_UP and pad & INPUT_ENABLE and not pad & PULL_DOWN, f"the button's pad is {pad:#x}")
         else:
-            expect(control["functionSelect"] == NO_FUNCTION, f"the knob's pin has function {control['functionSelect']}")
-            expect(pad & OUTPUT_DISABLE and not pad & (PULL_UP | PULL_DOWN | INPUT_ENABLE), f"the knob's pad is {pad:#x}")
+            expect(control["functionSelect"] == NO_FUNCTION, "the knob's pin has a digital function")
+            expect(pad & OUTPUT_DISABLE and not pad & (PULL_UP | PULL_DOWN | INPUT_ENABLE),
+                   f"the knob's pad is {pad:#x}")
 
 
 def check_pause(desk, scene):
@@ -102,7 +103,8 @@ def check_brightness(desk, scene):
         _, report = play(desk, scene, "brightness", 650, "--knob", f"26@0={value}")
         return report["registers"]["light"]
     dark, half, bright = level(0), level(FULL // 2), level(FULL)
-    expect(dark == 0 and bright == 1 and 0.02 < half < 0.98, f"the backlight is lit for {dark}, {half}, {bright} of the time")
+    expect(dark == 0 and bright == 1 and 0.02 < half < 0.98,
+           f"the backlight is lit for {dark}, {half}, {bright} of the time")
 
 
 def main(programs, images, source):

@@ -36,8 +36,10 @@ def check_pictures(run, hashes):
 def check_pixels(desk, scene, settings, whole):
     for i, frame in (whole[0], whole[len(whole) // 2], whole[-1]):
         preview = desk.folder / "preview.png"
-        desk.kfast("render", scene, "--frame", frame, "--size", settings.size, "--format", settings.format, "-o", preview)
-        shown, expected = (Image.open(path).convert("RGB") for path in (desk.folder / "shown" / f"{i:04d}.png", preview))
+        desk.kfast("render", scene, "--frame", frame, "--size", settings.size, "--format", settings.format,
+                   "-o", preview)
+        photo = desk.folder / "shown" / f"{i:04d}.png"
+        shown, expected = (Image.open(path).convert("RGB") for path in (photo, preview))
         expect(shown.size == expected.size, f"frame {frame}: {shown.size} instead of {expected.size}")
         difference = ImageChops.difference(shown, expected).getbbox()
         expect(difference is None, f"frame {frame}: display and preview differ within {difference}")
@@ -78,7 +80,7 @@ def check_parallel(registers, shortest):
 
 def check_registers(report, bus):
     registers = report["registers"]
-    expect(registers["clkSys"] == 125_000_000 and registers["clkPeri"] == 125_000_000, "the chip does not run at 125 MHz")
+    expect(registers["clkSys"] == registers["clkPeri"] == 125_000_000, "the chip does not run at 125 MHz")
     expect(registers["watchdogEnabled"], "the watchdog does not watch")
     expect(report["starts"] == 1, f"the chip was started {report['starts']} times")
     check_pins(registers["pins"], bus)

@@ -57,7 +57,8 @@ def scene_figures(desk, source):
 
 
 def bus_figures(desk, configuration):
-    run = desk.run(desk.settings(configuration), desk.compile(HERE / "all_changes.kfast"), "--frames", 12, "--for", 3000)
+    scene = desk.compile(HERE / "all_changes.kfast")
+    run = desk.run(desk.settings(configuration), scene, "--frames", 12, "--for", 3000)
     first = run.report["frames"][0]
     duration = first["end"] - first["begin"]
     redrawn = [frame for frame in settled(run) if frame["bytes"] > 0]

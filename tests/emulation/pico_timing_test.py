@@ -71,7 +71,8 @@ def check_tearing(desk, scene):
     rises = run.report["tearingRises"]
     for frame in whole_frames(run):
         late = min((frame["begin"] - rise for rise in rises if rise <= frame["begin"]), default=None)
-        expect(late is not None and late < 200 * MICROSECOND, f"{frame['note']} begins {late} ns after the display is ready")
+        expect(late is not None and late < 200 * MICROSECOND,
+               f"{frame['note']} begins {late} ns after the display is ready")
     expect(run.report["registers"]["pins"]["tearing"]["pad"] & 1 << 6, "the pad of the TE line cannot be read")
 
 
@@ -99,7 +100,7 @@ def check_pace(desk, seconds):
     for first, again in pairs:
         expect(first.ticks == again.ticks and first.hash == again.hash, f"frame {first.ticks / TICKS} is another later")
         drift = abs(again.moment - first.moment - period)
-        expect(drift < 50 * MICROSECOND, f"frame {first.ticks // TICKS} comes {drift / MICROSECOND:.0f} us off its time")
+        expect(drift < 50 * MICROSECOND, f"frame {first.ticks // TICKS} is {drift / MICROSECOND:.0f} us off its time")
     expect(run.report["starts"] == 1, "the watchdog has bitten")
 
 

@@ -108,6 +108,7 @@ function functionsOfRom() {
     const view = new DataView(board.mcu.bootrom.buffer);
     const functions = {};
     for (let entry = view.getUint16(0x14, true); view.getUint16(entry, true); entry += 4)
-        functions[String.fromCharCode(view.getUint8(entry), view.getUint8(entry + 1))] = view.getUint16(entry + 2, true);
+        functions[String.fromCharCode(view.getUint8(entry), view.getUint8(entry + 1))] =
+            view.getUint16(entry + 2, true);
     return functions;
 }

@@ -1,7 +1,7 @@
 /**
  * How the bus is used, frame by frame. A frame is what is sent between the log's lines "F …", the first what is sent
- * after the line "SCENE …"; it is complete when its line comes. `places` counts the different places (16 bytes of code)
- * that the processor was at while bytes arrived: few when it waits, many when it draws meanwhile.
+ * after the line "SCENE …"; it is complete when its line comes. `places` counts the different places (16 bytes of
+ * code) that the processor was at while bytes arrived: few when it waits, many when it draws meanwhile.
  */
 export class BusTime {
     /** Complete frames: {note, at, begin, end, bytes, commandBytes, busy, gap, places}, times in

@@ -56,8 +56,8 @@ function run(settings, calls, nanos = 2e6) {
 const bytesOf = ({ received }) => received.all.filter(([kind]) => kind <= Kind.data).map(([, byte]) => byte);
 
 function spiSetUp({ phase = 0x80, bits = 8, dmaControl = 2, enable = 2, clockPin = 18, divider = 2 } = {}) {
-    return [...outputs, connect(clockPin, 1), connect(19, 1), store(spi0 + 0x10, divider), store(spi0, phase | (bits - 1)),
-        store(spi0 + 0x24, dmaControl), store(spi0 + 4, enable)];
+    return [...outputs, connect(clockPin, 1), connect(19, 1), store(spi0 + 0x10, divider),
+        store(spi0, phase | (bits - 1)), store(spi0 + 0x24, dmaControl), store(spi0 + 4, enable)];
 }
 
 /** 480 bytes of RAM, in pieces of 8 or 16 bits. */
@@ -86,7 +86,8 @@ test('SPI: frames take their bits, and a gap where the unit makes one', () => {
 });
 
 test('SPI: nothing is sent while the unit is off, or does not ask for DMA', () => {
-    const sent = (options) => bytesOf(run(spi, [...spiSetUp(options), level(17, false), ...byDma(spi0 + 8, 16)])).length;
+    const sent = (options) =>
+        bytesOf(run(spi, [...spiSetUp(options), level(17, false), ...byDma(spi0 + 8, 16)])).length;
     assert.equal(sent({}), 480);
     assert.equal(sent({ enable: 0 }), 0);
     assert.equal(sent({ dmaControl: 0 }), 0);

@@ -13,7 +13,8 @@ const sendThenReceive = 3 << 8;
 const commandOf8Bits = 2 << 8;
 const addressOf24Bits = 6 << 2;
 /** What SPI_CTRLR0 must say so that the flash understands what is sent: read (03h), and fast read (0Bh). */
-const reads = [(0x03 << 24) | commandOf8Bits | addressOf24Bits, (0x0b << 24) | (8 << 11) | commandOf8Bits | addressOf24Bits];
+const readsAs = (command, waitCycles) => (command << 24) | (waitCycles << 11) | commandOf8Bits | addressOf24Bits;
+const reads = [readsAs(0x03, 0), readsAs(0x0b, 8)];
 
 /**
  * The unit that turns reads of the flash window into commands for the flash chip (SSI). rp2040js has only its

@@ -13,7 +13,8 @@ const bitsOfByte = 9; // with the acknowledgement
 
 /**
  * Makes one of the emulator's I2C units take the time of its bits, and gives it what rp2040js lacks: DMA requests,
- * interrupts that can be enabled, of which the one for more bytes stays while they are few, and a hold time. Only writing is modelled.
+ * interrupts that can be enabled, of which the one for more bytes stays while they are few, and a hold time. Only
+ * writing is modelled.
  *
  * @param {{start(address: number): boolean, byte(value: number, nanos: number): void, stop(): void}} wire
  *     what is on the bus; start() tells whether somebody answers. byte() is called when the byte has arrived; `nanos`
