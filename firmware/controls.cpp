@@ -25,11 +25,13 @@ Controls::Controls(const BoardSettings& settings, const SceneView& scene)
                            [](const Control& control) { return Touch{.control = control}; });
 }
 
-Playhead Controls::playhead_of(const ClipName& clip) const
+Stretch Controls::stretch_named(const ClipName& clip) const
 {
     const auto found = clip.view().empty() ? std::nullopt : scene_.clip(clip.view());
-    return found ? Playhead{stretch_of(*found), scene_.events()} : Playhead{scene_};
+    return found ? stretch_of(*found) : stretch_of(scene_);
 }
+
+Playhead Controls::playhead_of(const ClipName& clip) const { return {stretch_named(clip), scene_.events()}; }
 
 bool Controls::is_pressed_anew(Touch& touch, bool pressed, Microseconds now)
 {
@@ -103,8 +105,9 @@ void Controls::play(const ClipName& clip, Playhead& playhead)
 /// A button's clip goes first: the knob's place is taken up when it has finished.
 void Controls::place(const Touch& touch, Playhead& playhead)
 {
-    Playhead placed = playhead_of(touch.control.clip);
-    const Stretch& stretch = placed.stretch();
+    Stretch stretch = stretch_named(touch.control.clip);
+    stretch.loop = Loop::once; // or the end would look like the beginning
+    Playhead placed{stretch, scene_.events()};
     placed.seek(stretch.begin + Time{static_cast<std::int32_t>(std::int64_t{stretch.length().ticks} *
                                                                touch.level / full_level)});
     (before_ ? *before_ : playhead) = placed;

@@ -73,6 +73,7 @@ private:
         int level = untouched;  ///< of a knob when it last did something
     };
 
+    Stretch stretch_named(const ClipName& clip) const;
     Playhead playhead_of(const ClipName& clip) const;
     static bool is_pressed_anew(Touch& touch, bool pressed, Microseconds now);
     static bool is_turned(Touch& touch, int level);

@@ -216,6 +216,9 @@ TEST_CASE("a knob says where in its clip playing stands, from its beginning to i
     gadget.pins.levels[27] = 4094;
     gadget.steer();
     CHECK(gadget.frame_shown() == 49);
+    gadget.pins.levels[27] = Controls::full_level;
+    gadget.steer();
+    CHECK(gadget.frame_shown() == 50);
 }
 
 TEST_CASE("a knob that trembles does nothing, but its ends are reached")
