@@ -1,0 +1,63 @@
+// An image for tests: changes flash that the program does not use, and tells over the log what it reads there
+// then.
+
+#include "boards/pico/clock.hpp"
+#include "boards/pico/clocks.hpp"
+#include "boards/pico/flash.hpp"
+#include "boards/pico/log.hpp"
+#include "boards/pico/watchdog.hpp"
+#include "core/crc32.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace kfast::pico {
+namespace {
+
+constexpr std::uint32_t place = 1 << 20;
+constexpr std::size_t size = 2 * flash::sector_bytes;
+constexpr Pin log_pin = 0;
+
+std::array<std::byte, 2 * flash::page_bytes> pages;
+
+void tell(std::string_view what)
+{
+    const auto* const flash_begin = reinterpret_cast<const std::byte*>(0x1000'0000);
+    Crc32 sum;
+    sum.add({flash_begin + place, size});
+    write_text(log, what);
+    log.write(' ');
+    write_hex(log, sum.value());
+    log.write('\n');
+}
+
+void try_flash()
+{
+    tell("BEFORE");
+    flash::erase(place, size);
+    tell("ERASED");
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        pages[i] = static_cast<std::byte>(i * 7);
+    flash::program(place + flash::sector_bytes - flash::page_bytes, pages);
+    tell("PROGRAMMED");
+    flash::erase(place, flash::sector_bytes);
+    tell("HALF");
+    log.send_waiting();
+}
+
+}
+
+}
+
+int main()
+{
+    using namespace kfast::pico;
+    start_clocks();
+    watchdog::start();
+    Clock clock;
+    clock.begin();
+    log.begin(log_pin);
+    try_flash();
+    while (true)
+        clock.sleep_until(clock.now() + kfast::Microseconds{1'000'000});
+}
