@@ -6,14 +6,14 @@
 
 namespace kfast {
 
-/// Register values as all drivers of round modules have them; of rows without a comment the maker tells
+/// Register values as found in drivers of round modules; of rows without a comment the maker tells
 /// nothing.
 inline constexpr auto gc9a01_start_up = std::to_array<StartUpStep>({
     {.command = 0x01, .wait = {120'000}}, // SWRESET
-    {0xEF},                               // registers between, 2
+    {0xEF},                               // inter register enable 2
     {0xEB, 1, {0x14}},
-    {0xFE}, // registers between, 1
-    {0xEF}, // registers between, 2
+    {0xFE}, // inter register enable 1
+    {0xEF}, // inter register enable 2
     {0xEB, 1, {0x14}},
     {0x84, 1, {0x40}},
     {0x85, 1, {0xFF}},
