@@ -33,12 +33,16 @@ Stretch Controls::stretch_named(const ClipName& clip) const
 
 Playhead Controls::playhead_of(const ClipName& clip) const { return {stretch_named(clip), scene_.events()}; }
 
+/// What is told covers the time since the question before: it counts if the bouncing was over by then.
 bool Controls::is_pressed_anew(Touch& touch, bool pressed, Microseconds now)
 {
-    if (pressed == touch.pressed || !reached(now, touch.changed + bounce))
+    if (!touch.settled) {
+        touch.settled = reached(touch.asked, touch.changed + bounce);
+        touch.asked = now;
+    }
+    if (!touch.settled || pressed == touch.pressed)
         return false;
-    touch.pressed = pressed;
-    touch.changed = now;
+    touch = {.control = touch.control, .pressed = pressed, .settled = false, .changed = now, .asked = now};
     return pressed;
 }
 

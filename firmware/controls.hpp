@@ -69,7 +69,9 @@ private:
     struct Touch {
         Control control;
         bool pressed = false;
-        Microseconds changed{}; ///< when the button was last pressed or let go
+        bool settled = true; ///< what the button does counts again
+        Microseconds changed{}; ///< if not settled, when it was last pressed or let go
+        Microseconds asked{};   ///< likewise, when it was last asked about
         int level = untouched;  ///< of a knob when it last did something
     };
 

@@ -44,12 +44,14 @@ public:
             steer();
         }
     }
+    /// As short as a finger can.
     void click(Pin pin)
     {
         pins.closed[pin] = true;
         steer();
         pins.closed[pin] = false;
-        steer();
+        for (int bouncing = 3; bouncing > 0; --bouncing)
+            steer();
     }
 
     FakePins pins;
@@ -139,24 +141,62 @@ TEST_CASE("a button that is held counts once")
     CHECK(gadget.frame_shown() == 1); // the frame that had passed before it was pressed
 }
 
-TEST_CASE("a switch that changes within 20 ms bounces")
+/// A button that switches the display off and on, asked about at moments in microseconds.
+class AskedButton {
+public:
+    /// Whether the display rests then.
+    bool at(std::uint32_t time, bool closed)
+    {
+        pins_.closed[4] = closed;
+        controls_.steer(playhead_, pins_, Microseconds{time});
+        return controls_.wants_rest();
+    }
+
+private:
+    std::vector<std::byte> scene_ =
+        compiled("kfast 1\ncanvas 8 8 frames=9\nobject a fill=white { rect 1 1 2 2 }\n");
+    Controls controls_{with({sleep_button}), *SceneView::parse(scene_)};
+    Playhead playhead_ = controls_.playhead();
+    FakePins pins_;
+};
+
+TEST_CASE("what a switch does within 20 ms of a change is bouncing")
 {
-    const auto bytes = compiled("kfast 1\ncanvas 8 8 frames=9\nobject a fill=white { rect 1 1 2 2 }\n");
-    Controls controls{with({sleep_button}), *SceneView::parse(bytes)};
-    Playhead playhead = controls.playhead();
-    FakePins pins;
-    const auto at = [&](std::uint32_t time, bool closed) {
-        pins.closed[4] = closed;
-        controls.steer(playhead, pins, Microseconds{time});
-        return controls.wants_rest();
-    };
-    CHECK(at(100'000, true));
-    CHECK(at(105'000, false));
-    CHECK(at(110'000, true));
-    CHECK(at(119'999, false));
-    CHECK(at(120'000, false)); // now it is believed to be open
-    CHECK(at(139'999, true));
-    CHECK_FALSE(at(140'000, true));
+    AskedButton button;
+    CHECK(button.at(100'000, true));
+    CHECK(button.at(105'000, false));
+    CHECK(button.at(110'000, true));
+    CHECK(button.at(120'000, false)); // tells of what happened since 110 ms
+    CHECK(button.at(130'000, false)); // open
+    CHECK(button.at(150'000, true));
+    CHECK_FALSE(button.at(151'000, true));
+}
+
+TEST_CASE("a release that bounces after it was seen is no press, however late the next question comes")
+{
+    AskedButton button;
+    CHECK(button.at(100'000, true));
+    CHECK(button.at(133'000, true));
+    CHECK(button.at(166'000, true));
+    CHECK(button.at(200'000, false)); // the release, in the middle of its bouncing
+    CHECK(button.at(233'000, true));  // an edge at 201 ms, remembered by the pin
+    CHECK(button.at(266'000, false));
+    CHECK_FALSE(button.at(300'000, true));
+}
+
+TEST_CASE("a button that nobody has touched for an hour works, whatever the clock's bits are by then")
+{
+    constexpr std::uint32_t minute = 60'000'000;
+    for (const std::uint32_t pause : {34 * minute, 36 * minute, 50 * minute, 71 * minute}) {
+        AskedButton button;
+        CHECK_FALSE(button.at(100'000, false));
+        CHECK(button.at(pause, true));
+        CHECK(button.at(pause + 33'000, false));
+        CHECK(button.at(pause + 66'000, false));
+        CHECK(button.at(pause + 99'000, false));
+        CHECK(button.at(pause + 132'000, false));
+        CHECK_FALSE(button.at(2 * pause + 132'000, true));
+    }
 }
 
 TEST_CASE("pausing stands still and goes on; a clip's button ends it")
