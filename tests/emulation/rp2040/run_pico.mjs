@@ -8,6 +8,7 @@ import { Controls } from './controls.mjs';
 import { Display } from './display.mjs';
 import { busFor } from './display_buses.mjs';
 import { EmulationError, fail } from './emulation_error.mjs';
+import { Led } from './led.mjs';
 import { LogLine } from './log_line.mjs';
 import { Inputs, noPin } from './pins.mjs';
 import { report } from './report.mjs';
@@ -77,6 +78,7 @@ function wiredBoard(memory, settings, values) {
     const inputs = board.add(new Inputs());
     const display = board.add(new Display(settings, trace, busTime));
     const bus = board.add(busFor(display));
+    const led = board.add(new Led());
     const log = board.add(new LogLine(settings, trace));
     board.add(new Controls(inputs, actions(values)));
     log.onLine = (text, nanos) => {
@@ -89,7 +91,7 @@ function wiredBoard(memory, settings, values) {
         tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
         display.onCommand = (byte) => tearing.command(byte);
     }
-    return { board, bus, busTime, display, log, settings, tearing, trace };
+    return { board, bus, busTime, display, led, log, settings, tearing, trace };
 }
 
 function run(wired, milliseconds) {
