@@ -13,7 +13,8 @@ namespace kfast::pico {
 /// transfer that no display answers ends early and silently; the next one is tried all the same.
 class I2cBus {
 public:
-    /// The settings keep all rules (board_rules.hpp) and are for I²C. There is one bus. Needs start_clocks().
+    /// The settings keep all rules (board_rules.hpp) and are for I²C. There is one bus. Frees the wires from
+    /// a display that was interrupted. Needs start_clocks() and a clock that has begun.
     explicit I2cBus(const BoardSettings& settings);
 
     void command(std::span<const std::byte> bytes);

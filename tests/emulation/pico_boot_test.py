@@ -4,7 +4,7 @@
 
 The boot block runs where the boot ROM puts it and sets up the flash interface; a damaged one is refused. Without a
 scene, with a damaged one and with settings for another image, the board says so. With settings that it cannot read it
-touches no pin."""
+touches no pin. A display on I2C that was interrupted is set free."""
 
 import pathlib
 import struct
@@ -127,6 +127,14 @@ def check_blank_settings(desk, settings):
     expect("NO SCENE" in lines_on(picture) and log == [], f"the display says {lines_on(picture)}")
 
 
+def check_interrupted_display(desk, scene):
+    settings = desk.settings("pico-ssd1306-i2c")
+    first, *_ = desk.hashes(scene, settings)
+    for clocks in (1, 9):
+        run = desk.run(settings, scene, "--frames", 1, "--hold-data", clocks)
+        expect([shown.hash for shown in run.frames] == [first], f"SDA held for {clocks} clocks: the board told {run.log}")
+
+
 def main(programs, images, source):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         desk = Desk(programs, images, folder)
@@ -141,6 +149,7 @@ def main(programs, images, source):
         check_other_bus(desk)
         check_unreadable_settings(desk, settings, scene)
         check_blank_settings(desk, settings)
+        check_interrupted_display(desk, scene)
     print("the Pico boots, and says what is wrong")
 
 

@@ -36,6 +36,9 @@ const dataFollow = 0x40;
 
 /** Connects a Display to the I2C unit that its settings' pins belong to. Control bytes tell what bytes are. */
 export class I2cBus {
+    /** Whether the display has let go of the wires. */
+    isFree = () => true;
+
     constructor(display) {
         this.display = display;
     }
@@ -49,6 +52,8 @@ export class I2cBus {
             start: (address) => {
                 if (!gpio.every((pin) => belongsTo(pin, PinFunction.i2c)))
                     fail('I2C sends, but its pins are not connected to it');
+                if (!this.isFree())
+                    fail('I2C sends, but the display is still in the middle of a byte');
                 if (address !== display.settings.address)
                     fail(`I2C calls address ${hex(address)}, which nobody has`);
                 control = undefined;

@@ -8,6 +8,7 @@ import { Controls } from './controls.mjs';
 import { Display } from './display.mjs';
 import { busFor } from './display_buses.mjs';
 import { EmulationError, fail } from './emulation_error.mjs';
+import { HeldData } from './held_data.mjs';
 import { Led } from './led.mjs';
 import { LogLine } from './log_line.mjs';
 import { Inputs, noPin } from './pins.mjs';
@@ -26,6 +27,7 @@ const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE
   --frames COUNT          ends after so many lines "F …" of the log
   --press PIN@FROM-TO     holds a button from one millisecond to another; may be repeated
   --knob PIN@AT=VALUE     turns a knob at a millisecond so that 0 … 4095 is read; may be repeated
+  --hold-data CLOCKS      the display was interrupted and holds SDA low for so many clocks of I2C
   --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired
 
 Exits with 1 when something happened that would not work on hardware or that the emulator cannot do: the report says
@@ -35,6 +37,7 @@ const options = {
     settings: { type: 'string' }, 'wired-only': { type: 'boolean' }, scene: { type: 'string' },
     patch: { type: 'string', multiple: true, default: [] }, trace: { type: 'string' }, report: { type: 'string' },
     for: { type: 'string', default: '1000' }, frames: { type: 'string' }, te: { type: 'string' },
+    'hold-data': { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, knob: { type: 'string', multiple: true, default: [] },
 };
 
@@ -86,6 +89,10 @@ function wiredBoard(memory, settings, values) {
         if (busTime.frames.length === Number(values.frames))
             board.end('enough frames');
     };
+    if (values['hold-data']) {
+        const held = board.add(new HeldData(inputs, settings.pins, Number(values['hold-data'])));
+        bus.isFree = () => held.isFree;
+    }
     let tearing;
     if (values.te && settings.pins.tearing !== noPin) {
         tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
