@@ -5,6 +5,7 @@
 #include "boards/pico/interrupts.hpp"
 #include "boards/pico/pins.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/report.hpp"
 #include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
@@ -59,6 +60,9 @@ constexpr std::uint32_t data_follows = 0x40;
 int bus_unit = 0;
 const std::byte* volatile next_byte = nullptr;
 const std::byte* volatile last_byte = nullptr;
+volatile bool was_aborted = false;
+
+bool is_display_missing = false; // and the log has told so
 
 void wait_half_pulse()
 {
@@ -129,6 +133,7 @@ void fill(const Unit& i2c)
 void give_up(const Unit& i2c)
 {
     next_byte = last_byte;
+    was_aborted = true;
     static_cast<void>(i2c.clear_abort().read());
 }
 
@@ -147,11 +152,21 @@ void serve()
     await_interrupt(i2c);
 }
 
+// Not at once, in the interrupt, which may come within another line of the log.
+void tell_of_latest(const Unit& i2c)
+{
+    if (was_aborted && !is_display_missing)
+        report::no_display(static_cast<std::uint8_t>(i2c.target().read()));
+    is_display_missing = was_aborted;
+    was_aborted = false;
+}
+
 void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
 {
     if (bytes.empty())
         return;
     const Unit i2c = unit_of(bus_unit);
+    tell_of_latest(i2c);
     std::atomic_signal_fence(std::memory_order_release); // the bytes are in memory before the interrupt looks
     i2c.interrupt_mask().write(0);
     next_byte = bytes.data();

@@ -4,7 +4,8 @@
 
 The boot block runs where the boot ROM puts it and sets up the flash interface; a damaged one is refused. Without a
 scene, with a damaged one and with settings for another image, the board says so. With settings that it cannot read it
-touches no pin. A display on I2C that was interrupted is set free."""
+touches no pin. A display on I2C that was interrupted is set free, and one that does not answer
+is told of."""
 
 import pathlib
 import struct
@@ -135,6 +136,20 @@ def check_interrupted_display(desk, scene):
         expect([shown.hash for shown in run.frames] == [first], f"SDA held for {clocks} clocks: the board told {run.log}")
 
 
+def check_absent_display(desk, scene):
+    """What nobody sees goes on all the same."""
+    elsewhere = desk.settings("pico-ssd1306-i2c", lambda text: text.replace("0x3C", "0x3D"))
+    run = desk.run(elsewhere, scene, "--frames", 20, "--address", 0x3C)
+    expect(len(run.report["frames"]) == 20 and run.report["starts"] == 1, f"it stops without a display: {run.log}")
+    errors = [line for line in run.log if line.startswith("ERROR")]
+    expect(errors == ["ERROR no display answers at 0x3D"], f"without a display the board tells {errors}")
+    settings = desk.settings("pico-ssd1306-i2c")
+    report = desk.run(settings, scene, "--for", 900, "--absent", "300-400", "--absent", "600-700").report
+    times = [at for at, line in report["log"] if line == "ERROR no display answers at 0x3C"]
+    expect(len(times) == 2, f"a display that goes twice is told of at {times}")
+    expect(len(report["frames"]) > 20, f"only {len(report['frames'])} frames")
+
+
 def main(programs, images, source):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         desk = Desk(programs, images, folder)
@@ -150,6 +165,7 @@ def main(programs, images, source):
         check_unreadable_settings(desk, settings, scene)
         check_blank_settings(desk, settings)
         check_interrupted_display(desk, scene)
+        check_absent_display(desk, scene)
     print("the Pico boots, and says what is wrong")
 
 

@@ -28,6 +28,8 @@ const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE
   --press PIN@FROM-TO     holds a button from one millisecond to another; may be repeated
   --knob PIN@AT=VALUE     turns a knob at a millisecond so that 0 … 4095 is read; may be repeated
   --hold-data CLOCKS      the display was interrupted and holds SDA low for so many clocks of I2C
+  --address ADDRESS       the display on I2C has this one, whatever the record says
+  --absent FROM-TO        it does not answer from one millisecond to another; may be repeated
   --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired
 
 Exits with 1 when something happened that would not work on hardware or that the emulator cannot do: the report says
@@ -37,7 +39,8 @@ const options = {
     settings: { type: 'string' }, 'wired-only': { type: 'boolean' }, scene: { type: 'string' },
     patch: { type: 'string', multiple: true, default: [] }, trace: { type: 'string' }, report: { type: 'string' },
     for: { type: 'string', default: '1000' }, frames: { type: 'string' }, te: { type: 'string' },
-    'hold-data': { type: 'string' },
+    'hold-data': { type: 'string' }, address: { type: 'string' },
+    absent: { type: 'string', multiple: true, default: [] },
     press: { type: 'string', multiple: true, default: [] }, knob: { type: 'string', multiple: true, default: [] },
 };
 
@@ -72,6 +75,14 @@ function actions(values) {
     return [...presses, ...turns];
 }
 
+/** Which addresses a display on I2C answers, and when, as options tell. */
+function answersBy(board, settings, values) {
+    const own = Number(values.address ?? settings.address);
+    const absences = values.absent.map((text) => parsed(text, /^([\d.]+)-([\d.]+)$/, 'absent'));
+    const isAbsent = (milliseconds) => absences.some(([from, to]) => milliseconds >= from && milliseconds < to);
+    return (address) => address === own && !isAbsent(board.nanos / 1e6);
+}
+
 /** A board with everything wired to it that the settings and the options tell. */
 function wiredBoard(memory, settings, values) {
     const trace = new Trace();
@@ -93,6 +104,8 @@ function wiredBoard(memory, settings, values) {
         const held = board.add(new HeldData(inputs, settings.pins, Number(values['hold-data'])));
         bus.isFree = () => held.isFree;
     }
+    if (values.address || values.absent.length > 0)
+        bus.answers = answersBy(board, settings, values);
     let tearing;
     if (values.te && settings.pins.tearing !== noPin) {
         tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
