@@ -74,8 +74,8 @@ void other_bus(BusKind settings, BusKind bus)
 
 void mistake(SettingsMistake mistake)
 {
-    write_text(log, "ERROR the settings break rule ");
-    write_decimal(log, static_cast<std::uint32_t>(mistake.fault));
+    write_text(log, "ERROR the settings break a rule: ");
+    write_text(log, settings_fault_text(mistake.fault));
     write_text(log, "; kfast config tells more\n");
 }
 

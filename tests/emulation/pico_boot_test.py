@@ -101,17 +101,26 @@ def patches(offset, data):
     return [word for i, byte in enumerate(data) for word in ("--patch", f"{SETTINGS + offset + i}={byte}")]
 
 
-def newer(record):
-    """Patches that make a whole record of version 2 of it."""
+def changed_record(record, offset, byte):
+    """Patches that change a byte of the record, which stays whole."""
     changed = bytearray(record[:-4])
     expect(struct.unpack("<I", record[-4:]) == (zlib.crc32(changed),), "the record ends elsewhere")
-    changed[4] = 2
-    return patches(4, [2]) + patches(len(changed), struct.pack("<I", zlib.crc32(changed)))
+    changed[offset] = byte
+    return patches(offset, [byte]) + patches(len(changed), struct.pack("<I", zlib.crc32(changed)))
+
+
+def check_wrong_settings(desk, settings):
+    record = settings.record.read_bytes()[:RECORD_BYTES]
+    select, dc = 24, 25
+    run = desk.run(settings, None, "--for", 200, *changed_record(record, dc, record[select]))
+    errors = [line for line in run.log if line.startswith("ERROR")]
+    expect(len(errors) == 1 and "a pin is taken twice" in errors[0], f"with two roles on a pin it told {run.log}")
+    expect(run.report["commands"] == [], "it sent something all the same")
 
 
 def check_unreadable_settings(desk, settings, scene):
     record = settings.record.read_bytes()[:RECORD_BYTES]
-    cases = {"damaged": patches(22, [record[22] ^ 1]), "of a newer version": newer(record),
+    cases = {"damaged": patches(22, [record[22] ^ 1]), "of a newer version": changed_record(record, 4, 2),
              "all but blank": ["--wired-only", *patches(len(record) - 1, [0xFE])]}
     for name, options in cases.items():
         report = desk.run(settings, scene, "--for", 1800, *options).report
@@ -162,6 +171,7 @@ def main(programs, images, source):
         for rotation in (90, 180, 270):
             check_test_card(desk, "pico-st7789", rotation)
         check_other_bus(desk)
+        check_wrong_settings(desk, settings)
         check_unreadable_settings(desk, settings, scene)
         check_blank_settings(desk, settings)
         check_interrupted_display(desk, scene)
