@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace kfast {
 
@@ -27,6 +28,29 @@ enum class SettingsFault : std::uint8_t {
     converter_missing,   ///< a knob on a pin that cannot measure
     action_not_of_control, ///< buttons and knobs do different things
 };
+
+/// In the order of SettingsFault.
+inline constexpr std::array<std::string_view, 14> settings_fault_texts{
+    "the display's controller does not speak this bus",
+    "the glass does not lie within the controller's memory",
+    "the glass is no multiple of what the controller can address",
+    "the controller cannot turn pictures by quarters",
+    "the bus clock is too fast",
+    "the bus clock is too slow",
+    "the I2C address is reserved",
+    "a pin is missing",
+    "a pin is not on the edge of the board",
+    "a pin is taken twice",
+    "a pin cannot carry what it is for",
+    "clock and data belong to different units of the chip",
+    "the pin of a knob cannot measure",
+    "the action of a control is not for its kind",
+};
+
+constexpr std::string_view settings_fault_text(SettingsFault fault)
+{
+    return settings_fault_texts[static_cast<std::size_t>(fault)];
+}
 
 /// Somebody who needs a pin: a role, or one of the controls.
 class PinUser {
@@ -303,7 +327,7 @@ constexpr MaybeMistake action_not_of_control(const BoardSettings& settings)
 using SettingsRule = MaybeMistake (*)(const BoardSettings&);
 
 /// In the order of SettingsFault.
-inline constexpr std::array<SettingsRule, 14> settings_rules{
+inline constexpr std::array<SettingsRule, settings_fault_texts.size()> settings_rules{
     bus_not_taken,    glass_beyond_memory, glass_ragged,      rotation_not_done,     clock_too_fast,
     clock_too_slow,   address_reserved,    pin_missing,       pin_not_on_board,      pin_shared,
     function_missing, units_differ,        converter_missing, action_not_of_control,

@@ -9,6 +9,8 @@
 #include "firmware/panel_choice.hpp"
 #include "firmware/run.hpp"
 
+#include <optional>
+
 namespace kfast::pico {
 
 /// The life of a Pico whose display hangs on a `Bus` of the kind `bus_kind`: main() of an image.
@@ -21,31 +23,37 @@ public:
         watchdog::start();
         led::begin();
         clock_.begin();
-        log.begin(settings_.pin(PinRole::log));
-        report::begun(settings_.panel);
-        if (accepts_settings())
-            show_scene();
+        if (settings_) // else any pin may be wired to anything
+            live_by(*settings_);
         blink();
     }
 
 private:
-    bool accepts_settings() const
+    void live_by(const BoardSettings& settings) const
     {
-        const MaybeMistake mistake = first_mistake(settings_);
-        if (mistake)
-            report::mistake(*mistake);
-        else if (settings_.bus != bus_kind)
-            report::other_bus(settings_.bus, bus_kind);
-        return !mistake && settings_.bus == bus_kind;
+        log.begin(settings.pin(PinRole::log));
+        report::begun(settings.panel);
+        if (accepts(settings))
+            show_scene(settings);
     }
 
-    void show_scene() const
+    static bool accepts(const BoardSettings& settings)
     {
-        Bus bus{settings_};
+        const MaybeMistake mistake = first_mistake(settings);
+        if (mistake)
+            report::mistake(*mistake);
+        else if (settings.bus != bus_kind)
+            report::other_bus(settings.bus, bus_kind);
+        return !mistake && settings.bus == bus_kind;
+    }
+
+    void show_scene(const BoardSettings& settings) const
+    {
+        Bus bus{settings};
         auto pause = [this](Microseconds time) { clock_.sleep_until(clock_.now() + time); };
-        reset_display(settings_, pause);
-        with_panel(bus, settings_.panel, [this](auto& panel) {
-            Board board{panel, settings_, clock_};
+        reset_display(settings, pause);
+        with_panel(bus, settings.panel, [this, &settings](auto& panel) {
+            Board board{panel, settings, clock_};
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && RestingBoard<B> && SynchronizedBoard<B> &&
                           NamedBoard<B>);
@@ -65,7 +73,7 @@ private:
     }
 
     Clock clock_;
-    const BoardSettings settings_ = settings_for(bus_kind);
+    const std::optional<BoardSettings> settings_ = settings_for(bus_kind);
 };
 
 }

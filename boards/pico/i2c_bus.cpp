@@ -1,9 +1,11 @@
 #include "boards/pico/i2c_bus.hpp"
 
 #include "boards/pico/bus_rates.hpp"
+#include "boards/pico/clock.hpp"
 #include "boards/pico/interrupts.hpp"
 #include "boards/pico/pins.hpp"
 #include "boards/pico/register.hpp"
+#include "boards/pico/report.hpp"
 #include "boards/pico/resets.hpp"
 #include "firmware/rp2040_pins.hpp"
 
@@ -58,6 +60,48 @@ constexpr std::uint32_t data_follows = 0x40;
 int bus_unit = 0;
 const std::byte* volatile next_byte = nullptr;
 const std::byte* volatile last_byte = nullptr;
+volatile bool was_aborted = false;
+
+bool is_display_missing = false; // and the log has told so
+
+void wait_half_pulse()
+{
+    constexpr Microseconds half_pulse{6}; // at least 5: the slowest displays take 100 kHz
+    const Clock clock;
+    clock.sleep_until(clock.now() + half_pulse);
+}
+
+void pulse(const OpenDrainPin& clock)
+{
+    clock.pull_low();
+    wait_half_pulse();
+    clock.let_go();
+    wait_half_pulse();
+}
+
+void stop(const OpenDrainPin& clock, const OpenDrainPin& data)
+{
+    clock.pull_low();
+    data.pull_low();
+    wait_half_pulse();
+    clock.let_go();
+    wait_half_pulse();
+    data.let_go();
+    wait_half_pulse();
+}
+
+// A reset of the chip does not reach a display without a reset pin. One that was about to acknowledge a byte
+// holds SDA low until the clock goes on, and no unit starts on a bus that is not free.
+void free_wires(Pin clock_pin, Pin data_pin)
+{
+    constexpr int bits_of_byte = 9;
+    const OpenDrainPin clock{clock_pin};
+    const OpenDrainPin data{data_pin};
+    wait_half_pulse(); // wires that only the chip pulls up rise slowly
+    for (int bit = 0; bit < bits_of_byte && !is_high(data_pin); ++bit)
+        pulse(clock);
+    stop(clock, data);
+}
 
 void configure(const Unit& i2c, const BoardSettings& settings)
 {
@@ -89,6 +133,7 @@ void fill(const Unit& i2c)
 void give_up(const Unit& i2c)
 {
     next_byte = last_byte;
+    was_aborted = true;
     static_cast<void>(i2c.clear_abort().read());
 }
 
@@ -107,11 +152,21 @@ void serve()
     await_interrupt(i2c);
 }
 
+// Not at once, in the interrupt, which may come within another line of the log.
+void tell_of_latest(const Unit& i2c)
+{
+    if (was_aborted && !is_display_missing)
+        report::no_display(static_cast<std::uint8_t>(i2c.target().read()));
+    is_display_missing = was_aborted;
+    was_aborted = false;
+}
+
 void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
 {
     if (bytes.empty())
         return;
     const Unit i2c = unit_of(bus_unit);
+    tell_of_latest(i2c);
     std::atomic_signal_fence(std::memory_order_release); // the bytes are in memory before the interrupt looks
     i2c.interrupt_mask().write(0);
     next_byte = bytes.data();
@@ -126,10 +181,12 @@ void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
 I2cBus::I2cBus(const BoardSettings& settings)
 {
     const Pin clock = settings.pin(PinRole::clock);
+    const Pin data = settings.pin(PinRole::data);
+    free_wires(clock, data);
     bus_unit = *rp2040::i2c_clock_unit(clock);
     resets::restart(bus_unit == 0 ? resets::i2c0 : resets::i2c1);
     connect(clock, PinFunction::i2c, Pad::pulled_up);
-    connect(settings.pin(PinRole::data), PinFunction::i2c, Pad::pulled_up);
+    connect(data, PinFunction::i2c, Pad::pulled_up);
     configure(unit_of(bus_unit), settings);
     enable(bus_unit == 0 ? Interrupt::i2c0 : Interrupt::i2c1);
 }

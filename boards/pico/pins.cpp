@@ -22,6 +22,7 @@ constexpr Register level_in{0xD000'0004};
 constexpr Register level_set{0xD000'0014};
 constexpr Register level_clear{0xD000'0018};
 constexpr Register drive_set{0xD000'0024};
+constexpr Register drive_clear{0xD000'0028};
 
 constexpr std::uint32_t pad_bits(Pad pad)
 {
@@ -60,6 +61,16 @@ OutputPin::OutputPin(Pin pin, Pad pad) : bit_{bit_of(pin)}
 
 void OutputPin::high() const { level_set.write(bit_); }
 void OutputPin::low() const { level_clear.write(bit_); }
+
+OpenDrainPin::OpenDrainPin(Pin pin) : bit_{bit_of(pin)}
+{
+    let_go();
+    level_clear.write(bit_);
+    connect(pin, PinFunction::processor, Pad::pulled_up);
+}
+
+void OpenDrainPin::pull_low() const { drive_set.write(bit_); }
+void OpenDrainPin::let_go() const { drive_clear.write(bit_); }
 
 void connect_input(Pin pin) { connect(pin, PinFunction::processor, Pad::pulled_up); }
 

@@ -41,6 +41,19 @@ private:
     std::uint32_t bit_; ///< 0: no pin
 };
 
+/// A pin that pulls its wire low or lets go of it, so that others can pull it low as well; pulled up.
+class OpenDrainPin {
+public:
+    /// Lets go from the beginning. The pin is there.
+    explicit OpenDrainPin(Pin pin);
+
+    void pull_low() const;
+    void let_go() const;
+
+private:
+    std::uint32_t bit_;
+};
+
 /// Makes the pin one that the program reads, pulled up.
 void connect_input(Pin pin);
 bool is_high(Pin pin);

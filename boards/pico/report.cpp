@@ -74,9 +74,18 @@ void other_bus(BusKind settings, BusKind bus)
 
 void mistake(SettingsMistake mistake)
 {
-    write_text(log, "ERROR the settings break rule ");
-    write_decimal(log, static_cast<std::uint32_t>(mistake.fault));
+    write_text(log, "ERROR the settings break a rule: ");
+    write_text(log, settings_fault_text(mistake.fault));
     write_text(log, "; kfast config tells more\n");
+}
+
+void no_display(std::uint8_t i2c_address)
+{
+    constexpr std::string_view digits = "0123456789ABCDEF"; // as sellers print addresses
+    write_text(log, "ERROR no display answers at 0x");
+    log.write(digits[i2c_address >> 4]);
+    log.write(digits[i2c_address & 15]);
+    log.write('\n');
 }
 
 }

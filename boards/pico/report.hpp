@@ -4,6 +4,7 @@
 #include "firmware/board_rules.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -25,5 +26,7 @@ void fault(Error error);
 /// Stored settings that this image, which is for `bus`, cannot work with.
 void other_bus(BusKind settings, BusKind bus);
 void mistake(SettingsMistake mistake);
+/// Nobody on I²C takes what is sent.
+void no_display(std::uint8_t i2c_address);
 
 }

@@ -3,6 +3,7 @@
 #include "boards/pico/default_settings.hpp"
 #include "firmware/board_record.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -13,11 +14,21 @@ extern const std::byte settings_end[];
 }
 
 namespace kfast::pico {
+namespace {
 
-BoardSettings settings_for(BusKind bus)
+bool is_blank(std::span<const std::byte> flash)
 {
-    const std::span sector{settings_begin, settings_end};
-    return read_board_record(sector).value_or(default_settings(bus));
+    return std::ranges::all_of(flash, [](std::byte byte) { return byte == std::byte{0xFF}; });
+}
+
+}
+
+std::optional<BoardSettings> settings_for(BusKind bus)
+{
+    const std::span record = std::span{settings_begin, settings_end}.first(board_record_bytes);
+    if (is_blank(record))
+        return default_settings(bus);
+    return read_board_record(record);
 }
 
 }

@@ -3,11 +3,15 @@
     pico_boot_test.py <folder of kfast and kfast-panel> <folder of images> <scene.kfast>
 
 The boot block runs where the boot ROM puts it and sets up the flash interface; a damaged one is refused. Without a
-scene, with a damaged one and with settings for another image, the board says so."""
+scene, with a damaged one and with settings for another image, the board says so. With settings that it cannot read it
+touches no pin. A display on I2C that was interrupted is set free, and one that does not answer
+is told of."""
 
 import pathlib
+import struct
 import sys
 import tempfile
+import zlib
 
 from PIL import Image
 
@@ -16,6 +20,9 @@ from pico import Desk, expect
 
 FLASH_HERTZ = 50_000_000  # that any chip bears with command 03h
 VECTORS = 0x10000100
+SETTINGS = 0x3F000  # offset in flash
+RECORD_BYTES = 286
+LED = 25
 
 
 def check_boot_block(desk, settings, scene):
@@ -39,10 +46,10 @@ def check_damaged_boot_block(desk, settings, scene):
         expect(run.report["cycles"] == 0 and run.log == [], "the board ran all the same")
 
 
-def last_picture(desk, settings, scene=None):
+def last_picture(desk, settings, scene=None, *options):
     """What is on the display when nothing happens any more, and the log."""
     shown = desk.folder / "shown"
-    run = desk.run(settings, scene, "--for", 900, pictures=shown, look_at_end=True)
+    run = desk.run(settings, scene, "--for", 900, *options, pictures=shown, look_at_end=True)
     return Image.open(sorted(shown.iterdir())[-1]).convert("RGB"), run.log
 
 
@@ -90,6 +97,68 @@ def check_other_bus(desk):
     expect(run.report["frames"] == [], "it sent something all the same")
 
 
+def patches(offset, data):
+    return [word for i, byte in enumerate(data) for word in ("--patch", f"{SETTINGS + offset + i}={byte}")]
+
+
+def changed_record(record, offset, byte):
+    """Patches that change a byte of the record, which stays whole."""
+    changed = bytearray(record[:-4])
+    expect(struct.unpack("<I", record[-4:]) == (zlib.crc32(changed),), "the record ends elsewhere")
+    changed[offset] = byte
+    return patches(offset, [byte]) + patches(len(changed), struct.pack("<I", zlib.crc32(changed)))
+
+
+def check_wrong_settings(desk, settings):
+    record = settings.record.read_bytes()[:RECORD_BYTES]
+    select, dc = 24, 25
+    run = desk.run(settings, None, "--for", 200, *changed_record(record, dc, record[select]))
+    errors = [line for line in run.log if line.startswith("ERROR")]
+    expect(len(errors) == 1 and "a pin is taken twice" in errors[0], f"with two roles on a pin it told {run.log}")
+    expect(run.report["commands"] == [], "it sent something all the same")
+
+
+def check_unreadable_settings(desk, settings, scene):
+    record = settings.record.read_bytes()[:RECORD_BYTES]
+    cases = {"damaged": patches(22, [record[22] ^ 1]), "of a newer version": changed_record(record, 4, 2),
+             "all but blank": ["--wired-only", *patches(len(record) - 1, [0xFE])]}
+    for name, options in cases.items():
+        report = desk.run(settings, scene, "--for", 1800, *options).report
+        pins, turns = report["connectedPins"], report["ledTurns"]
+        expect(pins == [LED], f"settings {name}: the pins {pins} are driven")
+        expect(report["log"] == [] and report["commands"] == [], f"settings {name}: something was sent all the same")
+        expect(len(turns) > 3 and all(abs(b - a - 500) < 1 for a, b in zip(turns[-3:], turns[-2:])),
+               f"settings {name}: the light turns at {turns} ms")
+
+
+def check_blank_settings(desk, settings):
+    """The default ones count, which are those of the configuration but for its log."""
+    picture, log = last_picture(desk, settings, None, "--wired-only")
+    expect("NO SCENE" in lines_on(picture) and log == [], f"the display says {lines_on(picture)}")
+
+
+def check_interrupted_display(desk, scene):
+    settings = desk.settings("pico-ssd1306-i2c")
+    first, *_ = desk.hashes(scene, settings)
+    for clocks in (1, 9):
+        run = desk.run(settings, scene, "--frames", 1, "--hold-data", clocks)
+        expect([shown.hash for shown in run.frames] == [first], f"SDA held for {clocks} clocks: the board told {run.log}")
+
+
+def check_absent_display(desk, scene):
+    """What nobody sees goes on all the same."""
+    elsewhere = desk.settings("pico-ssd1306-i2c", lambda text: text.replace("0x3C", "0x3D"))
+    run = desk.run(elsewhere, scene, "--frames", 20, "--address", 0x3C)
+    expect(len(run.report["frames"]) == 20 and run.report["starts"] == 1, f"it stops without a display: {run.log}")
+    errors = [line for line in run.log if line.startswith("ERROR")]
+    expect(errors == ["ERROR no display answers at 0x3D"], f"without a display the board tells {errors}")
+    settings = desk.settings("pico-ssd1306-i2c")
+    report = desk.run(settings, scene, "--for", 900, "--absent", "300-400", "--absent", "600-700").report
+    times = [at for at, line in report["log"] if line == "ERROR no display answers at 0x3C"]
+    expect(len(times) == 2, f"a display that goes twice is told of at {times}")
+    expect(len(report["frames"]) > 20, f"only {len(report['frames'])} frames")
+
+
 def main(programs, images, source):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         desk = Desk(programs, images, folder)
@@ -102,6 +171,11 @@ def main(programs, images, source):
         for rotation in (90, 180, 270):
             check_test_card(desk, "pico-st7789", rotation)
         check_other_bus(desk)
+        check_wrong_settings(desk, settings)
+        check_unreadable_settings(desk, settings, scene)
+        check_blank_settings(desk, settings)
+        check_interrupted_display(desk, scene)
+        check_absent_display(desk, scene)
     print("the Pico boots, and says what is wrong")
 
 

@@ -78,6 +78,16 @@ TEST_CASE("rules stand in the order of the faults that they find")
     CHECK(settings_rules[static_cast<std::size_t>(SettingsFault::bus_not_taken)](settings));
 }
 
+TEST_CASE("texts stand in the order of the faults that they name")
+{
+    CHECK(settings_fault_text(SettingsFault::bus_not_taken) ==
+          "the display's controller does not speak this bus");
+    CHECK(settings_fault_text(SettingsFault::address_reserved) == "the I2C address is reserved");
+    CHECK(settings_fault_text(SettingsFault::pin_shared) == "a pin is taken twice");
+    CHECK(settings_fault_text(SettingsFault::action_not_of_control) ==
+          "the action of a control is not for its kind");
+}
+
 TEST_CASE("a controller that does not speak the bus is refused")
 {
     BoardSettings settings = parallel_settings();

@@ -5,6 +5,7 @@ import { Board } from './board.mjs';
 import { BusTime } from './bus_time.mjs';
 import { Display } from './display.mjs';
 import { busFor } from './display_buses.mjs';
+import { HeldData } from './held_data.mjs';
 import { LogLine } from './log_line.mjs';
 import { Inputs } from './pins.mjs';
 import { makeImage, sleep, startClocks, store, wait } from './test_image.mjs';
@@ -45,9 +46,13 @@ function run(settings, calls, nanos = 2e6) {
     const board = new Board(makeImage([...startClocks, ...calls, sleep()]));
     const received = new Received();
     const busTime = new BusTime();
-    board.add(new Inputs());
+    const inputs = board.add(new Inputs());
     const display = board.add(new Display({ address: 0x3c, pins, ...settings }, received, busTime));
     const bus = board.add(busFor(display));
+    if (settings.heldFor) {
+        const held = board.add(new HeldData(inputs, settings.pins, settings.heldFor));
+        bus.isFree = () => held.isFree;
+    }
     board.add(new LogLine(display.settings, received));
     board.run(nanos);
     return { board, bus, received };
@@ -154,6 +159,20 @@ test('I2C: control bytes tell commands from data, and bits take their time', () 
 
 test('I2C: another address is nobody\'s', () => {
     assert.throws(() => run(i2c, [...i2cSetUp(0x3d), store(i2c0 + 0x10, 0)]), /0x3d, which nobody has/);
+});
+
+test('I2C: nothing can be sent while the display is in the middle of a byte', () => {
+    const pulses = (count) => Array.from({ length: count }, () => [store(sio + 0x24, 1 << 5), wait(200),
+        store(sio + 0x28, 1 << 5), wait(200)]).flat();
+    const stop = [store(sio + 0x24, 1 << 5), store(sio + 0x24, 1 << 4), wait(200), store(sio + 0x28, 1 << 5), wait(200),
+        store(sio + 0x28, 1 << 4)];
+    const send = (...before) => run({ ...i2c, heldFor: 2 }, [connect(4, 5), connect(5, 5), ...before.flat(),
+        ...i2cSetUp(), store(i2c0 + 0x10, 0x200)]).received.all;
+    assert.deepEqual(send(pulses(2), stop), [[Kind.selected], [Kind.released]]);
+    assert.throws(() => send(pulses(2)), /in the middle of a byte/);
+    assert.throws(() => send(stop), /in the middle of a byte/);
+    assert.throws(() => send(pulses(1).slice(0, 1), pulses(1).slice(2)), /SCL changes after/);
+    assert.throws(() => send([store(sio + 0x14, 1 << 5)], pulses(1)), /driven high/);
 });
 
 test('I2C: the interrupt for more stays while bytes are few', () => {

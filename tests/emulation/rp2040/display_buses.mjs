@@ -36,6 +36,12 @@ const dataFollow = 0x40;
 
 /** Connects a Display to the I2C unit that its settings' pins belong to. Control bytes tell what bytes are. */
 export class I2cBus {
+    /** Whether the display acknowledges its address. */
+    answers = (address) => address === this.display.settings.address
+        || fail(`I2C calls address ${hex(address)}, which nobody has`);
+    /** Whether the display has let go of the wires. */
+    isFree = () => true;
+
     constructor(display) {
         this.display = display;
     }
@@ -49,8 +55,10 @@ export class I2cBus {
             start: (address) => {
                 if (!gpio.every((pin) => belongsTo(pin, PinFunction.i2c)))
                     fail('I2C sends, but its pins are not connected to it');
-                if (address !== display.settings.address)
-                    fail(`I2C calls address ${hex(address)}, which nobody has`);
+                if (!this.isFree())
+                    fail('I2C sends, but the display is still in the middle of a byte');
+                if (!this.answers(address))
+                    return false;
                 control = undefined;
                 display.select(board.nanos, true);
                 return true;

@@ -1,12 +1,12 @@
 import { flashBytes } from './board.mjs';
-import { noPin } from './pins.mjs';
+import { PinFunction, noPin } from './pins.mjs';
 
 /**
  * What a run was like, for tests: see README.md for the fields.
  * @param wired what run_pico.mjs has built
  * @param {string | undefined} failure why it broke off
  */
-export function report({ board, bus, busTime, display, log, settings, tearing }, failure) {
+export function report({ board, bus, busTime, display, led, log, settings, tearing }, failure) {
     return {
         failure,
         ending: failure ? 'failure' : board.ending ?? 'the time was over',
@@ -17,6 +17,8 @@ export function report({ board, bus, busTime, display, log, settings, tearing },
         bootBlock: board.bootBlock && { ...board.bootBlock, writes: board.flashInterface.writes },
         flash: { bytes: flashBytes, operations: board.rom?.flashOperations ?? [] },
         registers: registers(board.mcu, settings),
+        connectedPins: connectedPins(board.mcu),
+        ledTurns: led.turns.map((nanos) => nanos / 1e6),
         shortest: bus.shortest && rounded(bus.shortest),
         tearingRises: tearing?.rises ?? [],
         log: log.lines,
@@ -27,6 +29,11 @@ export function report({ board, bus, busTime, display, log, settings, tearing },
 
 function rounded(times) {
     return Object.fromEntries(Object.entries(times).map(([name, nanos]) => [name, Math.round(nanos * 1000) / 1000]));
+}
+
+/** What is led to any unit of the chip: no other pin can be driven. */
+function connectedPins({ gpio }) {
+    return gpio.filter((pin) => pin.functionSelect !== PinFunction.none).map((pin) => pin.index);
 }
 
 /** Registers that the emulator does not heed, or that tell how fast the bus can be. */

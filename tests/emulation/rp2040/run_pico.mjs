@@ -8,6 +8,8 @@ import { Controls } from './controls.mjs';
 import { Display } from './display.mjs';
 import { busFor } from './display_buses.mjs';
 import { EmulationError, fail } from './emulation_error.mjs';
+import { HeldData } from './held_data.mjs';
+import { Led } from './led.mjs';
 import { LogLine } from './log_line.mjs';
 import { Inputs, noPin } from './pins.mjs';
 import { report } from './report.mjs';
@@ -25,6 +27,9 @@ const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE
   --frames COUNT          ends after so many lines "F …" of the log
   --press PIN@FROM-TO     holds a button from one millisecond to another; may be repeated
   --knob PIN@AT=VALUE     turns a knob at a millisecond so that 0 … 4095 is read; may be repeated
+  --hold-data CLOCKS      the display was interrupted and holds SDA low for so many clocks of I2C
+  --address ADDRESS       the display on I2C has this one, whatever the record says
+  --absent FROM-TO        it does not answer from one millisecond to another; may be repeated
   --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired
 
 Exits with 1 when something happened that would not work on hardware or that the emulator cannot do: the report says
@@ -34,6 +39,8 @@ const options = {
     settings: { type: 'string' }, 'wired-only': { type: 'boolean' }, scene: { type: 'string' },
     patch: { type: 'string', multiple: true, default: [] }, trace: { type: 'string' }, report: { type: 'string' },
     for: { type: 'string', default: '1000' }, frames: { type: 'string' }, te: { type: 'string' },
+    'hold-data': { type: 'string' }, address: { type: 'string' },
+    absent: { type: 'string', multiple: true, default: [] },
     press: { type: 'string', multiple: true, default: [] }, knob: { type: 'string', multiple: true, default: [] },
 };
 
@@ -68,6 +75,14 @@ function actions(values) {
     return [...presses, ...turns];
 }
 
+/** Which addresses a display on I2C answers, and when, as options tell. */
+function answersBy(board, settings, values) {
+    const own = Number(values.address ?? settings.address);
+    const absences = values.absent.map((text) => parsed(text, /^([\d.]+)-([\d.]+)$/, 'absent'));
+    const isAbsent = (milliseconds) => absences.some(([from, to]) => milliseconds >= from && milliseconds < to);
+    return (address) => address === own && !isAbsent(board.nanos / 1e6);
+}
+
 /** A board with everything wired to it that the settings and the options tell. */
 function wiredBoard(memory, settings, values) {
     const trace = new Trace();
@@ -77,6 +92,7 @@ function wiredBoard(memory, settings, values) {
     const inputs = board.add(new Inputs());
     const display = board.add(new Display(settings, trace, busTime));
     const bus = board.add(busFor(display));
+    const led = board.add(new Led());
     const log = board.add(new LogLine(settings, trace));
     board.add(new Controls(inputs, actions(values)));
     log.onLine = (text, nanos) => {
@@ -84,12 +100,18 @@ function wiredBoard(memory, settings, values) {
         if (busTime.frames.length === Number(values.frames))
             board.end('enough frames');
     };
+    if (values['hold-data']) {
+        const held = board.add(new HeldData(inputs, settings.pins, Number(values['hold-data'])));
+        bus.isFree = () => held.isFree;
+    }
+    if (values.address || values.absent.length > 0)
+        bus.answers = answersBy(board, settings, values);
     let tearing;
     if (values.te && settings.pins.tearing !== noPin) {
         tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
         display.onCommand = (byte) => tearing.command(byte);
     }
-    return { board, bus, busTime, display, log, settings, tearing, trace };
+    return { board, bus, busTime, display, led, log, settings, tearing, trace };
 }
 
 function run(wired, milliseconds) {
