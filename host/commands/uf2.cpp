@@ -5,11 +5,14 @@
 #include "host/config/config_input.hpp"
 #include "host/config/firmware_file.hpp"
 #include "host/config/pico_flash.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
 
 #include <array>
 #include <iostream>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,20 @@ struct Contents {
     }
 };
 
+/// Settings for another bus than the firmware's would leave the display dark.
+void require_bus(const Options& options, std::span<const std::byte> firmware, BusKind wanted)
+{
+    const std::optional<BusKind> bus = config::marked_bus(firmware);
+    if (!bus)
+        std::cerr << options.firmware << ": warning: it does not tell for which bus it is; settings of "
+                  << options.config << " want one for " << config::word_of(wanted) << ": "
+                  << config::image_of(wanted) << '\n';
+    else if (*bus != wanted)
+        throw Failure(options.firmware + ": firmware for displays on " + config::word_of(*bus) +
+                      ", but the display of " + options.config + " is on " + config::word_of(wanted) +
+                      ": take " + config::image_of(wanted));
+}
+
 void add_firmware(const std::string& name, Contents& contents)
 {
     std::vector<std::byte> bytes = config::load_firmware(name);
@@ -42,10 +59,13 @@ void add_firmware(const std::string& name, Contents& contents)
     contents.add(pico_flash::begin, std::move(bytes), what);
 }
 
-void add_config(const std::string& name, Contents& contents)
+/// After the firmware, if there is one.
+void add_config(const Options& options, Contents& contents)
 {
-    contents.add(pico_flash::settings, config::settings_sector(config::chosen_settings(name)),
-                 "settings of " + name);
+    const BoardSettings settings = config::chosen_settings(options.config);
+    if (!options.firmware.empty())
+        require_bus(options, contents.regions.front().bytes, settings.bus);
+    contents.add(pico_flash::settings, config::settings_sector(settings), "settings of " + options.config);
 }
 
 void add_scene(const std::string& name, Contents& contents)
@@ -68,7 +88,7 @@ void pack(const Options& options)
     if (!options.firmware.empty())
         add_firmware(options.firmware, contents);
     if (!options.config.empty())
-        add_config(options.config, contents);
+        add_config(options, contents);
     if (!options.scene.empty())
         add_scene(options.scene, contents);
     std::filesystem::path output = options.output;
@@ -89,7 +109,7 @@ void declare_pack(CLI::App& app)
         ->type_name("FILE");
     app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
-               "kfast-pico-spi.bin "
+               "build/pico/pico-spi.bin "
                "--config pico-st7789 --scene eyes.kfast -o eyes.uf2");
     app.callback([options] { pack(*options); });
 }
