@@ -1,6 +1,7 @@
 #include "host/flash/uf2.hpp"
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/missing_clips.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/firmware_file.hpp"
@@ -60,17 +61,15 @@ void add_firmware(const std::string& name, Contents& contents)
 }
 
 /// After the firmware, if there is one.
-void add_config(const Options& options, Contents& contents)
+void add_config(const Options& options, const BoardSettings& settings, Contents& contents)
 {
-    const BoardSettings settings = config::chosen_settings(options.config);
     if (!options.firmware.empty())
         require_bus(options, contents.regions.front().bytes, settings.bus);
     contents.add(pico_flash::settings, config::settings_sector(settings), "settings of " + options.config);
 }
 
-void add_scene(const std::string& name, Contents& contents)
+void add_scene(const std::string& name, SceneFile scene, Contents& contents)
 {
-    SceneFile scene = load_scene(name);
     const std::size_t size = scene.bytes.size();
     constexpr std::size_t room = pico_flash::end - pico_flash::scene;
     if (size > room)
@@ -80,17 +79,36 @@ void add_scene(const std::string& name, Contents& contents)
     contents.add(pico_flash::scene, std::move(scene.bytes), "scene of " + std::to_string(size) + " bytes");
 }
 
+void warn_of_clips(const Options& options, const BoardSettings& settings, const SceneView& scene)
+{
+    for (const std::string& warning : missing_clips(settings, scene))
+        std::cerr << options.config << ": warning: " << options.scene << ": " << warning << '\n';
+}
+
+Contents contents_of(const Options& options)
+{
+    Contents contents;
+    if (!options.firmware.empty())
+        add_firmware(options.firmware, contents);
+    std::optional<BoardSettings> settings;
+    if (!options.config.empty()) {
+        settings = config::chosen_settings(options.config);
+        add_config(options, *settings, contents);
+    }
+    if (!options.scene.empty()) {
+        SceneFile scene = load_scene(options.scene);
+        if (settings)
+            warn_of_clips(options, *settings, scene.view);
+        add_scene(options.scene, std::move(scene), contents);
+    }
+    return contents;
+}
+
 void pack(const Options& options)
 {
     if (options.firmware.empty() && options.config.empty() && options.scene.empty())
         throw CLI::RequiredError("one of --firmware, --config and --scene");
-    Contents contents;
-    if (!options.firmware.empty())
-        add_firmware(options.firmware, contents);
-    if (!options.config.empty())
-        add_config(options, contents);
-    if (!options.scene.empty())
-        add_scene(options.scene, contents);
+    const Contents contents = contents_of(options);
     std::filesystem::path output = options.output;
     for (const std::string* input : {&options.firmware, &options.config, &options.scene})
         output = output_path(output, *input, "file that is read");

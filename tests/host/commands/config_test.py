@@ -329,6 +329,20 @@ class PackTest(CommandTest):
         told = self.run_kfast("uf2", "pack", "--help").stdout
         self.assertIn("kfast uf2 pack --firmware build/pico/pico-spi.bin --config pico-st7789", told)
 
+    def test_clips_that_the_scene_does_not_have_are_warned_of(self):
+        (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip sway; knob 26 place doze; button 13 play doze"))
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "marked.kfast", "-o", "a.uf2")
+        self.assertEqual(told.stderr, 'g.kdl: warning: marked.kfast: there is no clip "doze", the whole scene will play in its '
+                                      'place: the scene has "blink", "sway"\n')
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "once.kfast", "-o", "a.uf2")
+        self.assertEqual([re.search(r'no clip "(\w+)"', line)[1] for line in told.stderr.splitlines()], ["blink", "doze", "sway"])
+        self.assertEqual(told.stderr.count("the scene has no clips"), 3)
+
+    def test_clips_that_the_scene_has_need_no_words(self):
+        (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip sway; button 13 play; button 14 pause"))
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "marked.kfast", "-o", "a.uf2")
+        self.assertEqual(told.stderr, "")
+
     def test_what_is_too_large(self):
         self.pack(*self.firmware(0x3F000))
         self.refuse("uf2", "pack", *self.firmware(0x3F001), "-o", "b.uf2", status=1, says="1 more than lie before the settings")
