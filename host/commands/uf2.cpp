@@ -108,8 +108,11 @@ void pack(const Options& options)
 {
     if (options.firmware.empty() && options.config.empty() && options.scene.empty())
         throw CLI::RequiredError("one of --firmware, --config and --scene");
-    const Contents contents = contents_of(options);
     std::filesystem::path output = options.output;
+    if (output.extension() != ".uf2")
+        throw CLI::ValidationError("--output",
+                                   "'" + options.output + "': the drive of a Pico takes .uf2 files alone");
+    const Contents contents = contents_of(options);
     for (const std::string* input : {&options.firmware, &options.config, &options.scene})
         output = output_path(output, *input, "file that is read");
     write_file(output, uf2_of(contents.regions));

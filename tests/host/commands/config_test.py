@@ -362,7 +362,10 @@ class PackTest(CommandTest):
         self.refuse("uf2", "pack", "--scene", "once.kfast", status=2, says="Try 'kfast uf2 pack --help'")
         self.refuse("uf2", "pack", "--config", "pico-st7798", "-o", "a.uf2", status=1, says='did you mean "pico-st7789"?')
         self.refuse("uf2", "pack", "--scene", "none.kfast", "-o", "a.uf2", status=1, says="none.kfast: there is no such file")
-        self.refuse("uf2", "pack", "--scene", "once.kfast", "-o", "once.kfast", status=1, says="overwrite the file that is read")
+        for output in ("x.txt", "once.kfast", "x", "x.UF2", "uf2"):
+            self.refuse("uf2", "pack", "--scene", "once.kfast", "-o", output, status=2, says=f"'{output}': the drive of a Pico takes .uf2")
+        (self.folder / "once.uf2").write_text((self.folder / "once.kfast").read_text())
+        self.refuse("uf2", "pack", "--scene", "once.uf2", "-o", "once.uf2", status=1, says="overwrite the file that is read")
         self.refuse("uf2", "pack", "--scene", "once.kfast", "-o", "none/a.uf2", status=1, says="create the folder first")
         image = firmware(4096)
         for content in (image[:200], image[:100] + b"x" + image[101:], b"\x7fELF" + image):
