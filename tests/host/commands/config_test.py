@@ -159,6 +159,17 @@ class ConfigTest(CommandTest):
                      "4:10: error", "here it is called clock", "5:10: error", "5:17: error: play is not for a knob"):
             self.refuse("config", "broken.kdl", "-o", "a.kdl", status=1, says=says)
 
+    def test_rules_are_looked_at_when_every_line_can_be_read(self):
+        self.file("both.kdl").write_text(WRONG.replace("dc=18", "dc=18 sck=1"))
+        told = self.run_kfast("config", "both.kdl", status=1).stderr
+        self.assertIn("here it is called clock", told)
+        self.assertIn("kfast: both.kdl: 1 error\n", told)
+
+    def test_one_mistake_of_each_rule_is_told(self):
+        self.file("shared.kdl").write_text(GADGET.replace("dc=16", "dc=18 reset=19"))
+        told = self.run_kfast("config", "shared.kdl", status=1).stderr
+        self.assertEqual(told.count(" is taken twice"), 1)
+
     def test_wrong_inputs(self):
         self.refuse("config", status=2, says="kfast config --list")
         self.refuse("config", "pico-st7798", status=1, says='did you mean "pico-st7789"?')
