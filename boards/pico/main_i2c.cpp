@@ -1,8 +1,11 @@
 #include "boards/pico/gadget.hpp"
 #include "boards/pico/i2c_bus.hpp"
+#include "firmware/image_mark.hpp"
+
+[[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::i2c};
 
 int main()
 {
     using namespace kfast;
-    pico::Gadget<pico::I2cBus, BusKind::i2c>{}.live();
+    pico::Gadget<pico::I2cBus, mark.bus>{}.live();
 }

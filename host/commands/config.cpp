@@ -5,6 +5,7 @@
 #include "host/config/config_text.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/pico_flash.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/flash/uf2.hpp"
 
 #include <algorithm>
@@ -75,9 +76,12 @@ void list_configurations()
     std::size_t width = 0;
     for (const config::Configuration& configuration : config::configurations())
         width = std::max(width, configuration.name.size());
-    for (const config::Configuration& configuration : config::configurations())
-        std::cout << configuration.name << std::string(width - configuration.name.size() + 2, ' ')
-                  << first_comment(configuration.text) << '\n';
+    const std::string indent(width + 2, ' ');
+    for (const config::Configuration& configuration : config::configurations()) {
+        const std::string name{configuration.name};
+        std::cout << name << indent.substr(name.size()) << first_comment(configuration.text) << '\n'
+                  << indent << "firmware: " << config::image_of(config::chosen_settings(name).bus) << '\n';
+    }
 }
 
 void run(const Options& options)

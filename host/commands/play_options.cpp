@@ -1,5 +1,6 @@
 #include "host/commands/play_options.hpp"
 
+#include "host/commands/clip_names.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <charconv>
@@ -29,9 +30,7 @@ std::int32_t read_speed(const std::string& text)
 
 [[noreturn]] void refuse_clip(const std::string& name, const SceneView& scene)
 {
-    std::vector<std::string_view> names;
-    for (ClipCursor clips = scene.clips(); !clips.at_end();)
-        names.push_back(clips.next().name);
+    const std::vector<std::string_view> names = clip_names(scene);
     const std::string remedy =
         names.empty() ? "the scene has none: leave out --clip" : suggestion(name, names);
     throw CLI::ValidationError("--clip", "there is no clip '" + name + "': " + remedy);

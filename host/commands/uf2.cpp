@@ -1,15 +1,19 @@
 #include "host/flash/uf2.hpp"
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/missing_clips.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/firmware_file.hpp"
 #include "host/config/pico_flash.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
 
 #include <array>
 #include <iostream>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +39,20 @@ struct Contents {
     }
 };
 
+/// Settings for another bus than the firmware's would leave the display dark.
+void require_bus(const Options& options, std::span<const std::byte> firmware, BusKind wanted)
+{
+    const std::optional<BusKind> bus = config::marked_bus(firmware);
+    if (!bus)
+        std::cerr << options.firmware << ": warning: it does not tell for which bus it is; settings of "
+                  << options.config << " want one for " << config::word_of(wanted) << ": "
+                  << config::image_of(wanted) << '\n';
+    else if (*bus != wanted)
+        throw Failure(options.firmware + ": firmware for displays on " + config::word_of(*bus) +
+                      ", but the display of " + options.config + " is on " + config::word_of(wanted) +
+                      ": take " + config::image_of(wanted));
+}
+
 void add_firmware(const std::string& name, Contents& contents)
 {
     std::vector<std::byte> bytes = config::load_firmware(name);
@@ -42,15 +60,16 @@ void add_firmware(const std::string& name, Contents& contents)
     contents.add(pico_flash::begin, std::move(bytes), what);
 }
 
-void add_config(const std::string& name, Contents& contents)
+/// After the firmware, if there is one.
+void add_config(const Options& options, const BoardSettings& settings, Contents& contents)
 {
-    contents.add(pico_flash::settings, config::settings_sector(config::chosen_settings(name)),
-                 "settings of " + name);
+    if (!options.firmware.empty())
+        require_bus(options, contents.regions.front().bytes, settings.bus);
+    contents.add(pico_flash::settings, config::settings_sector(settings), "settings of " + options.config);
 }
 
-void add_scene(const std::string& name, Contents& contents)
+void add_scene(const std::string& name, SceneFile scene, Contents& contents)
 {
-    SceneFile scene = load_scene(name);
     const std::size_t size = scene.bytes.size();
     constexpr std::size_t room = pico_flash::end - pico_flash::scene;
     if (size > room)
@@ -60,18 +79,40 @@ void add_scene(const std::string& name, Contents& contents)
     contents.add(pico_flash::scene, std::move(scene.bytes), "scene of " + std::to_string(size) + " bytes");
 }
 
+void warn_of_clips(const Options& options, const BoardSettings& settings, const SceneView& scene)
+{
+    for (const std::string& warning : missing_clips(settings, scene))
+        std::cerr << options.config << ": warning: " << options.scene << ": " << warning << '\n';
+}
+
+Contents contents_of(const Options& options)
+{
+    Contents contents;
+    if (!options.firmware.empty())
+        add_firmware(options.firmware, contents);
+    std::optional<BoardSettings> settings;
+    if (!options.config.empty()) {
+        settings = config::chosen_settings(options.config);
+        add_config(options, *settings, contents);
+    }
+    if (!options.scene.empty()) {
+        SceneFile scene = load_scene(options.scene);
+        if (settings)
+            warn_of_clips(options, *settings, scene.view);
+        add_scene(options.scene, std::move(scene), contents);
+    }
+    return contents;
+}
+
 void pack(const Options& options)
 {
     if (options.firmware.empty() && options.config.empty() && options.scene.empty())
         throw CLI::RequiredError("one of --firmware, --config and --scene");
-    Contents contents;
-    if (!options.firmware.empty())
-        add_firmware(options.firmware, contents);
-    if (!options.config.empty())
-        add_config(options.config, contents);
-    if (!options.scene.empty())
-        add_scene(options.scene, contents);
     std::filesystem::path output = options.output;
+    if (output.extension() != ".uf2")
+        throw CLI::ValidationError("--output",
+                                   "'" + options.output + "': the drive of a Pico takes .uf2 files alone");
+    const Contents contents = contents_of(options);
     for (const std::string* input : {&options.firmware, &options.config, &options.scene})
         output = output_path(output, *input, "file that is read");
     write_file(output, uf2_of(contents.regions));
@@ -89,7 +130,7 @@ void declare_pack(CLI::App& app)
         ->type_name("FILE");
     app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
-               "kfast-pico-spi.bin "
+               "build/pico/pico-spi.bin "
                "--config pico-st7789 --scene eyes.kfast -o eyes.uf2");
     app.callback([options] { pack(*options); });
 }

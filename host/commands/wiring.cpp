@@ -43,6 +43,7 @@ std::string json_text(const BoardSettings& settings, std::span<const config::Con
                       {"width", size.width},
                       {"height", size.height}}},
                     {"bus", config::word_of(settings.bus)},
+                    {"firmware", config::image_of(settings.bus)},
                     {"connections", connections}};
     return json.dump(2) + '\n';
 }
@@ -94,8 +95,9 @@ std::string plain_text(const Options& options, std::span<const config::Connectio
                        const BoardSettings& settings)
 {
     return options.input + ": " + config::word_of(settings.panel.controller) + " by " +
-           config::word_of(settings.bus) + ", picture " + config::size_text(settings.panel.size()) + "\n" +
-           table(wires) + "\nThe Pico from above\n\n" + config::pico_drawing(wires);
+           config::word_of(settings.bus) + ", picture " + config::size_text(settings.panel.size()) +
+           "\nfirmware: " + config::image_of(settings.bus) + "\n" + table(wires) +
+           "\nThe Pico from above\n\n" + config::pico_drawing(wires);
 }
 
 void print_wiring(const Options& options)

@@ -1,5 +1,6 @@
 #include "host/config/firmware_file.hpp"
 
+#include "firmware/image_mark.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/failure.hpp"
 #include "host/flash/boot_checksum.hpp"
@@ -39,6 +40,18 @@ std::vector<std::byte> load_firmware(const std::filesystem::path& path)
                       std::to_string(bytes.size() - room) +
                       " more than lie before the settings at 0x1003F000");
     return {bytes.begin(), bytes.end()};
+}
+
+std::optional<BusKind> marked_bus(std::span<const std::byte> image)
+{
+    if (image.size() < ImageMark::place + sizeof(ImageMark))
+        return std::nullopt;
+    const auto mark = image.subspan(ImageMark::place, sizeof(ImageMark));
+    const auto magic = std::as_bytes(std::span{ImageMark::its_magic});
+    const auto bus = std::to_integer<std::size_t>(mark[offsetof(ImageMark, bus)]);
+    if (!std::ranges::equal(mark.first(magic.size()), magic) || bus >= bus_names.size())
+        return std::nullopt;
+    return static_cast<BusKind>(bus);
 }
 
 }

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "firmware/board_settings.hpp"
+
 #include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace kfast::config {
@@ -10,5 +14,8 @@ namespace kfast::config {
 /// Throws Failure when it cannot be read, has no boot block with the right checksum, or would reach into the
 /// settings.
 std::vector<std::byte> load_firmware(const std::filesystem::path& path);
+
+/// The bus that an image says it is for (firmware/image_mark.hpp); nothing if it says nothing.
+std::optional<BusKind> marked_bus(std::span<const std::byte> image);
 
 }

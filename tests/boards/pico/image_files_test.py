@@ -9,6 +9,7 @@ BUILD = pathlib.Path(sys.argv[1])
 IMAGES = ["pico-spi", "pico-i2c", "pico-parallel"]
 
 FLASH = 0x10000000
+MARK = 0x1A8
 PROGRAM_END = 0x3F000  # where the settings begin
 RAM_END = 0x20042000
 RP2040 = 0xE48BFF56
@@ -59,6 +60,10 @@ class ImageFiles(unittest.TestCase):
                 self.assertTrue(all(handler % 2 == 1 for handler in handlers), "Thumb code")
                 self.assertTrue(FLASH < handlers[0] < FLASH + len(image), "begins in flash")
                 self.assertTrue(all(handler >> 28 == 2 for handler in handlers[1:]), "goes on in RAM")
+
+    def test_they_tell_their_bus_behind_the_vectors(self):
+        for bus, image in enumerate(self.images.values()):
+            self.assertEqual(image[MARK:MARK + 8], b"KFPI" + bytes([bus, 0, 0, 0]))
 
     def test_images_end_before_the_settings(self):
         for name, image in self.images.items():

@@ -11,6 +11,7 @@ from command_case import ROOT, CommandTest
 READY = ["pico-st7789", "pico-ili9341", "pico-gc9a01", "pico-ssd1306", "pico-ssd1306-i2c", "pico-ili9341-parallel"]
 SETTINGS = 0x1003F000
 SCENE = 0x10040000
+MARK = 0x1A8  # of an image
 FAMILY = 0xE48BFF56
 
 GADGET = """board pico {
@@ -70,11 +71,11 @@ def mpeg2_crc(data):
     return state
 
 
-def firmware(size):
-    """Bytes that a Pico would start."""
+def firmware(size, mark=b"KFPI\0\0\0\0"):
+    """Bytes that a Pico would start; they say that they are for SPI."""
     code = bytes(index % 251 for index in range(252))
     image = code + struct.pack("<I", mpeg2_crc(code)) + bytes(range(256)) * (size // 256)
-    return image[:size]
+    return (image[:MARK] + mark + image[MARK + len(mark):])[:size]
 
 
 class ConfigTest(CommandTest):
@@ -95,8 +96,11 @@ class ConfigTest(CommandTest):
 
     def test_the_ready_configurations_are_named_and_can_be_used(self):
         listed = self.run_kfast("config", "--list").stdout.splitlines()
-        self.assertEqual([line.split()[0] for line in listed], READY)
-        self.assertTrue(all(len(line.split()) > 5 for line in listed), "each is described")
+        self.assertEqual([line.split()[0] for line in listed[::2]], READY)
+        self.assertTrue(all(len(line.split()) > 5 for line in listed[::2]), "each is described")
+        buses = ["spi"] * 4 + ["i2c", "parallel"]
+        self.assertEqual([line.strip() for line in listed[1::2]],
+                         [f"firmware: build/pico/pico-{bus}.bin" for bus in buses])
         for name in READY:
             told = self.run_kfast("config", name)
             self.assertEqual(told.stderr, "", "nothing to worry about")
@@ -154,6 +158,17 @@ class ConfigTest(CommandTest):
         for says in ('broken.kdl:2:11: error: unknown value "st7788"', 'did you mean "st7789"?', "3:19: error: a frequency needs",
                      "4:10: error", "here it is called clock", "5:10: error", "5:17: error: play is not for a knob"):
             self.refuse("config", "broken.kdl", "-o", "a.kdl", status=1, says=says)
+
+    def test_rules_are_looked_at_when_every_line_can_be_read(self):
+        self.file("both.kdl").write_text(WRONG.replace("dc=18", "dc=18 sck=1"))
+        told = self.run_kfast("config", "both.kdl", status=1).stderr
+        self.assertIn("here it is called clock", told)
+        self.assertIn("kfast: both.kdl: 1 error\n", told)
+
+    def test_one_mistake_of_each_rule_is_told(self):
+        self.file("shared.kdl").write_text(GADGET.replace("dc=16", "dc=18 reset=19"))
+        told = self.run_kfast("config", "shared.kdl", status=1).stderr
+        self.assertEqual(told.count(" is taken twice"), 1)
 
     def test_wrong_inputs(self):
         self.refuse("config", status=2, says="kfast config --list")
@@ -234,7 +249,8 @@ class WiringTest(CommandTest):
 
     def test_for_people(self):
         told = self.run_kfast("wiring", "pico-st7789").stdout
-        self.assertTrue(told.startswith("pico-st7789: st7789 by spi, picture 240 x 240\n\ndisplay\n"))
+        self.assertTrue(told.startswith("pico-st7789: st7789 by spi, picture 240 x 240\n"
+                                        "firmware: build/pico/pico-spi.bin\n\ndisplay\n"))
         self.assertRegex(told, r"\n  SCL, SCK or CLK +GP18 +pin 24 +right +SPI0 SCK\n")
         self.assertRegex(told, r"\n  GND +GND +pin 38 +right\n")
         self.assertRegex(told, r"\n +GP13 17 \|o +o\| 24 GP18 +SCL\n")
@@ -247,6 +263,11 @@ class WiringTest(CommandTest):
         self.assertIsNone(wires["display", "GND"]["gpio"])
         parallel = self.wires("pico-ili9341-parallel")
         self.assertEqual([parallel["display", f"D{bit}"]["gpio"] for bit in range(8)], list(range(8)))
+
+    def test_the_firmware_is_named(self):
+        for name, bus in (("pico-ssd1306-i2c", "i2c"), ("pico-ili9341-parallel", "parallel"), ("pico-gc9a01", "spi")):
+            report = json.loads(self.run_kfast("wiring", name, "--json").stdout)
+            self.assertEqual((report["bus"], report["firmware"]), (bus, f"build/pico/pico-{bus}.bin"))
 
     def test_controls(self):
         (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", 'knob 27 place "wide awake"; clip idle'))
@@ -294,6 +315,45 @@ class PackTest(CommandTest):
         told = self.run_kfast("uf2", "pack", "--config", "pico-st7789", "--scene", "once.kfast", "-o", "a.uf2").stdout
         self.assertRegex(told, r"^a\.uf2: settings of pico-st7789, scene of \d+ bytes\nHold BOOTSEL")
 
+    def test_firmware_for_another_bus_is_refused(self):
+        for number, bus, other, name in ((0, "spi", "i2c", "pico-ssd1306-i2c"), (1, "i2c", "parallel", "pico-ili9341-parallel"),
+                                         (2, "parallel", "spi", "pico-gc9a01")):
+            (self.folder / "f.bin").write_bytes(firmware(8192, b"KFPI" + bytes([number, 0, 0, 0])))
+            self.refuse("uf2", "pack", "--firmware", "f.bin", "--config", name, "-o", "b.uf2", status=1,
+                        says=f"f.bin: firmware for displays on {bus}, but the display of {name} is on {other}: "
+                        f"take build/pico/pico-{other}.bin")
+
+    def test_firmware_for_the_bus_is_taken(self):
+        for number, name in enumerate(("pico-st7789", "pico-ssd1306-i2c", "pico-ili9341-parallel")):
+            (self.folder / "f.bin").write_bytes(firmware(8192, b"KFPI" + bytes([number, 0, 0, 0])))
+            told = self.run_kfast("uf2", "pack", "--firmware", "f.bin", "--config", name, "-o", "a.uf2")
+            self.assertEqual(told.stderr, "")
+
+    def test_firmware_without_a_mark_is_warned_of(self):
+        for image in (firmware(8192, b""), firmware(8192, b"KFPI\3"), firmware(8192, b"KFPJ\0"), firmware(MARK + 7)):
+            (self.folder / "f.bin").write_bytes(image)
+            told = self.run_kfast("uf2", "pack", "--firmware", "f.bin", "--config", "pico-ssd1306-i2c", "-o", "a.uf2")
+            self.assertRegex(told.stderr, r"^f\.bin: warning: .* for i2c: build/pico/pico-i2c\.bin\n$")
+        self.assertEqual(self.run_kfast("uf2", "pack", "--firmware", "f.bin", "-o", "a.uf2").stderr, "")
+
+    def test_the_example_of_the_help_names_an_image_that_there_is(self):
+        told = self.run_kfast("uf2", "pack", "--help").stdout
+        self.assertIn("kfast uf2 pack --firmware build/pico/pico-spi.bin --config pico-st7789", told)
+
+    def test_clips_that_the_scene_does_not_have_are_warned_of(self):
+        (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip sway; knob 26 place doze; button 13 play doze"))
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "marked.kfast", "-o", "a.uf2")
+        self.assertEqual(told.stderr, 'g.kdl: warning: marked.kfast: there is no clip "doze", the whole scene will play in its '
+                                      'place: the scene has "blink", "sway"\n')
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "once.kfast", "-o", "a.uf2")
+        self.assertEqual([re.search(r'no clip "(\w+)"', line)[1] for line in told.stderr.splitlines()], ["blink", "doze", "sway"])
+        self.assertEqual(told.stderr.count("the scene has no clips"), 3)
+
+    def test_clips_that_the_scene_has_need_no_words(self):
+        (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip sway; button 13 play; button 14 pause"))
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "marked.kfast", "-o", "a.uf2")
+        self.assertEqual(told.stderr, "")
+
     def test_what_is_too_large(self):
         self.pack(*self.firmware(0x3F000))
         self.refuse("uf2", "pack", *self.firmware(0x3F001), "-o", "b.uf2", status=1, says="1 more than lie before the settings")
@@ -313,7 +373,10 @@ class PackTest(CommandTest):
         self.refuse("uf2", "pack", "--scene", "once.kfast", status=2, says="Try 'kfast uf2 pack --help'")
         self.refuse("uf2", "pack", "--config", "pico-st7798", "-o", "a.uf2", status=1, says='did you mean "pico-st7789"?')
         self.refuse("uf2", "pack", "--scene", "none.kfast", "-o", "a.uf2", status=1, says="none.kfast: there is no such file")
-        self.refuse("uf2", "pack", "--scene", "once.kfast", "-o", "once.kfast", status=1, says="overwrite the file that is read")
+        for output in ("x.txt", "once.kfast", "x", "x.UF2", "uf2"):
+            self.refuse("uf2", "pack", "--scene", "once.kfast", "-o", output, status=2, says=f"'{output}': the drive of a Pico takes .uf2")
+        (self.folder / "once.uf2").write_text((self.folder / "once.kfast").read_text())
+        self.refuse("uf2", "pack", "--scene", "once.uf2", "-o", "once.uf2", status=1, says="overwrite the file that is read")
         self.refuse("uf2", "pack", "--scene", "once.kfast", "-o", "none/a.uf2", status=1, says="create the folder first")
         image = firmware(4096)
         for content in (image[:200], image[:100] + b"x" + image[101:], b"\x7fELF" + image):
