@@ -61,7 +61,6 @@ public:
         send_glass();
         send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
         set_brightness(settings_.brightness);
-        send_command<arguments>(bus_, 0xAF); // display on
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -74,6 +73,8 @@ public:
     }
 
     bool busy() { return bus_.busy(); }
+
+    void light() { send_command<arguments>(bus_, 0xAF); } // display on
 
     void set_brightness(std::uint8_t brightness) { send_command<arguments>(bus_, 0x81, brightness); }
 
@@ -88,7 +89,6 @@ public:
     void wake(Pause&&)
     {
         send_command<arguments>(bus_, 0x8D, 0x14);
-        send_command<arguments>(bus_, 0xAF);
     }
 
 private:

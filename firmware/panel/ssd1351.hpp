@@ -55,7 +55,6 @@ public:
         send_command<arguments>(bus_, 0xA0, remap());
         send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
         set_brightness(settings_.brightness);
-        send_command<arguments>(bus_, 0xAF); // display on
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -70,6 +69,8 @@ public:
     }
 
     bool busy() { return bus_.busy(); }
+
+    void light() { send_command<arguments>(bus_, 0xAF); } // display on
 
     void set_brightness(std::uint8_t brightness)
     {
@@ -87,7 +88,6 @@ public:
     template <class Pause>
     void wake(Pause&&)
     {
-        send_command<arguments>(bus_, 0xAF);
     }
 
 private:

@@ -16,6 +16,7 @@ public:
                                                               Fit::contain, board_.block())}
     {
         begin_panel(board_);
+        light_panel(board_); // nobody sees it before the first picture
     }
     BoardSource(const BoardSource&) = delete;
 

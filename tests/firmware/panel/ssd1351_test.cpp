@@ -11,6 +11,7 @@
 namespace kfast::test {
 
 static_assert(PoweredPanel<Ssd1351<TellingBus>>);
+static_assert(LightedPanel<Ssd1351<TellingBus>>);
 static_assert(Ssd1351<TellingBus>::format == PixelFormat::rgb565_be);
 static_assert(Ssd1351<TellingWordBus>::format == PixelFormat::rgb565);
 
@@ -67,7 +68,6 @@ TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments wit
                            "command A0 | 74",
                            "command A6",
                            "command C1 | C8 80 C8",
-                           "command AF",
                        });
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("SSD1351: pixels go as words if the bus has any, as bytes otherwise")
     CHECK(word_bus.lines.back() == "words 12 34");
 }
 
-TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off")
+TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off, and waking leaves it off")
 {
     TellingBus bus;
     Ssd1351 panel{bus, usual};
@@ -130,6 +130,7 @@ TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off")
     panel.set_brightness(0);
     panel.sleep(bus.pause());
     panel.wake(bus.pause());
+    panel.light();
     CHECK(bus.lines == Lines{"command C1 | 64 40 64", "command C1 | 00 00 00", "command AE", "command AF"});
 }
 

@@ -135,6 +135,8 @@ TEST_CASE("a shown frame has its time, the events before it and the picture on t
     board.panel().start({.x = 0, .y = 0, .width = 128, .height = 64}, pixels);
     while (board.panel().busy()) {
     }
+    CHECK(board.picture().pixels == std::vector<std::byte>(128 * 64 / 2));
+    board.panel().light();
     board.event_passed({"step", Time::frame(3)});
     board.frame_shown({.time = Time::frame(3), .skipped = 0});
 

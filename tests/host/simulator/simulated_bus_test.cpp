@@ -33,6 +33,7 @@ TEST_CASE("the SSD0323 driver draws on the model what it is given")
 {
     Wired wired;
     wired.panel.begin([](Microseconds) {});
+    wired.panel.light();
     std::vector<std::byte> whole(128 * 64 / 2);
     for (std::size_t i = 0; i < whole.size(); ++i)
         whole[i] = static_cast<std::byte>(i * 37 + i / 64);
@@ -51,6 +52,7 @@ TEST_CASE("a buffer that is drawn into while it is sent spoils the picture")
 {
     Wired wired;
     wired.panel.begin([](Microseconds) {});
+    wired.panel.light();
     std::vector<std::byte> row(64, std::byte{0x11});
     wired.panel.start({.x = 0, .y = 0, .width = 128, .height = 1}, row);
     row.assign(64, std::byte{0x22});
