@@ -2,6 +2,7 @@
 
 #include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
+#include "firmware/panel/oled_power.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
 
@@ -71,6 +72,7 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
+        pause(oled_power_rise);
         send_start_up<arguments>(bus_, ssd0323_start_up(settings_), pause);
     }
 

@@ -2,6 +2,7 @@
 
 #include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
+#include "firmware/panel/oled_power.hpp"
 #include "firmware/panel/pages.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
@@ -56,7 +57,7 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
-        pause(Microseconds{10'000}); // modules without a reset line reset themselves when the power comes
+        pause(oled_power_rise);
         send_start_up<arguments>(bus_, ssd1306_start_up, pause);
         send_glass();
         send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);

@@ -3,6 +3,7 @@
 #include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
 #include "firmware/panel/colour_bus.hpp"
+#include "firmware/panel/oled_power.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
 
@@ -51,6 +52,7 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
+        pause(oled_power_rise);
         send_start_up<arguments>(bus_, ssd1351_start_up, pause);
         send_command<arguments>(bus_, 0xA0, remap());
         send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);

@@ -28,7 +28,7 @@ std::string remap(Rotation rotation, bool bgr)
     settings.bgr = bgr;
     TellingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
-    return bus.lines[14];
+    return bus.lines[15];
 }
 
 /// The commands that open a window of four columns and two rows at (16, 8) of a glass of 128x96, which begins
@@ -51,6 +51,7 @@ TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments wit
     TellingBus bus;
     Ssd1351{bus, usual}.begin(bus.pause());
     CHECK(bus.lines == Lines{
+                           "pause 10000",
                            "command FD | 12",
                            "command FD | B1",
                            "command AE",
@@ -87,7 +88,7 @@ TEST_CASE("SSD1351: an inverted glass is inverted again")
     settings.inverted = true;
     TellingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
-    CHECK(bus.lines[15] == "command A7");
+    CHECK(bus.lines[16] == "command A7");
 }
 
 TEST_CASE("SSD1351: columns and rows of a window are those of the glass, also if the picture lies across it")
