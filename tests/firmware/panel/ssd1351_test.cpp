@@ -31,12 +31,11 @@ std::string remap(Rotation rotation, bool bgr)
     return bus.lines[15];
 }
 
-/// The commands that open a window of four columns and two rows at (16, 8) of a glass of 128x96, which begins
-/// in row 32 of the memory.
-Lines window(Rotation rotation)
+/// The commands that open a window of four columns and two rows at (16, 8) of a glass of 128x96.
+Lines window(Rotation rotation, int row)
 {
     const PanelSettings settings{
-        .controller = Controller::ssd1351, .glass = {128, 96}, .row = 32, .rotation = rotation};
+        .controller = Controller::ssd1351, .glass = {128, 96}, .row = row, .rotation = rotation};
     TellingBus bus;
     Ssd1351{bus, settings}.start({16, 8, 4, 2}, {});
     CHECK(bus.lines.back() == "pixels");
@@ -56,7 +55,6 @@ TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments wit
                            "command FD | B1",
                            "command AE",
                            "command B3 | F1",
-                           "command CA | 7F",
                            "command A1 | 00",
                            "command A2 | 00",
                            "command B5 | 00",
@@ -66,6 +64,7 @@ TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments wit
                            "command C7 | 0F",
                            "command B4 | A0 B5 55",
                            "command B6 | 01",
+                           "command CA | 7F",
                            "command A0 | 74",
                            "command A6",
                            "command C1 | C8 80 C8",
@@ -91,13 +90,31 @@ TEST_CASE("SSD1351: an inverted glass is inverted again")
     CHECK(bus.lines[16] == "command A7");
 }
 
+TEST_CASE("SSD1351: rows below the glass are not scanned")
+{
+    PanelSettings settings = usual;
+    settings.glass = {128, 96};
+    const auto rows = [&settings] {
+        TellingBus bus;
+        Ssd1351{bus, settings}.begin(bus.pause());
+        return bus.lines[14];
+    };
+    CHECK(rows() == "command CA | 5F");
+    settings.row = 32;
+    CHECK(rows() == "command CA | 7F");
+}
+
 TEST_CASE("SSD1351: columns and rows of a window are those of the glass, also if the picture lies across it")
 {
-    CHECK(window(Rotation::none) == Lines{"command 15 | 10 13", "command 75 | 28 29", "command 5C"});
-    CHECK(window(Rotation::quarter) == Lines{"command 75 | 30 33", "command 15 | 08 09", "command 5C"});
-    CHECK(window(Rotation::half) == Lines{"command 15 | 10 13", "command 75 | 08 09", "command 5C"});
-    CHECK(window(Rotation::three_quarters) ==
-          Lines{"command 75 | 10 13", "command 15 | 08 09", "command 5C"});
+    CHECK(window(Rotation::none, 32) == Lines{"command 15 | 10 13", "command 75 | 28 29", "command 5C"});
+    CHECK(window(Rotation::quarter, 32) == Lines{"command 75 | 30 33", "command 15 | 08 09", "command 5C"});
+    for (const int row : {0, 32}) {
+        CHECK(window(Rotation::half, row) == Lines{"command 15 | 10 13", "command 75 | 08 09", "command 5C"});
+        CHECK(window(Rotation::three_quarters, row) ==
+              Lines{"command 75 | 10 13", "command 15 | 08 09", "command 5C"});
+    }
+    CHECK(window(Rotation::none, 0) == Lines{"command 15 | 10 13", "command 75 | 08 09", "command 5C"});
+    CHECK(window(Rotation::quarter, 0) == Lines{"command 75 | 10 13", "command 15 | 08 09", "command 5C"});
 }
 
 TEST_CASE("SSD1351: the window is sent again even if it is the same")
