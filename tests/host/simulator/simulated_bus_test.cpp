@@ -1,6 +1,6 @@
 #include "host/simulator/simulated_bus.hpp"
 
-#include "host/simulator/simulated_panel.hpp"
+#include "firmware/panel_choice.hpp"
 #include "tests/host/simulator/wired_model.hpp"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ struct Wired {
     std::unique_ptr<ControllerModel> model = make_controller_model(settings);
     SimulatedClock clock;
     SimulatedBus bus{*model, clock};
-    Ssd0323<SimulatedBus> panel = simulated_panel<Ssd0323<SimulatedBus>>(bus, settings);
+    Ssd0323<SimulatedBus> panel = make_panel<Ssd0323<SimulatedBus>>(bus, settings);
 
     void send(Rect area, std::span<const std::byte> pixels)
     {
