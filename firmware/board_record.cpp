@@ -1,6 +1,8 @@
 #include "firmware/board_record.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <type_traits>
 
 namespace kfast {
@@ -61,6 +63,12 @@ public:
         is_right_ = is_right_ && value <= static_cast<std::uint32_t>(last);
         return static_cast<E>(value);
     }
+    /// One of the enumerators that `names` lists in their order.
+    template <class E, std::size_t count>
+    E one_named(const std::array<std::string_view, count>&)
+    {
+        return one_of(static_cast<E>(count - 1));
+    }
     ClipName text()
     {
         ClipName name;
@@ -88,7 +96,7 @@ void write_panel(const PanelSettings& panel, Writer& writer)
 PanelSettings read_panel(Reader& reader)
 {
     PanelSettings panel;
-    panel.controller = reader.one_of(Controller::ssd0323);
+    panel.controller = reader.one_named<Controller>(controller_names);
     panel.rotation = reader.one_of(Rotation::three_quarters);
     const std::uint32_t flags = reader.u8();
     panel.bgr = (flags & bgr) != 0;
@@ -113,7 +121,7 @@ Control read_control(Reader& reader)
 {
     Control control;
     control.kind = reader.one_of(ControlKind::knob);
-    control.action = reader.one_of(ControlAction::brightness);
+    control.action = reader.one_named<ControlAction>(control_action_names);
     control.pin = static_cast<Pin>(reader.u8());
     static_cast<void>(reader.u8());
     control.clip = reader.text();
@@ -124,7 +132,7 @@ BoardSettings read_fields(Reader& reader)
 {
     BoardSettings settings;
     settings.panel = read_panel(reader);
-    settings.bus = reader.one_of(BusKind::parallel_8);
+    settings.bus = reader.one_named<BusKind>(bus_names);
     settings.i2c_address = static_cast<std::uint8_t>(reader.u8());
     for (Pin& pin : settings.pins)
         pin = static_cast<Pin>(reader.u8());

@@ -59,7 +59,7 @@ private:
     std::size_t line_count_ = 0;
 };
 
-/// Fills the panel with what `card.draw_row(PixelRow)` paints.
+/// Fills the panel with what `card.draw_row(PixelRow)` paints, and lets it be seen.
 template <Board B, class C>
 void show_card(B& board, const C& card)
 {
@@ -77,6 +77,7 @@ void show_card(B& board, const C& card)
         std::swap(bands[0], bands[1]);
     }
     wait_for(board.panel());
+    light_panel(board);
 }
 
 }

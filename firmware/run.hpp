@@ -55,7 +55,7 @@ void advance(B& board, Playhead& playhead, std::uint32_t frames)
     });
 }
 
-/// Keeps the panel asleep as long as the board wants to rest.
+/// Keeps the panel asleep as long as the board wants to rest. What it shows when it wakes is not to be seen.
 template <RestingBoard B>
 void rest(B& board, Playhead& playhead, FrameClock& clock)
 {
@@ -76,6 +76,7 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
 {
     FrameReport report;
     std::uint32_t frames = 0;
+    bool is_dark = true;
     while (board.running()) {
         advance(board, playhead, frames);
         if constexpr (SteeredBoard<B>)
@@ -84,6 +85,7 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
             if (board.wants_rest()) {
                 rest(board, playhead, clock);
                 player.redraw();
+                is_dark = true;
             }
         report.time = playhead.moment();
         player.show_moment(report.time);
@@ -91,6 +93,8 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
             if (board.wants_redraw())
                 player.redraw();
         draw_frame(board, player);
+        if (std::exchange(is_dark, false))
+            light_panel(board);
         board.frame_shown(report);
 
         frames = clock.advance(board.now());

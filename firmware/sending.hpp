@@ -46,4 +46,14 @@ void begin_panel(B& board)
     board.panel().begin([&board](Microseconds time) { board.sleep_until(board.now() + time); });
 }
 
+/// Lets the panel show what was sent, if it was dark until now.
+template <Board B>
+void light_panel(B& board)
+{
+    if constexpr (LightedPanel<PanelOf<B>>)
+        board.panel().light();
+    else
+        static_cast<void>(board);
+}
+
 }

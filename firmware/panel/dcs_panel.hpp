@@ -51,7 +51,6 @@ public:
         if (controller_.dims)
             send_command<arguments>(bus_, 0x53, 0x24); // WRCTRLD: brightness counts, backlight on
         set_brightness(settings_.brightness);
-        send_command<arguments>(bus_, 0x29); // DISPON
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -63,6 +62,8 @@ public:
     }
 
     bool busy() { return bus_.busy(); }
+
+    void light() { send_command<arguments>(bus_, 0x29); } // DISPON
 
     void set_brightness(std::uint8_t brightness)
     {
@@ -83,7 +84,6 @@ public:
     {
         send_command<arguments>(bus_, 0x11); // SLPOUT
         pause(settle);
-        send_command<arguments>(bus_, 0x29); // DISPON
     }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
+#include "firmware/panel/oled_power.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
 
@@ -19,7 +20,8 @@ constexpr std::uint8_t ssd0323_contrast(std::uint8_t brightness)
 }
 
 /// Register values as found in drivers of 128x64 modules. What only sibling controllers know (0x23, 0xB0,
-/// 0xB4) is left out. The lowest row of the glass is wired to the first output.
+/// 0xB4) is left out. The lowest row of the glass is wired to the first output. To
+/// switch on is left to Ssd0323.
 constexpr auto ssd0323_start_up(const PanelSettings& settings)
 {
     const Size memory = facts_of(Controller::ssd0323).memory;
@@ -47,7 +49,6 @@ constexpr auto ssd0323_start_up(const PanelSettings& settings)
         {0xBF, 1, {0x0F}},                                  // VSL
         {0xB8, 8, {0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76}}, // grey table, evenly spaced
         {shown},                                                     // the memory, or its inverse
-        {0xAF},                                                      // display on
     });
 }
 
@@ -71,6 +72,7 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
+        pause(oled_power_rise);
         send_start_up<arguments>(bus_, ssd0323_start_up(settings_), pause);
     }
 
@@ -82,6 +84,8 @@ public:
     }
 
     bool busy() { return bus_.busy(); }
+
+    void light() { send_command<arguments>(bus_, 0xAF); } // display on
 
     void set_brightness(std::uint8_t brightness)
     {
@@ -97,7 +101,6 @@ public:
     template <class Pause>
     void wake(Pause&&)
     {
-        send_command<arguments>(bus_, 0xAF);
     }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
+#include "firmware/panel/oled_power.hpp"
 #include "firmware/panel/pages.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
@@ -56,12 +57,11 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
-        pause(Microseconds{10'000}); // modules without a reset line reset themselves when the power comes
+        pause(oled_power_rise);
         send_start_up<arguments>(bus_, ssd1306_start_up, pause);
         send_glass();
         send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
         set_brightness(settings_.brightness);
-        send_command<arguments>(bus_, 0xAF); // display on
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -74,6 +74,8 @@ public:
     }
 
     bool busy() { return bus_.busy(); }
+
+    void light() { send_command<arguments>(bus_, 0xAF); } // display on
 
     void set_brightness(std::uint8_t brightness) { send_command<arguments>(bus_, 0x81, brightness); }
 
@@ -88,7 +90,6 @@ public:
     void wake(Pause&&)
     {
         send_command<arguments>(bus_, 0x8D, 0x14);
-        send_command<arguments>(bus_, 0xAF);
     }
 
 private:

@@ -3,6 +3,7 @@
 #include "firmware/controller_facts.hpp"
 #include "firmware/panel.hpp"
 #include "firmware/panel/colour_bus.hpp"
+#include "firmware/panel/oled_power.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/start_up.hpp"
 
@@ -13,14 +14,13 @@
 
 namespace kfast {
 
-/// Register values as found in drivers of 128x128 modules. All rows of the memory are scanned, whatever the
-/// glass shows of them. What PanelSettings says, and to switch on, is left to Ssd1351.
+/// Register values as found in drivers of 128x128 modules. What PanelSettings says, and to switch on, is left
+/// to Ssd1351.
 inline constexpr auto ssd1351_start_up = std::to_array<StartUpStep>({
     {0xFD, 1, {0x12}},             // unlock
     {0xFD, 1, {0xB1}},             // unlock what is set below
     {0xAE},                        // display off
     {0xB3, 1, {0xF1}},             // clock: the fastest
-    {0xCA, 1, {0x7F}},             // 128 rows
     {0xA1, 1, {0x00}},             // start line
     {0xA2, 1, {0x00}},             // display offset
     {0xB5, 1, {0x00}},             // GPIO off
@@ -42,7 +42,7 @@ public:
 
     /// `bus` must outlive the panel.
     Ssd1351(Bus& bus, const PanelSettings& settings)
-        : bus_{bus}, settings_{settings}, place_{picture_place(settings, memory)}
+        : bus_{bus}, settings_{settings}, place_{picture_place(settings, scanned(settings, memory))}
     {
     }
 
@@ -51,11 +51,14 @@ public:
     template <class Pause>
     void begin(Pause&& pause)
     {
+        pause(oled_power_rise);
         send_start_up<arguments>(bus_, ssd1351_start_up, pause);
+        // No more rows than the glass has, for the last one that is scanned is the uppermost of an upright
+        // one.
+        send_command<arguments>(bus_, 0xCA, scanned(settings_, memory).height - 1);
         send_command<arguments>(bus_, 0xA0, remap());
         send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
         set_brightness(settings_.brightness);
-        send_command<arguments>(bus_, 0xAF); // display on
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -70,6 +73,8 @@ public:
     }
 
     bool busy() { return bus_.busy(); }
+
+    void light() { send_command<arguments>(bus_, 0xAF); } // display on
 
     void set_brightness(std::uint8_t brightness)
     {
@@ -87,7 +92,6 @@ public:
     template <class Pause>
     void wake(Pause&&)
     {
-        send_command<arguments>(bus_, 0xAF);
     }
 
 private:

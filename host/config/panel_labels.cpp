@@ -17,11 +17,21 @@ constexpr Labels mono_by_spi{"D0, CLK or SCK", "D1, DIN or MOSI", "CS", "DC", "R
 constexpr Labels by_i2c{"SCL or SCK", "SDA", "", "", "RES or RST", "", ""};
 constexpr Labels parallel{"WR", "D", "CS", "RS or DC", "RST or RES", "BLK, BL or LED", "TE"};
 
-/// Whether the pixels shine themselves.
-constexpr bool is_oled(Controller controller)
+const Labels& labels_by_spi(Controller controller)
 {
-    return controller == Controller::ssd1306 || controller == Controller::ssd1351 ||
-           controller == Controller::ssd0323;
+    switch (controller) {
+    case Controller::st7789:
+    case Controller::ili9341:
+    case Controller::st7735:
+    case Controller::gc9a01:
+        break;
+    case Controller::ssd1351:
+        return lit_by_spi;
+    case Controller::ssd1306:
+    case Controller::ssd0323:
+        return mono_by_spi;
+    }
+    return colour_by_spi;
 }
 
 const Labels& labels_of(const BoardSettings& settings)
@@ -34,9 +44,7 @@ const Labels& labels_of(const BoardSettings& settings)
     case BusKind::spi:
         break;
     }
-    if (!is_oled(settings.panel.controller))
-        return colour_by_spi;
-    return settings.panel.controller == Controller::ssd1351 ? lit_by_spi : mono_by_spi;
+    return labels_by_spi(settings.panel.controller);
 }
 
 }

@@ -16,6 +16,7 @@ public:
                                                               Fit::contain, board_.block())}
     {
         begin_panel(board_);
+        light_panel(board_); // nobody sees it before the first picture
     }
     BoardSource(const BoardSource&) = delete;
 
@@ -41,7 +42,7 @@ private:
 std::unique_ptr<FrameSource> open_board_source(std::span<const std::byte> scene,
                                                const PanelSettings& settings)
 {
-    return with_simulated_panel(settings.controller, [&]<Panel P>() -> std::unique_ptr<FrameSource> {
+    return with_driver<SimulatedBus>(settings.controller, [&]<Panel P>() -> std::unique_ptr<FrameSource> {
         return std::make_unique<BoardSource<P>>(scene, settings);
     });
 }

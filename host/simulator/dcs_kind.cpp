@@ -207,8 +207,20 @@ const DcsKind gc9a01{.commands = with(with(every_kind, later_commands), gc9a01_c
 
 const DcsKind& dcs_kind(Controller controller)
 {
-    constexpr std::array kinds{&st7789, &ili9341, &st7735, &gc9a01}; // in the order of Controller
-    return *kinds[static_cast<std::size_t>(controller)];
+    switch (controller) {
+    case Controller::ili9341:
+        return ili9341;
+    case Controller::st7735:
+        return st7735;
+    case Controller::gc9a01:
+        return gc9a01;
+    case Controller::st7789:
+    case Controller::ssd1306: // from here on none of the family
+    case Controller::ssd1351:
+    case Controller::ssd0323:
+        break;
+    }
+    return st7789;
 }
 
 }

@@ -204,8 +204,6 @@ bool DcsModel::is_ready()
 {
     if (!registers_.is_awake)
         fail("pixels before sleep out");
-    else if (!registers_.is_on)
-        fail("pixels before the display is on");
     else if (const auto code = missing(needed))
         fail("pixels before " + hex(*code) + " was given");
     else if (!registers_.window.is_given())

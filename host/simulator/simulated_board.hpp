@@ -2,7 +2,8 @@
 
 #include "core/player.hpp"
 #include "firmware/board.hpp"
-#include "host/simulator/simulated_panel.hpp"
+#include "firmware/panel_choice.hpp"
+#include "host/simulator/simulated_bus.hpp"
 
 #include <array>
 #include <cstddef>
@@ -82,7 +83,7 @@ private:
     std::unique_ptr<ControllerModel> model_ = make_controller_model(settings_);
     SimulatedClock clock_;
     SimulatedBus bus_{*model_, clock_};
-    P panel_ = simulated_panel<P>(bus_, settings_);
+    P panel_ = make_panel<P>(bus_, settings_);
     std::size_t frames_wanted_;
     std::vector<std::string> passed_;
     std::vector<ShownFrame> frames_;

@@ -173,9 +173,7 @@ void Ssd0323Model::take_pixels(std::uint8_t byte)
 
 bool Ssd0323Model::is_ready()
 {
-    if (!registers_.is_on)
-        fail("pixels before the display is on");
-    else if (const auto code = missing(needed))
+    if (const auto code = missing(needed))
         fail("pixels before " + hex(*code) + " was given");
     else if (!registers_.window.is_given())
         fail("pixels before a window is set");

@@ -226,9 +226,7 @@ void Ssd1306Model::take_pixels(std::uint8_t byte)
 bool Ssd1306Model::is_ready()
 {
     const bool is_paged = registers_.addressing == Addressing::page;
-    if (!registers_.is_on)
-        fail("pixels before the display is on");
-    else if (const auto code = missing(needed))
+    if (const auto code = missing(needed))
         fail("pixels before " + hex(*code) + " was given");
     else if (!is_paged && !registers_.window.is_given())
         fail("pixels before a window is set");

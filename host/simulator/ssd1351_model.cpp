@@ -222,9 +222,7 @@ void Ssd1351Model::take_pixels(std::uint8_t byte)
 
 bool Ssd1351Model::is_ready()
 {
-    if (!registers_.is_on)
-        fail("pixels before the display is on");
-    else if (const auto code = missing(needed))
+    if (const auto code = missing(needed))
         fail("pixels before " + hex(*code) + " was given");
     else if (registers_.window.is_full())
         fail("more pixels than the window holds");

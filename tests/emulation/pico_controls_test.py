@@ -95,7 +95,7 @@ def check_sleep(desk, scene):
     expect(len(between(frames, 1350, 1700)) >= 8, "nothing is shown after the display was switched on")
     dark = [command for moment, command in report["commands"] if 700e6 < moment < 1400e6]
     order = [command for command in dark if command in (DISPLAY_OFF, SLEEP_IN, SLEEP_OUT, DISPLAY_ON)]
-    expect(order.index(SLEEP_IN) < order.index(SLEEP_OUT), f"the display is told {order}")
+    expect(order == [DISPLAY_OFF, SLEEP_IN, SLEEP_OUT, DISPLAY_ON], f"the display is told {order}")
 
 
 def check_brightness(desk, scene):

@@ -76,16 +76,36 @@ TEST_CASE("what is shorter than a record is none")
         CHECK_FALSE(read_board_record(std::span{record}.first(size)));
 }
 
+TEST_CASE("whatever has a name can be stored")
+{
+    const auto comes_back = [](const BoardSettings& settings) {
+        return read_board_record(board_record(settings)) == settings;
+    };
+    BoardSettings settings;
+    for (std::size_t number = 0; number < controller_names.size(); ++number) {
+        settings.panel.controller = static_cast<Controller>(number);
+        CHECK(comes_back(settings));
+    }
+    for (std::size_t number = 0; number < bus_names.size(); ++number) {
+        settings.bus = static_cast<BusKind>(number);
+        CHECK(comes_back(settings));
+    }
+    for (std::size_t number = 0; number < control_action_names.size(); ++number) {
+        settings.controls[0].action = static_cast<ControlAction>(number);
+        CHECK(comes_back(settings));
+    }
+}
+
 TEST_CASE("a number without a meaning makes a record none, though its checksum is right")
 {
     BoardSettings settings;
-    settings.panel.controller = static_cast<Controller>(7);
+    settings.panel.controller = static_cast<Controller>(controller_names.size());
     CHECK_FALSE(read_board_record(board_record(settings)));
     settings = {};
-    settings.bus = static_cast<BusKind>(3);
+    settings.bus = static_cast<BusKind>(bus_names.size());
     CHECK_FALSE(read_board_record(board_record(settings)));
     settings = {};
-    settings.controls[3].action = static_cast<ControlAction>(6);
+    settings.controls[3].action = static_cast<ControlAction>(control_action_names.size());
     CHECK_FALSE(read_board_record(board_record(settings)));
 }
 

@@ -33,6 +33,7 @@ public:
             std::ranges::all_of(pixels.first(160), [](std::byte b) { return b == std::byte{0xFF}; });
     }
     bool busy() { return false; }
+    void light() { story_ += "lit "; }
     void set_brightness(std::uint8_t) {}
     template <class Pause>
     void sleep(Pause&& pause)
@@ -54,6 +55,7 @@ private:
 };
 
 static_assert(PoweredPanel<StoryPanel>);
+static_assert(LightedPanel<StoryPanel>);
 
 /// A board at 10 frames a second whose display rests during some of the calls of steer().
 class TouchedBoard {
@@ -127,7 +129,7 @@ TEST_CASE("a board steers what is played before each frame")
     board.seek_at = 3;
     run(board);
     CHECK(board.steered == 4);
-    CHECK(board.story == "blank whole 0 1 50 51 ");
+    CHECK(board.story == "blank whole lit 0 1 50 51 ");
 }
 
 TEST_CASE("sending waits for the blank of every frame that changes anything, once")
@@ -144,7 +146,7 @@ TEST_CASE("sending waits for the blank of every frame that changes anything, onc
         return count;
     };
     CHECK(blanks() == 3);
-    CHECK(board.story.starts_with("blank whole 0 blank part "));
+    CHECK(board.story.starts_with("blank whole lit 0 blank part "));
 }
 
 TEST_CASE("at rest nothing is shown and time stands still; then the whole picture is sent")
@@ -154,7 +156,7 @@ TEST_CASE("at rest nothing is shown and time stands still; then the whole pictur
     board.rest_from = 3;
     board.rest_until = 8;
     run(board);
-    CHECK(board.story == "blank whole 0 1 asleep awake blank whole 2 3 ");
+    CHECK(board.story == "blank whole lit 0 1 asleep awake blank whole lit 2 3 ");
     CHECK(board.steered == 8 + 1);
 }
 
@@ -166,7 +168,7 @@ TEST_CASE("a board that stops running at rest wakes its display and is done")
     board.rest_from = 1;
     board.rest_until = 4;
     run(board);
-    CHECK(board.story == "asleep awake blank whole 0 ");
+    CHECK(board.story == "asleep awake blank whole lit 0 ");
 }
 
 TEST_CASE("where nothing was ever written a board with a name shows its test card, else the fault")
@@ -178,7 +180,7 @@ TEST_CASE("where nothing was ever written a board with a name shows its test car
         TouchedBoard board;
         board.scene = place;
         run(board);
-        CHECK(board.story == "whole ");
+        CHECK(board.story == "whole lit ");
         CHECK(board.panel().first_row_is_white == is_test_card);
         CHECK(board.reported == (place.empty() ? Error::truncated : Error::bad_magic));
     }

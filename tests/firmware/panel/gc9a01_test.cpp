@@ -68,7 +68,6 @@ TEST_CASE("GC9A01: the start-up of the usual glass, byte by byte")
                            "command 21",
                            "command 53 | 24",
                            "command 51 | FF",
-                           "command 29",
                        });
 }
 

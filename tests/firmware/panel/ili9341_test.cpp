@@ -41,7 +41,6 @@ TEST_CASE("ILI9341: the start-up of the usual glass, byte by byte")
                            "command 20",
                            "command 53 | 24",
                            "command 51 | FF",
-                           "command 29",
                        });
 }
 

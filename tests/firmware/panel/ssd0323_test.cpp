@@ -11,6 +11,7 @@
 namespace kfast::test {
 
 static_assert(PoweredPanel<Ssd0323<RecordedBus>>);
+static_assert(LightedPanel<Ssd0323<RecordedBus>>);
 
 namespace {
 
@@ -22,16 +23,19 @@ TEST_CASE("SSD0323: the start-up sequence, byte by byte, all of it with D/C low"
 {
     RecordedBus bus;
     Ssd0323 panel{bus, usual};
-    panel.begin([](Microseconds) { FAIL("the controller needs no pause"); });
+    panel.begin([&bus](Microseconds time) {
+        CHECK(bus.sent.empty());
+        CHECK(time == Microseconds{10'000});
+    });
 
     std::vector<std::byte> sent;
     for (const auto& transfer : bus.sent) {
         CHECK_FALSE(transfer.data);
         sent.insert(sent.end(), transfer.bytes.begin(), transfer.bytes.end());
     }
-    CHECK(sent == bytes({0xAE, 0xB3, 0x91, 0xA8, 0x3F, 0xA2, 0x40, 0xA1, 0x00, 0xAD, 0x02, 0xA0, 0x52,
-                         0x86, 0x81, 0x70, 0xB2, 0x51, 0xB1, 0x55, 0xBC, 0x10, 0xBE, 0x1C, 0xBF, 0x0F,
-                         0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, 0xA4, 0xAF}));
+    CHECK(sent == bytes({0xAE, 0xB3, 0x91, 0xA8, 0x3F, 0xA2, 0x40, 0xA1, 0x00, 0xAD, 0x02, 0xA0,
+                         0x52, 0x86, 0x81, 0x70, 0xB2, 0x51, 0xB1, 0x55, 0xBC, 0x10, 0xBE, 0x1C,
+                         0xBF, 0x0F, 0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, 0xA4}));
 }
 
 TEST_CASE("SSD0323: a window counts columns in bytes; its parameters go with D/C low, pixels with D/C high")
@@ -76,11 +80,11 @@ TEST_CASE("SSD0323: the settings in the start-up")
     settings.row = 3;
     TellingBus bus;
     Ssd0323{bus, settings}.begin(bus.pause());
-    CHECK(bus.lines[2] == "command A8 3A");
-    CHECK(bus.lines[3] == "command A2 03");
-    CHECK(bus.lines[6] == "command A0 41");
-    CHECK(bus.lines[8] == "command 81 38");
-    CHECK(bus.lines[15] == "command A7");
+    CHECK(bus.lines[3] == "command A8 3A");
+    CHECK(bus.lines[4] == "command A2 03");
+    CHECK(bus.lines[7] == "command A0 41");
+    CHECK(bus.lines[9] == "command 81 38");
+    CHECK(bus.lines[16] == "command A7");
 }
 
 TEST_CASE("SSD0323: the output of the uppermost row is found by the height of an upright glass")
@@ -88,7 +92,7 @@ TEST_CASE("SSD0323: the output of the uppermost row is found by the height of an
     const auto offset = [](int height) {
         TellingBus bus;
         Ssd0323{bus, {.controller = Controller::ssd0323, .glass = {128, height}}}.begin(bus.pause());
-        return bus.lines[3];
+        return bus.lines[4];
     };
     CHECK(offset(56) == "command A2 38");
     CHECK(offset(64) == "command A2 40");
@@ -108,7 +112,7 @@ TEST_CASE("SSD0323: a glass beside the middle is counted from the other side whe
     CHECK(window() == std::vector<std::string>{"command 15 06 35", "command 75 00 3F", "pixels"});
 }
 
-TEST_CASE("SSD0323: brightness, sleep and waking")
+TEST_CASE("SSD0323: brightness and sleep; waking leaves it dark")
 {
     TellingBus bus;
     Ssd0323 panel{bus, usual};
@@ -116,6 +120,7 @@ TEST_CASE("SSD0323: brightness, sleep and waking")
     panel.set_brightness(0);
     panel.sleep(bus.pause());
     panel.wake(bus.pause());
+    panel.light();
     CHECK(bus.lines ==
           std::vector<std::string>{"command 81 70", "command 81 00", "command AE", "command AF"});
 }

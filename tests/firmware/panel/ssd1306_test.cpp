@@ -12,6 +12,7 @@
 namespace kfast::test {
 
 static_assert(PoweredPanel<Ssd1306<TellingBus>>);
+static_assert(LightedPanel<Ssd1306<TellingBus>>);
 
 namespace {
 
@@ -64,7 +65,6 @@ TEST_CASE("SSD1306: the start-up of the usual glass, byte by byte, all of it wit
                               "command DA 12",
                               "command A6",
                               "command 81 FF",
-                              "command AF",
                           });
 }
 
@@ -124,6 +124,13 @@ TEST_CASE("SSD1306: the whole picture is a kilobyte, page by page")
     CHECK(bus.lines.back() == expected);
 }
 
+TEST_CASE("SSD1306: it stays dark until it is lit")
+{
+    TellingBus bus;
+    Ssd1306{bus, usual}.light();
+    CHECK(bus.lines == Lines{"command AF"});
+}
+
 TEST_CASE("SSD1306: asleep the charge pump stands still as well")
 {
     TellingBus bus;
@@ -131,7 +138,7 @@ TEST_CASE("SSD1306: asleep the charge pump stands still as well")
     panel.set_brightness(7);
     panel.sleep(bus.pause());
     panel.wake(bus.pause());
-    CHECK(bus.lines == Lines{"command 81 07", "command AE", "command 8D 10", "command 8D 14", "command AF"});
+    CHECK(bus.lines == Lines{"command 81 07", "command AE", "command 8D 10", "command 8D 14"});
 }
 
 }

@@ -11,6 +11,7 @@
 namespace kfast::test {
 
 static_assert(PoweredPanel<Ssd1351<TellingBus>>);
+static_assert(LightedPanel<Ssd1351<TellingBus>>);
 static_assert(Ssd1351<TellingBus>::format == PixelFormat::rgb565_be);
 static_assert(Ssd1351<TellingWordBus>::format == PixelFormat::rgb565);
 
@@ -27,15 +28,14 @@ std::string remap(Rotation rotation, bool bgr)
     settings.bgr = bgr;
     TellingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
-    return bus.lines[14];
+    return bus.lines[15];
 }
 
-/// The commands that open a window of four columns and two rows at (16, 8) of a glass of 128x96, which begins
-/// in row 32 of the memory.
-Lines window(Rotation rotation)
+/// The commands that open a window of four columns and two rows at (16, 8) of a glass of 128x96.
+Lines window(Rotation rotation, int row)
 {
     const PanelSettings settings{
-        .controller = Controller::ssd1351, .glass = {128, 96}, .row = 32, .rotation = rotation};
+        .controller = Controller::ssd1351, .glass = {128, 96}, .row = row, .rotation = rotation};
     TellingBus bus;
     Ssd1351{bus, settings}.start({16, 8, 4, 2}, {});
     CHECK(bus.lines.back() == "pixels");
@@ -50,11 +50,11 @@ TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments wit
     TellingBus bus;
     Ssd1351{bus, usual}.begin(bus.pause());
     CHECK(bus.lines == Lines{
+                           "pause 10000",
                            "command FD | 12",
                            "command FD | B1",
                            "command AE",
                            "command B3 | F1",
-                           "command CA | 7F",
                            "command A1 | 00",
                            "command A2 | 00",
                            "command B5 | 00",
@@ -64,10 +64,10 @@ TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments wit
                            "command C7 | 0F",
                            "command B4 | A0 B5 55",
                            "command B6 | 01",
+                           "command CA | 7F",
                            "command A0 | 74",
                            "command A6",
                            "command C1 | C8 80 C8",
-                           "command AF",
                        });
 }
 
@@ -87,16 +87,34 @@ TEST_CASE("SSD1351: an inverted glass is inverted again")
     settings.inverted = true;
     TellingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
-    CHECK(bus.lines[15] == "command A7");
+    CHECK(bus.lines[16] == "command A7");
+}
+
+TEST_CASE("SSD1351: rows below the glass are not scanned")
+{
+    PanelSettings settings = usual;
+    settings.glass = {128, 96};
+    const auto rows = [&settings] {
+        TellingBus bus;
+        Ssd1351{bus, settings}.begin(bus.pause());
+        return bus.lines[14];
+    };
+    CHECK(rows() == "command CA | 5F");
+    settings.row = 32;
+    CHECK(rows() == "command CA | 7F");
 }
 
 TEST_CASE("SSD1351: columns and rows of a window are those of the glass, also if the picture lies across it")
 {
-    CHECK(window(Rotation::none) == Lines{"command 15 | 10 13", "command 75 | 28 29", "command 5C"});
-    CHECK(window(Rotation::quarter) == Lines{"command 75 | 30 33", "command 15 | 08 09", "command 5C"});
-    CHECK(window(Rotation::half) == Lines{"command 15 | 10 13", "command 75 | 08 09", "command 5C"});
-    CHECK(window(Rotation::three_quarters) ==
-          Lines{"command 75 | 10 13", "command 15 | 08 09", "command 5C"});
+    CHECK(window(Rotation::none, 32) == Lines{"command 15 | 10 13", "command 75 | 28 29", "command 5C"});
+    CHECK(window(Rotation::quarter, 32) == Lines{"command 75 | 30 33", "command 15 | 08 09", "command 5C"});
+    for (const int row : {0, 32}) {
+        CHECK(window(Rotation::half, row) == Lines{"command 15 | 10 13", "command 75 | 08 09", "command 5C"});
+        CHECK(window(Rotation::three_quarters, row) ==
+              Lines{"command 75 | 10 13", "command 15 | 08 09", "command 5C"});
+    }
+    CHECK(window(Rotation::none, 0) == Lines{"command 15 | 10 13", "command 75 | 08 09", "command 5C"});
+    CHECK(window(Rotation::quarter, 0) == Lines{"command 75 | 10 13", "command 15 | 08 09", "command 5C"});
 }
 
 TEST_CASE("SSD1351: the window is sent again even if it is the same")
@@ -122,7 +140,7 @@ TEST_CASE("SSD1351: pixels go as words if the bus has any, as bytes otherwise")
     CHECK(word_bus.lines.back() == "words 12 34");
 }
 
-TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off")
+TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off, and waking leaves it off")
 {
     TellingBus bus;
     Ssd1351 panel{bus, usual};
@@ -130,6 +148,7 @@ TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off")
     panel.set_brightness(0);
     panel.sleep(bus.pause());
     panel.wake(bus.pause());
+    panel.light();
     CHECK(bus.lines == Lines{"command C1 | 64 40 64", "command C1 | 00 00 00", "command AE", "command AF"});
 }
 

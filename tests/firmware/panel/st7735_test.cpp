@@ -35,7 +35,6 @@ TEST_CASE("ST7735: the start-up of the usual glass, byte by byte")
                            "command 13",
                            "command 36 | 08",
                            "command 20",
-                           "command 29",
                        });
 }
 

@@ -37,7 +37,6 @@ TEST_CASE("ST7789: the start-up of the usual glass, byte by byte")
                            "command 21",
                            "command 53 | 24",
                            "command 51 | FF",
-                           "command 29",
                        });
 }
 

@@ -187,6 +187,14 @@ TEST_CASE("DCS models: the glass is black while it is asleep or off")
     CHECK(glass(wired)[0] == 0);
 }
 
+TEST_CASE("DCS models: what is written while the glass is dark is seen when it is lit")
+{
+    Started wired;
+    colour(window(wired.low({0x28}), 2, 2, 1, 1), 0xFFFF);
+    CHECK(glass(wired)[0] == 0);
+    CHECK(glass(wired.low({0x29}))[0] == 0xFFFF);
+}
+
 TEST_CASE("DCS models: writing starts at the corner anew, or goes on")
 {
     Started wired;
@@ -307,11 +315,10 @@ TEST_CASE("DCS models: every mistake is named with the place of its byte and its
         window(wired, 2, 3, 1, 1).high({1, 2, 3}).low({0x2C});
         CHECK(error() == at(20, "command 0x2C in the middle of a pixel"));
     }
-    SUBCASE("display off")
+    SUBCASE("asleep")
     {
-        wired.low({0x28});
-        window(wired, 2, 2, 1, 1).high({1});
-        CHECK(error() == at(18, "pixels before the display is on"));
+        window(wired.low({0x10}).wait(5), 2, 2, 1, 1).high({1});
+        CHECK(error() == "byte 18 at 245.000 ms: pixels before sleep out");
     }
     SUBCASE("sleep while the window waits")
     {

@@ -135,6 +135,8 @@ TEST_CASE("a shown frame has its time, the events before it and the picture on t
     board.panel().start({.x = 0, .y = 0, .width = 128, .height = 64}, pixels);
     while (board.panel().busy()) {
     }
+    CHECK(board.picture().pixels == std::vector<std::byte>(128 * 64 / 2));
+    board.panel().light();
     board.event_passed({"step", Time::frame(3)});
     board.frame_shown({.time = Time::frame(3), .skipped = 0});
 
@@ -185,6 +187,30 @@ TEST_CASE("a board with a turned panel of colours, on a bus of words, shows the 
     const Frame& picture = board.frames().front().picture;
     CHECK(picture.size == Size{160, 128});
     CHECK(pixels_of<PixelFormat::rgb565>(picture) == std::vector<int>(160 * 128, 0x9CD3));
+}
+
+TEST_CASE("an SSD1351 of 128x96 shows the scene all over the glass, however it is turned")
+{
+    const auto scene = empty_scene(Time::frame(1), Loop::repeat);
+    for (const Rotation rotation :
+         {Rotation::none, Rotation::quarter, Rotation::half, Rotation::three_quarters}) {
+        PanelSettings settings = facts_of(Controller::ssd1351).usual;
+        settings.glass = {128, 96};
+        settings.rotation = rotation;
+        SimulatedBoard<Ssd1351<SimulatedBus>> board{scene, settings, 1};
+        run(board);
+        CHECK(board.bus_error().value_or("none") == "none");
+        REQUIRE(board.frames().size() == 1);
+        CHECK(board.picture().size == settings.size());
+        const auto at = [&](int x, int y) {
+            return pixel_of<PixelFormat::rgb565>(board.picture(), x, y) == 0x9CD3;
+        };
+        const Size size = settings.size();
+        // The scene of 128 x 64 lies in the middle.
+        const int above = (size.height - size.width / 2) / 2;
+        CHECK(at(0, above));
+        CHECK(at(size.width - 1, size.height - 1 - above));
+    }
 }
 
 TEST_CASE("the board lets time pass in pauses, which the model sees")

@@ -1,6 +1,6 @@
 #include "host/simulator/simulated_bus.hpp"
 
-#include "host/simulator/simulated_panel.hpp"
+#include "firmware/panel_choice.hpp"
 #include "tests/host/simulator/wired_model.hpp"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ struct Wired {
     std::unique_ptr<ControllerModel> model = make_controller_model(settings);
     SimulatedClock clock;
     SimulatedBus bus{*model, clock};
-    Ssd0323<SimulatedBus> panel = simulated_panel<Ssd0323<SimulatedBus>>(bus, settings);
+    Ssd0323<SimulatedBus> panel = make_panel<Ssd0323<SimulatedBus>>(bus, settings);
 
     void send(Rect area, std::span<const std::byte> pixels)
     {
@@ -33,6 +33,7 @@ TEST_CASE("the SSD0323 driver draws on the model what it is given")
 {
     Wired wired;
     wired.panel.begin([](Microseconds) {});
+    wired.panel.light();
     std::vector<std::byte> whole(128 * 64 / 2);
     for (std::size_t i = 0; i < whole.size(); ++i)
         whole[i] = static_cast<std::byte>(i * 37 + i / 64);
@@ -51,6 +52,7 @@ TEST_CASE("a buffer that is drawn into while it is sent spoils the picture")
 {
     Wired wired;
     wired.panel.begin([](Microseconds) {});
+    wired.panel.light();
     std::vector<std::byte> row(64, std::byte{0x11});
     wired.panel.start({.x = 0, .y = 0, .width = 128, .height = 1}, row);
     row.assign(64, std::byte{0x22});
