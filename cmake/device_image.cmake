@@ -44,7 +44,7 @@ function(kfast_device_objects OUT CPU)
     add_library(${NAME} OBJECT ${KFAST_DEVICE_MEMORY} ${KFAST_FIRMWARE_SOURCES} ${KFAST_CORE_SOURCES})
     set_source_files_properties(${KFAST_EVERY_ROW} PROPERTIES COMPILE_OPTIONS -O2)
     set_source_files_properties(${KFAST_DEVICE_MEMORY} PROPERTIES
-        COMPILE_OPTIONS -fno-tree-loop-distribute-patterns)
+        COMPILE_OPTIONS "-fno-tree-loop-distribute-patterns;-fno-lto")
     target_compile_options(${NAME} PRIVATE ${CPU_OPTIONS} ${KFAST_DEVICE_OPTIONS})
     target_link_libraries(${NAME} PRIVATE kfast_firmware)
 endfunction()
