@@ -1,3 +1,5 @@
+#include "firmware/register.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -23,6 +25,11 @@ extern std::uint32_t stack_top[];
 
 [[noreturn]] void reset_handler()
 {
+#ifdef __ARM_FP // an FPU is off after a reset, and the compiler keeps integers in it as well
+    constexpr kfast::Register cpacr{0xE000'ED88};
+    cpacr.set(0xF << 20);
+    asm volatile("dsb\n isb");
+#endif
     std::copy(data_load, data_load + (data_end - data_begin), data_begin);
     std::fill(bss_begin, bss_end, 0);
     main();

@@ -92,7 +92,8 @@ std::vector<Uf2Region> uf2_regions(const std::string& name, Bytes file)
     try {
         return regions_of(file);
     } catch (const std::invalid_argument& reason) {
-        throw Failure(name + ": not a UF2 file for a Pico: " + reason.what());
+        throw Failure(name + ": not a UF2 file for a Pico: " + reason.what() +
+                      "; copy it again, or make it again with kfast uf2 pack");
     }
 }
 

@@ -147,7 +147,7 @@ private:
     void expect_number(std::uint32_t number, std::uint32_t count) const
     {
         expect(count == this->count(), "it says that the file has " + std::to_string(count) +
-                                           " blocks, but there are " + std::to_string(this->count()));
+                                           " blocks, but it has " + std::to_string(this->count()));
         expect(number == number_, "it calls itself block " + std::to_string(number));
     }
 

@@ -131,7 +131,7 @@ TEST_CASE("a malformed file is refused with the block and the reason")
     check_refused(std::span{whole}.first(700),
                   "a UF2 file is made of blocks of 512 bytes; this one has 700 bytes");
     check_refused(std::span{whole}.first(512 * 15),
-                  "block 0: it says that the file has 16 blocks, but there are 15");
+                  "block 0: it says that the file has 16 blocks, but it has 15");
     for (const std::size_t magic : {0U, 4U, 508U})
         check_refused(spoiled(512 * 3 + magic, 7),
                       "block 3: it does not begin and end as a block of a UF2 file");
