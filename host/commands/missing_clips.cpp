@@ -3,21 +3,19 @@
 #include "host/commands/clip_names.hpp"
 #include "host/text/glyph.hpp"
 
-#include <algorithm>
+#include <set>
 #include <string_view>
 
 namespace kfast {
 namespace {
 
 /// Empty ones as well: where none is named.
-std::vector<std::string_view> named_clips(const BoardSettings& settings)
+std::set<std::string_view> named_clips(const BoardSettings& settings)
 {
-    std::vector<std::string_view> names{settings.clip.view()};
+    std::set<std::string_view> names{settings.clip.view()};
     for (const Control& control : settings.controls)
         if (control.kind != ControlKind::none && has_clip(control.action))
-            names.push_back(control.clip.view());
-    std::ranges::sort(names);
-    names.erase(std::ranges::unique(names).begin(), names.end());
+            names.insert(control.clip.view());
     return names;
 }
 

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// The clips that settings name and a scene does not have, each once, in words: a board plays the whole scene
+/// The clips that settings name and a scene does not have, each once by name, in words: a board plays the whole scene
 /// in their place.
 std::vector<std::string> missing_clips(const BoardSettings& settings, const SceneView& scene);
 
