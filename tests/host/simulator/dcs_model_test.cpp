@@ -1,4 +1,4 @@
-#include "tests/host/simulator/wired_model.hpp"
+#include "tests/host/simulator/wired_dcs.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,30 +7,6 @@
 
 namespace kfast::test {
 namespace {
-
-WiredModel& start(WiredModel& wired, int access = 0x00, int format = 0x05)
-{
-    wired.wait(120).low({0x11}).wait(120);
-    return wired.send(0x36, {access}).send(0x3A, {format}).low({0x29});
-}
-
-WiredModel& window(WiredModel& wired, int left, int right, int top, int bottom)
-{
-    const auto range = [&wired](int command, int first, int last) {
-        wired.send(command, {first >> 8, first & 255, last >> 8, last & 255});
-    };
-    range(0x2A, left, right);
-    range(0x2B, top, bottom);
-    return wired.low({0x2C});
-}
-
-WiredModel& colour(WiredModel& wired, int rgb565) { return wired.high({rgb565 >> 8, rgb565 & 255}); }
-
-std::vector<int> glass(const WiredModel& wired)
-{
-    CHECK(wired.error() == "none");
-    return pixels_of<PixelFormat::rgb565>(wired.model->picture());
-}
 
 /// The pixel at the left upper corner of the glass.
 int shown(const PanelSettings& settings, std::initializer_list<int> switches, int access, int rgb565)
@@ -41,11 +17,6 @@ int shown(const PanelSettings& settings, std::initializer_list<int> switches, in
         wired.low({command});
     return glass(colour(window(wired, 0, 0, 0, 0), rgb565))[0];
 }
-
-/// A started ST7735 with a glass of 10 x 6 at (2, 1).
-struct Started : WiredModel {
-    Started() : WiredModel{with_glass(Controller::st7735, {10, 6}, 2, 1)} { start(*this); }
-};
 
 struct Corners {
     int access;
@@ -174,7 +145,7 @@ TEST_CASE("DCS models: not every controller has every pixel format")
 
 TEST_CASE("DCS models: the glass is black while it is asleep or off")
 {
-    Started wired;
+    StartedSt7735 wired;
     colour(window(wired, 2, 2, 1, 1), 0xFFFF);
     CHECK(glass(wired)[0] == 0xFFFF);
     wired.low({0x28});
@@ -189,7 +160,7 @@ TEST_CASE("DCS models: the glass is black while it is asleep or off")
 
 TEST_CASE("DCS models: what is written while the glass is dark is seen when it is lit")
 {
-    Started wired;
+    StartedSt7735 wired;
     colour(window(wired.low({0x28}), 2, 2, 1, 1), 0xFFFF);
     CHECK(glass(wired)[0] == 0);
     CHECK(glass(wired.low({0x29}))[0] == 0xFFFF);
@@ -197,7 +168,7 @@ TEST_CASE("DCS models: what is written while the glass is dark is seen when it i
 
 TEST_CASE("DCS models: writing starts at the corner anew, or goes on")
 {
-    Started wired;
+    StartedSt7735 wired;
     colour(window(wired, 2, 3, 1, 1), 1);
     SUBCASE("anew")
     {
@@ -214,288 +185,6 @@ TEST_CASE("DCS models: writing starts at the corner anew, or goes on")
         window(later, 0, 1, 0, 0).high({0, 1}).send(0x51, {9}).low({0x3C}).high({0, 2});
         CHECK(glass(later) == std::vector{1, 2});
     }
-}
-
-TEST_CASE("DCS models: brightness, tearing effect and vendors' commands have parameters that are counted")
-{
-    WiredModel wired{with_glass(Controller::st7789, {1, 1})};
-    start(wired).send(0x51, {128}).send(0x35, {0}).low({0x34}).send(0xB2, {0x0C, 0x0C, 0, 0x33, 0x33});
-    wired.send(0xC2, {1}).send(0xC2, {1, 255}).send(0x44, {0, 10});
-    CHECK(wired.error() == "none");
-    CHECK(wired.low({0x35}).low({0x34}).error() ==
-          "byte 26 at 240.000 ms: command 0x34 where 0x35 lacks parameters");
-}
-
-TEST_CASE("DCS models: every mistake is named with the place of its byte and its time")
-{
-    Started wired; // 6 bytes, 240 ms
-    const auto error = [&wired] { return wired.error(); };
-    const auto at = [](int byte, const std::string& what) {
-        return "byte " + std::to_string(byte) + " at 240.000 ms: " + what;
-    };
-    SUBCASE("unknown command")
-    {
-        wired.low({0x00, 0x3C});
-        CHECK(error() == at(7, "unknown command 0x3C"));
-    }
-    SUBCASE("what no model knows")
-    {
-        wired.low({0x12});
-        CHECK(error() == at(6, "command 0x12 is not modelled"));
-    }
-    SUBCASE("parameters missing")
-    {
-        wired.send(0x2A, {0, 2, 0}).low({0x2B});
-        CHECK(error() == at(10, "command 0x2B where 0x2A lacks parameters"));
-    }
-    SUBCASE("parameters of a vendor's command missing")
-    {
-        wired.send(0xB1, {1, 0x2C}).low({0x00});
-        CHECK(error() == at(9, "command 0x00 where 0xB1 lacks parameters"));
-    }
-    SUBCASE("too many parameters")
-    {
-        wired.send(0x36, {0, 0});
-        CHECK(error() == at(8, "more parameters than 0x36 has"));
-    }
-    SUBCASE("parameters with D/C low")
-    {
-        wired.low({0x2A, 0x00});
-        CHECK(error() == at(7, "command 0x00 where 0x2A lacks parameters"));
-    }
-    SUBCASE("pixels without the command to write")
-    {
-        wired.send(0x2A, {0, 2, 0, 2}).send(0x2B, {0, 1, 0, 1, 0xFF});
-        CHECK(error() == at(16, "more parameters than 0x2B has"));
-    }
-    SUBCASE("columns reversed")
-    {
-        wired.send(0x2A, {0, 5, 0, 4});
-        CHECK(error() == at(10, "columns 5 to 4: reversed"));
-    }
-    SUBCASE("columns beyond")
-    {
-        wired.send(0x2A, {0, 2, 0, 132});
-        CHECK(error() == at(10, "columns 2 to 132: the last one is 131"));
-    }
-    SUBCASE("rows beyond")
-    {
-        wired.send(0x2B, {0, 2, 1, 0});
-        CHECK(error() == at(10, "rows 2 to 256: the last one is 161"));
-    }
-    SUBCASE("columns and rows exchanged: as many columns as there are rows")
-    {
-        wired.send(0x36, {0x20}).send(0x2A, {0, 0, 0, 161}).send(0x2B, {0, 0, 0, 132});
-        CHECK(error() == at(17, "rows 0 to 132: the last one is 131"));
-    }
-    SUBCASE("no window")
-    {
-        wired.send(0x2C, {0});
-        CHECK(error() == at(7, "pixels before a window is set"));
-    }
-    SUBCASE("a window from before the memory access was changed")
-    {
-        window(wired, 2, 2, 1, 1).send(0x36, {0}).send(0x2C, {0});
-        CHECK(error() == at(20, "pixels before a window is set"));
-    }
-    SUBCASE("window overrun")
-    {
-        window(wired, 2, 2, 1, 1).high({1, 2, 3});
-        CHECK(error() == at(19, "more pixels than the window holds"));
-    }
-    SUBCASE("pixels outside the glass")
-    {
-        window(wired, 2, 12, 1, 1);
-        for (int i = 0; i < 11; ++i)
-            colour(wired, 1);
-        CHECK(error() == at(38, "a pixel outside the glass: column 12, row 1 of the memory"));
-    }
-    SUBCASE("half a pixel")
-    {
-        window(wired, 2, 3, 1, 1).high({1, 2, 3}).low({0x2C});
-        CHECK(error() == at(20, "command 0x2C in the middle of a pixel"));
-    }
-    SUBCASE("asleep")
-    {
-        window(wired.low({0x10}).wait(5), 2, 2, 1, 1).high({1});
-        CHECK(error() == "byte 18 at 245.000 ms: pixels before sleep out");
-    }
-    SUBCASE("sleep while the window waits")
-    {
-        colour(window(wired, 2, 3, 1, 1), 1).low({0x10});
-        CHECK(error() == at(19, "sleep while the window waits for pixels"));
-    }
-    SUBCASE("reserved bits of the memory access")
-    {
-        wired.send(0x36, {0x01});
-        CHECK(error() == at(7, "parameter 1 of 0x36 is 0x01, which is not modelled"));
-    }
-    SUBCASE("scrolling")
-    {
-        wired.send(0x37, {0, 80});
-        CHECK(error() == at(8, "parameter 2 of 0x37 is 0x50, which is not modelled"));
-    }
-    SUBCASE("data before any command")
-    {
-        wired.reset().high({0});
-        CHECK(error() == at(6, "data before any command"));
-    }
-    SUBCASE("the first mistake is kept, and nothing is decoded after it")
-    {
-        wired.low({0x02});
-        colour(window(wired, 2, 2, 1, 1), 0xFFFF);
-        CHECK(error() == at(6, "unknown command 0x02"));
-        CHECK(pixels_of<PixelFormat::rgb565>(wired.model->picture()) == std::vector<int>(60));
-    }
-}
-
-TEST_CASE("DCS models: the start-up is complete before pixels come")
-{
-    WiredModel wired{with_glass(Controller::st7789, {1, 1})};
-    wired.wait(120);
-    SUBCASE("no sleep out")
-    {
-        window(wired.send(0x36, {0}).send(0x3A, {0x55}).low({0x29}), 0, 0, 0, 0).high({0});
-        CHECK(wired.error() == "byte 16 at 120.000 ms: pixels before sleep out");
-    }
-    SUBCASE("no pixel format")
-    {
-        wired.low({0x11}).wait(5);
-        window(wired.send(0x36, {0}).low({0x29}), 0, 0, 0, 0).high({0});
-        CHECK(wired.error() == "byte 15 at 125.000 ms: pixels before 0x3A was given");
-    }
-    SUBCASE("no memory access")
-    {
-        wired.low({0x11}).wait(5);
-        window(wired.send(0x3A, {0x55}).low({0x29}), 0, 0, 0, 0).high({0});
-        CHECK(wired.error() == "byte 15 at 125.000 ms: pixels before 0x36 was given");
-    }
-    SUBCASE("settings from before a software reset")
-    {
-        start(wired).low({0x01}).wait(120).low({0x11}).wait(5);
-        window(wired.send(0x36, {0}).low({0x29}), 0, 0, 0, 0).high({0});
-        CHECK(wired.error() == "byte 22 at 485.000 ms: pixels before 0x3A was given");
-    }
-}
-
-TEST_CASE("DCS models: reset and sleep take their time")
-{
-    WiredModel wired{with_glass(Controller::st7789, {1, 1})};
-    SUBCASE("after the power came on")
-    {
-        CHECK(wired.wait(4.999).low({0x00}).error() ==
-              "byte 0 at 4.999 ms: command 0x00 too soon after reset or sleep");
-    }
-    SUBCASE("5 ms are enough for most") { CHECK(wired.wait(5).low({0x00}).error() == "none"); }
-    SUBCASE("but not for sleep out")
-    {
-        CHECK(wired.wait(119.999).low({0x11}).error() ==
-              "byte 0 at 119.999 ms: sleep out too soon: 120 ms pass after reset or sleep in");
-    }
-    SUBCASE("after the reset line")
-    {
-        wired.wait(1000).reset();
-        SUBCASE("any command")
-        {
-            CHECK(wired.wait(4).low({0x00}).error() ==
-                  "byte 0 at 1004.000 ms: command 0x00 too soon after reset or sleep");
-        }
-        SUBCASE("sleep out")
-        {
-            CHECK(wired.wait(119).low({0x11}).error() ==
-                  "byte 0 at 1119.000 ms: sleep out too soon: 120 ms pass after reset or sleep in");
-        }
-    }
-    SUBCASE("after a software reset")
-    {
-        wired.wait(1000).low({0x01});
-        SUBCASE("any command")
-        {
-            CHECK(wired.wait(4).low({0x00}).error() ==
-                  "byte 1 at 1004.000 ms: command 0x00 too soon after reset or sleep");
-        }
-        SUBCASE("sleep out")
-        {
-            CHECK(wired.wait(119).low({0x11}).error() ==
-                  "byte 1 at 1119.000 ms: sleep out too soon: 120 ms pass after reset or sleep in");
-        }
-    }
-    SUBCASE("after sleep out")
-    {
-        wired.wait(120).low({0x11});
-        SUBCASE("any command")
-        {
-            CHECK(wired.wait(4).low({0x00}).error() ==
-                  "byte 1 at 124.000 ms: command 0x00 too soon after reset or sleep");
-        }
-        SUBCASE("sleep in")
-        {
-            CHECK(wired.wait(119).low({0x10}).error() ==
-                  "byte 1 at 239.000 ms: 0x10 too soon: 120 ms pass after sleep out");
-        }
-        SUBCASE("software reset")
-        {
-            CHECK(wired.wait(119).low({0x01}).error() ==
-                  "byte 1 at 239.000 ms: 0x01 too soon: 120 ms pass after sleep out");
-        }
-        SUBCASE("which is heard once")
-        {
-            CHECK(wired.wait(100).low({0x11}).wait(20).low({0x10}).error() == "none");
-        }
-    }
-    SUBCASE("after sleep in")
-    {
-        wired.wait(120).low({0x11}).wait(120).low({0x10});
-        SUBCASE("any command")
-        {
-            CHECK(wired.wait(4).low({0x00}).error() ==
-                  "byte 2 at 244.000 ms: command 0x00 too soon after reset or sleep");
-        }
-        SUBCASE("sleep out")
-        {
-            CHECK(wired.wait(119).low({0x11}).error() ==
-                  "byte 2 at 359.000 ms: sleep out too soon: 120 ms pass after reset or sleep in");
-        }
-        SUBCASE("and all is well after 120 ms") { CHECK(wired.wait(120).low({0x11}).error() == "none"); }
-    }
-}
-
-TEST_CASE("ST7735 model: hears nothing for 120 ms after reset and sleep out")
-{
-    WiredModel wired{with_glass(Controller::st7735, {1, 1})};
-    SUBCASE("reset")
-    {
-        CHECK(wired.wait(119).low({0x00}).error() ==
-              "byte 0 at 119.000 ms: command 0x00 too soon after reset or sleep");
-    }
-    SUBCASE("sleep out")
-    {
-        CHECK(wired.wait(120).low({0x11}).wait(119).low({0x00}).error() ==
-              "byte 1 at 239.000 ms: command 0x00 too soon after reset or sleep");
-    }
-}
-
-TEST_CASE("DCS models: each knows the commands of its own vendor, and what they must not change")
-{
-    const auto error = [](Controller controller, int command, std::initializer_list<int> parameters) {
-        WiredModel wired{with_glass(controller, {1, 1})};
-        return wired.wait(120).send(command, parameters).low({0x00}).error();
-    };
-    CHECK(error(Controller::ili9341, 0xB6, {0x08, 0x82, 0x27}) == "none");
-    CHECK(error(Controller::ili9341, 0xB6, {0x08, 0xA2, 0x27, 0x00}) == "none");
-    CHECK(error(Controller::ili9341, 0xB6, {0x08, 0xC2, 0x27, 0x00}) ==
-          "byte 4 at 120.000 ms: parameter 2 of 0xB6 is 0xC2, which is not modelled");
-    CHECK(error(Controller::ili9341, 0xF6, {1, 0, 0x20}) ==
-          "byte 3 at 120.000 ms: parameter 3 of 0xF6 is 0x20, which is not modelled");
-    CHECK(error(Controller::st7789, 0xB0, {0x00, 0xC8}) ==
-          "byte 2 at 120.000 ms: parameter 2 of 0xB0 is 0xC8, which is not modelled");
-    CHECK(error(Controller::st7789, 0xB0, {0x00, 0xC0}) == "none");
-    CHECK(error(Controller::gc9a01, 0xB6, {0x00, 0x20}) == "none");
-    CHECK(error(Controller::gc9a01, 0x74, {0x10, 0x85, 0x80, 0, 0, 0x4E, 0}) == "none");
-    CHECK(error(Controller::st7735, 0xE0, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}) == "none");
-    CHECK(error(Controller::st7735, 0x51, {0}) == "byte 0 at 120.000 ms: unknown command 0x51");
-    CHECK(error(Controller::gc9a01, 0xB2, {0}) == "byte 0 at 120.000 ms: unknown command 0xB2");
-    CHECK(error(Controller::st7789, 0xCB, {0}) == "byte 0 at 120.000 ms: unknown command 0xCB");
 }
 
 }
