@@ -1,7 +1,11 @@
 #pragma once
 
+#include "core/crc32.hpp"
+
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace kfast {
@@ -47,6 +51,19 @@ void write_hex(O& output, std::uint32_t number)
 {
     for (int shift = 28; shift >= 0; shift -= 4)
         output.write("0123456789abcdef"[number >> shift & 15]);
+}
+
+/// "SCENE <bytes> <CRC-32>". `scene` holds the bytes of the scene and no others.
+template <LetterOutput O>
+void write_scene_line(O& output, std::span<const std::byte> scene)
+{
+    Crc32 checksum;
+    checksum.add(scene);
+    write_text(output, "SCENE ");
+    write_decimal(output, static_cast<std::uint32_t>(scene.size()));
+    output.write(' ');
+    write_hex(output, checksum.value());
+    output.write('\n');
 }
 
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/crc32.hpp"
 #include "core/error_text.hpp"
 #include "firmware/board.hpp"
 #include "firmware/console.hpp"
@@ -119,16 +118,7 @@ protected:
     }
 
     /// `bytes` are those of the scene and no others.
-    void tell_scene(std::span<const std::byte> bytes)
-    {
-        Crc32 checksum;
-        checksum.add(bytes);
-        write_text(console_, "SCENE ");
-        write_decimal(console_, static_cast<std::uint32_t>(bytes.size()));
-        console_.write(' ');
-        write_hex(console_, checksum.value());
-        console_.write('\n');
-    }
+    void tell_scene(std::span<const std::byte> bytes) { write_scene_line(console_, bytes); }
 
 private:
     enum class Mode { free_running, stepped, ended };

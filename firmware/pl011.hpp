@@ -12,8 +12,9 @@ class Pl011 {
 public:
     /// Where its registers begin.
     explicit constexpr Pl011(std::uint32_t address)
-        : data_{address}, flags_{address + 0x18}, whole_divisor_{address + 0x24},
-          rest_of_divisor_{address + 0x28}, line_{address + 0x2C}, control_{address + 0x30}
+        : data_{address}, flags_{address + 0x18}, whole_divisor_{address + 0x24}, rest_of_divisor_{address +
+                                                                                                   0x28},
+          line_{address + 0x2C}, control_{address + 0x30}, interrupts_{address + 0x38}
     {
     }
 
@@ -33,9 +34,16 @@ public:
         control_.write(0x301); // receiver, transmitter, on
     }
 
+    /// Whether write() need not wait.
+    bool has_room() const { return (flags_.read() & transmit_full) == 0; }
+    /// Whether bytes are still on their way.
+    bool is_sending() const { return (flags_.read() & busy) != 0; }
+    /// Whether it interrupts when much of what was written has been sent.
+    void interrupt_for_room(bool does) const { interrupts_.write(does ? room_interrupt : 0); }
+
     void write(char letter) const
     {
-        while ((flags_.read() & transmit_full) != 0) {
+        while (!has_room()) {
         }
         data_.write(static_cast<std::uint8_t>(letter));
     }
@@ -50,8 +58,10 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t busy = 1 << 3;
     static constexpr std::uint32_t receive_empty = 1 << 4;
     static constexpr std::uint32_t transmit_full = 1 << 5;
+    static constexpr std::uint32_t room_interrupt = 1 << 5;
 
     Register data_;
     Register flags_;
@@ -59,6 +69,7 @@ private:
     Register rest_of_divisor_;
     Register line_;
     Register control_;
+    Register interrupts_;
 };
 
 }

@@ -1,7 +1,6 @@
 #include "boards/pico/report.hpp"
 
 #include "boards/pico/log.hpp"
-#include "core/crc32.hpp"
 #include "core/error_text.hpp"
 #include "firmware/version.hpp"
 
@@ -29,15 +28,8 @@ void begun(const PanelSettings& panel)
 
 void scene_started(std::span<const std::byte> scene)
 {
-    if (!log.is_on()) // the sum takes time
-        return;
-    Crc32 sum;
-    sum.add(scene);
-    write_text(log, "SCENE ");
-    write_decimal(log, static_cast<std::uint32_t>(scene.size()));
-    log.write(' ');
-    write_hex(log, sum.value());
-    log.write('\n');
+    if (log.is_on()) // the sum takes time
+        write_scene_line(log, scene);
 }
 
 void event_passed(std::string_view name)

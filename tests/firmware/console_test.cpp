@@ -25,4 +25,12 @@ TEST_CASE("numbers are told without zeros before them, and in eight digits of ba
     CHECK(console.told == "0 9 10 4294967295 0012abcf");
 }
 
+TEST_CASE("a scene is told by its size and checksum")
+{
+    RecordedConsole console;
+    constexpr std::string_view digits = "123456789"; // whose CRC-32 is known everywhere
+    write_scene_line(console, std::as_bytes(std::span{digits}));
+    CHECK(console.told == "SCENE 9 cbf43926\n");
+}
+
 }
