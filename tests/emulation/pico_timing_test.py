@@ -3,17 +3,20 @@
     pico_timing_test.py <folder of kfast and kfast-panel> <folder of images>
 
 How full the bus is when every pixel changes, over SPI and in parallel; that the processor draws while DMA sends; that
-frames begin when the display has shown the one before, or do not wait when nobody tells; that they keep their pace."""
+frames begin when the display has shown the one before, or do not wait when nobody tells; that they keep their pace, and that
+a scene of flat shapes plays at sixty frames a second."""
 
 import pathlib
 import sys
 import tempfile
 
 from pico import Desk, TICKS, expect
+from pico_speed import scene_figures
 
 HERE = pathlib.Path(__file__).resolve().parent
 ALL_CHANGES = HERE / "all_changes.kfast"
 DOT = HERE / "dot.kfast"
+EYES = HERE.parents[1] / "examples" / "reference" / "eyes.kfast"
 RATE = 30  # of the dot, frames a second
 PIXELS = 240 * 240
 LEAST_SHARE = 0.95
@@ -104,6 +107,11 @@ def check_pace(desk, seconds):
     expect(run.report["starts"] == 1, "the watchdog has bitten")
 
 
+def check_sixty(desk):
+    figures = scene_figures(desk, EYES)
+    expect(figures["late"] == 0, f"{EYES.name} at 60 frames a second: {figures['late']} late, {figures['shown']} shown")
+
+
 def main(programs, images):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         desk = Desk(programs, images, folder)
@@ -112,6 +120,7 @@ def main(programs, images):
         check_tearing(desk, scene)
         check_missing_tearing(desk, scene)
         check_pace(desk, seconds=11)
+        check_sixty(desk)
     print(f"the Pico keeps time: SPI {spi / 1e6:.2f} MB/s, parallel {parallel / 1e6:.2f} MB/s")
 
 
