@@ -25,6 +25,8 @@ public:
     bool at_end() const { return beats_.at_end(); }
     /// Only when not at the end.
     BackboneKey next();
+    /// What has not been read.
+    const BeatCursor& beats() const { return beats_; }
 
 private:
     BeatCursor beats_;

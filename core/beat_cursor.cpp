@@ -6,10 +6,19 @@ namespace kfast {
 namespace {
 
 constexpr int most_law_bits = 8;
+constexpr std::uint32_t input_bit = 1 << 15;
 
 /// So that a sum does not overflow before its times are refused.
 constexpr int most_time_bits = 30;
 static_assert(kfb::max_time < 1 << most_time_bits);
+
+Clock take_input(ByteReader& bytes)
+{
+    const Clock clock{static_cast<std::uint8_t>(bytes.u8())};
+    if (clock.is_time())
+        bytes.refuse();
+    return clock;
+}
 
 }
 
@@ -30,9 +39,11 @@ BeatCursor BeatCursor::take(ByteReader& bytes, const BeatCursor& usual)
     beats.count_ = count;
     beats.time_bits_ = form & 31;
     beats.time_shift_ = form >> 5 & 15;
-    beats.law_bits_ = static_cast<std::uint8_t>(form >> 9);
+    beats.law_bits_ = form >> 9 & 63;
     if (beats.law_bits_ > most_law_bits || beats.time_bits_ + beats.time_shift_ > most_time_bits)
         bytes.refuse();
+    if ((form & input_bit) != 0)
+        beats.clock_ = take_input(bytes);
     beats.bits_ = BitReader::take(bytes, count, std::uint32_t{beats.time_bits_} + beats.law_bits_);
     return beats;
 }

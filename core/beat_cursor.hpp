@@ -2,13 +2,15 @@
 
 #include "core/bit_reader.hpp"
 #include "core/byte_reader.hpp"
+#include "core/clock.hpp"
 #include "core/time.hpp"
 
 #include <cstdint>
 
 namespace kfast {
 
-/// A moment at which something has a key, and what governs the way from it to the next.
+/// A moment at which something has a key, on the clock that it goes by, and what governs the way from it to
+/// the next.
 struct Beat {
     Time time;
     std::uint32_t laws = 0;  ///< number of the pair of laws
@@ -31,6 +33,8 @@ public:
     Beat next();
     /// Of all of them.
     std::uint32_t count() const { return count_; }
+    /// What their times count.
+    Clock clock() const { return clock_; }
 
 private:
     BitReader bits_;
@@ -40,6 +44,7 @@ private:
     std::uint8_t time_bits_ = 0;
     std::uint8_t time_shift_ = 0;
     std::uint8_t law_bits_ = 0;
+    Clock clock_;
 };
 
 }

@@ -1,5 +1,6 @@
 #include "core/bone_check.hpp"
 
+#include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 
 namespace kfast {
@@ -24,14 +25,17 @@ bool is_within(std::int32_t value, ValueRange range) { return value >= range.lea
 /// Of one skeleton.
 class BoneCheck {
 public:
-    BoneCheck(const BonesView& bones, std::uint32_t laws) : bones_{bones}, laws_{laws} {}
+    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t inputs)
+        : bones_{bones}, laws_{laws}, inputs_{inputs}
+    {
+    }
 
     bool passes() const { return check_common_keys() && check_bones(); }
 
 private:
-    bool is_key(Time before, Time time, std::uint32_t laws) const
+    bool is_key(Clock clock, Time before, Time time, std::uint32_t laws) const
     {
-        return time > before && time.ticks <= kfb::max_time && laws <= laws_;
+        return time > before && is_key_moment(clock, time, inputs_) && laws <= laws_;
     }
 
     bool check_common_keys() const
@@ -39,7 +43,7 @@ private:
         BeatCursor beats = bones_.common_beats();
         for (Time before{-1}; !beats.at_end();) {
             const Beat beat = beats.next();
-            if (!is_key(before, beat.time, beat.laws))
+            if (!is_key(beats.clock(), before, beat.time, beat.laws))
                 return false;
             before = beat.time;
         }
@@ -80,7 +84,7 @@ private:
             return false;
         for (Time before{-1}; !keys.at_end();) {
             const TrackKey key = keys.next();
-            if (!is_key(before, key.time, key.laws) || !is_within(key.value, range))
+            if (!is_key(keys.beats().clock(), before, key.time, key.laws) || !is_within(key.value, range))
                 return false;
             before = key.time;
         }
@@ -89,6 +93,7 @@ private:
 
     const BonesView& bones_;
     std::uint32_t laws_;
+    std::uint32_t inputs_;
 };
 
 }
@@ -98,7 +103,7 @@ bool bones_are_sound(const SceneView& scene, std::uint32_t laws)
     std::uint32_t skeletons = 0;
     for (BonesCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
         const BonesView bones = cursor.next();
-        if (cursor.overrun() || bones.count() == 0 || !BoneCheck{bones, laws}.passes())
+        if (cursor.overrun() || bones.count() == 0 || !BoneCheck{bones, laws, scene.input_count()}.passes())
             return false;
     }
     return skeletons <= kfb::max_bones;

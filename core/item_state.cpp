@@ -24,7 +24,7 @@ Passage passage_between(const SceneView& scene, Property property, const KeyInte
 Still still_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys, Time time)
 {
     if (keys.from.value == keys.to.value || !tweens(property))
-        return {keys.from.time, keys.to.time};
+        return {.begin = keys.from.time, .end = keys.to.time};
     const LawPair laws = scene.laws(keys.from.laws);
     const VelocityLaw& law = goes_by_y(property) ? laws.y : laws.x;
     return still_between(keys.from.time, keys.to.time, time, {law, law});
@@ -75,7 +75,7 @@ std::int64_t within_shift(std::int64_t shift)
 
 }
 
-ItemState::ItemState(const SceneView& scene, const ItemView& item, Time time) : fine_{}
+ItemState::ItemState(const SceneView& scene, const ItemView& item, const Moment& moment) : fine_{}
 {
     const ObjectStyle& style = item.object.style;
     for (std::size_t i = 0; i < property_count; ++i)
@@ -86,24 +86,28 @@ ItemState::ItemState(const SceneView& scene, const ItemView& item, Time time) : 
     if (style.is_stroked)
         stroke_ = scene.colour(style.stroke);
     for (TrackCursor tracks = item.tracks; !tracks.at_end();)
-        read(scene, tracks.next(), time);
+        read(scene, tracks.next(), moment);
     if (item.path.is_known)
         follow(item.path, scene.drawing(item.path.drawing));
 }
 
-void ItemState::read(const SceneView& scene, const TrackView& track, Time time)
+void ItemState::read(const SceneView& scene, const TrackView& track, const Moment& moment)
 {
     did(Work::track);
     if (track.is_fixed)
         return take(scene, track.property, {track.value, track.value, {}});
+    const Clock clock = track.keys.beats().clock();
+    const Time time = moment.at(clock);
     if (track.is_smooth) {
         const HermiteSpan span = hermite_span_at(track.keys, time);
-        still_ = still_ & still_around<KeyTime>({span.from, span.to}, time, moving_at(time));
+        const Still still = still_around<KeyTime>({span.from, span.to}, time, moving_at(time));
+        still_ = still_ & still_by_clock(clock, still);
         fine_[static_cast<std::size_t>(track.property)] = hermite(span, time);
         return;
     }
     const KeyInterval<TrackKey> keys = interval_at(track.keys, time);
-    still_ = still_ & still_around(keys, time, still_between(scene, track.property, keys, time));
+    const Still still = still_around(keys, time, still_between(scene, track.property, keys, time));
+    still_ = still_ & still_by_clock(clock, still);
     take(scene, track.property, passage_between(scene, track.property, keys, time));
 }
 
@@ -189,12 +193,13 @@ Fixed ItemState::pixels(Property property) const
     return Fixed::from_raw(fine(property) * (Fixed::one >> (4 + fine_bits)));
 }
 
-std::int32_t order_at(const ItemView& item, Time time)
+std::int32_t order_at(const ItemView& item, const Moment& moment)
 {
     for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
         const TrackView track = tracks.next();
         if (track.property == Property::order)
-            return track.is_fixed ? track.value : interval_at(track.keys, time).from.value;
+            return track.is_fixed ? track.value
+                                  : interval_at(track.keys, moment.at(track.keys.beats().clock())).from.value;
     }
     return 0;
 }

@@ -3,6 +3,7 @@
 #include "core/angle.hpp"
 #include "core/colour.hpp"
 #include "core/item_view.hpp"
+#include "core/moment.hpp"
 #include "core/passage.hpp"
 #include "core/scene_view.hpp"
 #include "core/space.hpp"
@@ -17,7 +18,7 @@ namespace kfast {
 /// What the tracks of an item come to at one moment.
 class ItemState {
 public:
-    ItemState(const SceneView& scene, const ItemView& item, Time time);
+    ItemState(const SceneView& scene, const ItemView& item, const Moment& moment);
 
     /// How long all of it stays as it is.
     const Still& still() const { return still_; }
@@ -33,7 +34,7 @@ public:
     Fixed width() const;
 
 private:
-    void read(const SceneView& scene, const TrackView& track, Time time);
+    void read(const SceneView& scene, const TrackView& track, const Moment& moment);
     void take(const SceneView& scene, Property property, const Passage& passage);
     std::int32_t fine(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
     std::int32_t whole(Property property) const;
@@ -50,7 +51,7 @@ private:
     Still still_;
 };
 
-/// The place of an item among those beside it: Property::order at `time`.
-std::int32_t order_at(const ItemView& item, Time time);
+/// The place of an item among those beside it: Property::order at `moment`.
+std::int32_t order_at(const ItemView& item, const Moment& moment);
 
 }

@@ -65,10 +65,11 @@ std::int32_t factor(std::int64_t stretch, std::int64_t a, std::int64_t b)
 /// The common beats of a skeleton at one moment.
 class CommonMoment {
 public:
-    CommonMoment(const SceneView& scene, const BonesView& bones, Time time)
+    CommonMoment(const SceneView& scene, const BonesView& bones, const Moment& moment)
     {
         if (bones.common_beats().at_end())
             return;
+        const Time time = moment.at(bones.common_beats().clock());
         const auto [from, to] = interval_at(bones.common_beats(), time);
         from_ = from.index;
         to_ = to.index;
@@ -89,8 +90,8 @@ private:
 /// Reads what the quantities of bones come to at one moment.
 class PoseReader {
 public:
-    PoseReader(const SceneView& scene, const BonesView& bones, Time time)
-        : scene_{scene}, time_{time}, common_{scene, bones, time}
+    PoseReader(const SceneView& scene, const BonesView& bones, const Moment& moment)
+        : scene_{scene}, moment_{moment}, common_{scene, bones, moment}
     {
     }
 
@@ -108,9 +109,10 @@ private:
     {
         const BoneKeys& keys = bone.keys_of(quantity);
         const LawAxis axis = quantity == BoneQuantity::y ? LawAxis::y : LawAxis::x;
-        Passage passage = keys.kind() == BoneKeys::Kind::common
-                              ? common_.passage(keys, axis)
-                              : passage_at(scene_, keys.keys(), axis, time_);
+        Passage passage =
+            keys.kind() == BoneKeys::Kind::common
+                ? common_.passage(keys, axis)
+                : passage_at(scene_, keys.keys(), axis, moment_.at(keys.keys().beats().clock()));
         if (quantity == BoneQuantity::angle && !bone.turns_as_written)
             passage.to = passage.from + shortest_turn(BinaryAngle::from_raw(passage.from),
                                                       BinaryAngle::from_raw(passage.to));
@@ -118,7 +120,7 @@ private:
     }
 
     const SceneView& scene_;
-    Time time_;
+    Moment moment_;
     CommonMoment common_;
 };
 
@@ -168,11 +170,11 @@ void set_up_bones(const SceneView& scene, std::span<LiveBone> live)
     }
 }
 
-void pose_bones(const SceneView& scene, Time time, std::span<LiveBone> live)
+void pose_bones(const SceneView& scene, const Moment& moment, std::span<LiveBone> live)
 {
     for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();) {
         const BonesView view = skeletons.next();
-        const PoseReader pose{scene, view, time};
+        const PoseReader pose{scene, view, moment};
         std::size_t number = 0;
         for (BoneCursor bones = view.bones(); !bones.at_end(); ++number) {
             const BoneView bone = bones.next();

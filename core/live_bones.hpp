@@ -2,9 +2,9 @@
 
 #include "core/angle.hpp"
 #include "core/bone_view.hpp"
+#include "core/moment.hpp"
 #include "core/point.hpp"
 #include "core/scene_view.hpp"
-#include "core/time.hpp"
 
 #include <cstdint>
 #include <span>
@@ -48,12 +48,12 @@ private:
 /// Sets up all bones of the scene's skeletons; `bones` has room for scene.bone_count().
 void set_up_bones(const SceneView& scene, std::span<LiveBone> bones);
 
-/// Poses them as at `time`; they have been set up.
+/// Poses them as at `moment`; they have been set up.
 ///
 /// Points up to 140 px away from the origins of their bones, none shorter than 4 px, are within 1/32 px of
 /// what the stored values say, eight bones deep; within 1/16 px where angles as written turn twice on one
 /// way. The shares of ways and the lengths are rounded: errors grow with the turns, and with distance per
 /// length.
-void pose_bones(const SceneView& scene, Time time, std::span<LiveBone> bones);
+void pose_bones(const SceneView& scene, const Moment& moment, std::span<LiveBone> bones);
 
 }

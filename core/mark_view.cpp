@@ -1,22 +1,9 @@
 #include "core/mark_view.hpp"
 
+#include "core/name_reader.hpp"
 #include "core/time_code.hpp"
 
-#include <algorithm>
-
 namespace kfast {
-namespace {
-
-std::string_view read_name(ByteReader& bytes)
-{
-    const std::size_t length = bytes.u8();
-    const auto* letters = reinterpret_cast<const char*>(bytes.rest().data());
-    const std::string_view name{letters, std::min(length, bytes.left())};
-    bytes.skip(length);
-    return name;
-}
-
-}
 
 ClipView ClipCursor::next()
 {

@@ -24,7 +24,8 @@ void forget_partners(TracedPicture& picture)
 bool has_same_outlines(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
                        const PaintStep& after)
 {
-    return (before.still == after.still && shown.coarseness == coming.coarseness) ||
+    return (before.still == after.still && before.still.inputs == 0 &&
+            shown.coarseness == coming.coarseness) ||
            shown.outlines.is_equal(before.layer.outlines, coming.outlines, after.layer.outlines);
 }
 

@@ -26,8 +26,8 @@ bool any_has_order(ItemCursor items)
     return false;
 }
 
-PaintOrder::PaintOrder(ItemCursor items, Time time)
-    : all_{items}, rest_{items}, time_{time}, is_ordered_{any_has_order(items)}
+PaintOrder::PaintOrder(ItemCursor items, const Moment& moment)
+    : all_{items}, rest_{items}, moment_{moment}, is_ordered_{any_has_order(items)}
 {
 }
 
@@ -45,7 +45,7 @@ std::optional<ItemView> PaintOrder::next_by_order()
     for (;;) {
         while (!rest_.at_end()) {
             const ItemView item = rest_.next();
-            const std::int32_t order = order_at(item, time_);
+            const std::int32_t order = order_at(item, moment_);
             if (order == order_)
                 return item;
             if (order > order_)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/item_view.hpp"
-#include "core/time.hpp"
+#include "core/moment.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -20,7 +20,7 @@ bool any_has_order(ItemCursor items);
 /// each other then.
 class PaintOrder {
 public:
-    PaintOrder(ItemCursor items, Time time);
+    PaintOrder(ItemCursor items, const Moment& moment);
 
     /// Nothing after the last item.
     std::optional<ItemView> next();
@@ -32,7 +32,7 @@ private:
 
     ItemCursor all_;
     ItemCursor rest_;
-    Time time_;
+    Moment moment_;
     bool is_ordered_ = false;
     std::int32_t order_ = std::numeric_limits<std::int32_t>::min(); ///< of the items that are painted now
     std::int32_t next_order_ = none;                                ///< the lowest above it, of those passed

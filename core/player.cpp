@@ -20,17 +20,22 @@ struct BlockPlan {
     std::size_t spans = span_count * sizeof(CoveredSpan);
     std::size_t bones;
     std::size_t nodes;
+    std::size_t inputs;
     std::size_t backdrops;
 
     BlockPlan(const SceneView& scene, Size panel)
         : outlines{outline_bytes(scene, panel)}, steps{scene.paint_steps() * sizeof(PaintStep)},
           cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)},
           bones{scene.bone_count() * sizeof(LiveBone)}, nodes{scene.backbone_nodes() * sizeof(BackboneNode)},
-          backdrops{scene.blended_depth() * widest_pixel * static_cast<std::size_t>(panel.width)}
+          inputs{scene.input_count() * sizeof(Time)}, backdrops{scene.blended_depth() * widest_pixel *
+                                                                static_cast<std::size_t>(panel.width)}
     {
     }
 
-    std::size_t size() const { return 2 * (outlines + steps) + cells + spans + bones + nodes + backdrops; }
+    std::size_t size() const
+    {
+        return 2 * (outlines + steps) + cells + spans + bones + nodes + inputs + backdrops;
+    }
 
     /// A panel that is larger than the canvas needs curves of more pieces: their number grows with the square
     /// root of the size, and doubles at a time.
@@ -94,6 +99,16 @@ std::span<std::int32_t> zeroed(std::span<std::int32_t> cells)
     return cells;
 }
 
+std::span<Time> at_usual_places(const SceneView& scene, std::span<Time> inputs)
+{
+    InputCursor cursor = scene.inputs();
+    for (Time& place : inputs) {
+        const InputView input = cursor.next();
+        place = input.place_of(input.usual);
+    }
+    return inputs;
+}
+
 }
 
 std::size_t Player::block_bytes(const SceneView& scene, Size panel) { return BlockPlan{scene, panel}.size(); }
@@ -119,6 +134,7 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
     strips_ = ChangedStrips{cutter.cut_as<CoveredSpan>(plan.spans), panel};
     on_panel_.bones = cutter.cut_as<LiveBone>(plan.bones);
     on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(plan.nodes);
+    inputs_ = at_usual_places(scene, cutter.cut_as<Time>(plan.inputs));
     backdrops_ = cutter.cut(plan.backdrops);
     set_up_bones(scene, on_panel_.bones);
     trace({});
@@ -130,10 +146,11 @@ void Player::show_moment(Time moment)
 {
     moment = std::clamp(moment, Time{}, scene().length());
     next_row_ = 0;
-    if (coming().still.contains(moment))
+    if (coming().still.holds(moment, moved_since_coming_))
         return;
     if (progress_ == Progress::done) {
         coming_ = 1 - coming_;
+        moved_since_shown_ = moved_since_coming_;
         knows_panel_ = true;
     } else if (progress_ == Progress::begun) {
         knows_panel_ = false;
@@ -142,11 +159,23 @@ void Player::show_moment(Time moment)
     trace(moment);
 }
 
-void Player::trace(Time moment)
+void Player::trace(Time time)
 {
+    const Moment moment{time, inputs_};
     pose_bones(scene(), moment, on_panel_.bones);
     const bool may_share = knows_panel_ && shown().coarseness == 0;
-    Tracer{on_panel_, moment, coming(), may_share ? &shown() : nullptr}.run();
+    Tracer{on_panel_, moment, coming(), may_share ? &shown() : nullptr, moved_since_shown_}.run();
+    moved_since_coming_ = 0;
+}
+
+void Player::set_input(std::uint32_t number, Time place)
+{
+    const Time held = std::clamp(place, Time{}, whole_input);
+    if (inputs_[number] == held)
+        return;
+    inputs_[number] = held;
+    moved_since_shown_ |= bit_of_input(number);
+    moved_since_coming_ |= bit_of_input(number);
 }
 
 void Player::redraw()

@@ -27,8 +27,8 @@ struct Change {
 
 /// Draws any moment of a scene, rows from the top down, in memory that the caller lends.
 ///
-/// The picture depends on scene, time, fit and panel size alone: not on earlier pictures, nor on how its rows
-/// are divided into bands or areas.
+/// The picture depends on scene, time, inputs, fit and panel size alone: not on earlier pictures, nor on how
+/// its rows are divided into bands or areas.
 class Player {
 public:
     /// The sides of a panel are 1 … max_panel pixels long.
@@ -46,6 +46,11 @@ public:
     void show(Time time);
     /// As show(), but without loop: the scene's beginning before it and its very end from there on.
     void show_moment(Time moment);
+
+    /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
+    /// within 0 … whole_input (InputView::place_of). At first inputs stand at their usual values.
+    void set_input(std::uint32_t number, Time place);
+    Time input(std::uint32_t number) const { return inputs_[number]; }
 
     /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
     /// `pixels` is aligned to 2 if pixels are 16 bits (a Cortex-M0 faults otherwise). The first call after
@@ -77,7 +82,7 @@ private:
 
     TracedPicture& coming() { return pictures_[coming_]; }
     TracedPicture& shown() { return pictures_[1 - coming_]; }
-    void trace(Time moment);
+    void trace(Time time);
     void begin_changes();
     const Strip& next_whole_rows(int rows);
     template <PixelFormat format>
@@ -98,6 +103,9 @@ private:
     SceneOnPanel on_panel_;
     Size panel_;
     Colour background_;
+    std::span<Time> inputs_;               ///< where each of them stands
+    std::uint32_t moved_since_shown_ = 0;  ///< a bit for each input that has, since shown() was traced
+    std::uint32_t moved_since_coming_ = 0; ///< likewise, since coming() was
     std::array<TracedPicture, 2> pictures_;
     std::uint8_t coming_ = 0;
     Progress progress_ = Progress::none;

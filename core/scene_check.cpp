@@ -2,6 +2,7 @@
 
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
+#include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
 #include "core/paint_order.hpp"
@@ -89,8 +90,8 @@ bool are_backbones(PackedDrawing drawing)
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && check_clips() && check_events() && check_bones() &&
-           check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
+    return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
+           check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
            count_items(scene_.items(), 0, 0);
 }
 
@@ -113,6 +114,22 @@ bool SceneCheck::check_laws() const
             return false;
     }
     return true;
+}
+
+bool SceneCheck::check_inputs() const
+{
+    const auto is_value = [](std::int32_t value) {
+        return value >= -kfb::max_input_value && value <= kfb::max_input_value;
+    };
+    InputCursor inputs = scene_.inputs();
+    while (!inputs.at_end()) {
+        const InputView input = inputs.next();
+        if (inputs.rest().overrun() || input.name.empty() || !is_value(input.least) ||
+            !is_value(input.most) || input.most <= input.least || input.usual < input.least ||
+            input.usual > input.most)
+            return false;
+    }
+    return scene_.input_count() <= kfb::max_inputs && inputs.rest().left() == 0;
 }
 
 bool SceneCheck::check_clips() const
@@ -213,12 +230,17 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) c
         return false;
     for (Time before{-1}; !keys.at_end();) {
         const TrackKey key = keys.next();
-        if (key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+        if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
             !check_value(track, key.value))
             return false;
         before = key.time;
     }
     return true;
+}
+
+bool SceneCheck::is_moment(Clock clock, Time time) const
+{
+    return is_key_moment(clock, time, scene_.input_count());
 }
 
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
@@ -252,7 +274,7 @@ bool SceneCheck::check_keys(const ObjectView& object)
     const std::uint32_t bones = bones_of(scene_, object);
     for (Time before{-1}; !keys.at_end();) {
         const Key key = keys.next();
-        if (key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+        if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
             !check_drawing(key.drawing))
             return false;
         if (object.has_arrivals && !check_drawing(key.arrival))
@@ -329,7 +351,7 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
     const std::uint32_t first = backbones.keys().next().drawing;
     for (Time before{-1}; !keys.at_end();) {
         const BackboneKey key = keys.next();
-        if (key.time <= before || key.time.ticks > kfb::max_time || !is_law(key.laws) ||
+        if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
             !check_drawing(key.drawing) || !are_backbones(scene_.drawing(key.drawing)) ||
             !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(first)))
             return false;

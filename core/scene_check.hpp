@@ -16,6 +16,7 @@ public:
 private:
     bool check_header() const;
     bool check_laws() const;
+    bool check_inputs() const;
     bool check_clips() const;
     bool check_events() const;
     bool check_bones();
@@ -33,6 +34,7 @@ private:
     bool check_carrier(const ObjectView& object);
     bool check_backbones(const BackbonesView& backbones);
     bool check_skin(const Key& key, std::uint32_t bones);
+    bool is_moment(Clock clock, Time time) const;
     bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }
 
     bool count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended);

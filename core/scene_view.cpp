@@ -21,7 +21,7 @@ constexpr std::uint32_t opacity_bit = 1 << 3;
 constexpr std::uint32_t marks_bit = 1 << 4;
 constexpr std::uint32_t bones_bit = 1 << 5;
 constexpr std::uint32_t symbols_bit = 1 << 6;
-constexpr std::uint32_t unused_bit = 1 << 7;
+constexpr std::uint32_t inputs_bit = 1 << 7;
 
 /// Beyond the format's limit it stays beyond it.
 std::uint32_t read_outline_bytes(ByteReader& bytes)
@@ -78,6 +78,10 @@ bool SceneView::read_sections(ByteReader reader)
     laws_ = reader;
     for (std::uint32_t pair = 0; pair < law_count_; ++pair)
         read_law_pair(reader);
+    if ((head & inputs_bit) != 0) {
+        input_count_ = reader.u8();
+        inputs_ = take_block(reader);
+    }
     if ((head & marks_bit) != 0)
         marks_ = take_block(reader);
     if ((head & bones_bit) != 0)
@@ -88,7 +92,7 @@ bool SceneView::read_sections(ByteReader reader)
     }
     items_ = take_block(reader);
     drawings_ = reader.rest();
-    return !reader.overrun() && (head & unused_bit) == 0;
+    return !reader.overrun();
 }
 
 Colour SceneView::colour(std::size_t index) const
@@ -132,6 +136,15 @@ ItemCursor SceneView::symbol(std::uint32_t number) const
     for (; number > 0; --number)
         reader.skip(reader.varint());
     return ItemCursor{reader.take(reader.varint())};
+}
+
+std::optional<std::uint32_t> SceneView::input(std::string_view name) const
+{
+    std::uint32_t number = 0;
+    for (InputCursor cursor = inputs(); !cursor.at_end(); ++number)
+        if (cursor.next().name == name)
+            return number;
+    return std::nullopt;
 }
 
 ClipCursor SceneView::clips() const

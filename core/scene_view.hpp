@@ -3,6 +3,7 @@
 #include "core/bone_view.hpp"
 #include "core/byte_reader.hpp"
 #include "core/colour.hpp"
+#include "core/input_view.hpp"
 #include "core/item_view.hpp"
 #include "core/law_pair.hpp"
 #include "core/mark_view.hpp"
@@ -75,6 +76,11 @@ public:
     SkinReader skin(std::int32_t skin) const;
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
+    /// Numbers that keys may go by.
+    InputCursor inputs() const { return {inputs_, input_count_}; }
+    std::uint32_t input_count() const { return input_count_; }
+    /// The number of the input that has this name.
+    std::optional<std::uint32_t> input(std::string_view name) const;
     ClipCursor clips() const;
     std::optional<ClipView> clip(std::string_view name) const;
     /// In the order of their times.
@@ -100,9 +106,11 @@ private:
     std::size_t backbone_nodes_ = 0;
     std::uint32_t law_count_ = 0;
     std::uint32_t symbol_count_ = 0;
+    std::uint32_t input_count_ = 0;
     std::size_t colour_bytes_ = 3; ///< 4 if they have opacities
     std::span<const std::byte> palette_;
     ByteReader laws_;
+    ByteReader inputs_;
     ByteReader marks_;
     ByteReader bones_;
     ByteReader symbols_;

@@ -21,14 +21,14 @@ Still still_in_step(const VelocityLaw& law, Time from, Time to, Time moment)
     const Way way = progress_between(from, to, moment, {law, law}).x;
     const auto step = (static_cast<std::uint32_t>(way.raw) * law.steps + Way::one / 2) / Way::one;
     const Time doubt{(to - from).ticks / Way::one + 1};
-    return {std::min(moment, time_at(from, to, step, law.steps) + doubt + Time{1}),
-            std::max(moment + Time{1}, time_at(from, to, step + 1, law.steps) - doubt)};
+    return {.begin = std::min(moment, time_at(from, to, step, law.steps) + doubt + Time{1}),
+            .end = std::max(moment + Time{1}, time_at(from, to, step + 1, law.steps) - doubt)};
 }
 
 Still still_by(const VelocityLaw& law, Time from, Time to, Time moment)
 {
     if (law.kind == VelocityLaw::Kind::hold)
-        return {from, to};
+        return {.begin = from, .end = to};
     const bool is_stepped = law.kind == VelocityLaw::Kind::steps && moment >= from && moment < to;
     return is_stepped ? still_in_step(law, from, to, moment) : moving_at(moment);
 }

@@ -96,7 +96,8 @@ bool Tracer::copy_still(const Context& context)
     while (first < furthest && steps[first].item != context.path)
         ++first;
     std::size_t end = first;
-    while (end < steps.size() && steps[end].item == context.path && steps[end].still.contains(moment_))
+    while (end < steps.size() && steps[end].item == context.path &&
+           steps[end].still.holds(moment_.time(), moved_))
         ++end;
     const bool is_still = first < furthest && (end == steps.size() || steps[end].item != context.path);
     if (!is_still)
@@ -117,16 +118,19 @@ void Tracer::copy(const PaintStep& step)
 
 void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
 {
-    const KeyInterval<Key> keys = interval_at(object.keys(), moment_);
+    const KeyCursor all_keys = object.keys();
+    const Clock clock = all_keys.beats().clock();
+    const Time time = moment_.at(clock);
+    const KeyInterval<Key> keys = interval_at(all_keys, time);
     Context context = outer;
-    context.still = outer.still & still_of(object, keys);
+    context.still = outer.still & still_of(object, keys, clock);
     picture_.still = picture_.still & context.still;
     const ObjectStyle& style = object.style;
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
     ObjectOutline outline{picture_.outlines, is_flat ? nullptr : &projection, picture_.coarseness};
     const auto trace = [&] {
-        trace_strokes(object, keys, is_flat ? context.space.plane : Affine{}, outline);
+        trace_strokes(object, keys, time, is_flat ? context.space.plane : Affine{}, outline);
     };
     if (style.is_filled)
         add_layer(state.fill(), style.fill_rule, context, trace);
@@ -138,25 +142,26 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, cons
     add_layer(state.stroke(), FillRule::nonzero, context, trace);
 }
 
-Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys) const
+Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys, Clock clock) const
 {
     if (object.carrier != Carrier::none)
-        return moving_at(moment_);
+        return moving_with_any_input(moment_.time());
+    const Time time = moment_.at(clock);
     const std::uint32_t to = object.has_arrivals ? keys.from.arrival : keys.to.drawing;
     const Time begin = keys.from.time;
     const Time end = keys.to.time;
-    return still_around(keys, moment_,
-                        keys.from.drawing == to
-                            ? Still{begin, end}
-                            : still_between(begin, end, moment_, on_panel_.scene.laws(keys.from.laws)));
+    const Still between = keys.from.drawing == to
+                              ? Still{.begin = begin, .end = end}
+                              : still_between(begin, end, time, on_panel_.scene.laws(keys.from.laws));
+    return still_by_clock(clock, still_around(keys, time, between));
 }
 
-void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
-                           ObjectOutline& outline)
+void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, Time time,
+                           const Affine& placement, ObjectOutline& outline)
 {
     did(Work::object);
     const auto& [from, next] = keys;
-    const Progress way = progress_between(from.time, next.time, moment_, on_panel_.scene.laws(from.laws));
+    const Progress way = progress_between(from.time, next.time, time, on_panel_.scene.laws(from.laws));
     const bool is_on_key = way.x == Way{} && way.y == Way{};
     const CarriedDrawing begin = carried(object, from.drawing, from.skin);
     const std::uint32_t to = object.has_arrivals ? from.arrival : next.drawing;
@@ -181,9 +186,11 @@ CarriedDrawing Tracer::carried(const ObjectView& object, std::uint32_t drawing, 
 LiveBackbones Tracer::backbones_of(const ObjectView& object) const
 {
     const SceneView& scene = on_panel_.scene;
-    const auto [from, to] = interval_at(object.backbones.keys(), moment_);
+    const BackboneKeyCursor keys = object.backbones.keys();
+    const Time time = moment_.at(keys.beats().clock());
+    const auto [from, to] = interval_at(keys, time);
     return {on_panel_.backbone_nodes, object.backbones.unit_bits, scene.drawing(from.drawing),
-            scene.drawing(to.drawing), progress_between(from.time, to.time, moment_, scene.laws(from.laws))};
+            scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
 }
 
 /// Of the drawing of a key, or of the backbones that carry it.

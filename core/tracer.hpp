@@ -5,12 +5,12 @@
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
+#include "core/moment.hpp"
 #include "core/object_outline.hpp"
 #include "core/projection.hpp"
 #include "core/scene_view.hpp"
 #include "core/space.hpp"
 #include "core/stroke_outline.hpp"
-#include "core/time.hpp"
 #include "core/traced_picture.hpp"
 
 #include <cstddef>
@@ -31,9 +31,11 @@ struct SceneOnPanel {
 /// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
 class Tracer {
 public:
-    /// What `last` shares with the moment is copied; nothing is if it is null.
-    Tracer(const SceneOnPanel& scene, Time moment, TracedPicture& picture, const TracedPicture* last)
-        : on_panel_{scene}, moment_{moment}, picture_{picture}, last_{last}
+    /// What `last` shares with the moment is copied; nothing is if it is null. `moved` has a bit for each
+    /// input that has moved since then.
+    Tracer(const SceneOnPanel& scene, const Moment& moment, TracedPicture& picture, const TracedPicture* last,
+           std::uint32_t moved)
+        : on_panel_{scene}, moment_{moment}, picture_{picture}, last_{last}, moved_{moved}
     {
     }
 
@@ -58,9 +60,9 @@ private:
     void trace(const ItemView& item, const Context& context);
     void trace(const ItemView& item, const ItemState& state, const Context& context);
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
-    void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, const Affine& placement,
-                       ObjectOutline& outline);
-    Still still_of(const ObjectView& object, const KeyInterval<Key>& keys) const;
+    void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, Time time,
+                       const Affine& placement, ObjectOutline& outline);
+    Still still_of(const ObjectView& object, const KeyInterval<Key>& keys, Clock clock) const;
     CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::int32_t skin) const;
     LiveBackbones backbones_of(const ObjectView& object) const;
     Point first_point(const ObjectView& object, const Key& key) const;
@@ -71,9 +73,10 @@ private:
     void add_layer(Colour colour, FillRule rule, const Context& context, Trace trace);
 
     const SceneOnPanel& on_panel_;
-    Time moment_;
+    Moment moment_;
     TracedPicture& picture_;
     const TracedPicture* last_;
+    std::uint32_t moved_;
     std::size_t last_step_ = 0; ///< of `last_`, from which on still items are looked for
 };
 
