@@ -19,7 +19,7 @@ void write_backbones(const scene::Object& object, std::uint32_t unit_bits, LawTa
         offsets.push_back(drawings.offset_of(drawing_of(key.backbones)));
     }
     bytes.u8(unit_bits);
-    write_beats(beats, one_beat, bytes);
+    write_beats({beats, object.clock}, one_beat, bytes);
     write_values(offsets, bytes);
 }
 

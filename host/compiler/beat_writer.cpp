@@ -10,6 +10,7 @@ namespace kfast {
 namespace {
 
 constexpr int most_shift = 15;
+constexpr std::uint32_t input_bit = 1 << 15;
 
 /// The time of each since the one before.
 std::vector<std::uint32_t> steps_of(const Beats& beats)
@@ -27,17 +28,21 @@ std::uint32_t bits_for(std::uint32_t largest) { return static_cast<std::uint32_t
 
 }
 
-void write_beats(const Beats& beats, const Beats& usual, ByteWriter& bytes)
+void write_beats(const ClockedBeats& clocked, const ClockedBeats& usual, ByteWriter& bytes)
 {
-    if (beats == usual)
+    if (clocked == usual)
         return bytes.varint(0);
+    const auto& [beats, clock] = clocked;
     const std::vector<std::uint32_t> steps = steps_of(beats);
     const std::uint32_t all_bits = std::reduce(steps.begin(), steps.end(), 0U, std::bit_or{});
     const int shift = all_bits == 0 ? 0 : std::min(std::countr_zero(all_bits), most_shift);
     const std::uint32_t time_bits = bits_for(std::ranges::max(steps) >> shift);
     const std::uint32_t law_bits = bits_for(std::ranges::max(beats, {}, &WrittenBeat::laws).laws);
     bytes.varint(static_cast<std::uint32_t>(beats.size()));
-    bytes.u16(time_bits | static_cast<std::uint32_t>(shift) << 5 | law_bits << 9);
+    bytes.u16(time_bits | static_cast<std::uint32_t>(shift) << 5 | law_bits << 9 |
+              (clock.is_time() ? 0 : input_bit));
+    if (!clock.is_time())
+        bytes.u8(clock.input);
     BitWriter bits{bytes};
     for (std::size_t i = 0; i < beats.size(); ++i) {
         bits.number(steps[i] >> shift, time_bits);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/clock.hpp"
 #include "core/time.hpp"
 #include "host/compiler/byte_writer.hpp"
 
@@ -19,11 +20,19 @@ struct WrittenBeat {
 
 using Beats = std::vector<WrittenBeat>;
 
+/// Beats, and what their times count.
+struct ClockedBeats {
+    Beats beats = {};
+    Clock clock = {};
+
+    friend auto operator<=>(const ClockedBeats&, const ClockedBeats&) = default;
+};
+
 /// Appends at least one beat as the core's BeatCursor reads them (docs/format.md, "Beats"); only says so if
 /// they are `usual` where they stand.
-void write_beats(const Beats& beats, const Beats& usual, ByteWriter& bytes);
+void write_beats(const ClockedBeats& clocked, const ClockedBeats& usual, ByteWriter& bytes);
 
 /// The usual beats of what has keys of its own: a single one, at 0.
-inline const Beats one_beat{{}};
+inline const ClockedBeats one_beat{{{}}};
 
 }

@@ -67,16 +67,16 @@ private:
     /// Those that save most: of all quantities that have them, each stores its values only.
     void choose_common_beats()
     {
-        std::map<Beats, std::size_t> uses;
+        std::map<ClockedBeats, std::size_t> uses;
         for (const scene::Bone& bone : skeleton_.bones)
             for (const Keys& keys : bone.keys)
                 if (!keys.empty())
-                    ++uses[beats_of(keys, false, laws_)];
+                    ++uses[beats_of(keys, bone.clock, false, laws_)];
         std::size_t most = 0;
-        for (const auto& [beats, count] : uses)
-            if (const std::size_t saved = (count - 1) * beats.size(); saved > most) {
+        for (const auto& [clocked, count] : uses)
+            if (const std::size_t saved = (count - 1) * clocked.beats.size(); saved > most) {
                 most = saved;
-                common_ = beats;
+                common_ = clocked;
             }
     }
 
@@ -113,13 +113,13 @@ private:
     void write_keys(const scene::Bone& bone, BoneQuantity quantity, ByteWriter& bytes)
     {
         const Keys& keys = bone.keys[static_cast<std::size_t>(quantity)];
-        write_beats(beats_of(keys, false, laws_), common_, bytes);
+        write_beats(beats_of(keys, bone.clock, false, laws_), common_, bytes);
         write_values(stored_values(bone, quantity, keys), bytes);
     }
 
     const scene::Bones& skeleton_;
     LawTable& laws_;
-    Beats common_;
+    ClockedBeats common_;
 };
 
 }

@@ -46,7 +46,7 @@ void write_header(const scene::Scene& scene, const Sections& sections, ByteWrite
     bytes.varint(outline_bytes);
     bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_usual_camera(scene), 2) |
              flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
-             flag(sections.symbols, 6));
+             flag(sections.symbols, 6) | flag(sections.inputs, 7));
     bytes.varint(time_code(scene.length));
     bytes.varint(rate_code(scene.frame_rate));
     bytes.varint(static_cast<std::uint32_t>(scene.canvas.width));

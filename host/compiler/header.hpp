@@ -11,6 +11,7 @@ namespace kfast {
 
 /// Which of the sections that a scene may lack there are.
 struct Sections {
+    bool inputs = false;
     bool marks = false;
     bool bones = false;
     bool symbols = false;

@@ -80,7 +80,7 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
         }
     }
     ByteWriter bytes;
-    write_beats(beats, one_beat, bytes);
+    write_beats({beats, object.clock}, one_beat, bytes);
     write_values(from, bytes);
     if (with_arrivals)
         write_values(to, bytes);

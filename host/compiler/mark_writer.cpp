@@ -1,18 +1,10 @@
 #include "host/compiler/mark_writer.hpp"
 
+#include "host/compiler/name_writer.hpp"
 #include "host/compiler/time_code.hpp"
-
-#include <span>
-#include <string_view>
 
 namespace kfast {
 namespace {
-
-void write_name(std::string_view name, ByteWriter& bytes)
-{
-    bytes.u8(static_cast<std::uint32_t>(name.size()));
-    bytes.append(std::as_bytes(std::span{name}));
-}
 
 void write_clip(const scene::Clip& clip, ByteWriter& bytes)
 {

@@ -28,10 +28,10 @@ std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const sc
     const auto view = SceneView::parse(file);
     OutlineMeter meter{*view, kfb::max_outline_bytes};
     std::size_t most = 0;
-    for (const Time moment : measured_moments(*view)) {
-        const OutlineStore& outlines = meter.picture_at(moment).outlines;
+    for (const MeasuredMoment& measured : measured_moments(*view)) {
+        const OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
         if (outlines.is_full()) {
-            report_excess(scene, *view, moment, diagnostics);
+            report_excess(scene, *view, measured.moment(), diagnostics);
             return std::nullopt;
         }
         most = std::max(most, outlines.used_bytes());

@@ -48,7 +48,7 @@ std::uint64_t sum_of(const ByItem& amounts)
 }
 
 /// Corners that close contours are not counted where there is no room.
-OutlineNeed need_at(const SceneView& view, Time moment)
+OutlineNeed need_at(const SceneView& view, const Moment& moment)
 {
     const CornerTally corners;
     OutlineMeter meter{view, bytes_of_all_corners};
@@ -96,14 +96,15 @@ private:
 
 }
 
-void report_excess(const scene::Scene& scene, const SceneView& view, Time moment, Diagnostics& diagnostics)
+void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
+                   Diagnostics& diagnostics)
 {
     const OutlineNeed need = need_at(view, moment);
     const auto& [path, most] = *std::ranges::max_element(need.by_item, {}, &ByItem::value_type::second);
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
     diagnostics.error(
         item.place,
-        "the outlines at frame " + scene::text_of(moment) + " need " + need.least +
+        "the outlines at frame " + scene::text_of(moment.time()) + " need " + need.least +
             std::to_string(need.amount) + " " + need.unit + ", " + std::to_string(need.amount - need.limit) +
             " more than the format holds; object \"" + item.name + "\" alone needs " + std::to_string(most),
         "draw it with fewer points, or show less at a time");

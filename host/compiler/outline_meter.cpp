@@ -21,20 +21,21 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     picture_.outlines = OutlineStore{std::as_writable_bytes(std::span{outlines_}), OutlineStore::every_row};
     picture_.storage = steps_;
     set_up_bones(scene, bones_);
-    trace({});
+    trace(Time{});
 }
 
-const TracedPicture& OutlineMeter::picture_at(Time moment)
+const TracedPicture& OutlineMeter::picture_at(const Moment& moment)
 {
-    if (!picture_.still.contains(moment))
+    constexpr std::uint32_t any_input = ~std::uint32_t{0};
+    if (!picture_.still.holds(moment.time(), any_input))
         trace(moment);
     return picture_;
 }
 
-void OutlineMeter::trace(Time moment)
+void OutlineMeter::trace(const Moment& moment)
 {
     pose_bones(on_panel_.scene, moment, bones_);
-    Tracer{on_panel_, moment, picture_, nullptr}.run();
+    Tracer{on_panel_, moment, picture_, nullptr, 0}.run();
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
+#include "core/moment.hpp"
 #include "core/scene_view.hpp"
 #include "core/traced_picture.hpp"
 #include "core/tracer.hpp"
@@ -20,10 +21,10 @@ public:
     OutlineMeter(const SceneView& scene, std::size_t bytes);
 
     /// Valid until the next call.
-    const TracedPicture& picture_at(Time moment);
+    const TracedPicture& picture_at(const Moment& moment);
 
 private:
-    void trace(Time moment);
+    void trace(const Moment& moment);
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
     std::vector<PaintStep> steps_;

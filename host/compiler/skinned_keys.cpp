@@ -103,7 +103,7 @@ PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, Draw
         packed.points += points_of(skinned[i]);
     }
     ByteWriter bytes;
-    write_beats(beats, one_beat, bytes);
+    write_beats({beats, object.clock}, one_beat, bytes);
     write_values(offsets, bytes);
     write_values(skins, bytes);
     packed.bytes = bytes.bytes();

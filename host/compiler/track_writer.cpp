@@ -48,7 +48,7 @@ std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
     return tracks;
 }
 
-void write_track(const scene::Track& track, LawTable& laws, Beats& before, ByteWriter& bytes)
+void write_track(const scene::Track& track, LawTable& laws, ClockedBeats& before, ByteWriter& bytes)
 {
     const auto property = static_cast<std::uint32_t>(track.property);
     if (is_fixed(track)) {
@@ -56,7 +56,7 @@ void write_track(const scene::Track& track, LawTable& laws, Beats& before, ByteW
         return bytes.signed_varint(track.keys.front().value);
     }
     bytes.u8(property | (track.is_smooth ? smooth_bit : 0));
-    Beats beats = beats_of(track.keys, track.is_smooth, laws);
+    ClockedBeats beats = beats_of(track.keys, track.clock, track.is_smooth, laws);
     write_beats(beats, before, bytes);
     write_values(values_of(track.keys), bytes);
     before = std::move(beats);
@@ -64,14 +64,14 @@ void write_track(const scene::Track& track, LawTable& laws, Beats& before, ByteW
 
 }
 
-Beats beats_of(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws)
+ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, bool is_smooth, LawTable& laws)
 {
     Beats beats;
     for (const scene::TrackKey& key : keys) {
         const bool has_laws = !is_smooth && &key != &keys.back();
         beats.push_back({key.time, has_laws ? laws.number_of(key.laws, key.place) : 0});
     }
-    return beats;
+    return {beats, clock};
 }
 
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys)
@@ -89,7 +89,7 @@ std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
         return {};
     ByteWriter bytes;
     bytes.u8(static_cast<std::uint32_t>(tracks.size()));
-    Beats before;
+    ClockedBeats before;
     for (const scene::Track* track : tracks)
         write_track(*track, laws, before, bytes);
     return bytes.bytes();

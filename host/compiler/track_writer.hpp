@@ -10,8 +10,8 @@
 
 namespace kfast {
 
-/// When the keys of a track are, or of what is stored as one. Smooth ones have no laws.
-Beats beats_of(const std::vector<scene::TrackKey>& keys, bool is_smooth, LawTable& laws);
+/// When the keys of a track are on its `clock`, or of what is stored as one. Smooth ones have no laws.
+ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, bool is_smooth, LawTable& laws);
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys);
 
 /// The tracks of `item` without those that change nothing (docs/format.md, "Tracks"), beginning with their

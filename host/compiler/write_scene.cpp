@@ -5,6 +5,7 @@
 #include "host/compiler/bone_writer.hpp"
 #include "host/compiler/drawing_pool.hpp"
 #include "host/compiler/header.hpp"
+#include "host/compiler/input_writer.hpp"
 #include "host/compiler/item_writer.hpp"
 #include "host/compiler/law_table.hpp"
 #include "host/compiler/mark_writer.hpp"
@@ -40,10 +41,12 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     LawTable laws;
     DrawingPool drawings;
     ItemWriter writer{laws, drawings, diagnostics};
+    ByteWriter inputs;
     ByteWriter marks;
     ByteWriter bones;
     ByteWriter symbols;
     ByteWriter items;
+    write_inputs(scene.inputs, inputs);
     write_marks(scene, marks);
     write_bones(scene.bones, laws, bones);
     write_symbols(scene, writer, symbols);
@@ -55,12 +58,17 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
         return std::nullopt;
 
     ByteWriter body;
-    const Sections sections{.marks = !scene.clips.empty() || !scene.events.empty(),
+    const Sections sections{.inputs = !scene.inputs.empty(),
+                            .marks = !scene.clips.empty() || !scene.events.empty(),
                             .bones = !scene.bones.empty(),
                             .symbols = !scene.symbols.empty()};
     write_header(scene, sections, body);
     body.u8(static_cast<std::uint32_t>(laws.count()));
     body.append(laws.bytes());
+    if (sections.inputs) {
+        body.u8(static_cast<std::uint32_t>(scene.inputs.size()));
+        body.block(inputs.bytes());
+    }
     if (sections.marks)
         body.block(marks.bytes());
     if (sections.bones)

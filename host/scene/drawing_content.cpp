@@ -18,9 +18,9 @@ namespace {
 
 class ContentReader {
 public:
-    ContentReader(KeyHolder holder, Reading& reading)
+    ContentReader(KeyHolder holder, const KeyClock& clock, Reading& reading)
         : holder_{holder}, noun_{holder == KeyHolder::object ? "an object" : "a symbol"}, reading_{reading},
-          keys_{holder, reading}
+          keys_{holder, clock, reading}
     {
     }
 
@@ -118,9 +118,10 @@ private:
 
 }
 
-DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, Reading& reading)
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+                                    Reading& reading)
 {
-    ContentReader content{holder, reading};
+    ContentReader content{holder, clock, reading};
     for (const kdl::Node& child : node.children)
         if (!reading.report.full())
             content.read(child);

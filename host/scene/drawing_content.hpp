@@ -20,6 +20,7 @@ struct DrawingContent {
 };
 
 /// `holder` is not KeyHolder::group.
-DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, Reading& reading);
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+                                    Reading& reading);
 
 }

@@ -24,10 +24,12 @@ constexpr NodeForm group_form{group_name, "group NAME { items }", 0, 1, true};
 
 struct GroupProperties {
     ItemValues values;
+    KeyClock clock;
 };
 
 constexpr auto group_rules =
-    joined(place_rules<GroupProperties>, show_rules<GroupProperties>, pivot_rules<GroupProperties>);
+    joined(place_rules<GroupProperties>, show_rules<GroupProperties>, pivot_rules<GroupProperties>,
+           std::array{PropertyRule<GroupProperties>{"input", read_own_clock<GroupProperties>}});
 
 std::string read_group_name(const kdl::Node& node, Reading& reading)
 {
@@ -86,7 +88,7 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& readin
     }
     GroupProperties properties;
     read_properties(node, group_rules, properties, reading);
-    GroupContent content{{}, {KeyHolder::group, reading}, {}};
+    GroupContent content{{}, {KeyHolder::group, properties.clock, reading}, {}};
     for (const kdl::Node& child : node.children)
         if (!reading.report.full())
             read_inside(child, depth + 1, content, reading);
@@ -95,7 +97,8 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& readin
         reading.report.error(place, "this group holds nothing", "add { object NAME … }");
     const std::vector<ItemKey> keys = content.keys.take();
     refuse_double_quantities(content.timed, properties.values, keys, reading);
-    auto tracks = build_tracks(node, properties.values, keys, content.timed, reading);
+    auto tracks =
+        build_tracks(node, properties.values, {keys, properties.clock.clock()}, content.timed, reading);
     return Item{read_group_name(node, reading), std::move(tracks), std::move(content.group), place,
                 take_path(content.timed)};
 }

@@ -13,7 +13,7 @@ namespace kfast::scene {
 
 bool KeyList::read(const kdl::Node& node)
 {
-    auto key = read_key(node, holder_, reading_);
+    auto key = read_key(node, holder_, clock_, reading_);
     if (!key || !in_order(*key))
         return false;
     keys_.push_back(std::move(*key));
@@ -24,9 +24,8 @@ std::vector<ItemKey> KeyList::take()
 {
     warn_of_idle_laws(keys_, reading_);
     // The way to a key is seen in part if it begins before the end.
-    warn_of_unseen_keys(keys_, 1, key_name, reading_);
-    if (!keys_.empty())
-        reading_.last_key = std::max(reading_.last_key, keys_.back().time);
+    if (clock_.is_time())
+        take_times(keys_, 1, key_name, reading_);
     return std::move(keys_);
 }
 
@@ -34,8 +33,8 @@ bool KeyList::in_order(const ItemKey& key)
 {
     if (keys_.size() == most_keys)
         return reading_.report.error(key.place, "at most " + std::to_string(most_keys) + " keys stand here");
-    return keys_.empty() ||
-           comes_later(key_name, {keys_.back().time, keys_.back().place}, {key.time, key.place}, reading_);
+    return keys_.empty() || comes_later(key_name, {keys_.back().time, keys_.back().place},
+                                        {key.time, key.place}, clock_, reading_);
 }
 
 }

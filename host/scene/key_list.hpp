@@ -8,12 +8,15 @@
 
 namespace kfast::scene {
 
-/// The keys of one item or symbol, in the order of their times.
+/// The keys of one item or symbol, in the order of their moments.
 class KeyList {
 public:
-    KeyList(KeyHolder holder, Reading& reading) : holder_{holder}, reading_{reading} {}
+    KeyList(KeyHolder holder, const KeyClock& clock, Reading& reading)
+        : holder_{holder}, clock_{clock}, reading_{reading}
+    {
+    }
 
-    /// `node` must live as long as the keys. Whether it was a key at a time of its own.
+    /// `node` must live as long as the keys. Whether it was a key at a moment of its own.
     bool read(const kdl::Node& node);
     /// After the last key: all of them. Their laws are looked at, and how far they reach in time.
     std::vector<ItemKey> take();
@@ -22,6 +25,7 @@ private:
     bool in_order(const ItemKey& key);
 
     KeyHolder holder_;
+    KeyClock clock_;
     Reading& reading_;
     std::vector<ItemKey> keys_;
 };

@@ -113,7 +113,8 @@ const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, Reading& 
 
 bool holds_drawing(const kdl::Node& key) { return !std::ranges::all_of(key.children, is_skeleton); }
 
-std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading& reading)
+std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+                                Reading& reading)
 {
     if (!fits(node, holder == KeyHolder::group ? group_key_form : drawing_key_form, reading))
         return std::nullopt;
@@ -127,7 +128,7 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading
         key.drawing = read_drawing(node, holder, reading);
     else if (key.skeleton == nullptr && std::ranges::none_of(node.properties, is_setting))
         report_idle_key(key, holder, reading);
-    const auto time = read_time(moment, reading);
+    const auto time = clock.read_moment(moment, reading);
     if (!time)
         return std::nullopt;
     key.time = *time;

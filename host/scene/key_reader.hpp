@@ -3,6 +3,7 @@
 #include "core/time.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/item_values.hpp"
+#include "host/scene/key_clock.hpp"
 #include "host/scene/key_laws.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/reading.hpp"
@@ -40,6 +41,7 @@ bool holds_drawing(const kdl::Node& key);
 
 /// Nothing when it cannot be said when the key is, which is reported like everything else. The key points
 /// to `node`.
-std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, Reading& reading);
+std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+                                Reading& reading);
 
 }

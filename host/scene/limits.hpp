@@ -17,6 +17,7 @@ inline constexpr std::size_t most_keys = 65'535;                          ///< o
 inline constexpr std::size_t most_ordered_items = kfb::max_ordered_items; ///< beside each other
 inline constexpr std::size_t most_symbols = kfb::max_symbols;             ///< of items, in use
 inline constexpr std::size_t most_clips = kfb::max_clips;
+inline constexpr std::size_t most_inputs = kfb::max_inputs;
 inline constexpr std::size_t most_backbones = kfb::max_backbones;
 inline constexpr std::size_t most_backbone_segments = kfb::max_backbone_segments; ///< of a skeleton
 inline constexpr std::size_t longest_name = kfb::max_name_bytes;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bone_quantity.hpp"
+#include "core/clock.hpp"
 #include "core/colour.hpp"
 #include "core/fill_rule.hpp"
 #include "core/law_pair.hpp"
@@ -83,12 +84,13 @@ struct TrackKey {
     Place place = {};
 };
 
-/// One quantity of an item over time; holds its first value before the first key and its last one behind the
-/// last. Has at least one key, and the times of its keys rise.
+/// One quantity of an item over time, or by an input; holds its first value before the first key and its last
+/// one behind the last. Has at least one key, and the times of its keys rise.
 struct Track {
     Property property = Property::x;
     std::vector<TrackKey> keys;
     bool is_smooth = false; ///< by cubic Hermite curves (core/hermite.hpp) instead of laws
+    Clock clock = {};       ///< of its keys
 };
 
 /// What an item with a track of Property::along follows: its pivot moves on the stroke.
@@ -108,6 +110,7 @@ struct Bone {
     std::array<std::vector<TrackKey>, bone_quantity_count> keys = {};
     bool is_at_tip = false;        ///< the origin moves with the length of the parent
     bool turns_as_written = false; ///< angles tween as numbers, instead of by the shortest way
+    Clock clock = {};              ///< of all its keys
     Place place = {};
 };
 
@@ -175,6 +178,7 @@ struct Object {
     std::vector<Key> keys;
     std::optional<Skin> skin = {};               ///< then no backbones, and all drawings have as many strokes
     std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
+    Clock clock = {};                            ///< of both
 };
 
 struct Item;
@@ -218,6 +222,14 @@ struct Event {
     Time time;
 };
 
+/// A number that the scene takes from outside, and that keys may go by. Values are in 1/1000.
+struct Input {
+    std::string name;
+    std::int32_t least = 0;
+    std::int32_t most = 1000; ///< more than `least`
+    std::int32_t usual = 0;   ///< within both
+};
+
 struct Scene {
     Size canvas;
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
@@ -225,6 +237,7 @@ struct Scene {
     Loop loop = Loop::repeat;
     int camera = 480;            ///< distance of the viewer from the canvas, in pixels, 16 … 32767
     std::vector<Colour> palette; ///< the colours in use, each once; the first is the background
+    std::vector<Input> inputs;
     std::vector<Bones> bones;
     std::vector<Symbol> symbols;
     std::vector<Item> items; ///< the first lies lowest

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/item_values.hpp"
+#include "host/scene/key_clock.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/reading.hpp"
 
@@ -12,6 +13,7 @@ namespace kfast::scene {
 /// What the node of an object says itself.
 struct ObjectProperties {
     ItemValues values;
+    KeyClock clock; ///< of its keys
     FillRule fill_rule = FillRule::nonzero;
     StrokeStyle stroke;               ///< but for colour and width, which are among `values`
     const kdl::Value* skin = nullptr; ///< the name of a skeleton

@@ -76,8 +76,9 @@ public:
 
     Item read(std::string_view name)
     {
-        DrawingContent content = read_drawing_content(node_, KeyHolder::object, reading_);
+        DrawingContent content = read_drawing_content(node_, KeyHolder::object, properties_.clock, reading_);
         refuse_paint_of_nothing(node_, content, reading_);
+        const bool has_drawing_keys = content.drawn.empty();
         Object object{.fill = properties_.fill_colour(),
                       .fill_rule = properties_.fill_rule,
                       .stroke = properties_.stroke_style(),
@@ -86,8 +87,11 @@ public:
             {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
             object.keys, reading_);
         object.backbone_keys = read_skeletons(content.keys, reading_);
+        if (has_drawing_keys)
+            object.clock = properties_.clock.clock();
         refuse_two_carriers(content.keys);
-        auto tracks = build_tracks(node_, properties_.values, content.keys, content.timed, reading_);
+        auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
+                                   content.timed, reading_);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
 

@@ -45,6 +45,7 @@ void warn_of_half_turn(const PosedBone& posed, const Bone& bone, std::int32_t an
 
 void add_keys(const Pose& pose, const PosedBone& posed, double parent_angle, Bone& bone, Reading& reading)
 {
+    bone.clock = pose.clock.clock();
     const auto values = values_of(posed, bone, parent_angle);
     warn_of_half_turn(posed, bone, values.front(), reading);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -52,6 +52,9 @@ std::vector<PosedBone> all_as_set_up(std::size_t count, Place place)
     return bones;
 }
 
+constexpr auto pose_rules =
+    joined(law_rules<Pose>, std::array{PropertyRule<Pose>{"input", read_own_clock<Pose>}});
+
 bool shares_a_bone(const Pose& pose, const std::vector<bool>& bones)
 {
     return std::ranges::any_of(pose.bones, [&](const PosedBone& posed) { return bones[posed.bone]; });
@@ -89,7 +92,7 @@ void PoseReader::read_timed(const kdl::Node& node)
     Pose pose;
     pose.node = &node;
     pose.place = span(node.name_place, moment.place);
-    read_properties(node, law_rules<Pose>, pose, reading_);
+    read_properties(node, pose_rules, pose, reading_);
     const kdl::Value* const name = node.arguments.size() > 1 ? &node.arguments.back() : nullptr;
     if (!node.children.empty())
         set(pose, read_bones(node));
@@ -98,7 +101,7 @@ void PoseReader::read_timed(const kdl::Node& node)
     if (node.children.empty() && name == nullptr)
         reading_.report.error(pose.place, "this pose sets no bones",
                               "add { BONE turn=DEGREES }, or the name of a pose such as rest");
-    const auto time = read_time(moment, reading_);
+    const auto time = pose.clock.read_moment(moment, reading_);
     pose.time = time.value_or(Time{});
     if (!time || !in_order(pose))
         return;
@@ -112,8 +115,10 @@ bool PoseReader::in_order(const Pose& pose)
     if (poses_.size() == most_keys)
         return reading_.report.error(pose.place,
                                      "at most " + std::to_string(most_keys) + " poses stand here");
-    return poses_.empty() || comes_later(pose_name, {poses_.back().time, poses_.back().place},
-                                         {pose.time, pose.place}, reading_);
+    const auto goes_alike = [&pose](const Pose& other) { return other.clock.clock() == pose.clock.clock(); };
+    const auto before = std::find_if(poses_.rbegin(), poses_.rend(), goes_alike);
+    return before == poses_.rend() || comes_later(pose_name, {before->time, before->place},
+                                                  {pose.time, pose.place}, pose.clock, reading_);
 }
 
 void PoseReader::define(const kdl::Value& name, Place place, const std::vector<PosedBone>& bones,
@@ -169,11 +174,37 @@ std::vector<Pose> PoseReader::take()
             reading_.report.warning(definition.place, "the pose " + quoted(definition.name) + " is not used",
                                     "use it: pose TIME " + visible(definition.name) + ", or remove it");
     warn_of_idle_laws();
-    // The way to a pose is seen in part if it begins before the end.
-    warn_of_unseen_keys(poses_, 1, pose_name, reading_);
-    if (!poses_.empty())
-        reading_.last_key = std::max(reading_.last_key, poses_.back().time);
+    refuse_two_clocks();
+    take_times();
     return std::move(poses_);
+}
+
+void PoseReader::take_times()
+{
+    std::vector<Pose> timed;
+    std::ranges::copy_if(poses_, std::back_inserter(timed),
+                         [](const Pose& pose) { return pose.clock.is_time(); });
+    // The way to a pose is seen in part if it begins before the end.
+    scene::take_times(timed, 1, pose_name, reading_);
+}
+
+void PoseReader::refuse_two_clocks()
+{
+    std::vector<const Pose*> first(bones_.size());
+    for (const Pose& pose : poses_)
+        for (const PosedBone& posed : pose.bones) {
+            const Pose*& other = first[posed.bone];
+            if (other == nullptr)
+                other = &pose;
+            if (other->clock.clock() == pose.clock.clock())
+                continue;
+            reading_.report.error(pose.place,
+                                  "the bone " + quoted(bones_[posed.bone].name) +
+                                      " goes by something else on " + reading_.report.line(other->place),
+                                  "let all poses of a bone go by the time, or by one input; move it as well "
+                                  "with a bone of its own as its parent");
+            return;
+        }
 }
 
 void PoseReader::look_up(const Mention& mention)

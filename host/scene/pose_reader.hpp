@@ -2,6 +2,7 @@
 
 #include "core/time.hpp"
 #include "host/kdl/document.hpp"
+#include "host/scene/key_clock.hpp"
 #include "host/scene/key_laws.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/name_table.hpp"
@@ -27,12 +28,13 @@ struct PosedBone {
     Place place;
 };
 
-/// A pose at a time.
+/// A pose at a time, or at a value of an input.
 struct Pose {
     const kdl::Node* node = nullptr;
     Time time;
     Place place;
     KeyLaws laws;
+    KeyClock clock;
     std::vector<PosedBone> bones; ///< each at most once
 };
 
@@ -70,6 +72,8 @@ private:
     void look_up(const Mention& mention);
     void set(Pose& pose, std::vector<PosedBone> bones);
     void warn_of_idle_laws();
+    void refuse_two_clocks();
+    void take_times();
 
     const std::vector<Bone>& bones_;
     Reading& reading_;

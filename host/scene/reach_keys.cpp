@@ -219,6 +219,17 @@ bool refuse_other_turns(const Reach& reach, const std::vector<GivenTurn>& turns,
     return good;
 }
 
+/// Neither the bones of the reach nor one that they hang on may move without it at one and the same time.
+bool refuse_inputs(const Reach& reach, const std::vector<Bone>& bones, Reading& reading)
+{
+    for (std::optional<std::size_t> bone = reach.bone; bone; bone = bones[*bone].parent)
+        if (!bones[*bone].clock.is_time())
+            return reading.report.error(
+                reach.place, "this reach goes by the time, but an input moves " + quoted(bones[*bone].name),
+                "let poses of the input turn the bones of the arm instead");
+    return true;
+}
+
 bool refuse_overlaps(const std::vector<Reach>& reaches, const std::vector<Bone>& bones, Reading& reading)
 {
     bool good = true;
@@ -278,7 +289,8 @@ void add_reach_keys(std::vector<Reach> reaches, const std::vector<GivenTurn>& tu
 {
     bool good = refuse_overlaps(reaches, bones, reading);
     for (const Reach& reach : reaches)
-        good = refuse_other_turns(reach, turns, bones, reading) && good;
+        good =
+            refuse_other_turns(reach, turns, bones, reading) && refuse_inputs(reach, bones, reading) && good;
     if (!good)
         return;
     // Those above move those below.

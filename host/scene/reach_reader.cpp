@@ -105,7 +105,7 @@ std::optional<WrittenTarget> read_target(const kdl::Node& node, Reading& reading
                           .place = span(node.name_place, node.arguments.front().place)}};
 }
 
-Moment moment_of(const WrittenTarget& at) { return {at.target.time, at.target.place}; }
+PlacedMoment moment_of(const WrittenTarget& at) { return {at.target.time, at.target.place}; }
 
 /// In any order, as those of tracks.
 std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, Reading& reading)
@@ -120,7 +120,7 @@ std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, Read
     }
     std::ranges::stable_sort(written, {}, [](const WrittenTarget& at) { return at.target.time; });
     for (std::size_t i = 1; i < written.size(); ++i)
-        good = comes_later("target", moment_of(written[i - 1]), moment_of(written[i]), reading) && good;
+        good = comes_later("target", moment_of(written[i - 1]), moment_of(written[i]), {}, reading) && good;
     if (node.children.empty())
         good = reading.report.error(node.name_place, "this reach has no target", "add { at TIME X Y }");
     if (!good)

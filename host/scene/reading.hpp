@@ -2,6 +2,7 @@
 
 #include "core/time.hpp"
 #include "host/scene/font_shelf.hpp"
+#include "host/scene/input_table.hpp"
 #include "host/scene/name_table.hpp"
 #include "host/scene/palette.hpp"
 #include "host/scene/point_budget.hpp"
@@ -50,6 +51,7 @@ struct Reading {
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
     std::optional<Time> length = {};   ///< if the canvas gives one
     Time last_key = {};                ///< of all that have been read
+    InputTable inputs = {};
     SkeletonTable skeletons = {};
     SymbolTable symbols = {};
     NameTable object_names = {};

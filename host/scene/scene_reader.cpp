@@ -5,6 +5,7 @@
 #include "host/scene/clip_reader.hpp"
 #include "host/scene/event_reader.hpp"
 #include "host/scene/group_reader.hpp"
+#include "host/scene/input_reader.hpp"
 #include "host/scene/item_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/name_table.hpp"
@@ -34,6 +35,7 @@ struct Parts {
     const kdl::Node* version = nullptr;
     const kdl::Node* canvas = nullptr;
     const kdl::Node* palette = nullptr;
+    std::vector<const kdl::Node*> inputs;
     std::vector<const kdl::Node*> skeletons;
     std::vector<const kdl::Node*> symbols;
     std::vector<const kdl::Node*> items;
@@ -68,6 +70,7 @@ constexpr std::array part_rules{
     PartRule{object_name, take_each<&Parts::items>},   PartRule{group_name, take_each<&Parts::items>},
     PartRule{use_name, take_each<&Parts::items>},      PartRule{bones_name, take_each<&Parts::skeletons>},
     PartRule{"clip", take_each<&Parts::clips>},        PartRule{"event", take_each<&Parts::events>},
+    PartRule{input_name, take_each<&Parts::inputs>},
 };
 
 void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
@@ -122,6 +125,20 @@ void read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene
     reading.report.error(place, "this scene has no canvas", "add \"canvas 240 240\"");
 }
 
+void read_inputs(const Parts& parts, Reading& reading)
+{
+    for (const kdl::Node* node : parts.inputs)
+        if (!reading.report.full())
+            add_input(*node, reading);
+}
+
+void take_inputs(Scene& scene, Reading& reading)
+{
+    warn_of_unused_inputs(reading);
+    for (InputEntry& entry : reading.inputs.entries)
+        scene.inputs.push_back(std::move(entry.input));
+}
+
 void read_skeletons(const Parts& parts, Reading& reading)
 {
     for (const kdl::Node* node : parts.skeletons)
@@ -174,6 +191,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
         read_palette(*parts.palette, reading);
     Scene scene;
     read_canvas(document, parts, scene, reading);
+    read_inputs(parts, reading);
     read_skeletons(parts, reading);
     read_items(parts, scene, reading);
     scene.length = reading.length.value_or(std::max(reading.last_key, Time::frame(1)));
@@ -181,6 +199,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     scene.palette = reading.palette.used();
     // Behind all that asks what has been read: what they hold is not part of the scene.
     check_unused_symbols(reading);
+    take_inputs(scene, reading);
     take_skeletons(scene, reading);
     if (!diagnostics.has_errors())
         move_symbols(scene, reading);

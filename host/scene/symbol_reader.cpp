@@ -57,7 +57,7 @@ void read_still(const std::vector<const kdl::Node*>& nodes, SymbolEntry& symbol,
 
 void read_drawing(SymbolEntry& symbol, Reading& reading)
 {
-    DrawingContent content = read_drawing_content(*symbol.node, KeyHolder::symbol, reading);
+    DrawingContent content = read_drawing_content(*symbol.node, KeyHolder::symbol, {}, reading);
     if (content.drawn.empty())
         symbol.keys = take_drawings(content.keys);
     else

@@ -22,7 +22,8 @@ bool read_mirror(const kdl::Value& value, SymbolUse& use, Reading& reading)
 
 constexpr std::array mirror_rules{PropertyRule<SymbolUse>{"mirror", read_mirror}};
 constexpr auto drawing_rules = joined(place_rules<SymbolUse>, mirror_rules);
-constexpr auto items_rules = joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>);
+constexpr auto items_rules = joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
+                                    std::array{PropertyRule<SymbolUse>{"input", read_own_clock<SymbolUse>}});
 
 /// The place may stand behind the name of the symbol instead of in properties.
 void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_view name,

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/item_values.hpp"
+#include "host/scene/key_clock.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/symbol_table.hpp"
@@ -18,6 +19,7 @@ struct SymbolUse {
     const SymbolEntry* symbol = nullptr;
     ItemValues values;
     Mirror mirror;
+    KeyClock clock; ///< of its keys; only of a symbol of items
 };
 
 /// A symbol of items, as an item. Nothing when there is no such symbol; what is wrong is reported.

@@ -26,7 +26,8 @@ bool read_law_of_way(const kdl::Value& value, TimedValue& timed, Reading& readin
 
 constexpr std::array at_rules{PropertyRule<TimedValue>{"law", read_law_of_way}};
 
-std::optional<TimedValue> read_at(const kdl::Node& node, Property property, Reading& reading)
+std::optional<TimedValue> read_at(const kdl::Node& node, Property property, const KeyClock& clock,
+                                  Reading& reading)
 {
     if (node.name != at_name) {
         reading.report.error(node.name_place, "a track has no node " + quoted(node.name),
@@ -39,7 +40,7 @@ std::optional<TimedValue> read_at(const kdl::Node& node, Property property, Read
     timed.node = &node;
     timed.place = span(node.name_place, node.arguments.back().place);
     read_properties(node, at_rules, timed, reading);
-    const auto time = read_time(node.arguments.front(), reading);
+    const auto time = clock.read_moment(node.arguments.front(), reading);
     const auto value = read_item_value(property, node.arguments.back(), reading);
     const bool is_good = assign(time, timed.time) && assign(value, timed.value);
     return is_good ? std::optional{timed} : std::nullopt;
@@ -47,17 +48,18 @@ std::optional<TimedValue> read_at(const kdl::Node& node, Property property, Read
 
 /// Keeps the first of those that have the same time. `values` are in the order of their times, and those of
 /// one time as they are written.
-void refuse_double_times(std::vector<TimedValue>& values, Reading& reading)
+void refuse_double_times(std::vector<TimedValue>& values, const KeyClock& clock, Reading& reading)
 {
-    const auto is_again = [&reading](const TimedValue& first, const TimedValue& second) {
-        return !comes_later("value", {first.time, first.place}, {second.time, second.place}, reading);
+    const auto is_again = [&](const TimedValue& first, const TimedValue& second) {
+        return !comes_later("value", {first.time, first.place}, {second.time, second.place}, clock, reading);
     };
     values.erase(std::unique(values.begin(), values.end(), is_again), values.end());
 }
 
 }
 
-std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, Reading& reading)
+std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyClock& clock,
+                                          Reading& reading)
 {
     std::vector<TimedValue> values;
     for (const kdl::Node& node : track.children) {
@@ -68,11 +70,11 @@ std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property prope
                                  "at most " + std::to_string(most_keys) + " times stand here");
             break;
         }
-        if (auto timed = read_at(node, property, reading))
+        if (auto timed = read_at(node, property, clock, reading))
             values.push_back(*timed);
     }
     std::ranges::stable_sort(values, {}, &TimedValue::time);
-    refuse_double_times(values, reading);
+    refuse_double_times(values, clock, reading);
     return values;
 }
 

@@ -4,6 +4,7 @@
 #include "core/time.hpp"
 #include "core/velocity_law.hpp"
 #include "host/kdl/document.hpp"
+#include "host/scene/key_clock.hpp"
 #include "host/scene/reading.hpp"
 
 #include <cstdint>
@@ -24,8 +25,9 @@ struct TimedValue {
     Place place; ///< of the node's name and both values
 };
 
-/// Those that stand in `track`, in the order of their times, which all differ; without those that are wrong,
-/// which are reported.
-std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, Reading& reading);
+/// Those that stand in `track`, in the order of their times on its clock, which all differ; without those
+/// that are wrong, which are reported.
+std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyClock& clock,
+                                          Reading& reading);
 
 }

@@ -67,13 +67,13 @@ std::vector<TrackKey> keys_of(Property property, std::int32_t first, std::span<c
     return track;
 }
 
-Track build_track(Property property, std::optional<std::int32_t> own, std::span<const ItemKey> keys)
+Track build_track(Property property, std::optional<std::int32_t> own, const KeysOfItem& item)
 {
     const auto sets_it = [&](const ItemKey& key) { return key.values.get(property).has_value(); };
     const std::int32_t ordinary = ordinary_value(property);
     const std::int32_t first = own.value_or(ordinary);
-    if (std::ranges::any_of(keys, sets_it))
-        return {property, keys_of(property, first, keys)};
+    if (std::ranges::any_of(item.keys, sets_it))
+        return {property, keys_of(property, first, item.keys), false, item.clock};
     if (is_painted(property) || first == ordinary)
         return {property, {}};
     return {property, {TrackKey{.time = {}, .laws = {}, .value = first}}};
@@ -81,9 +81,8 @@ Track build_track(Property property, std::optional<std::int32_t> own, std::span<
 
 }
 
-std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
-                                std::span<const ItemKey> keys, std::span<TimedQuantity> timed,
-                                Reading& reading)
+std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values, const KeysOfItem& keys,
+                                std::span<TimedQuantity> timed, Reading& reading)
 {
     std::vector<Track> tracks;
     for (std::size_t i = 0; i < property_count; ++i) {

@@ -12,12 +12,17 @@
 
 namespace kfast::scene {
 
+/// The keys that an item has itself, and what they go by.
+struct KeysOfItem {
+    std::span<const ItemKey> keys;
+    Clock clock;
+};
+
 /// What of the item `node` is not the ordinary or changes. `values` are those of the item itself, its pivot
 /// included; of fill, stroke and width there are tracks only where keys set them, of the pivot only where the
 /// item turns or grows about it. `timed` wins over `values`.
-std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
-                                std::span<const ItemKey> keys, std::span<TimedQuantity> timed,
-                                Reading& reading);
+std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values, const KeysOfItem& keys,
+                                std::span<TimedQuantity> timed, Reading& reading);
 
 /// The drawings of `keys`, with the laws of their ways; `keys` have none afterwards.
 std::vector<Key> take_drawings(std::span<ItemKey> keys);

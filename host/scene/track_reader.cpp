@@ -88,6 +88,7 @@ const Quantity* read_quantity(const kdl::Value& value, KeyHolder holder, Reading
 struct TrackProperties {
     std::optional<VelocityLaw> law; ///< none: the track is smooth
     bool turns = false;
+    KeyClock clock;
 };
 
 bool read_law_of_track(const kdl::Value& value, TrackProperties& track, Reading& reading)
@@ -100,7 +101,8 @@ bool read_turn(const kdl::Value& value, TrackProperties& track, Reading& reading
     return assign(read_flag(value, reading), track.turns);
 }
 
-constexpr std::array track_rules{PropertyRule<TrackProperties>{"law", read_law_of_track}};
+constexpr std::array track_rules{PropertyRule<TrackProperties>{"law", read_law_of_track},
+                                 PropertyRule<TrackProperties>{"input", read_own_clock<TrackProperties>}};
 constexpr auto along_rules =
     joined(track_rules, std::array{PropertyRule<TrackProperties>{"turn", read_turn}});
 
@@ -145,19 +147,20 @@ private:
 
     std::vector<TrackKey> read_keys(Place place)
     {
-        const std::vector<TimedValue> values = read_timed_values(node_, quantity_.property, reading_);
+        const std::vector<TimedValue> values =
+            read_timed_values(node_, quantity_.property, properties_.clock, reading_);
         if (node_.children.empty())
             reading_.report.error(place, "this track has no values", "add { at 0 …; at 30 … }");
         if (values.empty())
             return {};
         look_at_laws(values);
-        reading_.last_key = std::max(reading_.last_key, values.back().time);
         std::vector<TrackKey> keys;
         for (const TimedValue& timed : values)
             keys.push_back({timed.time, laws_of(timed), timed.value, timed.place});
         keys.back().laws = {};
         // The slope of a smooth track at a key depends on the key behind it.
-        warn_of_unseen_keys(keys, properties_.law ? 1 : 2, "value", reading_);
+        if (properties_.clock.is_time())
+            take_times(keys, properties_.law ? 1 : 2, "value", reading_);
         return keys;
     }
 
@@ -190,7 +193,7 @@ private:
 
     Track track_of(Property property, const std::vector<TrackKey>& keys) const
     {
-        return {property, keys, !properties_.law.has_value()};
+        return {property, keys, !properties_.law.has_value(), properties_.clock.clock()};
     }
 
     const kdl::Node& node_;

@@ -27,4 +27,13 @@ void warn_of_unseen_keys(const std::vector<Key>& keys, std::ptrdiff_t in_use, st
                                "make the scene longer with frames=… or remove the " + std::string{noun});
 }
 
+/// Likewise; and how far `keys` reach in time.
+template <class Key>
+void take_times(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun, Reading& reading)
+{
+    warn_of_unseen_keys(keys, in_use, noun, reading);
+    if (!keys.empty())
+        reading.last_key = std::max(reading.last_key, keys.back().time);
+}
+
 }

@@ -22,10 +22,10 @@ struct Changes {
     std::vector<TimedQuantity> timed;
 };
 
-Changes read_changes(const kdl::Node& node, Reading& reading)
+Changes read_changes(const kdl::Node& node, const KeyClock& clock, Reading& reading)
 {
     Changes changes;
-    KeyList keys{KeyHolder::group, reading};
+    KeyList keys{KeyHolder::group, clock, reading};
     for (const kdl::Node& child : node.children) {
         if (reading.report.full())
             break;
@@ -48,7 +48,7 @@ Changes read_changes(const kdl::Node& node, Reading& reading)
 std::optional<Item> read_use(const kdl::Node& node, int depth, Reading& reading)
 {
     auto use = read_items_use(node, reading);
-    auto [keys, timed] = read_changes(node, reading);
+    auto [keys, timed] = read_changes(node, use ? use->clock : KeyClock{}, reading);
     if (!use)
         return std::nullopt;
     const Place place = span(node.name_place, node.arguments.front().place);
@@ -58,7 +58,7 @@ std::optional<Item> read_use(const kdl::Node& node, int depth, Reading& reading)
     }
     refuse_double_quantities(timed, use->values, keys, reading);
     mirror(use->mirror, use->values, keys, timed);
-    auto tracks = build_tracks(node, use->values, keys, timed, reading);
+    auto tracks = build_tracks(node, use->values, {keys, use->clock.clock()}, timed, reading);
     return Item{"", std::move(tracks), Use{reading.symbols.number(*use->symbol)}, place, take_path(timed)};
 }
 

@@ -66,6 +66,8 @@ std::string text_of(double number)
 
 std::string allowed(Range range) { return "allowed: " + text_of(range.low) + " to " + text_of(range.high); }
 
+std::int32_t thousandths(double number) { return static_cast<std::int32_t>(std::lround(number * 1000)); }
+
 std::optional<double> read_number(const kdl::Value& value, Range range, Reading& reading)
 {
     const kdl::Number* const number = number_of(value, reading);

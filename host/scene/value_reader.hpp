@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/kfb_limits.hpp"
 #include "core/time.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/coordinate.hpp"
@@ -28,6 +29,11 @@ inline constexpr Range coordinates{-coordinate_limit, coordinate_limit};
 inline constexpr Range extents{0, 2 * coordinate_limit};
 /// Degrees: ten turns either way.
 inline constexpr Range angles{-3600, 3600};
+
+/// Of an input.
+inline constexpr Range input_values{-kfb::max_input_value / 1000, kfb::max_input_value / 1000};
+/// As values of inputs are stored: rounded to nearest, halves away from zero.
+std::int32_t thousandths(double number);
 
 /// As few digits as tell the number: "0.0625"
 std::string text_of(double number);

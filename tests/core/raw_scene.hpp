@@ -65,10 +65,10 @@ inline Bytes group(const Bytes& items) { return joined({bytes({1}), block(items)
 inline Bytes use(int symbol) { return bytes({2, symbol}); }
 
 /// "Beats"; also none.
-inline Bytes beat_bytes(const Beats& beats)
+inline Bytes beat_bytes(const Beats& beats, Clock clock = {})
 {
     ByteWriter writer;
-    write_beats(beats, {}, writer);
+    write_beats({beats, clock}, {}, writer);
     return writer.bytes();
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/reading.hpp"
+
+#include <string_view>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view input_name = "input";
+
+/// Adds what `node` says to the inputs; what is wrong is reported.
+void add_input(const kdl::Node& node, Reading& reading);
+
+/// After everything that may go by them.
+void warn_of_unused_inputs(Reading& reading);
+
+}
