@@ -36,6 +36,15 @@ void read_marks(const SceneView& scene)
     }
 }
 
+void read_inputs(const SceneView& scene)
+{
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
+        const InputView input = inputs.next();
+        const Time place = input.place_of(input.usual);
+        demand(scene.input(input.name).has_value() && place >= Time{} && place <= whole_input);
+    }
+}
+
 void read_tracks(const SceneView& scene, TrackCursor tracks)
 {
     while (!tracks.at_end()) {
@@ -93,6 +102,7 @@ void read_backbones(const SceneView& scene, const BackbonesView& backbones)
 /// Everything that a scene stores, items that are hidden or used nowhere too.
 void read(const SceneView& scene)
 {
+    read_inputs(scene);
     read_marks(scene);
     read_bones(scene);
     every_item(scene, [&scene](const ItemView& item) {
@@ -136,6 +146,9 @@ void play(std::span<const std::byte> bytes)
     const std::int32_t step = std::max(Time::ticks_per_frame / 2, scene->length().ticks / 50);
     std::size_t drawn = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
+        for (std::uint32_t input = 0; input < scene->input_count(); ++input)
+            player->set_input(input,
+                              {static_cast<std::int32_t>((drawn + input) * 9973 % (whole_input.ticks + 1U))});
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
         if (player->picture().outlines.used_bytes() > most_drawn_bytes)

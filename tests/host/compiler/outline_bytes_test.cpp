@@ -78,9 +78,33 @@ TEST_CASE("moments are even, at changes and just before them")
         compiled(scene_with("object z fill=red { track x { at 0 0; at 5.3 9; at 99 0 }; rect 0 0 9 9 }"));
     const auto moments = measured_moments(*SceneView::parse(bytes));
     CHECK(moments.size() == 4 * 10 + 1 + 2);
-    CHECK(std::ranges::is_sorted(moments));
+    CHECK(std::ranges::is_sorted(moments, {}, &MeasuredMoment::time));
     for (const std::int32_t ticks : {0, 256, 5426, 5427, 10'240})
-        CHECK(std::ranges::count(moments, Time{ticks}) == 1);
+        CHECK(std::ranges::count(moments, Time{ticks}, &MeasuredMoment::time) == 1);
+}
+
+TEST_CASE("inputs stand as usual at all moments, then anywhere, and go all their way")
+{
+    const auto bytes =
+        compiled(scene_with("input a default=0.25; input b\n"
+                            "object z fill=red { track x input=a { at 0 0; at 0.3 9; at 1 0 }\n"
+                            "track y input=b { at 0 0; at 1 9 }; rect 0 0 9 9 }"));
+    const auto moments = measured_moments(*SceneView::parse(bytes));
+    constexpr int times = 4 * 10 + 1;
+    CHECK(moments.size() == times + times + 8 * (64 + 1 + 2 + 1) + 8 * (64 + 1 + 1));
+    for (int i = 0; i < times; ++i)
+        CHECK(moments[static_cast<std::size_t>(i)].inputs == std::vector<Time>{{16384}, {0}});
+    const auto stands_at = [&moments](std::size_t input, std::int32_t ticks) {
+        return std::ranges::any_of(moments, [&](const MeasuredMoment& moment) {
+            return moment.inputs[input] == Time{ticks} &&
+                   moment.inputs[1 - input] == Time{input == 0 ? 0 : 16384};
+        });
+    };
+    for (const std::int32_t ticks : {0, 1024, 19660, 19661, 65535, 65536})
+        CHECK(stands_at(0, ticks));
+    for (const std::int32_t ticks : {0, 1024, 65535, 65536})
+        CHECK(stands_at(1, ticks));
+    CHECK_FALSE(stands_at(1, 19661));
 }
 
 TEST_CASE("what lies above and below of the canvas has room on panels of all shapes")

@@ -33,6 +33,7 @@ public:
         }
         scene_.items = items(2);
         make_marks();
+        make_inputs();
         return std::move(scene_);
     }
 
@@ -400,6 +401,47 @@ private:
             scene_.events.push_back({name(), {within(0, scene_.length.ticks)}});
         std::ranges::sort(scene_.events, {}, &scene::Event::time);
     }
+
+    void make_inputs()
+    {
+        for (int left = within(-3, 3); left > 0; --left) {
+            const int least = within(-90'000, 90'000);
+            const int most = within(least + 1, 100'000);
+            scene_.inputs.push_back({name(), least, most, within(least, most)});
+        }
+        if (scene_.inputs.empty())
+            return;
+        for (scene::Bones& skeleton : scene_.bones)
+            for (scene::Bone& bone : skeleton.bones)
+                if (std::ranges::all_of(bone.keys, lie_on_input<scene::TrackKey>))
+                    bone.clock = any_clock();
+        for (scene::Symbol& symbol : scene_.symbols)
+            bind(symbol.items);
+        bind(scene_.items);
+    }
+
+    void bind(std::vector<scene::Item>& items)
+    {
+        for (scene::Item& item : items) {
+            for (scene::Track& track : item.tracks)
+                if (lie_on_input(track.keys))
+                    track.clock = any_clock();
+            if (auto* group = std::get_if<scene::Group>(&item.content))
+                bind(group->items);
+            else if (auto* object = std::get_if<scene::Object>(&item.content))
+                if (object->keys.size() > 1 && lie_on_input(object->keys) &&
+                    lie_on_input(object->backbone_keys))
+                    object->clock = any_clock();
+        }
+    }
+
+    template <class Key>
+    static bool lie_on_input(const std::vector<Key>& keys)
+    {
+        return keys.empty() || keys.back().time <= whole_input;
+    }
+
+    Clock any_clock() { return {static_cast<std::uint8_t>(random_() % (scene_.inputs.size() + 1))}; }
 
     std::mt19937& random_;
     scene::Scene scene_;

@@ -61,6 +61,7 @@ public:
         REQUIRE(view_.palette_size() == scene_.palette.size());
         for (std::size_t i = 0; i < scene_.palette.size(); ++i)
             CHECK(view_.colour(i) == scene_.palette[i]);
+        compare_inputs();
         compare_marks();
         compare_skeletons();
         REQUIRE(view_.symbol_count() == scene_.symbols.size());
@@ -70,6 +71,19 @@ public:
     }
 
 private:
+    void compare_inputs()
+    {
+        REQUIRE(view_.input_count() == scene_.inputs.size());
+        InputCursor inputs = view_.inputs();
+        for (const scene::Input& input : scene_.inputs) {
+            const InputView read = inputs.next();
+            CHECK(read.name == input.name);
+            CHECK(read.least == input.least);
+            CHECK(read.most == input.most);
+            CHECK(read.usual == input.usual);
+        }
+    }
+
     void compare_marks()
     {
         ClipCursor clips = view_.clips();
@@ -116,6 +130,8 @@ private:
         for (std::size_t i = 0; i < bone_quantity_count; ++i) {
             const bool is_modular = i == 0 && !bone.turns_as_written;
             compare_bone_keys(read.keys[i], bone.keys[i], is_modular);
+            if (!bone.keys[i].empty())
+                CHECK(read.keys[i].keys().beats().clock() == bone.clock);
         }
     }
 
@@ -211,6 +227,7 @@ private:
             return;
         }
         REQUIRE(read.is_smooth == track.is_smooth);
+        CHECK(read.keys.beats().clock() == track.clock);
         TrackKeyCursor keys = read.keys;
         for (const scene::TrackKey& key : track.keys) {
             REQUIRE(!keys.at_end());
@@ -267,6 +284,7 @@ private:
     void compare_keys(const ObjectView& read, const scene::Object& object)
     {
         KeyCursor keys = read.keys();
+        CHECK(keys.beats().clock() == object.clock);
         for (std::size_t i = 0; i < object.keys.size(); ++i) {
             REQUIRE(!keys.at_end());
             const Key key = keys.next();
@@ -283,6 +301,7 @@ private:
     void compare_backbones(const ObjectView& read, const scene::Object& object)
     {
         BackboneKeyCursor backbones = read.backbones.keys();
+        CHECK(backbones.beats().clock() == object.clock);
         for (const scene::BackboneKey& key : object.backbone_keys) {
             REQUIRE(!backbones.at_end());
             const BackboneKey stored = backbones.next();
