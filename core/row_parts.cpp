@@ -28,55 +28,75 @@ void stretch(RowPart& part, std::int32_t x)
 bool RowParts::find()
 {
     const Layer& layer = line_.layer();
-    for (std::uint16_t i = layer.active; i != Chain::none; i = line_.chain(i).next)
-        if (!add(i, true))
+    for (std::uint16_t i = layer.active; i != Chain::none; i = line_.chain(i).next) {
+        if (count_ == most)
             return false;
+        add_under_way(i);
+    }
     for (std::uint16_t i = layer.waiting; i != layer.outlines.end_chain && line_.top_of(i) < bottom_; ++i) {
-        line_.begin(line_.chain(i));
-        if (!add(i, false))
+        if (count_ == most)
             return false;
+        add_beginning(i);
     }
     return true;
 }
 
-bool RowParts::add(std::uint16_t number, bool is_under_way)
+void RowParts::add_under_way(std::uint16_t number)
 {
-    if (count_ == most)
-        return false;
-    RowPart& part = parts_[count_];
+    RowPart& part = begin_part(number, line_.chain(number));
+    const ChainEdge edge = current_edge(line_.store(), *part.chain);
+    part.is_straight = edge.lower->y > bottom_;
+    if (part.is_straight) { // mostly
+        did(Work::straight_part);
+        part.end_at(part.begin + part.chain->slope);
+    } else {
+        part.top = top_;
+        bend(part, edge);
+    }
+    if (count_ != 0 && part.left < order_[count_ - 1]->right)
+        return put_between(part);
+    order_[count_++] = &part;
+}
+
+void RowParts::add_beginning(std::uint16_t number)
+{
     Chain& chain = line_.chain(number);
+    line_.begin(chain);
+    RowPart& part = begin_part(number, chain);
     const ChainEdge edge = current_edge(line_.store(), chain);
+    part.is_straight = false;
+    part.top = edge.upper->y;
+    bend(part, edge);
+    put_between(part);
+}
+
+RowPart& RowParts::begin_part(std::uint16_t number, Chain& chain)
+{
+    RowPart& part = parts_[count_];
     part.number = number;
     part.chain = &chain;
     part.corners = 0;
     part.is_over = false;
     part.begin = chain.x.raw();
-    part.is_straight = is_under_way && edge.lower->y > bottom_;
-    if (part.is_straight) { // mostly
-        did(Work::straight_part);
-        part.end_at(part.begin + chain.slope);
-    } else {
-        did(Work::bent_part);
-        part.top = is_under_way ? top_ : line_.top_of(number);
-        part.bottom = bottom_;
-        if (edge.lower->y > bottom_)
-            part.end_at(edge.x_at(bottom_, chain.slope).raw());
-        else
-            follow(part, edge);
-        run_through_ = run_through_ && runs_through(part);
-    }
-    put_in_order(part);
-    return true;
+    return part;
+}
+
+/// One that does not go straight on, from its `edge` at the top.
+void RowParts::bend(RowPart& part, const ChainEdge& edge)
+{
+    did(Work::bent_part);
+    part.bottom = bottom_;
+    if (edge.lower->y > bottom_)
+        part.end_at(edge.x_at(bottom_, part.chain->slope).raw());
+    else
+        follow(part, edge);
+    run_through_ = run_through_ && runs_through(part);
 }
 
 /// The order depends on nothing but where parts lie: however the sweep came to the row, it is the same.
-void RowParts::put_in_order(RowPart& part)
+void RowParts::put_between(RowPart& part)
 {
     std::size_t at = count_++;
-    if (at == 0 || part.left >= order_[at - 1]->right) { // mostly
-        order_[at] = &part;
-        return;
-    }
     came_apart_ = false;
     const auto is_left_of = [&part](const RowPart& other) {
         return part.left < other.left || (part.left == other.left && part.right < other.right);

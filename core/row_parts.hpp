@@ -66,8 +66,11 @@ public:
     RowParts& operator=(const RowParts&) = delete;
 
 private:
-    bool add(std::uint16_t number, bool is_under_way);
-    void put_in_order(RowPart& part);
+    void add_under_way(std::uint16_t number);
+    void add_beginning(std::uint16_t number);
+    RowPart& begin_part(std::uint16_t number, Chain& chain);
+    void bend(RowPart& part, const ChainEdge& edge);
+    void put_between(RowPart& part);
     void follow(RowPart& part, ChainEdge edge) const;
     bool lie_apart() const;
     bool come_in_pairs() const;
