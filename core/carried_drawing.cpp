@@ -5,17 +5,22 @@
 namespace kfast {
 namespace {
 
-/// Rounded to 1/65536 px.
+/// Rounded to 1/65536 px. Products with the bits above and below 1/256 px fit in 32 bits.
 Point carried_by(std::span<const LiveBone> bones, Point point, const Binding& binding)
 {
-    std::int64_t x = 128;
-    std::int64_t y = 128;
+    if (binding.count() == 1)
+        return bones[binding.last()](point);
+    Point whole;
+    Point rest{Fixed::from_raw(128), Fixed::from_raw(128)};
     binding.each([&](BoneShare share) {
         const Point part = bones[share.bone](point);
-        x += std::int64_t{part.x.raw()} * share.weight;
-        y += std::int64_t{part.y.raw()} * share.weight;
+        const auto times = [weight = share.weight](std::int32_t raw) {
+            return Fixed::from_raw(raw * weight);
+        };
+        whole = whole + Point{times(part.x.raw() >> 8), times(part.y.raw() >> 8)};
+        rest = rest + Point{times(part.x.raw() & 255), times(part.y.raw() & 255)};
     });
-    return held_point(x >> 8, y >> 8);
+    return {whole.x + Fixed::from_raw(rest.x.raw() >> 8), whole.y + Fixed::from_raw(rest.y.raw() >> 8)};
 }
 
 }

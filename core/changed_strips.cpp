@@ -21,25 +21,16 @@ public:
     {
     }
 
-    bool moves_within(int top, int bottom) const
-    {
-        did(Work::step_visit, static_cast<std::uint32_t>(coming_.step_count + shown_.step_count));
-        const auto moves = [=](const PaintStep& step) {
-            return step.change != Change::none && step.layer.top < bottom && step.layer.bottom > top;
-        };
-        return std::ranges::any_of(coming_.steps(), moves) || std::ranges::any_of(shown_.steps(), moves);
-    }
-
     /// Stores what the changing layers of the coming picture cover of `row` from `first` on, and marks what
     /// changes. Returns the end of the spans; has_room() tells whether these are all.
     std::uint16_t search(int row, std::uint16_t first, RunList& changed)
     {
         did(Work::searched_row);
-        did(Work::step_visit, static_cast<std::uint32_t>(coming_.step_count + shown_.step_count));
+        did(Work::step_visit, static_cast<std::uint32_t>(coming_.step_count));
         end_ = first;
         for (std::size_t i = 0; i < coming_.step_count; ++i) {
             const PaintStep& step = coming_.steps()[i];
-            if (step.change == Change::none || !reaches(step, row))
+            if (!step.changes(row))
                 continue;
             work_for(step.item);
             const std::uint16_t begin = end_;
@@ -50,10 +41,12 @@ public:
             else
                 mark_all(step, row, spans_from(begin), changed);
         }
-        if (has_vanished_)
+        if (has_vanished_) {
+            did(Work::step_visit, static_cast<std::uint32_t>(shown_.step_count));
             for (PaintStep& step : shown_.steps())
                 if (step.partner == PaintStep::no_partner)
                     mark_shown(step, row, changed);
+        }
         work_for(0);
         return end_;
     }
@@ -61,13 +54,6 @@ public:
     bool has_room() const { return has_room_; }
 
 private:
-    /// In one picture or the other.
-    bool reaches(const PaintStep& step, int row) const
-    {
-        return step.layer.reaches(row) ||
-               (step.partner != PaintStep::no_partner && shown_.steps()[step.partner].layer.reaches(row));
-    }
-
     /// Whether the borders of the layer run through the row.
     bool sweep(std::size_t number, int row)
     {
@@ -77,15 +63,16 @@ private:
         const bool runs_through = sweep_row(coming_.outlines, layer, row, coverage_, coming_borders_, true);
         CoveredSpan* at = storage_.data() + end_;
         CoveredSpan* const last = storage_.data() + storage_.size();
-        bool has_room = has_room_;
+        bool has_room = true;
         coverage_.take_spans([&](int begin, int end, std::int32_t level) {
-            has_room = has_room && at != last;
-            if (has_room)
+            if (at != last)
                 *at++ = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end),
                          static_cast<std::uint16_t>(number), static_cast<std::uint8_t>(level)};
+            else
+                has_room = false;
         });
         end_ = static_cast<std::uint16_t>(at - storage_.data());
-        has_room_ = has_room;
+        has_room_ = has_room_ && has_room;
         return runs_through;
     }
 
@@ -234,10 +221,6 @@ void ChangedStrips::begin_strip(const AreaRules& rules)
 bool ChangedStrips::add_group(RowSearch& search, const AreaRules& rules)
 {
     const int rows = rules.granularity.height;
-    if (!search.moves_within(row_, row_ + rows)) {
-        row_ += rows;
-        return strip_.rows == 0;
-    }
     RunList changed;
     for (int i = 0; i < rows; ++i) {
         const auto at = static_cast<std::size_t>(strip_.rows + i);

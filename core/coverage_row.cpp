@@ -9,8 +9,6 @@ namespace {
 constexpr int column_bits = 10;
 constexpr std::int32_t columns = 1 << column_bits; ///< sub-columns of a pixel
 
-std::int32_t to_column(Fixed x) { return (x.raw() + 32) >> 6; }
-
 /// The part of `height` in which an edge that runs over `run` columns covers the first `part` of them.
 std::int32_t share_of(std::int32_t height, std::int32_t part, std::int32_t run)
 {
@@ -23,15 +21,34 @@ void CoverageRow::add(Fixed top, Fixed bottom, std::int32_t height, std::int32_t
 {
     if (height == 0 || sign == 0)
         return;
+    touch(std::min(top, bottom), std::max(top, bottom));
+    add_touched(top, bottom, height, sign);
+}
+
+void CoverageRow::touch(Fixed left, Fixed right)
+{
+    const std::int32_t begin = std::max(to_column(left) >> column_bits, std::int32_t{0});
+    const std::int32_t end =
+        std::clamp(to_column(right) >> column_bits, std::int32_t{0}, std::int32_t{width_});
+    if (begin < width_)
+        touched_.add(begin, end + 2);
+}
+
+void CoverageRow::add_touched(Fixed top, Fixed bottom, std::int32_t height, std::int32_t sign)
+{
     const std::int32_t from = to_column(top);
     const std::int32_t to = to_column(bottom);
+    const auto is_in_row = [this](std::int32_t cell) {
+        return static_cast<std::uint32_t>(cell) < static_cast<std::uint32_t>(width_);
+    };
     const std::int32_t cell = from >> column_bits;
-    if (cell == to >> column_bits && cell >= 0 && cell < width_) { // mostly
-        touched_.add(cell, cell + 2);
-        deposit(cell, sign * height, (from & (columns - 1)) + (to & (columns - 1)));
-    } else {
+    const std::int32_t last = to >> column_bits;
+    if (!is_in_row(cell) || !is_in_row(last))
         add_clipped(std::min(from, to), std::max(from, to), height, sign);
-    }
+    else if (cell == last)
+        deposit(cell, sign * height, (from & (columns - 1)) + (to & (columns - 1)));
+    else if (height != 0)
+        add_across(std::min(from, to), std::max(from, to), height, sign);
 }
 
 void CoverageRow::add_clipped(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign)
@@ -41,7 +58,6 @@ void CoverageRow::add_clipped(std::int32_t left, std::int32_t right, std::int32_
         return;
     if (left < 0) {
         const std::int32_t outside = right <= 0 ? height : share_of(height, -left, right - left);
-        touched_.add(0, 2);
         deposit(0, sign * outside, 0);
         height -= outside;
         left = 0;
@@ -52,7 +68,6 @@ void CoverageRow::add_clipped(std::int32_t left, std::int32_t right, std::int32_
     }
     if (height == 0)
         return;
-    touched_.add(left >> column_bits, (right >> column_bits) + 2);
     if (left >> column_bits == right >> column_bits)
         deposit(left >> column_bits, sign * height, (left & (columns - 1)) + (right & (columns - 1)));
     else

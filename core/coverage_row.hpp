@@ -4,9 +4,11 @@
 #include "core/run_list.hpp"
 #include "core/work.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace kfast {
 
@@ -27,6 +29,12 @@ public:
     /// exact.
     void add(Fixed top, Fixed bottom, std::int32_t height, std::int32_t sign);
 
+    /// Tells that edges will be added between x = `left` and x = `right`. That is done once for all of them,
+    /// from left to right.
+    void touch(Fixed left, Fixed right);
+    /// As add(); the sign is not 0.
+    void add_touched(Fixed top, Fixed bottom, std::int32_t height, std::int32_t sign);
+
     /// Calls paint(x, end, level) from left to right for every stretch of pixels with the same level of
     /// 1 … 255, and clears the row. 255 is covered wholly.
     template <class Paint>
@@ -39,6 +47,8 @@ private:
     {
         return (area * 255 + (1 << (area_bits - 1))) >> area_bits;
     }
+
+    static std::int32_t to_column(Fixed x) { return (x.raw() + 32) >> 6; }
 
     void add_clipped(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign);
     void add_across(std::int32_t left, std::int32_t right, std::int32_t height, std::int32_t sign);
@@ -58,7 +68,7 @@ void CoverageRow::take_spans(Paint&& paint)
     const auto change_at = [&](int x, std::int32_t to) {
         if (to == level)
             return;
-        if (level != 0 && begin < x) {
+        if (level != 0) {
             did(Work::span);
             paint(begin, x, level);
         }
@@ -67,10 +77,9 @@ void CoverageRow::take_spans(Paint&& paint)
     };
     for (const Run& run : touched_.runs()) {
         did(Work::cell, static_cast<std::uint32_t>(run.width()));
-        for (int x = run.begin; x < run.end && x < width_; ++x) {
-            std::int32_t& cell = cells_[x];
-            area += cell;
-            cell = 0;
+        const int end = std::min<int>(run.end, width_);
+        for (int x = run.begin; x < end; ++x) {
+            area += std::exchange(cells_[x], 0);
             change_at(x, level_of(area));
         }
     }

@@ -25,8 +25,8 @@ struct Crossing {
 struct Crossings {
     static constexpr std::size_t most = 12;
 
+    std::size_t count = 0; ///< in front: small processors reach it in fewer steps
     std::array<Crossing, most> borders;
-    std::size_t count = 0;
 
     void add(Fixed top, Fixed bottom, bool is_bent)
     {

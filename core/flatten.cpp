@@ -40,11 +40,20 @@ constexpr auto ratios = [] {
     return table;
 }();
 
-/// value * ratio, rounded to nearest, halves up.
+/// value * ratio, rounded to nearest, halves up; value is signed, and the result fits. Small processors
+/// multiply 64 bits by a function: so the halves are multiplied, and what their sum drops is added apart.
 std::uint32_t scaled(std::uint32_t value, std::uint32_t ratio)
 {
-    const std::int64_t product = std::int64_t{static_cast<std::int32_t>(value)} * ratio;
-    return static_cast<std::uint32_t>((product + (1 << (ratio_bits - 1))) >> ratio_bits);
+    constexpr int bits = ratio_bits - 16;
+    constexpr std::uint32_t dropped = (1U << bits) - 1;
+    const std::uint32_t low = value & 0xFFFF;
+    const auto high = static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> 16);
+    const std::uint32_t a = high * (ratio & 0xFFFF); // signed
+    const std::uint32_t b = low * (ratio >> 16);
+    const std::uint32_t rest =
+        (a & dropped) + (b & dropped) + (low * (ratio & 0xFFFF) >> 16) + (1U << (bits - 1));
+    return (high * (ratio >> 16) << (32 - ratio_bits)) +
+           static_cast<std::uint32_t>(static_cast<std::int32_t>(a) >> bits) + (b >> bits) + (rest >> bits);
 }
 
 std::uint64_t scaled(std::uint64_t value, std::uint32_t ratio)
@@ -69,7 +78,7 @@ CubicSteps<Word>::CubicSteps(int pieces, Fixed c1, Fixed c2, Fixed to)
     const Word cube = word(to) - 3 * (word(c2) - word(c1));
     const auto divided = [this, pieces, halvings](Word cubed) { // by n^3
         const Word shifted = cubed << (fraction_bits_ - 3 * halvings);
-        return std::has_single_bit(static_cast<unsigned>(pieces))
+        return (pieces & (pieces - 1)) == 0 // small processors count bits by a function
                    ? shifted
                    : scaled(shifted, ratios[static_cast<std::size_t>(pieces)]);
     };

@@ -19,6 +19,13 @@ constexpr Fixed held(std::int64_t raw, std::int32_t farthest = farthest_held)
     return Fixed::from_raw(static_cast<std::int32_t>(std::clamp(raw, -limit, limit)));
 }
 
+/// Likewise for what fits in 32 bits.
+constexpr Fixed held_short(std::int32_t raw)
+{
+    constexpr std::int32_t limit = Fixed::pixels(farthest_held).raw();
+    return Fixed::from_raw(std::clamp(raw, -limit, limit));
+}
+
 /// `x` and `y` are in 1/65536 px.
 constexpr Point held_point(std::int64_t x, std::int64_t y, std::int32_t farthest = farthest_held)
 {

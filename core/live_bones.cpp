@@ -153,8 +153,14 @@ Point LiveBone::operator()(Point point) const
 {
     did(Work::carried_point);
     const Point from = point - rest_.origin;
-    return held_point(posed_.origin.x.raw() + sum_of_products(xx_, from.x.raw(), xy_, from.y.raw()),
-                      posed_.origin.y.raw() + sum_of_products(yx_, from.x.raw(), yy_, from.y.raw()));
+    const std::int32_t x = from.x.raw();
+    const std::int32_t y = from.y.raw();
+    if (is_modest_way(x) && is_modest_way(y) && is_modest_factor(xx_) && is_modest_factor(xy_) &&
+        is_modest_factor(yx_) && is_modest_factor(yy_)) // mostly
+        return {held_short(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
+                held_short(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
+    return held_point(posed_.origin.x.raw() + sum_of_products(xx_, x, xy_, y),
+                      posed_.origin.y.raw() + sum_of_products(yx_, x, yy_, y));
 }
 
 void set_up_bones(const SceneView& scene, std::span<LiveBone> live)

@@ -18,6 +18,8 @@ void forget_partners(TracedPicture& picture)
     for (PaintStep& step : picture.steps()) {
         step.partner = PaintStep::no_partner;
         step.change = Change::all;
+        step.top = step.layer.top;
+        step.bottom = step.layer.bottom;
     }
 }
 
@@ -46,6 +48,8 @@ void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::
     a.partner = static_cast<std::uint16_t>(after);
     b.partner = static_cast<std::uint16_t>(before);
     a.change = b.change = change_between(shown, a, coming, b);
+    a.top = b.top = std::min(a.top, b.top);
+    a.bottom = b.bottom = std::max(a.bottom, b.bottom);
 }
 
 bool is_same_step(const PaintStep& a, const PaintStep& b) { return a.item == b.item && a.kind == b.kind; }

@@ -28,9 +28,14 @@ struct PaintStep {
     std::uint8_t opacity = 255; ///< only of end_blend
     Change change = Change::all;
     std::uint16_t partner = no_partner; ///< number of the step in the other picture
+    std::int16_t top = 0;               ///< the first row in which it or its partner has something
+    std::int16_t bottom = 0;            ///< the row below the last one
     std::uint32_t item = 0;             ///< tells the items of a scene apart, wherever symbols are used
     Still still = {};                   ///< around the moment of the picture
     Layer layer = {};                   ///< only of layer
+
+    /// Whether a row may differ from the picture before because of it.
+    bool changes(int row) const { return change != Change::none && row >= top && row < bottom; }
 };
 
 }

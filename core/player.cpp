@@ -290,22 +290,24 @@ void Player::paint_swept(std::span<const RowWindow> windows, int row, std::span<
     const std::size_t first = lowest_seen_step(windows, spans);
     while (!spans.empty() && spans.front().step < first)
         spans = spans.subspan(1);
-    painter<format>(windows, row).paint(coming(), first, background_, [&](std::size_t step, auto paint) {
+    const CoveredSpan* span = spans.data();
+    const CoveredSpan* const last = span + spans.size();
+    painter<format>(windows, row).paint(coming(), first, background_, [&](std::size_t step, auto& paint) {
         const PaintStep& painted = coming().steps()[step];
         if (painted.change == PaintStep::Change::none) {
             const bool is_seen = painted.layer.left < windows.back().columns.end &&
                                  painted.layer.right > windows.front().columns.begin;
             return is_seen ? sweep_layer(step, row, paint) : void();
         }
-        for (; !spans.empty() && spans.front().step == step; spans = spans.subspan(1))
-            paint(spans.front().begin, spans.front().end, spans.front().level);
+        for (; span != last && span->step == step; ++span)
+            paint(span->begin, span->end, span->level);
     });
 }
 
 template <PixelFormat format>
 void Player::sweep_and_paint(std::span<const RowWindow> windows, int row)
 {
-    painter<format>(windows, row).paint(coming(), 0, background_, [&](std::size_t step, auto paint) {
+    painter<format>(windows, row).paint(coming(), 0, background_, [&](std::size_t step, auto& paint) {
         sweep_layer(step, row, paint);
     });
 }

@@ -20,6 +20,50 @@ struct RowWindow {
     std::size_t bytes = 0;
 };
 
+/// Lays what one layer covers of a row over a few windows, stretch by stretch from left to right.
+template <PixelFormat format>
+class LayerPainter {
+public:
+    LayerPainter(std::span<const RowWindow> windows, int y, Colour colour)
+        : window_{windows.data()}, last_{window_ + windows.size()}, ink_{Row::ink(colour)},
+          opacity_{colour.opacity}, y_{y}
+    {
+    }
+
+    /// The columns from `begin` up to `end`, with a coverage of 1 … 255.
+    void operator()(int begin, int end, std::int32_t level)
+    {
+        while (window_ != last_ && window_->columns.end <= begin)
+            ++window_;
+        for (const RowWindow* at = window_; at != last_ && at->columns.begin < end; ++at)
+            lay(*at, std::max<int>(begin, at->columns.begin), std::min<int>(end, at->columns.end),
+                static_cast<std::uint32_t>(level));
+    }
+
+private:
+    using Row = PixelRow<format>;
+
+    void lay(const RowWindow& window, int begin, int end, std::uint32_t level) const
+    {
+        Row row{window.first, window.columns.begin, y_};
+        const std::uint32_t coverage = opacity_ == 255 ? level : product_of_opacities(level, opacity_);
+        if (coverage == 255) {
+            did(Work::fill);
+            did(Work::filled_pixel, static_cast<std::uint32_t>(end - begin));
+            row.fill(begin, end - begin, ink_);
+        } else if (coverage != 0) {
+            did(Work::blended_pixel, static_cast<std::uint32_t>(end - begin));
+            row.blend(begin, end - begin, ink_, coverage);
+        }
+    }
+
+    const RowWindow* window_; ///< the first one that ends behind what was laid
+    const RowWindow* last_;
+    std::uint32_t ink_;
+    std::uint32_t opacity_;
+    int y_;
+};
+
 /// Paints one row of a picture in a few windows, from left to right, that do not overlap.
 template <PixelFormat format>
 class RowPainter {
@@ -32,7 +76,7 @@ public:
     }
 
     /// All steps from `first` on, and the background first if that is 0: what lies below is hidden.
-    /// for_each_span(step, paint) calls paint(begin, end, level) for what the layer of `step`, a number,
+    /// for_each_span(step, painter) calls painter(begin, end, level) for what the layer of `step`, a number,
     /// covers, from left to right.
     template <class ForEachSpan>
     void paint(const TracedPicture& picture, std::size_t first, Colour background, ForEachSpan for_each_span)
@@ -40,23 +84,24 @@ public:
         did(Work::step_visit, static_cast<std::uint32_t>(picture.step_count - first));
         if (first == 0)
             for (const RowWindow& window : windows_)
-                fill(window, window.columns.begin, window.columns.width(), Row::ink(background));
+                fill(window, Row::ink(background));
         for (std::size_t i = first; i < picture.step_count; ++i) {
             const PaintStep& step = picture.steps()[i];
-            if (step.kind == PaintStep::Kind::begin_blend && depth_ == 0) {
+            if (step.kind == PaintStep::Kind::layer) {
+                if (step.layer.reaches(y_))
+                    paint_layer(step, i, for_each_span);
+            } else if (step.kind == PaintStep::Kind::end_blend) {
+                work_for(step.item);
+                end_blend(step.opacity);
+            } else {
                 const std::size_t end = end_of_blend(picture, i);
-                if (!reach(picture.steps().subspan(i, end - i))) {
+                if (depth_ == 0 && !reach(picture.steps().subspan(i, end - i))) {
                     i = end;
                     continue;
                 }
-            }
-            work_for(step.item);
-            if (step.kind == PaintStep::Kind::layer)
-                paint_layer(step.layer, y_, [&](auto paint) { for_each_span(i, paint); });
-            else if (step.kind == PaintStep::Kind::begin_blend)
+                work_for(step.item);
                 begin_blend();
-            else
-                end_blend(step.opacity);
+            }
         }
         work_for(0);
     }
@@ -64,46 +109,21 @@ public:
 private:
     using Row = PixelRow<format>;
 
+    template <class ForEachSpan>
+    void paint_layer(const PaintStep& step, std::size_t number, ForEachSpan& for_each_span)
+    {
+        work_for(step.item);
+        LayerPainter<format> painter{windows_, y_, step.layer.colour};
+        for_each_span(number, painter);
+    }
+
     Row row(const RowWindow& window) const { return {window.first, window.columns.begin, y_}; }
 
-    void fill(const RowWindow& window, int x, int count, std::uint32_t ink)
+    void fill(const RowWindow& window, std::uint32_t ink)
     {
         did(Work::fill);
-        did(Work::filled_pixel, static_cast<std::uint32_t>(count));
-        row(window).fill(x, count, ink);
-    }
-
-    void blend(const RowWindow& window, int x, int count, std::uint32_t ink, std::uint32_t coverage)
-    {
-        did(Work::blended_pixel, static_cast<std::uint32_t>(count));
-        row(window).blend(x, count, ink, coverage);
-    }
-
-    template <class ForEachSpan>
-    void paint_layer(const Layer& layer, int y, ForEachSpan for_each_span)
-    {
-        if (!layer.reaches(y))
-            return;
-        const std::uint32_t ink = Row::ink(layer.colour);
-        const std::uint32_t opacity = layer.colour.opacity;
-        auto window = windows_.begin();
-        for_each_span([&](int begin, int end, std::int32_t level) {
-            while (window != windows_.end() && window->columns.end <= begin)
-                ++window;
-            const std::uint32_t coverage = product_of_opacities(static_cast<std::uint32_t>(level), opacity);
-            for (auto at = window; at != windows_.end() && at->columns.begin < end; ++at)
-                lay(*at, begin, end, ink, coverage);
-        });
-    }
-
-    void lay(const RowWindow& window, int begin, int end, std::uint32_t ink, std::uint32_t coverage)
-    {
-        begin = std::max<int>(begin, window.columns.begin);
-        end = std::min<int>(end, window.columns.end);
-        if (coverage == 255)
-            fill(window, begin, end - begin, ink);
-        else if (coverage != 0)
-            blend(window, begin, end - begin, ink, coverage);
+        did(Work::filled_pixel, static_cast<std::uint32_t>(window.columns.width()));
+        row(window).fill(window.columns.begin, window.columns.width(), ink);
     }
 
     /// The step that ends what the step `begin` begins.

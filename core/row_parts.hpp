@@ -54,7 +54,10 @@ public:
     bool run_through() const { return run_through_; }
     /// Whether each part lies wholly to the left of the next and has the same winding number to its left all
     /// along: what does not run through the row comes in pairs that enclose something.
-    bool stand_apart() const;
+    bool stand_apart() const
+    {
+        return (came_apart_ && run_through_) || (lie_apart() && (run_through_ || come_in_pairs()));
+    }
 
     std::size_t size() const { return count_; }
     const RowPart& operator[](std::size_t number) const { return *order_[number]; }
@@ -63,10 +66,13 @@ public:
     RowParts& operator=(const RowParts&) = delete;
 
 private:
-    bool add(std::uint16_t number, bool is_under_way);
-    void put_in_order(RowPart& part);
-    void follow(RowPart& part) const;
-    bool bend_slightly(const Chain& above, const Chain& below) const;
+    void add_under_way(std::uint16_t number);
+    void add_beginning(std::uint16_t number);
+    RowPart& begin_part(std::uint16_t number, Chain& chain);
+    void bend(RowPart& part, const ChainEdge& edge);
+    void put_between(RowPart& part);
+    void follow(RowPart& part, ChainEdge edge) const;
+    bool lie_apart() const;
     bool come_in_pairs() const;
     bool runs_through(const RowPart& part) const
     {

@@ -15,23 +15,25 @@ int RunList::width() const
 void RunList::insert(Run run)
 {
     did(Work::inserted_run);
-    std::size_t at = count_;
-    while (at > 0 && runs_[at - 1].begin > run.begin)
-        --at;
-    if (at > 0 && run.end <= runs_[at - 1].end)
-        return;
-    if (at > 0 && run.begin < runs_[at - 1].end + gap_)
-        run = {runs_[--at].begin, std::max(runs_[at].end, run.end)};
-    std::size_t behind = at;
-    while (behind < count_ && runs_[behind].begin < run.end + gap_)
-        run.end = std::max(run.end, runs_[behind++].end);
-    if (behind == at)
+    std::size_t at = 0;
+    while (at < count_ && runs_[at].end + gap_ <= run.begin)
+        ++at;
+    if (at == count_ || run.end + gap_ <= runs_[at].begin) {
         make_room(at);
-    else
-        close_gap(at + 1, behind);
-    runs_[at] = run;
-    if (count_ > most)
-        join_nearest();
+        runs_[at] = run;
+        if (count_ > most)
+            join_nearest();
+        return;
+    }
+    Run& joined = runs_[at];
+    joined.begin = std::min(joined.begin, run.begin);
+    if (run.end <= joined.end)
+        return;
+    std::size_t behind = at + 1;
+    for (; behind < count_ && runs_[behind].begin < run.end + gap_; ++behind)
+        run.end = std::max(run.end, runs_[behind].end);
+    joined.end = run.end;
+    close_gap(at + 1, behind);
 }
 
 void RunList::make_room(std::size_t at)

@@ -22,6 +22,8 @@ public:
     Binding(ByteReader& bytes, std::uint32_t count);
 
     std::uint32_t count() const { return count_; }
+    /// The number of the last bone.
+    std::uint32_t last() const { return last_; }
 
     /// Calls use(BoneShare) for each bone.
     template <class Use>

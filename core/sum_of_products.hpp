@@ -17,4 +17,26 @@ constexpr std::int64_t sum_of_products(std::int32_t p, std::int64_t a, std::int3
     return sum >> 16;
 }
 
+/// Whether |value| is at most 1 << bits.
+constexpr bool fits_in(std::int32_t value, int bits)
+{
+    return static_cast<std::uint32_t>(value) + (1U << bits) <= 2U << bits;
+}
+
+/// Of factors in Q16, at most 8, and of ways, at most 1024 px: sums of two products are within ±16384 px.
+constexpr bool is_modest_factor(std::int32_t factor) { return fits_in(factor, 19); }
+constexpr bool is_modest_way(std::int32_t raw) { return fits_in(raw, 26); }
+
+/// As sum_of_products() where that fits in 32 bits.
+constexpr std::int32_t short_sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q, std::int32_t b)
+{
+    constexpr std::uint32_t low_half = 0xFFFF;
+    const auto low = [](std::int32_t value) { return static_cast<std::uint32_t>(value) & low_half; };
+    const auto high = [](std::int32_t value) { return static_cast<std::uint32_t>(value >> 16); };
+    const std::uint64_t rest = std::uint64_t{low(p) * low(a)} + low(q) * low(b) + Fixed::one / 2;
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(p) * high(a) + high(p) * low(a) +
+                                     static_cast<std::uint32_t>(q) * high(b) + high(q) * low(b) +
+                                     static_cast<std::uint32_t>(rest >> 16));
+}
+
 }

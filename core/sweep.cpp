@@ -33,16 +33,17 @@ public:
         Layer& layer = line_.layer();
         const bool run_through = parts_.run_through();
         std::int32_t winding = 0;
+        bool was_inside = false;
         std::uint16_t* link = &layer.active;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             const RowPart& part = parts_[i];
-            const bool was_inside = is_inside(layer.rule, winding);
             winding += part.chain->winding();
             if (is_inside(layer.rule, winding) != was_inside) {
                 if (run_through)
                     add_crossing(part, crossings);
                 if (wants_coverage || !run_through)
                     cover(part, was_inside ? -1 : 1);
+                was_inside = !was_inside;
             }
             if (take(part)) {
                 *link = part.number;
@@ -65,8 +66,9 @@ private:
 
     void cover(const RowPart& part, std::int32_t sign)
     {
+        coverage_.touch(Fixed::from_raw(part.left), Fixed::from_raw(part.right));
         if (part.is_straight)
-            coverage_.add(Fixed::from_raw(part.begin), Fixed::from_raw(part.end), subrows, sign);
+            coverage_.add_touched(Fixed::from_raw(part.begin), Fixed::from_raw(part.end), subrows, sign);
         else
             cover_bent(part, sign);
     }
@@ -75,13 +77,14 @@ private:
     {
         Fixed x = Fixed::from_raw(part.begin);
         std::int32_t y = part.top;
-        for (std::int32_t i = 0; i < part.corners; ++i) {
-            const Corner& corner = *edge_of(line_.store(), *part.chain, part.chain->passed + i).lower;
-            coverage_.add(x, corner.x, corner.y - y, sign);
-            x = corner.x;
-            y = corner.y;
+        const Corner* corner = current_edge(line_.store(), *part.chain).lower;
+        const std::ptrdiff_t onward = part.chain->runs_up != 0 ? -1 : 1;
+        for (std::int32_t i = 0; i < part.corners; ++i, corner += onward) {
+            coverage_.add_touched(x, corner->x, corner->y - y, sign);
+            x = corner->x;
+            y = corner->y;
         }
-        coverage_.add(x, Fixed::from_raw(part.end), part.bottom - y, sign);
+        coverage_.add_touched(x, Fixed::from_raw(part.end), part.bottom - y, sign);
     }
 
     /// Moves the chain below the row. Whether anything of it is left there.
