@@ -11,7 +11,7 @@ namespace kfast {
 class Moment {
 public:
     /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not told stands at 0.
-    constexpr Moment(Time time, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
+    constexpr Moment(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
 
     constexpr Time time() const { return time_; }
     constexpr Time at(Clock clock) const

@@ -1,5 +1,6 @@
 #include "host/commands/bone_tracks.hpp"
 
+#include "host/commands/clock_facts.hpp"
 #include "host/commands/law_text.hpp"
 #include "host/commands/track_facts.hpp"
 
@@ -34,18 +35,18 @@ public:
         Json facts = Json::array();
         while (!cursor.at_end()) {
             const TrackKey key = cursor.next();
-            facts.push_back(fact(key.time, key.value, key.laws, cursor.at_end()));
+            facts.push_back(fact(cursor.beats().clock(), key, cursor.at_end()));
         }
         return facts;
     }
 
 private:
-    Json fact(Time time, std::int32_t value, std::uint32_t number, bool is_last) const
+    Json fact(Clock clock, const TrackKey& at, bool is_last) const
     {
         constexpr std::int32_t turn = 65536;
-        Json key{{"at", static_cast<double>(time.ticks) / Time::ticks_per_frame},
-                 {"value", value_of(quantity_, counts_modulo_one_turn_ ? value & (turn - 1) : value)}};
-        const LawPair laws = scene_.laws(number);
+        Json key{{"at", written_moment(scene_, clock, at.time)},
+                 {"value", value_of(quantity_, counts_modulo_one_turn_ ? at.value & (turn - 1) : at.value)}};
+        const LawPair laws = scene_.laws(at.laws);
         if (!is_last)
             key["law"] = law_text(quantity_ == BoneQuantity::y ? laws.y : laws.x);
         return key;
@@ -66,6 +67,7 @@ Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t nu
         return facts;
     }
     facts["smooth"] = false;
+    tell_input(scene, keys.keys().beats().clock(), facts);
     facts["keys"] = QuantityFacts{scene, bone, quantity}.of(keys.keys());
     return facts;
 }

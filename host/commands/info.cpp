@@ -54,6 +54,19 @@ std::size_t item_count(const SceneView& scene)
     return count;
 }
 
+Json inputs_of(const SceneView& scene)
+{
+    Json inputs = Json::array();
+    for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
+        const InputView input = cursor.next();
+        inputs.push_back({{"name", input.name},
+                          {"min", input.least / 1000.0},
+                          {"max", input.most / 1000.0},
+                          {"default", input.usual / 1000.0}});
+    }
+    return inputs;
+}
+
 Json clips_of(const SceneView& scene)
 {
     Json clips = Json::array();
@@ -94,6 +107,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"items", item_count(scene.view)},
         {"symbols", scene.view.symbol_count()},
         {"keys", keys_of(scene.view)},
+        {"inputs", inputs_of(scene.view)},
         {"clips", clips_of(scene.view)},
         {"events", events_of(scene.view)},
         {"memory",
@@ -115,6 +129,13 @@ std::string key_text(const Json& keys)
     for (std::size_t place = 0; place < keys.size(); ++place)
         text << (place == 0 ? ", at frames " : " ") << keys[place].get<double>();
     return text.str();
+}
+
+void print_input(const Json& input)
+{
+    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": "
+              << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
+              << input["default"].get<double>() << '\n';
 }
 
 void print_clip(const Json& clip)
@@ -145,6 +166,7 @@ void print_text(const Json& facts)
               << "  keys        " << key_text(facts["keys"]) << '\n'
               << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
               << size_text(facts["memory"]) << '\n';
+    std::ranges::for_each(facts["inputs"], print_input);
     std::ranges::for_each(facts["clips"], print_clip);
     std::ranges::for_each(facts["events"], print_event);
     if (facts.contains("tracks"))
@@ -181,8 +203,8 @@ void declare(CLI::App& app)
 
 }
 
-const Command info_command{"info",
-                           "Tell size, length, loop, objects, keys, clips, events and memory of a scene",
-                           "kfast info eyes.kfb --panel ssd0323", declare};
+const Command info_command{
+    "info", "Tell size, length, loop, objects, keys, inputs, clips, events and memory of a scene",
+    "kfast info eyes.kfb --panel ssd0323", declare};
 
 }

@@ -105,6 +105,15 @@ CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
                [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
 }
 
+/// Its inputs stand as usual.
+std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene)
+{
+    if (options.panel != nullptr)
+        return open_board_source(scene.bytes, options.panel->settings);
+    const Size size = panel_size(options, scene.view);
+    return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
+}
+
 }
 
 void declare_size_options(CLI::App& app, PictureOptions& options)
@@ -117,6 +126,7 @@ void declare_picture_options(CLI::App& app, PictureOptions& options)
     declare_size_options(app, options);
     add_fit(app, options)->excludes(app.get_option("--panel"));
     add_format(app, options)->excludes(app.get_option("--panel"));
+    declare_input_options(app, options.inputs);
 }
 
 Size panel_size(const PictureOptions& options, const SceneView& scene)
@@ -126,10 +136,9 @@ Size panel_size(const PictureOptions& options, const SceneView& scene)
 
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
-    if (options.panel != nullptr)
-        return open_board_source(scene.bytes, options.panel->settings);
-    const Size size = panel_size(options, scene.view);
-    return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
+    auto source = open_at_rest(options, scene);
+    put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, *source);
+    return source;
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/player.hpp"
+#include "host/commands/input_options.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/panel_choice.hpp"
 #include "host/scene_file.hpp"
@@ -11,15 +12,16 @@
 
 namespace kfast {
 
-/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel.
+/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel, and where its inputs stand.
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene
     Fit fit = Fit::contain;
     PixelFormat format = PixelFormat::rgb565;
     const PanelChoice* panel = nullptr; ///< instead of size, fit and format: it is driven as on a board
+    InputOptions inputs = {};
 };
 
-/// Adds the four options to `app`. `options` must outlive its parsing.
+/// Adds these options to `app`. `options` must outlive its parsing.
 void declare_picture_options(CLI::App& app, PictureOptions& options);
 
 /// Adds --size and --panel only.

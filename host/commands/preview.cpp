@@ -37,11 +37,14 @@ std::vector<PreviewKey> read_script(const std::string& text)
     return script;
 }
 
-Programme chosen_programme(const PlayOptions& options, const SceneView& scene)
+Programme chosen_programme(const PlayOptions& options, const SceneView& scene,
+                           const std::vector<std::int32_t>& inputs)
 {
     Programme programme = programme_of(scene);
     programme.speed = chosen_timeline(options, scene).speed;
     const auto first = std::ranges::find(programme.parts, options.clip.value_or(""), &Part::name);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        programme.inputs[i].value = inputs[i];
     programme.first = static_cast<std::size_t>(first - programme.parts.begin());
     return programme;
 }
@@ -57,7 +60,8 @@ void preview_headless(const PreviewOptions& options, FrameSource& source, const 
 void preview(const PreviewOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
-    const Programme programme = chosen_programme(options.play, scene.view);
+    const Programme programme =
+        chosen_programme(options.play, scene.view, chosen_inputs(options.picture.inputs, scene.view));
     const auto source = open_source(options.picture, scene);
     if (options.headless)
         return preview_headless(options, *source, programme);

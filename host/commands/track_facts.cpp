@@ -1,8 +1,10 @@
 #include "host/commands/track_facts.hpp"
 
+#include "host/commands/clock_facts.hpp"
 #include "host/commands/law_text.hpp"
 #include "host/commands/rounded_text.hpp"
 #include "host/property_name.hpp"
+#include "host/text/glyph.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +61,7 @@ Json keys_of(const SceneView& scene, const TrackView& track)
     Json keys = Json::array();
     for (TrackKeyCursor cursor = track.keys; !cursor.at_end();) {
         const TrackKey key = cursor.next();
-        Json entry{{"at", static_cast<double>(key.time.ticks) / Time::ticks_per_frame},
+        Json entry{{"at", written_moment(scene, cursor.beats().clock(), key.time)},
                    {"value", value_of(scene, track.property, key.value)}};
         if (goes_by_laws(track) && !cursor.at_end()) {
             const LawPair laws = scene.laws(key.laws);
@@ -95,6 +97,7 @@ Json track_facts(const SceneView& scene, const TrackView& track)
         facts["value"] = value_of(scene, track.property, track.value);
     } else {
         facts["smooth"] = track.is_smooth;
+        tell_input(scene, track.keys.beats().clock(), facts);
         facts["keys"] = keys_of(scene, track);
     }
     return facts;
@@ -105,7 +108,9 @@ std::string track_text(const Json& facts)
     if (facts.contains("value"))
         return value_text(facts["value"]);
     const std::string law = facts["smooth"].get<bool>() ? "smooth" : common_law(facts["keys"]);
-    std::string text = law.empty() ? "" : law + ": ";
+    std::string text =
+        facts.contains("input") ? "by " + visible(facts["input"].get<std::string>()) + ", " : "";
+    text += law.empty() ? "" : law + ": ";
     const char* separator = "";
     for (const Json& key : facts["keys"]) {
         text += separator + rounded_text(key["at"].get<double>()) + ' ' + value_text(key["value"]);

@@ -29,6 +29,7 @@ public:
         frame_ = board_.picture();
         return frame_;
     }
+    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
     Pace pace() const override { return Pace::by_frames; }
 
 private:

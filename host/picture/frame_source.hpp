@@ -3,6 +3,8 @@
 #include "core/time.hpp"
 #include "host/picture/frame.hpp"
 
+#include <cstdint>
+
 namespace kfast {
 
 /// When a picture changes while a scene plays.
@@ -18,6 +20,8 @@ public:
 
     /// The picture at a moment of the timeline, the scene's very end included. Valid until the next call.
     virtual const Frame& show(Time moment) = 0;
+    /// As Player::set_input().
+    virtual void set_input(std::uint32_t number, Time place) = 0;
     virtual Pace pace() const { return Pace::smooth; }
 };
 

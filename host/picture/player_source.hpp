@@ -14,6 +14,7 @@ public:
     PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFormat format);
 
     const Frame& show(Time moment) override;
+    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
 
 private:
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4

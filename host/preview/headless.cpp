@@ -60,7 +60,7 @@ void play_headless(FrameSource& source, const Programme& programme, std::ostream
     for (int frame = 0; frame < timeline.frame_count(); ++frame) {
         playback.advance_to(clock_at(timeline, frame));
         write_events(playback, out);
-        summary.add(source.show(playback.time()));
+        summary.add(show(source, playback));
     }
     playback.advance_to(clock_at(timeline, timeline.frame_count())); // what lies behind the last frame
     write_events(playback, out);
@@ -79,7 +79,7 @@ void play_script(FrameSource& source, const Programme& programme, std::span<cons
         write_events(playback, out);
         if (playback.wants_to_quit())
             break;
-        const Frame& frame = source.show(playback.time());
+        const Frame& frame = show(source, playback);
         summary.add(frame);
         out << playback.status() << "  " << hexadecimal(hash(frame)) << '\n';
     }

@@ -7,10 +7,18 @@
 namespace kfast {
 namespace {
 
+Clock clock_of(const BeatCursor& beats) { return beats.clock(); }
+
+template <class Cursor>
+Clock clock_of(const Cursor& keys)
+{
+    return keys.beats().clock();
+}
+
 template <class Cursor>
 void add_times(Cursor keys, std::vector<Time>& times)
 {
-    while (!keys.at_end())
+    while (clock_of(keys).is_time() && !keys.at_end())
         times.push_back(keys.next().time);
 }
 

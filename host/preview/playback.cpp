@@ -49,6 +49,12 @@ void Playback::press(PreviewKey key, Seconds now)
         return start_part((part_ + 1) % parts, now);
     case PreviewKey::previous_clip:
         return start_part((part_ + parts - 1) % parts, now);
+    case PreviewKey::next_input:
+        return choose_next_input();
+    case PreviewKey::more_input:
+        return turn_input(1);
+    case PreviewKey::less_input:
+        return turn_input(-1);
     case PreviewKey::help:
         return;
     case PreviewKey::quit:
@@ -116,6 +122,11 @@ std::string Playback::status() const
         status += text;
     if (part_ != 0)
         status += "  clip " + visible(programme_.parts[part_].name);
+    if (input_) {
+        const InputKnob& input = programme_.inputs[*input_];
+        std::snprintf(text, sizeof text, " %g", input.value / 1000.0);
+        status += "  " + visible(input.name) + text;
+    }
     return status;
 }
 
@@ -136,6 +147,20 @@ void Playback::toggle_playing(Seconds now)
     playing_ = !playing_;
     anchor_ = now;
     played_ = 0;
+}
+
+void Playback::choose_next_input()
+{
+    if (!programme_.inputs.empty())
+        input_ = input_ ? (*input_ + 1) % programme_.inputs.size() : 0;
+}
+
+void Playback::turn_input(int steps)
+{
+    if (!input_)
+        choose_next_input();
+    if (input_)
+        programme_.inputs[*input_].turn(steps);
 }
 
 void Playback::set_speed(std::int32_t speed)
@@ -192,6 +217,14 @@ void Playback::step_key(int direction)
     }
     const auto here = std::ranges::lower_bound(keys, shown_);
     stop_at(here == keys.begin() ? keys.back() : *std::prev(here));
+}
+
+const Frame& show(FrameSource& source, const Playback& playback)
+{
+    std::uint32_t number = 0;
+    for (const InputKnob& input : playback.inputs())
+        source.set_input(number++, input.place());
+    return source.show(playback.time());
 }
 
 }

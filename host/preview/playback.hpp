@@ -37,10 +37,12 @@ public:
     bool wants_to_quit() const { return wants_to_quit_; }
     /// When the next frame begins, while playing.
     Seconds next_frame_at() const;
+    /// Those of the scene.
+    const std::vector<InputKnob>& inputs() const { return programme_.inputs; }
     /// The events passed since the last call, in order.
     std::vector<EventView> take_passed();
     /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed -0.5"
-    /// and "  clip blink".
+    /// "  clip blink" and, of the input that was turned last, "  gaze 0.5".
     std::string status() const;
 
 private:
@@ -55,6 +57,8 @@ private:
     void stop_at(Time moment);
     void step_frame(int direction);
     void step_key(int direction);
+    void turn_input(int steps);
+    void choose_next_input();
 
     Programme programme_;
     Pace pace_;
@@ -68,9 +72,13 @@ private:
     std::optional<std::int64_t> way_left_; // to the end of the last loop: ticks of the timeline, Q16
     std::vector<EventView> passed_;
     std::string_view latest_event_;
+    std::optional<std::size_t> input_; ///< that keys turn
     bool playing_ = true;
     bool help_open_ = true;
     bool wants_to_quit_ = false;
 };
+
+/// The picture where `playback` stands.
+const Frame& show(FrameSource& source, const Playback& playback);
 
 }

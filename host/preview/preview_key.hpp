@@ -19,11 +19,14 @@ enum class PreviewKey {
     reverse,
     next_clip,
     previous_clip,
+    next_input,
+    more_input,
+    less_input,
     help,
     quit
 };
 
-/// `name` as in a list of keys: space n p right left up down r c b h q escape.
+/// `name` as in a list of keys: space n p right left up down r c b i + - h q escape.
 std::optional<PreviewKey> preview_key(std::string_view name);
 
 /// One line per key, for the help of the window and of the command.

@@ -2,7 +2,24 @@
 
 #include "host/preview/key_times.hpp"
 
+#include <utility>
+
 namespace kfast {
+
+namespace {
+
+std::vector<InputKnob> inputs_of(const SceneView& scene)
+{
+    std::vector<InputKnob> knobs;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
+        InputView input = inputs.next();
+        const std::string name{std::exchange(input.name, {})};
+        knobs.push_back({name, input, input.usual});
+    }
+    return knobs;
+}
+
+}
 
 Programme programme_of(const SceneView& scene)
 {
@@ -11,7 +28,7 @@ Programme programme_of(const SceneView& scene)
         const ClipView clip = clips.next();
         parts.push_back({std::string{clip.name}, stretch_of(clip)});
     }
-    return {scene.frame_rate(), std::move(parts), key_times(scene), scene.events()};
+    return {scene.frame_rate(), std::move(parts), key_times(scene), scene.events(), inputs_of(scene)};
 }
 
 }

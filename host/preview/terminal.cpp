@@ -156,7 +156,7 @@ void play(FrameSource& source, Playback& playback)
     std::string rewind;
     while (!playback.wants_to_quit() && signal_seen == 0) {
         playback.advance_to(steady_now());
-        const std::string picture = picture_text(source.show(playback.time()));
+        const std::string picture = picture_text(show(source, playback));
         write_all(rewind + picture + status_line(playback));
         rewind = up(std::ranges::count(picture, '\n') + 1);
         if (!playback.wants_to_quit())

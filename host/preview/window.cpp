@@ -19,6 +19,7 @@ namespace {
 using Seconds = Playback::Seconds;
 
 constexpr int letter = 8; // pixels of a character of SDL2_gfx's font, in both directions
+constexpr int line_height = 3 * letter / 2;
 constexpr int status_height = 2 * letter;
 constexpr int pixel_bytes = sizeof(Colour);
 constexpr Size smallest_window{384, 240};
@@ -97,6 +98,15 @@ std::optional<PreviewKey> pressed(SDL_Keycode code)
         return PreviewKey::next_clip;
     case SDLK_b:
         return PreviewKey::previous_clip;
+    case SDLK_i:
+        return PreviewKey::next_input;
+    case SDLK_PLUS:
+    case SDLK_EQUALS: // where + is typed with shift
+    case SDLK_KP_PLUS:
+        return PreviewKey::more_input;
+    case SDLK_MINUS:
+    case SDLK_KP_MINUS:
+        return PreviewKey::less_input;
     case SDLK_h:
         return PreviewKey::help;
     case SDLK_q:
@@ -168,14 +178,14 @@ private:
         const std::vector<std::string> lines = preview_key_help();
         const auto longest = std::ranges::max(lines, {}, &std::string::size).size();
         const SDL_Rect box{letter, letter, letter * (static_cast<int>(longest) + 2),
-                           letter * (2 * static_cast<int>(lines.size()) + 1)};
+                           line_height * static_cast<int>(lines.size()) + letter * 3 / 2};
         SDL_SetRenderDrawBlendMode(renderer_.get(), SDL_BLENDMODE_BLEND);
         SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 200);
         SDL_RenderFillRect(renderer_.get(), &box);
         int y = box.y + letter;
         for (const std::string& line : lines) {
             draw_text(box.x + letter, y, line);
-            y += 2 * letter;
+            y += line_height;
         }
     }
 
@@ -205,13 +215,13 @@ bool take_events(Playback& playback)
 
 void play(Window& window, FrameSource& source, Playback& playback)
 {
-    window.draw(source.show(playback.time()), playback);
+    window.draw(show(source, playback), playback);
     while (!playback.wants_to_quit()) {
         const Time shown = playback.time();
         const bool disturbed = take_events(playback);
         playback.advance_to(steady_now());
         if (disturbed || playback.time() != shown)
-            window.draw(source.show(playback.time()), playback);
+            window.draw(show(source, playback), playback);
     }
 }
 

@@ -85,6 +85,18 @@ TEST_CASE("the latest time of the format is kept")
     check_same(taken(beat_bytes({{Time{kfb::max_time}, 3}})), {{Time{kfb::max_time}, 3}});
 }
 
+TEST_CASE("beats say which input they count, and the usual ones that of where they come from")
+{
+    const Bytes by_input = beat_bytes({{Time{0}, 1}, {Time{65536}, 2}}, {32});
+    CHECK(by_input.size() == beat_bytes({{Time{0}, 1}, {Time{65536}, 2}}).size() + 1);
+    check_same(taken(by_input), {{Time{0}, 1}, {Time{65536}, 2}});
+    CHECK(taken(by_input).clock() == Clock{32});
+    CHECK(taken(beat_bytes({{Time{5}, 1}})).clock().is_time());
+    const Bytes usual = bytes({0});
+    ByteReader reader{usual};
+    CHECK(BeatCursor::take(reader, taken(by_input)).clock() == Clock{32});
+}
+
 TEST_CASE("beats that break off, or have a form without a meaning, are past the end")
 {
     const auto is_whole = [](const Bytes& bytes) {
@@ -102,6 +114,9 @@ TEST_CASE("beats that break off, or have a form without a meaning, are past the 
     CHECK_FALSE(is_whole(joined({bytes({1, 0x5E, 0x01}), Bytes(4)}))); // times of 30 bits, and ten more
     CHECK(is_whole(joined({bytes({1, 0x54, 0x01}), Bytes(3)})));       // of 20 and ten
     CHECK_FALSE(is_whole(joined({bytes({1, 0x1F, 0x00}), Bytes(4)}))); // of 31
+    CHECK(is_whole(bytes({1, 0x00, 0x80, 1})));
+    CHECK_FALSE(is_whole(bytes({1, 0x00, 0x80}))); // by an input, but which?
+    CHECK_FALSE(is_whole(bytes({1, 0x00, 0x80, 0})));
     CHECK_FALSE(is_whole(bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x1F, 0x10, 0, 0, 0, 0})));
 }
 

@@ -261,7 +261,7 @@ TEST_CASE("the order is that of the key before, 0 without a track")
 {
     const auto order_of = [](const Bytes& tracks, int count, int ticks) {
         const Bytes item = tracked(count, tracks);
-        return order_at(ItemCursor{ByteReader{item}}.next(), {ticks});
+        return order_at(ItemCursor{ByteReader{item}}.next(), Time{ticks});
     };
     const auto moving =
         moving_track(Property::order,

@@ -6,6 +6,7 @@
 #include "host/compiler/beat_writer.hpp"
 #include "host/compiler/byte_writer.hpp"
 #include "host/compiler/header.hpp"
+#include "host/compiler/input_writer.hpp"
 #include "host/compiler/time_code.hpp"
 #include "host/compiler/value_writer.hpp"
 #include "tests/bytes.hpp"
@@ -14,6 +15,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 /// Scenes put together by hand, so that anything in them can be wrong; docs/format.md says what the bytes
@@ -129,7 +132,7 @@ struct RawTrackKey {
 };
 
 /// Values are stored as differences from `from`.
-inline Bytes track_keys(const std::vector<RawTrackKey>& list, std::int32_t from = 0)
+inline Bytes track_keys(const std::vector<RawTrackKey>& list, std::int32_t from = 0, Clock clock = {})
 {
     Beats beats;
     std::vector<std::int32_t> values;
@@ -137,7 +140,7 @@ inline Bytes track_keys(const std::vector<RawTrackKey>& list, std::int32_t from 
         beats.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
         values.push_back(key.value - from);
     }
-    return joined({beat_bytes(beats), value_bytes(values)});
+    return joined({beat_bytes(beats, clock), value_bytes(values)});
 }
 
 inline Bytes moving_track(Property property, const std::vector<RawTrackKey>& list)
@@ -149,6 +152,15 @@ inline Bytes moving_track(Property property, const std::vector<RawTrackKey>& lis
 inline Bytes smooth_track(Property property, const std::vector<RawTrackKey>& list)
 {
     return joined({bytes({0x40 | static_cast<int>(property)}), track_keys(list)});
+}
+
+/// Values are in 1/1000.
+inline Bytes input_bytes(std::string_view name, std::int32_t least = 0, std::int32_t most = 1000,
+                         std::int32_t usual = 0)
+{
+    ByteWriter writer;
+    write_inputs({{std::string{name}, least, most, usual}}, writer);
+    return writer.bytes();
 }
 
 /// Behind the tracks of an item, one of which leads along it.
@@ -172,6 +184,8 @@ struct RawScene {
     std::uint32_t camera = 32;
     Bytes palette = bytes({0, 0, 0, 255, 255, 255, 255, 255, 255, 0, 0, 128});
     Bytes laws;
+    std::uint32_t input_count = 0;
+    Bytes inputs;
     Bytes marks;
     Bytes bones; ///< each skeleton a block
     std::uint32_t symbol_count = 0;
@@ -179,7 +193,6 @@ struct RawScene {
     Bytes items = triangle();
     /// At 0 a triangle within the canvas, at 10 the empty drawing.
     Bytes drawings = bytes({1, 32, 0x80, 1, 0, 6, 4, 0x40, 0x0C, 0x10, 0});
-    std::uint32_t more_bits = 0; ///< of the header
 
     void add_symbol(const Bytes& inside)
     {
@@ -194,7 +207,7 @@ struct RawScene {
         ByteWriter body;
         body.varint(outline_bytes / 4);
         body.u8(loop | 0x0C | bit(!marks.empty(), 4) | bit(!bones.empty(), 5) | bit(symbol_count != 0, 6) |
-                more_bits);
+                bit(input_count != 0, 7));
         body.varint(ticks <= kfb::max_time ? time_code({static_cast<std::int32_t>(ticks)}) : 0xFFFFFFFF);
         body.varint(2 * frame_rate + 1);
         body.varint(width);
@@ -204,6 +217,10 @@ struct RawScene {
         body.append(palette);
         body.u8(law_count);
         body.append(laws);
+        if (input_count != 0) {
+            body.u8(input_count);
+            body.block(inputs);
+        }
         for (const Bytes* section : {&marks, &bones})
             if (!section->empty())
                 body.block(*section);

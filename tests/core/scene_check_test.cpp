@@ -114,7 +114,6 @@ TEST_CASE("values of the header have ranges")
     CHECK(with(&RawScene::outline_bytes, 1'048'576));
     CHECK_FALSE(with(&RawScene::outline_bytes, 1'048'580));
     CHECK_FALSE(with(&RawScene::outline_bytes, 0xFFFFFFFC));
-    CHECK_FALSE(with(&RawScene::more_bits, 0x80));
 }
 
 TEST_CASE("the background is opaque, and there is one")

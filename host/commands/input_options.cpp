@@ -1,0 +1,76 @@
+#include "host/commands/input_options.hpp"
+
+#include "host/scene/value_reader.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+std::vector<InputView> inputs_of(const SceneView& scene)
+{
+    std::vector<InputView> inputs;
+    for (InputCursor cursor = scene.inputs(); !cursor.at_end();)
+        inputs.push_back(cursor.next());
+    return inputs;
+}
+
+[[noreturn]] void refuse(const std::string& message) { throw CLI::ValidationError("--input", message); }
+
+[[noreturn]] void refuse_name(std::string_view name, const std::vector<InputView>& inputs)
+{
+    std::vector<std::string_view> names;
+    std::ranges::transform(inputs, std::back_inserter(names), &InputView::name);
+    refuse("there is no input '" + std::string{name} +
+           "': " + (names.empty() ? "the scene has none: leave out --input" : suggestion(name, names)));
+}
+
+std::int32_t read_value(std::string_view text, const InputView& input)
+{
+    double value = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_whole = error == std::errc{} && rest == text.data() + text.size();
+    const double least = input.least / 1000.0;
+    const double most = input.most / 1000.0;
+    if (!is_whole || !(value >= least && value <= most))
+        refuse("'" + std::string{text} + "' is no value of " + std::string{input.name} + ": it goes from " +
+               scene::text_of(least) + " to " + scene::text_of(most));
+    return scene::thousandths(value);
+}
+
+}
+
+void declare_input_options(CLI::App& app, InputOptions& options)
+{
+    app.add_option("--input", options.texts, "Where an input of the scene stands; may be repeated")
+        ->type_name("NAME=VALUE");
+}
+
+std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const SceneView& scene)
+{
+    const std::vector<InputView> inputs = inputs_of(scene);
+    std::vector<std::int32_t> values;
+    std::ranges::transform(inputs, std::back_inserter(values), &InputView::usual);
+    for (const std::string_view text : options.texts) {
+        const std::size_t sign = text.find('=');
+        if (sign == std::string_view::npos)
+            refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
+        const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);
+        if (input == inputs.end())
+            refuse_name(text.substr(0, sign), inputs);
+        values[static_cast<std::size_t>(input - inputs.begin())] = read_value(text.substr(sign + 1), *input);
+    }
+    return values;
+}
+
+void put_inputs(const std::vector<std::int32_t>& values, const SceneView& scene, FrameSource& source)
+{
+    std::uint32_t number = 0;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number)
+        source.set_input(number, inputs.next().place_of(values[number]));
+}
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/input_view.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace kfast {
+
+/// An input of a scene, turned by keys. Values are in 1/1000.
+struct InputKnob {
+    std::string name;
+    InputView range; ///< without its name
+    std::int32_t value = 0;
+
+    /// By a twentieth of its range for each step.
+    void turn(int steps)
+    {
+        const std::int64_t step = std::max((std::int64_t{range.most} - range.least) / 20, std::int64_t{1});
+        value = static_cast<std::int32_t>(
+            std::clamp(value + steps * step, std::int64_t{range.least}, std::int64_t{range.most}));
+    }
+
+    Time place() const { return range.place_of(value); }
+};
+
+}
