@@ -5,6 +5,8 @@
 namespace kfast::fit {
 namespace {
 
+constexpr int least_frames_with_inputs = 64;
+
 /// As the scene says, but what would end comes round again: it may be played again at any time.
 Stretch steady_stretch(const SceneView& scene)
 {
@@ -65,6 +67,32 @@ void SceneRun::visit_turn(Time offset, const VisitFrame& visit)
         if (frame == 0 || stride_ > 1)
             draw(moment_of(frame == 0 ? frames_ - 1 : frame - 1, offset), ignore);
         draw(moment_of(frame, offset), visit);
+    }
+}
+
+void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
+{
+    if (player_.scene().input_count() == 0)
+        return;
+    const int turn = std::max(frames_, least_frames_with_inputs);
+    for (int frame = 0; frame < turn; frame += stride_) {
+        if (frame == 0 || stride_ > 1) {
+            put_inputs(frame + turn - 1);
+            draw(moment_of((frame + frames_ - 1) % frames_, {}), [](const FrameWork&) {});
+        }
+        put_inputs(frame);
+        draw(moment_of(frame % frames_, {}), visit);
+    }
+}
+
+/// The slowest goes there and back in as many frames as are seen at least.
+void SceneRun::put_inputs(int frame)
+{
+    const std::int32_t there_and_back = 2 * whole_input.ticks;
+    const std::int64_t step = there_and_back / least_frames_with_inputs;
+    for (std::uint32_t input = 0; input < player_.scene().input_count(); ++input) {
+        const auto way = static_cast<std::int32_t>(frame * step * (input + 1) % there_and_back);
+        player_.set_input(input, {std::min(way, there_and_back - way)});
     }
 }
 

@@ -40,6 +40,9 @@ public:
     void visit_first(Time offset, const VisitFrame& visit);
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
+    /// Likewise, at least 64 frames, while all inputs of the scene go there and back, each faster than the
+    /// one before. Nothing if it has none.
+    void visit_turn_with_inputs(const VisitFrame& visit);
     /// The very end, which the scene shows at last if it plays once; nothing otherwise.
     void visit_end(const VisitFrame& visit);
     /// Of the first picture so far that was not complete for want of room, also of one that was not visited.
@@ -49,6 +52,7 @@ public:
 
 private:
     void draw(Time moment, const VisitFrame& visit);
+    void put_inputs(int frame);
     Time moment_of(int frame, Time offset) const;
 
     const Target& target_;

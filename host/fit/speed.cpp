@@ -78,6 +78,7 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit)
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
     for (const Time offset : {Time{0}, Time{Time::ticks_per_frame / 2}})
         run.visit_turn(offset, [&](const FrameWork& frame) { meter.take(frame); });
+    run.visit_turn_with_inputs([&](const FrameWork& frame) { meter.take(frame); });
     run.visit_end([&](const FrameWork& frame) { meter.take(frame); });
     speed.overfull = run.overfull();
     speed.stride = run.stride();

@@ -39,7 +39,7 @@ struct Limits {
 };
 
 /// How fast a scene plays: by frames, and by frames half a frame later, for a panel may be faster than the
-/// scene; and at its very end, if it stops there.
+/// scene; at its very end, if it stops there; and with all of its inputs moving, if it has some.
 struct Speed {
     std::vector<FrameCost> frames;           ///< the cheapest first
     FrameCost first;                         ///< at the beginning: the whole panel

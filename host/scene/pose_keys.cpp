@@ -71,7 +71,7 @@ std::vector<GivenTurn> add_pose_keys(const std::vector<Pose>& poses, std::vector
         for (const PosedBone& posed : pose.bones) {
             Bone& bone = bones[posed.bone];
             add_keys(pose, posed, bone.parent ? frames[*bone.parent].angle : 0, bone, reading);
-            if (posed.turn)
+            if (posed.turn && pose.clock.is_time())
                 turns.push_back({posed.bone, pose.time, posed.place});
         }
     return turns;

@@ -16,8 +16,8 @@ struct GivenTurn {
     Place place;
 };
 
-/// Each bone of each pose gets a key of all of its quantities. Returns the turns that are written; of the
-/// other keys, the angle is that as set up. Reports what the format cannot hold.
+/// Each bone of each pose gets a key of all of its quantities. Returns the turns that are written for times;
+/// of the other keys, the angle is that as set up. Reports what the format cannot hold.
 std::vector<GivenTurn> add_pose_keys(const std::vector<Pose>& poses, std::vector<Bone>& bones,
                                      Reading& reading);
 

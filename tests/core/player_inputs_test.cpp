@@ -26,7 +26,7 @@ std::vector<std::string> scenes_by(const std::string& by)
         begin + "object o fill=red { " + shape + "; track x" + by + " { at 0 0; at 20 30; at 64 9 } }",
         begin + "object o fill=red { " + shape + "; track y law=accelerate" + by + " { at 0 0; at 64 9 } }",
         begin + "object o fill=red rule=even-odd" + by + " { key 0 law=ease { " + shape +
-            " }; key 40 match=length { rect 20 10 30 20 } key 64 { empty } }",
+            " }; key 40 match=length { rect 20 10 30 20 }; key 64 { empty } }",
         begin + "group" + by +
             " { key 0 law=\"steps(5)\" rotate=0; key 64 rotate=90 opacity=0.3\n"
             "object o fill=red stroke=blue { " +

@@ -57,6 +57,21 @@ TEST_CASE("the end of a scene that plays once is looked at")
     }
 }
 
+TEST_CASE("a scene is looked at with its inputs moving, too")
+{
+    for (const std::string bound : {" visible=#false", " input=knob"}) {
+        const auto bytes =
+            test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput knob\n"
+                           "object a fill=red { rect 0 0 9 9; track x input=knob { at 0 0; at 1 9 } }\n"
+                           "object b fill=lime" +
+                           bound + " { key 0 law=hold { rect 0 0 2 2 }; key 1 { rect 0 0 60 40 } }\n");
+        const FitReport report = report_of(bytes);
+        CHECK(report.speed.frames.size() == 2 * 10 + 64);
+        CHECK(report.speed.frames.front().instructions < report.speed.worst().instructions / 4); // at rest
+        CHECK((report.speed.worst().bytes > 60 * 40) == (bound == " input=knob"));
+    }
+}
+
 TEST_CASE("the stack has no less than its bound")
 {
     const auto bytes = test::compiled("kfast 1\ncanvas 60 40\nobject a fill=red { rect 0 0 2 2 }\n");

@@ -60,7 +60,7 @@ TEST_CASE("shares of a path are 0 to 1, and turn is a truth")
     CHECK(group("track along \"M0 0L9 0\" turn=1 { at 0 1 }") ==
           "2:29 error: #true or #false is expected here");
     CHECK(group("track x turn=#true { at 0 1 }") ==
-          "2:9 error: track has no property \"turn\" (allowed: law)");
+          "2:9 error: track has no property \"turn\" (allowed: law, input)");
 }
 
 TEST_CASE("with a path, nothing else says where an item is")

@@ -60,10 +60,9 @@ TEST_CASE("properties of an item out of range are refused where they are")
     CHECK(group("visible=yes") == "1:15 error: #true or #false is expected here");
     CHECK(group("visible=(s)#true") == "1:15 error: this value takes no type or unit (leave out (s))");
     CHECK(group("x=left") == "1:9 error: a number is expected here");
-    CHECK(
-        group("fill=red") ==
-        "1:7 error: group has no property \"fill\" (allowed: x, y, z, rotate, "
-        "rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, opacity, order, visible, pivot-x, pivot-y)");
+    CHECK(group("fill=red") == "1:7 error: group has no property \"fill\" (allowed: x, y, z, rotate, "
+                               "rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, opacity, order, "
+                               "visible, pivot-x, pivot-y, input)");
 }
 
 TEST_CASE("objects have the same properties")

@@ -107,7 +107,8 @@ TEST_CASE("a track knows what it is a track of")
           "2:7 error: only objects have a width (let the track stand in an object that has a stroke)");
     CHECK(object("fill=red", "track width { at 0 1 }") ==
           "2:1 error: this object has no stroke to change (add stroke=COLOUR to the object)");
-    CHECK(group("track x speed=1 { at 0 1 }") == "2:9 error: track has no property \"speed\" (allowed: law)");
+    CHECK(group("track x speed=1 { at 0 1 }") ==
+          "2:9 error: track has no property \"speed\" (allowed: law, input)");
 }
 
 TEST_CASE("a track holds values at different times")
