@@ -7,6 +7,7 @@
 #include "core/time.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/panel.hpp"
+#include "firmware/placed_input.hpp"
 
 #include <array>
 #include <concepts>
@@ -90,6 +91,13 @@ concept ChoosingBoard = Board<B> && requires(B& board, const SceneView& scene) {
 template <class B>
 concept SteeredBoard = Board<B> && requires(B& board, Playhead& playhead) {
     { board.steer(playhead) } -> std::same_as<void>;
+};
+
+/// A board that says where inputs of the scene stand. Asked once before every frame, after steer(). An input that
+/// is not in the answer stays where it was. The answer need not hold any longer.
+template <class B>
+concept InputBoard = Board<B> && requires(B& board) {
+    { board.inputs() } -> std::convertible_to<std::span<const PlacedInput>>;
 };
 
 /// A board that can switch its display off: while it wants to rest, time stands still and nothing is shown.

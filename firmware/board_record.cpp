@@ -35,7 +35,7 @@ public:
     {
         u8(static_cast<std::uint32_t>(value));
     }
-    void text(const ClipName& name)
+    void text(const StoredName& name)
     {
         for (const char letter : name.bytes)
             u8(static_cast<std::uint8_t>(letter));
@@ -69,9 +69,9 @@ public:
     {
         return one_of(static_cast<E>(count - 1));
     }
-    ClipName text()
+    StoredName text()
     {
-        ClipName name;
+        StoredName name;
         for (char& letter : name.bytes)
             letter = static_cast<char>(u8());
         return name;
@@ -114,7 +114,7 @@ void write_control(const Control& control, Writer& writer)
     writer.number_of(control.action);
     writer.u8(control.pin);
     writer.u8(0);
-    writer.text(control.clip);
+    writer.text(control.name);
 }
 
 Control read_control(Reader& reader)
@@ -124,7 +124,7 @@ Control read_control(Reader& reader)
     control.action = reader.one_named<ControlAction>(control_action_names);
     control.pin = static_cast<Pin>(reader.u8());
     static_cast<void>(reader.u8());
-    control.clip = reader.text();
+    control.name = reader.text();
     return control;
 }
 

@@ -18,7 +18,7 @@ namespace kfast {
 ///     fields: controller, rotation, flags (1 bgr, 2 inverted, 4 tearing effect), brightness: u8 each
 ///             glass width, height, column, row: u16 each
 ///             bus u8, I²C address u8, pins u8 x 8 (255: none), bus clock u32, clip 24 bytes
-///             controls x 8: kind, action, pin: u8 each, 0, clip 24 bytes
+///             controls x 8: kind, action, pin: u8 each, 0, name of clip or input 24 bytes
 ///     CRC-32 of all that, u32
 inline constexpr std::size_t board_record_fields = 4 + 8 + 2 + 8 + 4 + 24 + 8 * 28;
 inline constexpr std::size_t board_record_bytes = 8 + board_record_fields + 4;

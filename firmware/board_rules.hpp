@@ -27,10 +27,11 @@ enum class SettingsFault : std::uint8_t {
     units_differ,        ///< clock and data belong to different units of the chip
     converter_missing,   ///< a knob on a pin that cannot measure
     action_not_of_control, ///< buttons and knobs do different things
+    input_missing,         ///< a control for an input does not name it
 };
 
 /// In the order of SettingsFault.
-inline constexpr std::array<std::string_view, 14> settings_fault_texts{
+inline constexpr std::array<std::string_view, 15> settings_fault_texts{
     "the display's controller does not speak this bus",
     "the glass does not lie within the controller's memory",
     "the glass is no multiple of what the controller can address",
@@ -45,6 +46,7 @@ inline constexpr std::array<std::string_view, 14> settings_fault_texts{
     "clock and data belong to different units of the chip",
     "the pin of a knob cannot measure",
     "the action of a control is not for its kind",
+    "a control for an input does not name it",
 };
 
 constexpr std::string_view settings_fault_text(SettingsFault fault)
@@ -324,13 +326,23 @@ constexpr MaybeMistake action_not_of_control(const BoardSettings& settings)
     return std::nullopt;
 }
 
+constexpr MaybeMistake input_missing(const BoardSettings& settings)
+{
+    for (std::size_t i = 0; i < settings.controls.size(); ++i) {
+        const Control& control = settings.controls[i];
+        if (control.kind != ControlKind::none && has_input(control.action) && control.name.view().empty())
+            return SettingsMistake{SettingsFault::input_missing, PinUser::of_control(i)};
+    }
+    return std::nullopt;
+}
+
 using SettingsRule = MaybeMistake (*)(const BoardSettings&);
 
 /// In the order of SettingsFault.
 inline constexpr std::array<SettingsRule, settings_fault_texts.size()> settings_rules{
     bus_not_taken,    glass_beyond_memory, glass_ragged,      rotation_not_done,     clock_too_fast,
     clock_too_slow,   address_reserved,    pin_missing,       pin_not_on_board,      pin_shared,
-    function_missing, units_differ,        converter_missing, action_not_of_control,
+    function_missing, units_differ,        converter_missing, action_not_of_control, input_missing,
 };
 
 /// The first mistake in settings for a Pico; nothing if they can be used as they are.
@@ -371,6 +383,7 @@ consteval const BoardSettings& right_settings()
     static_assert(!units_differ(settings), "settings: clock and data belong to different units of the chip");
     static_assert(!converter_missing(settings), "settings: a knob needs one of the pins 26 to 28");
     static_assert(!action_not_of_control(settings), "settings: a control's action is not for its kind");
+    static_assert(!input_missing(settings), "settings: a control for an input does not name it");
     return settings;
 }
 

@@ -55,9 +55,9 @@ struct StoredText {
     friend constexpr bool operator==(const StoredText&, const StoredText&) = default;
 };
 
-/// The longest name of a clip that a control can have, in bytes.
-inline constexpr std::size_t longest_clip_name = 24;
-using ClipName = StoredText<longest_clip_name>;
+/// The longest name of a clip or an input that settings can have, in bytes.
+inline constexpr std::size_t longest_stored_name = 24;
+using StoredName = StoredText<longest_stored_name>;
 
 /// What somebody touches. Stored.
 enum class ControlKind : std::uint8_t {
@@ -74,15 +74,18 @@ enum class ControlAction : std::uint8_t {
     place, ///< knob: where in the clip, or in the whole scene, playing stands
     speed, ///< knob: from backwards to twice as fast, the middle standing still
     brightness, ///< knob: of the display
+    input, ///< knob: where an input of the scene stands; button: at its most while pressed, else its least
 };
 
 /// In the order of ControlAction.
-inline constexpr std::array<std::string_view, 6> control_action_names{
-    "play", "pause", "sleep", "place", "speed", "brightness",
+inline constexpr std::array<std::string_view, 7> control_action_names{
+    "play", "pause", "sleep", "place", "speed", "brightness", "input",
 };
 
 constexpr bool is_for(ControlAction action, ControlKind kind)
 {
+    if (action == ControlAction::input)
+        return kind != ControlKind::none;
     return (kind == ControlKind::button) == (action <= ControlAction::sleep) && kind != ControlKind::none;
 }
 
@@ -92,11 +95,16 @@ constexpr bool has_clip(ControlAction action)
     return action == ControlAction::play || action == ControlAction::place;
 }
 
+/// Whether it is about one input of the scene, which it must name.
+constexpr bool has_input(ControlAction action) { return action == ControlAction::input; }
+
+constexpr bool has_name(ControlAction action) { return has_clip(action) || has_input(action); }
+
 struct Control {
     ControlKind kind = ControlKind::none;
     ControlAction action = ControlAction::play;
     Pin pin = no_pin;
-    ClipName clip; ///< of `play` and `place`; empty: the whole scene
+    StoredName name; ///< of the clip, empty for the whole scene, or of the input; else empty
 
     friend constexpr bool operator==(const Control&, const Control&) = default;
 };
@@ -112,7 +120,7 @@ struct BoardSettings {
     std::uint32_t bus_clock = 0;
     std::uint8_t i2c_address = 0x3C;                         ///< seven bits
     std::array<Pin, pin_role_names.size()> pins = no_pins(); ///< in the order of PinRole
-    ClipName clip;                                           ///< played when nothing is touched; empty: all
+    StoredName clip;                                         ///< played when nothing is touched; empty: all
     std::array<Control, most_controls> controls{};
 
     constexpr Pin pin(PinRole role) const { return pins[static_cast<std::size_t>(role)]; }

@@ -16,25 +16,39 @@ std::int32_t speed_at(int level)
     return 2 * Playhead::as_authored / middle * away;
 }
 
+/// Rounded to nearest.
+Time input_place_at(int level)
+{
+    return {(whole_input.ticks * level + Controls::full_level / 2) / Controls::full_level};
+}
+
 }
 
 Controls::Controls(const BoardSettings& settings, const SceneView& scene)
     : scene_{scene}, start_{settings.clip}, brightness_{settings.panel.brightness}
 {
-    std::ranges::transform(settings.controls, touches_.begin(),
-                           [](const Control& control) { return Touch{.control = control}; });
+    std::ranges::transform(settings.controls, touches_.begin(), [&scene](const Control& control) {
+        return Touch{.control = control,
+                     .input = has_input(control.action) ? scene.input(control.name.view()) : std::nullopt};
+    });
+    for (const Touch& touch : touches_)
+        if (touch.control.kind == ControlKind::button)
+            release(touch); // a knob tells where it stands when it is first read
 }
 
-Stretch Controls::stretch_named(const ClipName& clip) const
+Stretch Controls::stretch_named(const StoredName& clip) const
 {
     const auto found = clip.view().empty() ? std::nullopt : scene_.clip(clip.view());
     return found ? stretch_of(*found) : stretch_of(scene_);
 }
 
-Playhead Controls::playhead_of(const ClipName& clip) const { return {stretch_named(clip), scene_.events()}; }
+Playhead Controls::playhead_of(const StoredName& clip) const
+{
+    return {stretch_named(clip), scene_.events()};
+}
 
 /// What is told covers the time since the question before: it counts if the bouncing was over by then.
-bool Controls::is_pressed_anew(Touch& touch, bool pressed, Microseconds now)
+bool Controls::has_switched(Touch& touch, bool pressed, Microseconds now)
 {
     if (!touch.settled) {
         touch.settled = reached(touch.asked, touch.changed + bounce);
@@ -42,8 +56,10 @@ bool Controls::is_pressed_anew(Touch& touch, bool pressed, Microseconds now)
     }
     if (!touch.settled || pressed == touch.pressed)
         return false;
-    touch = {.control = touch.control, .pressed = pressed, .settled = false, .changed = now, .asked = now};
-    return pressed;
+    touch.pressed = pressed;
+    touch.settled = false;
+    touch.changed = touch.asked = now;
+    return true;
 }
 
 bool Controls::is_turned(Touch& touch, int level)
@@ -56,17 +72,27 @@ bool Controls::is_turned(Touch& touch, int level)
     return true;
 }
 
-void Controls::press(const Control& control, Playhead& playhead)
+void Controls::press_or_release(const Touch& touch, Playhead& playhead)
 {
-    switch (control.action) {
+    if (touch.pressed)
+        press(touch, playhead);
+    else
+        release(touch);
+}
+
+void Controls::press(const Touch& touch, Playhead& playhead)
+{
+    switch (touch.control.action) {
     case ControlAction::play:
-        return play(control.clip, playhead);
+        return play(touch.control.name, playhead);
     case ControlAction::pause:
         paused_ = !paused_;
         return apply_speed(playhead);
     case ControlAction::sleep:
         wants_rest_ = !wants_rest_;
         return;
+    case ControlAction::input:
+        return place_input(touch, whole_input);
     case ControlAction::place:
     case ControlAction::speed:
     case ControlAction::brightness:
@@ -85,6 +111,8 @@ void Controls::turn(const Touch& touch, Playhead& playhead)
     case ControlAction::brightness:
         brightness_ = static_cast<std::uint8_t>(touch.level / 16);
         return;
+    case ControlAction::input:
+        return place_input(touch, input_place_at(touch.level));
     case ControlAction::play:
     case ControlAction::pause:
     case ControlAction::sleep:
@@ -93,7 +121,7 @@ void Controls::turn(const Touch& touch, Playhead& playhead)
 }
 
 /// A clip that repeats ends when its button is pressed again.
-void Controls::play(const ClipName& clip, Playhead& playhead)
+void Controls::play(const StoredName& clip, Playhead& playhead)
 {
     const bool is_playing_it = before_ && clip_ == clip;
     if (is_playing_it && playhead.stretch().loop != Loop::once)
@@ -109,7 +137,7 @@ void Controls::play(const ClipName& clip, Playhead& playhead)
 /// A button's clip goes first: the knob's place is taken up when it has finished.
 void Controls::place(const Touch& touch, Playhead& playhead)
 {
-    Stretch stretch = stretch_named(touch.control.clip);
+    Stretch stretch = stretch_named(touch.control.name);
     stretch.loop = Loop::once; // or the end would look like the beginning
     Playhead placed{stretch, scene_.events()};
     placed.seek(stretch.begin + Time{static_cast<std::int32_t>(std::int64_t{stretch.length().ticks} *
@@ -117,6 +145,17 @@ void Controls::place(const Touch& touch, Playhead& playhead)
     (before_ ? *before_ : playhead) = placed;
     is_placed_ = true;
     apply_speed(playhead);
+}
+
+void Controls::place_input(const Touch& touch, Time place)
+{
+    if (!touch.input)
+        return;
+    const auto end = inputs_.begin() + input_count_;
+    const auto found = std::ranges::find(inputs_.begin(), end, *touch.input, &PlacedInput::number);
+    if (found == end)
+        ++input_count_;
+    *found = {*touch.input, place};
 }
 
 void Controls::go_back(Playhead& playhead)

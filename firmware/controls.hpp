@@ -4,11 +4,14 @@
 #include "core/scene_view.hpp"
 #include "firmware/board_settings.hpp"
 #include "firmware/microseconds.hpp"
+#include "firmware/placed_input.hpp"
 
 #include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace kfast {
 
@@ -27,7 +30,7 @@ concept TouchedPins = requires(T& pins, Pin pin) {
 // clang-format on
 
 /// What the buttons and knobs of a board do to what is played. A clip that the scene does not have stands for
-/// the whole scene.
+/// the whole scene, and for an input that it does not have nothing is done.
 class Controls {
 public:
     static constexpr int full_level = 4095;
@@ -49,8 +52,8 @@ public:
         go_back_when_finished(playhead);
         for (Touch& touch : touches_) {
             if (touch.control.kind == ControlKind::button) {
-                if (is_pressed_anew(touch, pins.pressed(touch.control.pin), now))
-                    press(touch.control, playhead);
+                if (has_switched(touch, pins.pressed(touch.control.pin), now))
+                    press_or_release(touch, playhead);
             } else if (touch.control.kind == ControlKind::knob) {
                 if (is_turned(touch, pins.level(touch.control.pin)))
                     turn(touch, playhead);
@@ -58,6 +61,9 @@ public:
         }
     }
 
+    /// Where inputs are to stand that controls are for, each once: of several controls for one, as the
+    /// control that moved last has it. Holds until steer() is called again.
+    std::span<const PlacedInput> inputs() const { return std::span{inputs_}.first(input_count_); }
     /// Whether the display is to be off.
     bool wants_rest() const { return wants_rest_; }
     /// Of the display, as the settings or a knob have it.
@@ -68,30 +74,36 @@ private:
 
     struct Touch {
         Control control;
+        std::optional<std::uint32_t> input; ///< of the scene, for which the control is
         bool pressed = false;
-        bool settled = true; ///< what the button does counts again
+        bool settled = true;    ///< what the button does counts again
         Microseconds changed{}; ///< if not settled, when it was last pressed or let go
         Microseconds asked{};   ///< likewise, when it was last asked about
         int level = untouched;  ///< of a knob when it last did something
     };
 
-    Stretch stretch_named(const ClipName& clip) const;
-    Playhead playhead_of(const ClipName& clip) const;
-    static bool is_pressed_anew(Touch& touch, bool pressed, Microseconds now);
+    Stretch stretch_named(const StoredName& clip) const;
+    Playhead playhead_of(const StoredName& clip) const;
+    static bool has_switched(Touch& touch, bool pressed, Microseconds now);
     static bool is_turned(Touch& touch, int level);
-    void press(const Control& control, Playhead& playhead);
+    void press_or_release(const Touch& touch, Playhead& playhead);
+    void press(const Touch& touch, Playhead& playhead);
+    void release(const Touch& touch) { place_input(touch, {}); }
     void turn(const Touch& touch, Playhead& playhead);
-    void play(const ClipName& clip, Playhead& playhead);
+    void play(const StoredName& clip, Playhead& playhead);
     void place(const Touch& touch, Playhead& playhead);
+    void place_input(const Touch& touch, Time place);
     void go_back(Playhead& playhead);
     void go_back_when_finished(Playhead& playhead);
     void apply_speed(Playhead& playhead) const;
 
     SceneView scene_;
-    ClipName start_;
+    StoredName start_;
     std::array<Touch, BoardSettings::most_controls> touches_;
+    std::array<PlacedInput, BoardSettings::most_controls> inputs_;
+    std::size_t input_count_ = 0;                ///< of inputs_
     std::optional<Playhead> before_;             ///< what was played before a button's clip
-    ClipName clip_;                              ///< of the button that is being played
+    StoredName clip_;                            ///< of the button that is being played
     std::int32_t speed_ = Playhead::as_authored; ///< a button's clip is always played as authored
     bool is_placed_ = false;                     ///< a knob says where playing stands
     bool end_is_shown_ = false;                  ///< of a button's clip

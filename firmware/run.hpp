@@ -55,6 +55,14 @@ void advance(B& board, Playhead& playhead, std::uint32_t frames)
     });
 }
 
+template <InputBoard B, class Animation>
+void place_inputs(B& board, Animation& player)
+{
+    const std::span<const PlacedInput> inputs = board.inputs();
+    for (const auto& [number, place] : inputs)
+        player.set_input(number, place);
+}
+
 /// Keeps the panel asleep as long as the board wants to rest. What it shows when it wakes is not to be seen.
 template <RestingBoard B>
 void rest(B& board, Playhead& playhead, FrameClock& clock)
@@ -87,6 +95,8 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
                 player.redraw();
                 is_dark = true;
             }
+        if constexpr (InputBoard<B>)
+            place_inputs(board, player);
         report.time = playhead.moment();
         player.show_moment(report.time);
         if constexpr (RedrawingBoard<B>)

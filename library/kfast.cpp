@@ -50,8 +50,9 @@ constexpr std::array error_texts{
     "bad_panel_size: a side of the panel is not 1 to 4096 pixels long",
     "no_such_clip: the scene has no clip of this name",
     "null_pointer: a pointer is NULL",
+    "no_such_input: the scene has no input of this name",
 };
-static_assert(error_texts.size() == KFAST_NULL_POINTER + 1 && code_of(Error::block_too_small) == 6);
+static_assert(error_texts.size() == KFAST_NO_SUCH_INPUT + 1 && code_of(Error::block_too_small) == 6);
 
 /// Bytes of the block before the player, at most: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;
@@ -138,6 +139,13 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name)
         return player->animation.choose_clip(name) ? KFAST_OK : KFAST_NO_SUCH_CLIP;
     player->animation.choose_scene();
     return KFAST_OK;
+}
+
+kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value)
+{
+    if (player == nullptr || name == nullptr)
+        return KFAST_NULL_POINTER;
+    return player->animation.set_input(name, value) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
 }
 
 kfast_error kfast_show(kfast_player* player, int32_t time)

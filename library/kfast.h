@@ -25,7 +25,8 @@ typedef enum kfast_error {
     KFAST_BUFFER_TOO_SMALL,    /* the buffer for pixels does not hold a row of the panel */
     KFAST_BAD_PANEL_SIZE,      /* a side of the panel is not 1 to 4096 pixels long */
     KFAST_NO_SUCH_CLIP,        /* the scene has no clip of this name */
-    KFAST_NULL_POINTER         /* a pointer is NULL: a player that was not made, memory that was not lent */
+    KFAST_NULL_POINTER,        /* a pointer is NULL: a player that was not made, memory that was not lent */
+    KFAST_NO_SUCH_INPUT        /* the scene has no input of this name */
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -50,6 +51,11 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
 
 /* Times are in 1/1024 frame; KFAST_FRAME * 12 is the 13th frame. */
 #define KFAST_FRAME INT32_C(1024)
+
+/* Sets an input of the scene, such as where the eyes look, from the next kfast_show() on: to `value` in
+ * 1/1000 of what the scene counts it in (500 is 0.5), held within the input's range. At first inputs have the
+ * usual values that the scene gives them. If there is no such input, nothing changes. */
+kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value);
 
 /* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
  * stands for. */

@@ -53,6 +53,20 @@ public:
     }
     void choose_scene() { stretch_ = stretch_of(scene()); }
 
+    /// Sets an input of the scene, from the next show() on: to `value` in 1/1000 of what the scene counts it
+    /// in, held within the input's range. At first inputs have their usual values. An input that the scene
+    /// has not changes nothing, and the answer is false.
+    bool set_input(std::string_view name, std::int32_t value)
+    {
+        InputCursor inputs = scene().inputs();
+        for (std::uint32_t number = 0; !inputs.at_end(); ++number)
+            if (const InputView input = inputs.next(); input.name == name) {
+                player_.set_input(number, input.place_of(value));
+                return true;
+            }
+        return false;
+    }
+
     /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
     /// its loop decides what it stands for.
     void show(Time time)

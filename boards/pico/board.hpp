@@ -69,6 +69,7 @@ public:
             set_brightness(controls_->brightness());
     }
 
+    std::span<const PlacedInput> inputs() const { return controls_->inputs(); }
     bool wants_rest() const { return controls_->wants_rest(); }
 
     void wait_for_blank()

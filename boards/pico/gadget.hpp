@@ -55,8 +55,8 @@ private:
         with_panel(bus, settings.panel, [this, &settings](auto& panel) {
             Board board{panel, settings, clock_};
             using B = decltype(board);
-            static_assert(EventBoard<B> && ChoosingBoard<B> && RestingBoard<B> && SynchronizedBoard<B> &&
-                          NamedBoard<B>);
+            static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
+                          SynchronizedBoard<B> && NamedBoard<B>);
             while (board.wants_to_run())
                 run(board);
         });

@@ -1,7 +1,7 @@
 #include "host/flash/uf2.hpp"
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/missing_clips.hpp"
+#include "host/commands/missing_names.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/firmware_file.hpp"
@@ -79,9 +79,9 @@ void add_scene(const std::string& name, SceneFile scene, Contents& contents)
     contents.add(pico_flash::scene, std::move(scene.bytes), "scene of " + std::to_string(size) + " bytes");
 }
 
-void warn_of_clips(const Options& options, const BoardSettings& settings, const SceneView& scene)
+void warn_of_names(const Options& options, const BoardSettings& settings, const SceneView& scene)
 {
-    for (const std::string& warning : missing_clips(settings, scene))
+    for (const std::string& warning : missing_names(settings, scene))
         std::cerr << options.config << ": warning: " << options.scene << ": " << warning << '\n';
 }
 
@@ -98,7 +98,7 @@ Contents contents_of(const Options& options)
     if (!options.scene.empty()) {
         SceneFile scene = load_scene(options.scene);
         if (settings)
-            warn_of_clips(options, *settings, scene.view);
+            warn_of_names(options, *settings, scene.view);
         add_scene(options.scene, std::move(scene), contents);
     }
     return contents;

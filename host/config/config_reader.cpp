@@ -24,8 +24,11 @@ constexpr std::array part_rules{
     PartRule<Draft>{{"bus", "bus spi, bus i2c or bus parallel", 1, 1}, read_bus},
     PartRule<Draft>{{"pins", "pins clock=18 data=19 select=17 dc=16 reset=20"}, read_pins},
     PartRule<Draft>{{"clip", "clip NAME", 1, 1}, read_clip, Times::at_most_once},
-    PartRule<Draft>{{"button", "button 12 play, or button 12 play CLIP", 2, 3}, read_button, Times::any},
-    PartRule<Draft>{{"knob", "knob 26 place, or knob 26 place CLIP", 2, 3}, read_knob, Times::any},
+    PartRule<Draft>{{"button", "button 12 play, button 12 play CLIP or button 12 input NAME", 2, 3},
+                    read_button,
+                    Times::any},
+    PartRule<Draft>{
+        {"knob", "knob 26 place, knob 26 place CLIP or knob 26 input NAME", 2, 3}, read_knob, Times::any},
 };
 
 constexpr NodeForm board_form{"board", "board pico { panel …; bus …; pins … }", 1, 1, true};
@@ -48,6 +51,11 @@ Place pin_place(PinUser user, const Draft& draft)
     if (user.is_control())
         return draft.control_nodes[user.control()]->arguments.front().place;
     return scene::property_place(*draft.pins, pin_role_names[static_cast<std::size_t>(user.role())]);
+}
+
+Place action_place(PinUser user, const Draft& draft)
+{
+    return draft.control_nodes[user.control()]->arguments[1].place;
 }
 
 Place glass_place(const kdl::Node& panel)
@@ -78,8 +86,10 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
     case SettingsFault::function_missing:
     case SettingsFault::units_differ:
     case SettingsFault::converter_missing:
-    case SettingsFault::action_not_of_control:
         return pin_place(*mistake.user, draft);
+    case SettingsFault::action_not_of_control:
+    case SettingsFault::input_missing:
+        return action_place(*mistake.user, draft);
     }
     return {};
 }

@@ -84,12 +84,12 @@ std::string control_text(const Control& control)
     std::string text{line};
     text += (control.kind == ControlKind::knob ? "knob " : "button ") + std::to_string(control.pin) + ' ' +
             word_of(control.action);
-    if (has_clip(control.action) && !control.clip.view().empty())
-        text += ' ' + kdl::string_form(control.clip.view());
+    if (has_name(control.action) && !control.name.view().empty())
+        text += ' ' + kdl::string_form(control.name.view());
     return text;
 }
 
-std::string clip_text(const ClipName& clip)
+std::string clip_text(const StoredName& clip)
 {
     if (clip.view().empty())
         return {};

@@ -15,16 +15,18 @@ namespace {
 
 using scene::Reading;
 
-bool read_clip_name(const kdl::Value& value, ClipName& clip, Reading& reading)
+/// `what` is named: a clip or an input.
+bool read_stored_name(const kdl::Value& value, std::string_view what, StoredName& stored, Reading& reading)
 {
     const auto name = read_name(value, reading);
     if (!name)
         return false;
-    if (name->size() > longest_clip_name)
-        return reading.report.error(
-            value.place, "a board holds names of clips up to " + std::to_string(longest_clip_name) + " bytes",
-            "give the clip a shorter name in the scene");
-    clip = ClipName{*name};
+    if (name->size() > longest_stored_name)
+        return reading.report.error(value.place,
+                                    "a board holds names of " + std::string{what} + "s up to " +
+                                        std::to_string(longest_stored_name) + " bytes",
+                                    "give the " + std::string{what} + " a shorter name in the scene");
+    stored = StoredName{*name};
     return true;
 }
 
@@ -58,14 +60,15 @@ std::optional<ControlAction> read_action(const kdl::Value& value, ControlKind ki
     return std::nullopt;
 }
 
-bool read_clip_of(const kdl::Node& node, Control& control, Reading& reading)
+bool read_name_of(const kdl::Node& node, Control& control, Reading& reading)
 {
     if (node.arguments.size() < 3)
         return true;
-    if (has_clip(control.action))
-        return read_clip_name(node.arguments[2], control.clip, reading);
-    return reading.report.error(node.arguments[2].place, *node.arguments[1].string() + " is for no clip",
-                                "remove it");
+    if (has_name(control.action))
+        return read_stored_name(node.arguments[2], has_input(control.action) ? "input" : "clip", control.name,
+                                reading);
+    return reading.report.error(node.arguments[2].place,
+                                *node.arguments[1].string() + " is for no clip or input", "remove it");
 }
 
 bool has_room(const kdl::Node& node, const Draft& draft, Reading& reading)
@@ -79,11 +82,11 @@ bool has_room(const kdl::Node& node, const Draft& draft, Reading& reading)
 
 bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Reading& reading)
 {
-    Control control{.kind = kind, .action = ControlAction::play, .pin = no_pin, .clip = {}};
+    Control control{.kind = kind, .action = ControlAction::play, .pin = no_pin, .name = {}};
     const bool has_pin = scene::assign(read_pin(node.arguments[0], reading), control.pin);
     const bool has_action = scene::assign(read_action(node.arguments[1], kind, reading), control.action);
     if (!refuse_properties(node, reading) || !has_room(node, draft, reading) || !has_pin || !has_action ||
-        !read_clip_of(node, control, reading))
+        !read_name_of(node, control, reading))
         return false;
     draft.control_nodes[draft.controls] = &node;
     draft.settings.controls[draft.controls++] = control;
@@ -95,7 +98,7 @@ bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Reading
 bool read_clip(const kdl::Node& node, Draft& draft, scene::Reading& reading)
 {
     return refuse_properties(node, reading) &&
-           read_clip_name(node.arguments.front(), draft.settings.clip, reading);
+           read_stored_name(node.arguments.front(), "clip", draft.settings.clip, reading);
 }
 
 bool read_button(const kdl::Node& node, Draft& draft, scene::Reading& reading)

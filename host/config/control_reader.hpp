@@ -8,10 +8,10 @@ namespace kfast::config {
 /// `clip idle`. Whether it was good; reports what is wrong.
 bool read_clip(const kdl::Node& node, Draft& draft, scene::Reading& reading);
 
-/// `button 12 play blink`, `button 13 pause`. Whether it was good; reports what is wrong.
+/// `button 12 play blink`, `button 13 input open`. Whether it was good; reports what is wrong.
 bool read_button(const kdl::Node& node, Draft& draft, scene::Reading& reading);
 
-/// `knob 26 place`, `knob 27 brightness`. Whether it was good; reports what is wrong.
+/// `knob 26 place`, `knob 27 brightness`, `knob 28 input gaze`. Whether it was good; reports what is wrong.
 bool read_knob(const kdl::Node& node, Draft& draft, scene::Reading& reading);
 
 }

@@ -138,7 +138,7 @@ Finding units_differ_text(const BoardSettings& settings)
 Finding action_text(PinUser user, const BoardSettings& settings)
 {
     return {user_name(user, settings) + " cannot be for " + word_of(settings.controls[user.control()].action),
-            "buttons are for play, pause and sleep, knobs for place, speed and brightness"};
+            "buttons are for play, pause, sleep and input, knobs for place, speed, brightness and input"};
 }
 
 }
@@ -185,6 +185,9 @@ Finding text_of(const SettingsMistake& mistake, const BoardSettings& settings)
                 "use one of GP26 to GP28"};
     case SettingsFault::action_not_of_control:
         return action_text(*mistake.user, settings);
+    case SettingsFault::input_missing:
+        return {user_name(*mistake.user, settings) + " does not say for which input it is",
+                "write the name that it has in the scene: input NAME"};
     }
     return {};
 }

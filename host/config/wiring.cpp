@@ -111,8 +111,8 @@ private:
     static std::string purpose_of(const Control& control)
     {
         std::string purpose = word_of(control.action);
-        if (has_clip(control.action) && !control.clip.view().empty())
-            purpose += ' ' + visible(control.clip.view());
+        if (has_name(control.action) && !control.name.view().empty())
+            purpose += ' ' + visible(control.name.view());
         return purpose;
     }
 

@@ -7,7 +7,7 @@ What they do is seen in the frames that the board shows, each of which must stil
 import sys
 import tempfile
 
-from pico import Desk, TICKS, expect
+from pico import Desk, HERE, TICKS, expect
 
 CONTROLS = """
     button 14 play "look"
@@ -15,6 +15,10 @@ CONTROLS = """
     button 22 sleep
     knob 26 {action}
 }}"""
+INPUT_CONTROLS = """
+    knob 26 input gaze
+    button 14 input open
+}"""
 LOOK = range(18, 51)  # frames of the clip in the scene
 FRAMES = 150  # of the scene
 FULL = 4095
@@ -23,13 +27,13 @@ SIO, NO_FUNCTION = 5, 31
 DISPLAY_OFF, SLEEP_IN, SLEEP_OUT, DISPLAY_ON = 0x28, 0x10, 0x11, 0x29
 
 
-def settings(desk, action):
-    return desk.settings("pico-st7789", lambda text: text.rstrip().removesuffix("\n}") + CONTROLS.format(action=action))
+def settings(desk, controls):
+    return desk.settings("pico-st7789", lambda text: text.rstrip().removesuffix("\n}") + controls)
 
 
 def play(desk, scene, action, milliseconds, *stimuli):
     """Frames as (milliseconds, ticks), all of which must be the preview's, and the report."""
-    chosen = settings(desk, action)
+    chosen = settings(desk, CONTROLS.format(action=action))
     run = desk.run(chosen, scene, "--for", milliseconds, *stimuli)
     hashes = desk.hashes(scene, chosen)
     whole = [frame for frame in run.frames if frame.ticks % TICKS == 0]
@@ -107,12 +111,31 @@ def check_brightness(desk, scene):
            f"the backlight is lit for {dark}, {half}, {bright} of the time")
 
 
+def check_inputs(desk):
+    """A fifth of the knob's way is a fifth of the range of its input: both are rounded to the same place."""
+    scene, chosen = desk.compile(HERE / "inputs.kfast"), settings(desk, INPUT_CONTROLS)
+    run = desk.run(chosen, scene, "--for", 1800, "--knob", f"26@0={FULL // 5}", "--knob", f"26@700={FULL}",
+                   "--press", "14@1000-1300", "--knob", f"26@1500={FULL // 5 * 3}")
+    seen = set()
+    for begin, end, gaze, opened in ((0, 700, -0.6, 0), (740, 1000, 1, 0), (1040, 1300, 1, 100), (1340, 1500, 1, 0),
+                                     (1540, 1800, 0.2, 0)):
+        hashes = desk.hashes(scene, chosen, "--input", f"gaze={gaze}", "--input", f"open={opened}")
+        shown = [frame for frame in run.frames if begin <= frame.moment / 1e6 < end]
+        expect(len(shown) >= 4, f"{len(shown)} frames are shown from {begin} to {end} ms")
+        for frame in shown:
+            expect(frame.hash == hashes[frame.ticks // TICKS % len(hashes)],
+                   f"at {frame.moment / 1e6:.0f} ms it is not gaze={gaze} open={opened} that is shown")
+        seen.add(hashes[0])
+    expect(len(seen) == 4, "the inputs make no difference")
+
+
 def main(programs, images, source):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         desk = Desk(programs, images, folder)
         scene = desk.compile(source)
         for check in (check_play, check_pause, check_place, check_sleep, check_brightness):
             check(desk, scene)
+        check_inputs(desk)
     print("buttons and knobs do what the settings say")
 
 

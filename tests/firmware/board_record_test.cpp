@@ -28,6 +28,8 @@ BoardSettings unusual_settings()
     settings.pin(PinRole::log) = 16;
     settings.clip = {"idle"};
     settings.controls[0] = {ControlKind::button, ControlAction::sleep, 20, {}};
+    settings.controls[1] = {ControlKind::button, ControlAction::input, 14, {"open"}};
+    settings.controls[2] = {ControlKind::knob, ControlAction::input, 27, {"an input of 24 bytes too"}};
     settings.controls[7] = {ControlKind::knob, ControlAction::place, 26, {"a clip of 24 bytes here!"}};
     return settings;
 }
@@ -57,6 +59,9 @@ TEST_CASE("fields lie where their description says")
                                           80,  0,   160, 0,   26, 0, 1,    0,    2, 0x3D, 8, 0})));
     CHECK(
         std::ranges::equal(bytes.subspan(30, 8), test::bytes({0x78, 0xED, 0xD3, 0x00, 'i', 'd', 'l', 'e'})));
+    CHECK(std::ranges::equal(bytes.subspan(86, 9), test::bytes({1, 6, 14, 0, 'o', 'p', 'e', 'n', 0})));
+    CHECK(std::ranges::equal(bytes.subspan(114, 6), test::bytes({2, 6, 27, 0, 'a', 'n'})));
+    CHECK(std::ranges::equal(bytes.subspan(254, 6), test::bytes({2, 3, 26, 0, 'a', ' '})));
 }
 
 TEST_CASE("a record with any bit wrong is none")

@@ -72,6 +72,9 @@ TEST_CASE("rules stand in the order of the faults that they find")
     BoardSettings settings = spi_settings();
     settings.controls[2] = {ControlKind::button, ControlAction::speed, 21, {}};
     CHECK(settings_rules[static_cast<std::size_t>(SettingsFault::action_not_of_control)](settings));
+    CHECK_FALSE(settings_rules[static_cast<std::size_t>(SettingsFault::input_missing)](settings));
+    settings.controls[2].action = ControlAction::input;
+    CHECK(settings_rules[static_cast<std::size_t>(SettingsFault::input_missing)](settings));
     settings = spi_settings();
     settings.bus = BusKind::parallel_8;
     settings.panel.controller = Controller::gc9a01;
@@ -86,6 +89,7 @@ TEST_CASE("texts stand in the order of the faults that they name")
     CHECK(settings_fault_text(SettingsFault::pin_shared) == "a pin is taken twice");
     CHECK(settings_fault_text(SettingsFault::action_not_of_control) ==
           "the action of a control is not for its kind");
+    CHECK(settings_fault_text(SettingsFault::input_missing) == "a control for an input does not name it");
 }
 
 TEST_CASE("a controller that does not speak the bus is refused")
@@ -254,6 +258,20 @@ TEST_CASE("controls have pins and actions of their kind")
     CHECK_FALSE(first_mistake(settings));
     settings.controls[5].action = ControlAction::pause;
     check_mistake(settings, {SettingsFault::action_not_of_control, PinUser::of_control(5)});
+}
+
+TEST_CASE("buttons and knobs may be for an input, which they must name")
+{
+    for (const ControlKind kind : {ControlKind::button, ControlKind::knob}) {
+        BoardSettings settings = spi_settings();
+        settings.controls[5] = {kind, ControlAction::input, 28, {"gaze"}};
+        CHECK_FALSE(first_mistake(settings));
+        settings.controls[5].name = {};
+        check_mistake(settings, {SettingsFault::input_missing, PinUser::of_control(5)});
+    }
+    BoardSettings settings = spi_settings();
+    settings.controls[5].action = ControlAction::input;
+    CHECK_FALSE(first_mistake(settings)); // there is no such control
 }
 
 TEST_CASE("the pins of the chip are what its maker's table says")

@@ -23,13 +23,17 @@ constexpr Microseconds frame{33'333};
 /// A scene of 60 frames with clips, and what is touched while it plays, frame by frame.
 class Gadget {
 public:
-    explicit Gadget(BoardSettings settings)
-        : controls_{settings, *SceneView::parse(scene_)}, playhead_{controls_.playhead()}
-    {
-    }
+    explicit Gadget(BoardSettings settings) : controls_{settings, scene()}, playhead_{controls_.playhead()} {}
 
     int frame_shown() const { return playhead_.moment().ticks / Time::ticks_per_frame; }
     const Controls& controls() const { return controls_; }
+    /// Where the controls want the scene's input to stand; -1 if they say nothing about it.
+    int place_of(std::string_view input) const
+    {
+        const auto places = controls_.inputs();
+        const auto found = std::ranges::find(places, *scene().input(input), &PlacedInput::number);
+        return found == places.end() ? -1 : found->place.ticks;
+    }
 
     void steer()
     {
@@ -57,10 +61,14 @@ public:
     FakePins pins;
 
 private:
-    std::vector<std::byte> scene_ =
-        compiled("kfast 1\ncanvas 8 8 frames=60\nobject a fill=white { rect 1 1 2 2 }\n"
-                 "clip wink from=10 to=14\nclip spin from=20 to=30 loop=repeat\n"
-                 "clip idle from=40 to=50 loop=repeat\n");
+    SceneView scene() const { return *SceneView::parse(scene_); }
+
+    std::vector<std::byte> scene_ = compiled(
+        "kfast 1\ncanvas 8 8 frames=60\ninput gaze min=-1 max=1\ninput open min=0 max=100 default=30\n"
+        "group g { track x input=gaze { at -1 0; at 1 2 }; track y input=open { at 0 0; at 100 2 }\n"
+        "object a fill=white { rect 1 1 2 2 } }\n"
+        "clip wink from=10 to=14\nclip spin from=20 to=30 loop=repeat\n"
+        "clip idle from=40 to=50 loop=repeat\n");
     Controls controls_;
     Playhead playhead_;
     Microseconds now_{1'000'000};
@@ -80,6 +88,9 @@ constexpr Control sleep_button{ControlKind::button, ControlAction::sleep, 4, {}}
 constexpr Control speed_knob{ControlKind::knob, ControlAction::speed, 26, {}};
 constexpr Control place_knob{ControlKind::knob, ControlAction::place, 27, {"idle"}};
 constexpr Control light_knob{ControlKind::knob, ControlAction::brightness, 28, {}};
+constexpr Control gaze_knob{ControlKind::knob, ControlAction::input, 26, {"gaze"}};
+constexpr Control open_knob{ControlKind::knob, ControlAction::input, 27, {"open"}};
+constexpr Control open_button{ControlKind::button, ControlAction::input, 5, {"open"}};
 
 }
 
@@ -141,7 +152,8 @@ TEST_CASE("a button that is held counts once")
     CHECK(gadget.frame_shown() == 1); // the frame that had passed before it was pressed
 }
 
-/// A button that switches the display off and on, asked about at moments in microseconds.
+/// A button that switches the display off and on, and is an input of the scene, asked about at moments in
+/// microseconds.
 class AskedButton {
 public:
     /// Whether the display rests then.
@@ -151,11 +163,23 @@ public:
         controls_.steer(playhead_, pins_, Microseconds{time});
         return controls_.wants_rest();
     }
+    /// Whether the input is at its greatest value then, and not at its least.
+    bool holds_at(std::uint32_t time, bool closed)
+    {
+        at(time, closed);
+        REQUIRE(controls_.inputs().size() == 1);
+        const Time place = controls_.inputs().front().place;
+        CHECK((place == Time{} || place == whole_input));
+        return place == whole_input;
+    }
 
 private:
-    std::vector<std::byte> scene_ =
-        compiled("kfast 1\ncanvas 8 8 frames=9\nobject a fill=white { rect 1 1 2 2 }\n");
-    Controls controls_{with({sleep_button}), *SceneView::parse(scene_)};
+    static constexpr Control input_button{ControlKind::button, ControlAction::input, 4, {"open"}};
+
+    std::vector<std::byte> scene_ = compiled(
+        "kfast 1\ncanvas 8 8 frames=9\ninput open min=0 max=100\n"
+        "group g { track x input=open { at 0 0; at 100 2 }; object a fill=white { rect 1 1 2 2 } }\n");
+    Controls controls_{with({sleep_button, input_button}), *SceneView::parse(scene_)};
     Playhead playhead_ = controls_.playhead();
     FakePins pins_;
 };
@@ -278,6 +302,92 @@ TEST_CASE("a knob that trembles does nothing, but its ends are reached")
     gadget.pins.levels[28] = Controls::full_level;
     gadget.steer();
     CHECK(gadget.controls().brightness() == 255);
+}
+
+TEST_CASE("a knob puts its input where it is turned, from the least to the greatest value")
+{
+    Gadget gadget{with({gaze_knob})};
+    CHECK(gadget.place_of("gaze") == -1); // not before it was read
+    gadget.steer();
+    CHECK(gadget.place_of("gaze") == 0);
+    const auto turned = [&](int level) {
+        gadget.pins.levels[26] = level;
+        gadget.steer();
+        return gadget.place_of("gaze");
+    };
+    CHECK(turned(Controls::full_level) == 65536);
+    CHECK(turned(819) == 13107);  // a fifth: 13107.2
+    CHECK(turned(2048) == 32776); // 32776.003
+    CHECK(turned(2048 + Controls::tremble - 1) == 32776);
+    CHECK(turned(3000) == 48012); // 48011.7
+    CHECK(turned(0) == 0);
+    CHECK(gadget.place_of("open") == -1);
+    CHECK(gadget.frame_shown() == 0); // the time goes on by itself
+}
+
+TEST_CASE("a button's input is at its greatest value while it is pressed, else at its least")
+{
+    Gadget gadget{with({open_button})};
+    CHECK(gadget.place_of("open") == 0); // whatever is usual
+    gadget.run(3);
+    CHECK(gadget.place_of("open") == 0);
+    gadget.pins.closed[5] = true;
+    for (int i = 0; i < 10; ++i) {
+        gadget.run(1);
+        CHECK(gadget.place_of("open") == 65536);
+    }
+    gadget.pins.closed[5] = false;
+    gadget.run(2);
+    CHECK(gadget.place_of("open") == 0);
+    CHECK(gadget.frame_shown() == 15);
+    CHECK(gadget.place_of("gaze") == -1);
+}
+
+TEST_CASE("a button's input follows the button and not its bouncing")
+{
+    AskedButton button;
+    CHECK_FALSE(button.holds_at(50'000, false));
+    CHECK(button.holds_at(100'000, true));
+    CHECK(button.holds_at(105'000, false));
+    CHECK(button.holds_at(110'000, true));
+    CHECK(button.holds_at(125'000, true));
+    CHECK(button.holds_at(200'000, true));
+    CHECK_FALSE(button.holds_at(300'000, false)); // let go
+    CHECK_FALSE(button.holds_at(305'000, true));
+    CHECK_FALSE(button.holds_at(315'000, false));
+    CHECK_FALSE(button.holds_at(330'000, false));
+    CHECK(button.holds_at(400'000, true));
+}
+
+TEST_CASE("of two controls for one input the one that moved last has it")
+{
+    Gadget gadget{with({open_button, open_knob, gaze_knob})};
+    gadget.pins.levels[27] = 819;
+    gadget.steer();
+    CHECK(gadget.place_of("open") == 13107);
+    gadget.pins.closed[5] = true;
+    gadget.steer();
+    CHECK(gadget.place_of("open") == 65536);
+    gadget.pins.levels[27] = 2 * 819;
+    gadget.steer();
+    CHECK(gadget.place_of("open") == 26214);
+    gadget.pins.closed[5] = false;
+    gadget.steer();
+    CHECK(gadget.place_of("open") == 0);
+    CHECK(gadget.controls().inputs().size() == 2);
+}
+
+TEST_CASE("an input that the scene lacks is nowhere, and the other controls do what they do")
+{
+    Gadget gadget{with({{ControlKind::knob, ControlAction::input, 28, {"gone"}},
+                        {ControlKind::button, ControlAction::input, 6, {"blink"}},
+                        gaze_knob})};
+    gadget.pins.closed[6] = true;
+    gadget.pins.levels[28] = 3000;
+    gadget.pins.levels[26] = Controls::full_level;
+    gadget.steer();
+    CHECK(gadget.controls().inputs().size() == 1);
+    CHECK(gadget.place_of("gaze") == 65536);
 }
 
 TEST_CASE("a button's clip goes before a knob's place, which is taken up when it has finished")

@@ -109,6 +109,23 @@ static_assert(RestingBoard<TouchedBoard>);
 static_assert(SynchronizedBoard<TouchedBoard>);
 static_assert(NamedBoard<TouchedBoard>);
 
+/// Such a board that moves inputs during some of the calls of inputs().
+class SensingBoard : public TouchedBoard {
+public:
+    std::span<const PlacedInput> inputs()
+    {
+        ++asked;
+        return asked == move_at ? std::span{moved} : std::span<PlacedInput>{};
+    }
+
+    std::vector<PlacedInput> moved;
+    int asked = 0;
+    int move_at = 0;
+};
+
+static_assert(InputBoard<SensingBoard>);
+static_assert(!InputBoard<TouchedBoard>);
+
 std::vector<std::byte> moving_dot()
 {
     return compiled("kfast 1\ncanvas 80 60 fps=10 frames=100\n"
@@ -130,6 +147,51 @@ TEST_CASE("a board steers what is played before each frame")
     run(board);
     CHECK(board.steered == 4);
     CHECK(board.story == "blank whole lit 0 1 50 51 ");
+}
+
+/// White reaches the upper edge if `lift` is at its most and `shift` at its least.
+std::vector<std::byte> moved_square()
+{
+    return compiled("kfast 1\ncanvas 80 60 fps=10 frames=100\ninput shift min=0 max=1 default=1\n"
+                    "input lift min=-10 max=10\ngroup g {\n"
+                    "track x input=shift { at 0 0; at 1 80 }\ntrack y input=lift { at -10 120; at 10 0 }\n"
+                    "object a fill=white { rect 0 0 80 60 }\n}");
+}
+
+TEST_CASE("inputs stand where the board says from then on, seen in that very frame")
+{
+    SensingBoard board;
+    board.scene = moved_square();
+    board.moved = {{0, Time{}}, {1, whole_input}};
+    board.move_at = 3;
+    run(board);
+    CHECK(board.asked == 4);
+    CHECK(board.story == "blank whole lit 0 1 blank part part part part 2 3 ");
+    CHECK(board.panel().first_row_is_white);
+}
+
+TEST_CASE("an input that is not moved stays at its usual value")
+{
+    SensingBoard board;
+    board.scene = moved_square();
+    board.moved = {{1, whole_input}}; // what is lifted stays outside, on the right
+    board.move_at = 2;
+    run(board);
+    CHECK(board.story == "blank whole lit 0 1 2 3 ");
+    CHECK_FALSE(board.panel().first_row_is_white);
+}
+
+TEST_CASE("what is moved while the display rests is seen when it wakes")
+{
+    SensingBoard board;
+    board.scene = moved_square();
+    board.moved = {{0, Time{}}, {1, whole_input}};
+    board.move_at = 1;
+    board.rest_from = 1;
+    board.rest_until = 4;
+    run(board);
+    CHECK(board.story == "asleep awake blank whole lit 0 1 2 3 ");
+    CHECK(board.panel().first_row_is_white);
 }
 
 TEST_CASE("sending waits for the blank of every frame that changes anything, once")

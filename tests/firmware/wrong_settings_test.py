@@ -40,6 +40,7 @@ WRONG = {
     "wrong.pin(PinRole::clock) = 14;": "different units",
     KNOB.format(action="speed", pin=22): "needs one of the pins 26 to 28",
     KNOB.format(action="sleep", pin=26): "not for its kind",
+    KNOB.format(action="input", pin=26): "does not name it",
 }
 
 

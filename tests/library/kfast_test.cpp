@@ -21,6 +21,18 @@ object dot fill="#ff8000" { key 0 { rect 1 1 8 8 }; key 10 { rect 20 10 8 8 } }
 clip back from=4 to=8 loop=once
 )";
 
+/// The dot goes by one input, and blinks by another.
+constexpr std::string_view steered = R"(
+kfast 1
+canvas 30 20 background="#203040"
+input gaze min=-1 max=1 default=0.5
+input open min=0 max=100
+group look {
+    track x input=gaze { at -1 0; at 1 20 }
+    object dot fill="#ff8000" input=open { key 0 { rect 1 1 8 2 }; key 100 { rect 1 1 8 12 } }
+}
+)";
+
 constexpr int width = 30;
 constexpr int height = 20;
 
@@ -66,6 +78,15 @@ private:
 Bytes picture(std::string_view text, Time moment)
 {
     return Stage{text, {width, height}}.picture<PixelFormat::rgb565>(moment);
+}
+
+/// With inputs at these places.
+Bytes picture(std::string_view text, Time gaze, Time open)
+{
+    Stage stage{text, {width, height}};
+    stage.player.set_input(0, gaze);
+    stage.player.set_input(1, open);
+    return stage.picture<PixelFormat::rgb565>({});
 }
 
 using Draw = kfast_error (*)(kfast_player*, void*, size_t, kfast_draw_rectangle, void*);
@@ -212,6 +233,44 @@ TEST_CASE("times count from the beginning of a clip, and its loop decides about 
     CHECK(shows(2));
 }
 
+TEST_CASE("inputs stand where they are set, in the unit of the scene, and at their usual values before")
+{
+    Screen screen{steered};
+    const auto shows = [&](int gaze, int open) {
+        CHECK(kfast_show(screen.player, 0) == KFAST_OK);
+        screen.draw(2 * width);
+        return screen.pixels() == picture(steered, {gaze}, {open});
+    };
+    CHECK(shows(49152, 0));
+    CHECK(kfast_set_input(screen.player, "gaze", -1000) == KFAST_OK);
+    CHECK(shows(0, 0));
+    CHECK(kfast_set_input(screen.player, "open", 25'000) == KFAST_OK);
+    CHECK(shows(0, 16384));
+    CHECK(kfast_set_input(screen.player, "gaze", 250) == KFAST_OK);
+    CHECK(shows(40960, 16384));
+    CHECK(kfast_set_input(screen.player, "gaze", INT32_MAX) == KFAST_OK);
+    CHECK(shows(65536, 16384));
+    CHECK(kfast_set_input(screen.player, "gaze", INT32_MIN) == KFAST_OK);
+    CHECK(shows(0, 16384));
+    CHECK(kfast_set_input(screen.player, "gase", 1000) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_input(screen.player, "", 1000) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_input(screen.player, nullptr, 1000) == KFAST_NULL_POINTER);
+    CHECK(shows(0, 16384));
+}
+
+TEST_CASE("an input is seen from the next show() on, and draws only what it moves")
+{
+    Screen screen{steered};
+    screen.draw(2 * width * height);
+    CHECK(kfast_set_input(screen.player, "gaze", 1000) == KFAST_OK);
+    screen.draw(2 * width * height);
+    CHECK(screen.rectangles == 0);
+    CHECK(kfast_show(screen.player, 0) == KFAST_OK);
+    screen.draw(2 * width * height);
+    CHECK(screen.rectangles > 0);
+    CHECK(screen.pixels() == picture(steered, {65536}, {}));
+}
+
 TEST_CASE("milliseconds become frames, for 49 days")
 {
     Screen screen{moving};
@@ -339,6 +398,7 @@ TEST_CASE("null pointers are refused")
     const auto take = [](int, int, int, int, const void*, void*) { FAIL("nothing is to be drawn"); };
     CHECK(kfast_choose_clip(player, nullptr) == KFAST_NULL_POINTER); // never made
     CHECK(kfast_choose_clip(player, "back") == KFAST_NULL_POINTER);
+    CHECK(kfast_set_input(player, "gaze", 0) == KFAST_NULL_POINTER);
     CHECK(kfast_show(player, 0) == KFAST_NULL_POINTER);
     CHECK(kfast_show_after(player, 0) == KFAST_NULL_POINTER);
     CHECK(kfast_redraw(player) == KFAST_NULL_POINTER);
@@ -360,6 +420,7 @@ TEST_CASE("every error has a text that begins with its name")
     CHECK(std::string{kfast_error_text(KFAST_BLOCK_TOO_SMALL)}.starts_with("block_too_small: "));
     CHECK(std::string{kfast_error_text(KFAST_BUFFER_TOO_SMALL)}.starts_with("buffer_too_small: "));
     CHECK(std::string{kfast_error_text(KFAST_NO_SUCH_CLIP)}.starts_with("no_such_clip: "));
+    CHECK(std::string{kfast_error_text(KFAST_NO_SUCH_INPUT)}.starts_with("no_such_input: "));
     CHECK(std::string{kfast_error_text(KFAST_NULL_POINTER)}.starts_with("null_pointer: "));
     CHECK(std::string{kfast_error_text(static_cast<kfast_error>(15))} == "unknown");
 }
@@ -385,6 +446,23 @@ TEST_CASE("the C++ animation draws the same")
         pixels.assign(part.begin(), part.end());
     }));
     CHECK(pixels == picture(moving, Time::frame(5)));
+}
+
+TEST_CASE("the C++ animation takes inputs by name")
+{
+    const Bytes scene = compiled(steered);
+    std::vector<std::uint32_t> block(*Animation::block_bytes(scene, {width, height}) / 4 + 1);
+    auto animation = Animation::create(scene, {width, height}, std::as_writable_bytes(std::span{block}));
+    REQUIRE(animation);
+    CHECK_FALSE(animation->set_input("gase", 0));
+    CHECK(animation->set_input("open", 50'000));
+    CHECK(animation->set_input("gaze", -250));
+    animation->show({});
+    std::vector<std::byte> buffer(2 * width * height);
+    Bytes pixels;
+    CHECK(animation->draw<PixelFormat::rgb565>(
+        buffer, [&](Rect, std::span<const std::byte> part) { pixels.assign(part.begin(), part.end()); }));
+    CHECK(pixels == picture(steered, {24576}, {32768}));
 }
 
 }

@@ -53,7 +53,9 @@ class LentMemory(unittest.TestCase):
 
     def test_bands(self):
         for image in self.images.values():
-            self.assertEqual(self.fit["ram"]["bands"], image["band_buffers"][1])
+            # Linking as a whole may decorate the names of what only one file knows.
+            sizes = [size for name, (_, size) in image.items() if "band_buffers" in name]
+            self.assertEqual(sizes, [self.fit["ram"]["bands"]])
 
     def test_room_of_the_scene(self):
         flash = self.fit["flash"]

@@ -22,6 +22,16 @@ GADGET = """board pico {
     button 12 play blink
 }
 """
+STEERED = """kfast 1
+canvas 60 40
+input gaze min=-1 max=1
+input "wide open" min=0 max=1
+group g {
+    track x input=gaze { at -1 0; at 1 9 }
+    track y input="wide open" { at 0 0; at 1 9 }
+    object dot fill=white { rect 1 1 14 14 }
+}
+"""
 WRONG = """board pico {
     panel st7789 240 400
     bus spi clock=(MHz)99
@@ -230,10 +240,12 @@ class ConfigTest(CommandTest):
 class DocumentTest(CommandTest):
     def test_what_docs_config_md_shows_is_right(self):
         shown = re.findall(r"^```kdl\n(.*?)^```$", (ROOT / "docs/config.md").read_text(), re.MULTILINE | re.DOTALL)
-        self.assertTrue(shown)
+        scenes = [text for text in shown if text.startswith("kfast ")]
+        self.assertTrue(0 < len(scenes) < len(shown))
         for text in shown:
-            (self.folder / "shown.kdl").write_text(text)
-            self.assertEqual(self.run_kfast("config", "shown.kdl").stderr, "")
+            name, command = ("shown.kfast", "check") if text in scenes else ("shown.kdl", "config")
+            (self.folder / name).write_text(text)
+            self.assertEqual(self.run_kfast(command, name).stderr, "")
 
     def test_docs_config_md_has_all_ready_configurations(self):
         text = (ROOT / "docs/config.md").read_text()
@@ -275,6 +287,8 @@ class WiringTest(CommandTest):
         self.assertEqual(wires["knob 1", "slider"]["pin"], 32)
         self.assertEqual(wires["knob 1", "slider"]["purpose"], "place wide awake")
         self.assertEqual(wires["button 2", "one leg"]["gpio"], 12)
+        (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "knob 27 input gaze"))
+        self.assertEqual(self.wires("g.kdl")["knob 1", "slider"]["purpose"], "input gaze")
         self.assertEqual(wires["button 2", "other leg"]["name"], "GND")
 
     def test_wrong_usage(self):
@@ -344,10 +358,28 @@ class PackTest(CommandTest):
         (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip sway; knob 26 place doze; button 13 play doze"))
         told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "marked.kfast", "-o", "a.uf2")
         self.assertEqual(told.stderr, 'g.kdl: warning: marked.kfast: there is no clip "doze", the whole scene will play in its '
-                                      'place: the scene has "blink", "sway"\n')
+                                      'place: allowed: blink, sway\n')
         told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "once.kfast", "-o", "a.uf2")
         self.assertEqual([re.search(r'no clip "(\w+)"', line)[1] for line in told.stderr.splitlines()], ["blink", "doze", "sway"])
         self.assertEqual(told.stderr.count("the scene has no clips"), 3)
+
+    def test_inputs_that_the_scene_does_not_have_are_warned_of(self):
+        (self.folder / "steered.kfast").write_text(STEERED)
+        (self.folder / "g.kdl").write_text(GADGET.replace(
+            "clip idle", 'knob 26 input gase; knob 27 input gaze; button 13 input "wide open"; button 14 input gase')
+            .replace("button 12 play blink", "button 12 input shut"))
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "steered.kfast", "-o", "a.uf2")
+        nothing = 'its button or knob will do nothing: '
+        self.assertEqual(told.stderr,
+                         f'g.kdl: warning: steered.kfast: there is no input "gase", {nothing}did you mean "gaze"?\n'
+                         f'g.kdl: warning: steered.kfast: there is no input "shut", {nothing}allowed: gaze, wide open\n')
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "once.kfast", "-o", "a.uf2")
+        self.assertEqual(told.stderr.count(f"{nothing}the scene has no inputs\n"), 4)
+
+    def test_clips_that_the_scene_is_near_to_are_named(self):
+        (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip swya"))
+        told = self.run_kfast("uf2", "pack", "--config", "g.kdl", "--scene", "marked.kfast", "-o", "a.uf2")
+        self.assertIn('no clip "swya", the whole scene will play in its place: did you mean "sway"?', told.stderr)
 
     def test_clips_that_the_scene_has_need_no_words(self):
         (self.folder / "g.kdl").write_text(GADGET.replace("clip idle", "clip sway; button 13 play; button 14 pause"))

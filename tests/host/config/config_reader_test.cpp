@@ -89,10 +89,18 @@ TEST_CASE("a text tells everything in pixels, Hertz and GPIOs")
     CHECK(settings.bus == BusKind::spi);
     CHECK(settings.bus_clock == 31'250'000);
     CHECK(settings.pins == std::array<Pin, 8>{18, 19, 17, 16, 20, 21, 22, 0});
-    CHECK(settings.clip == ClipName{"idle"});
+    CHECK(settings.clip == StoredName{"idle"});
     CHECK(settings.controls[0] == Control{ControlKind::button, ControlAction::play, 12, {"blink"}});
     CHECK(settings.controls[1] == Control{ControlKind::knob, ControlAction::place, 26, {}});
     CHECK(settings.controls[2] == Control{});
+}
+
+TEST_CASE("buttons and knobs may be for inputs")
+{
+    const BoardSettings settings = read(with("play blink", "input \"wide open\"\n    knob 27 input gaze"));
+    CHECK(settings.controls[0] == Control{ControlKind::button, ControlAction::input, 12, {"wide open"}});
+    CHECK(settings.controls[1] == Control{ControlKind::knob, ControlAction::input, 27, {"gaze"}});
+    CHECK(settings.controls[2] == Control{ControlKind::knob, ControlAction::place, 26, {}});
 }
 
 TEST_CASE("what is left out is as in the usual module")
@@ -101,7 +109,7 @@ TEST_CASE("what is left out is as in the usual module")
     CHECK(tft.panel == facts_of(Controller::st7735).usual);
     CHECK(tft.bus_clock == 15'150'000);
     CHECK(tft.pin(PinRole::reset) == no_pin);
-    CHECK(tft.clip == ClipName{});
+    CHECK(tft.clip == StoredName{});
     CHECK(tft.controls[0].kind == ControlKind::none);
 
     const BoardSettings round = read("board pico { panel gc9a01; bus spi; pins clock=18 data=19 dc=16 }");
@@ -173,11 +181,20 @@ TEST_CASE("mistakes are told with their place and the remedy")
     check_refused(with("clip idle", "clip a; clip b"), "5:13", "there is a clip already, on line 5");
     check_refused(with("play blink", "plya blink"), "6:15", "did you mean \"play\"?");
     check_refused(with("play blink", "speed"), "6:15", "speed is not for a button");
-    check_refused(with("play blink", "pause blink"), "6:21", "pause is for no clip");
-    check_refused(with("play blink", "pause 5"), "6:21", "pause is for no clip");
+    check_refused(with("play blink", "pause blink"), "6:21", "pause is for no clip or input");
+    check_refused(with("play blink", "pause 5"), "6:21", "pause is for no clip or input");
     check_refused(with("play blink", ""), "6:5", "write button 12 play");
     check_refused(with("12 play", "play 12"), "6:12", "the number of a GPIO");
-    check_refused(with("place", "pause"), "7:13", "allowed: place, speed, brightness");
+    check_refused(with("place", "pause"), "7:13", "allowed: place, speed, brightness, input");
+    check_refused(with("place", "input"), "7:13", "knob 2 does not say for which input it is");
+    check_refused(with("place", "input"), "7:13", "write the name that it has in the scene: input NAME");
+    check_refused(with("play blink", "input"), "6:15", "button 1 does not say for which input it is");
+    check_refused(with("place", "input=gaze"), "7:5", "or knob 26 input NAME");
+    check_refused(with("place", "input gaze open"), "7:24", "too many for knob");
+    check_refused(with("place", "inptu gaze"), "7:13", "did you mean \"input\"?");
+    check_refused(with("place", "input \"a name of twenty-five byte\""), "7:19",
+                  "a board holds names of inputs up to 24 bytes");
+    check_refused(with("place", "input \"\""), "7:19", "cannot be empty");
 }
 
 TEST_CASE("rules of the board are told at the place that breaks them")

@@ -75,6 +75,7 @@ TEST_CASE("the text has every field and tells what it means")
         bus i2c address=0x3D
         pins data=4 clock=5 log=0
         knob 26 place "wide awake"
+        knob 27 input "left eye"
         clip idle
         button 12 pause
     })");
@@ -89,6 +90,7 @@ TEST_CASE("the text has every field and tells what it means")
     // What plays when nothing is touched
     clip idle
     knob 26 place "wide awake"
+    knob 27 input "left eye"
     button 12 pause
 }
 )");

@@ -8,7 +8,7 @@
 namespace kfast::test {
 namespace {
 
-constexpr std::array<std::string_view, 9> clip_names{
+constexpr std::array<std::string_view, 9> names{
     "", "idle", "eyes shut", "true", "12", "say \"oh\"", "a/b\\c", "schl\u00e4ft", "a clip of 24 bytes here!",
 };
 
@@ -48,9 +48,9 @@ private:
     std::vector<Pin> free_;
 };
 
-ClipName random_clip(Draw& draw)
+StoredName random_name(Draw& draw)
 {
-    return {clip_names[static_cast<std::size_t>(draw.number(0, clip_names.size() - 1))]};
+    return {names[static_cast<std::size_t>(draw.number(0, names.size() - 1))]};
 }
 
 int multiple(Draw& draw, int step, int low, int high) { return step * draw.number(low / step, high / step); }
@@ -108,15 +108,27 @@ void draw_other_pins(Draw& draw, BoardSettings& settings)
     settings.panel.tearing_effect = settings.pin(PinRole::tearing) != no_pin && draw.chance();
 }
 
+ControlAction random_action(Draw& draw, ControlKind kind)
+{
+    for (;;) {
+        const auto action = static_cast<ControlAction>(draw.number(0, control_action_names.size() - 1));
+        if (is_for(action, kind))
+            return action;
+    }
+}
+
 Control random_control(Draw& draw)
 {
-    const bool is_knob = draw.chance();
-    Control control{.kind = is_knob ? ControlKind::knob : ControlKind::button,
-                    .action = static_cast<ControlAction>(draw.number(0, 2) + (is_knob ? 3 : 0)),
-                    .pin = draw.pin([=](Pin pin) { return !is_knob || rp2040::converter_input(pin); }),
-                    .clip = {}};
+    const ControlKind kind = draw.chance() ? ControlKind::knob : ControlKind::button;
+    Control control{
+        .kind = kind,
+        .action = random_action(draw, kind),
+        .pin = draw.pin([=](Pin pin) { return kind == ControlKind::button || rp2040::converter_input(pin); }),
+        .name = {}};
     if (has_clip(control.action))
-        control.clip = random_clip(draw);
+        control.name = random_name(draw);
+    if (has_input(control.action))
+        control.name = {"gaze"};
     return control;
 }
 
@@ -143,7 +155,7 @@ BoardSettings random_settings(std::mt19937& random)
     settings.i2c_address = static_cast<std::uint8_t>(draw.number(0x08, 0x77));
     draw_bus_pins(draw, settings);
     draw_other_pins(draw, settings);
-    settings.clip = random_clip(draw);
+    settings.clip = random_name(draw);
     draw_controls(draw, settings);
     return settings;
 }

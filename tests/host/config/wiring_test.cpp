@@ -95,6 +95,7 @@ TEST_CASE("controls and the log are wired to the nearest ground")
     BoardSettings settings = config::chosen_settings("pico-ssd1306");
     settings.controls[0] = {ControlKind::button, ControlAction::play, 12, {"blink"}};
     settings.controls[3] = {ControlKind::knob, ControlAction::place, 26, {}};
+    settings.controls[5] = {ControlKind::button, ControlAction::input, 13, {"open"}};
     settings.pin(PinRole::log) = 0;
     const auto pins = pins_of(settings);
     CHECK(pins.at({"button 1", "one leg"}) == 16);
@@ -105,6 +106,7 @@ TEST_CASE("controls and the log are wired to the nearest ground")
     CHECK(pins.at({"serial adapter", "RXD"}) == 1);
     CHECK(pins.at({"serial adapter", "GND"}) == 3);
     CHECK(config::wiring(settings)[7].purpose == "play blink");
+    CHECK(config::wiring(settings)[12].purpose == "input open");
 }
 
 TEST_CASE("every pin of any settings has a wire, and a mark on the drawing")
