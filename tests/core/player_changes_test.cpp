@@ -5,6 +5,7 @@
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -35,7 +36,7 @@ void check_against_redraws(const Bytes& file, Size panel, Size granularity, unsi
     Stage fresh{file, panel};
     PanelMemory<format> memory{panel};
     std::int32_t moment = 0;
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < rounds(60); ++round) {
         moment = random() % 3 == 0 ? static_cast<std::int32_t>(random() % 60'000)
                                    : moment + static_cast<std::int32_t>(random() % 700);
         stage.player.show({moment});

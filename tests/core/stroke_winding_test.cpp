@@ -3,6 +3,7 @@
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/pen_trace.hpp"
 #include "tests/core/winding.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -98,7 +99,7 @@ std::vector<Point> curve(std::mt19937& random, double reach)
 TEST_CASE("strokes of random lines wind around what the pen covers, with every cap and join")
 {
     std::mt19937 random{51};
-    for (int round = 0; round < 1500; ++round) {
+    for (int round = 0; round < rounds(1500); ++round) {
         const Pen pen = random_pen(random, round % 2 == 0 ? 4 : 30);
         const auto points = random_points(random, round % 3 == 0 ? 10 : 45);
         check_winding(random, points, pen, points.size() > 2 && random() % 2 == 0);
@@ -108,7 +109,7 @@ TEST_CASE("strokes of random lines wind around what the pen covers, with every c
 TEST_CASE("strokes of random curves do so too, also where they turn back, or the pen is wide")
 {
     std::mt19937 random{52};
-    for (int round = 0; round < 1500; ++round) {
+    for (int round = 0; round < rounds(1500); ++round) {
         const Pen pen = random_pen(random, round % 2 == 0 ? 4 : 30);
         check_winding(random, curve(random, round % 3 == 0 ? 8 : 45), pen, random() % 4 == 0);
     }

@@ -29,9 +29,15 @@ void fill(CoveragePicture& picture, const std::vector<Polygon>& polygons, FillRu
     picture.draw(rule);
 }
 
-int winding_at(const std::vector<Polygon>& polygons, double x, double y)
+/// Where an edge passes a row of samples: what lies right of x is wound around once more or less.
+struct Crossing {
+    double x;
+    int winding;
+};
+
+std::vector<Crossing> crossings(const std::vector<Polygon>& polygons, double y)
 {
-    int winding = 0;
+    std::vector<Crossing> found;
     for (const Polygon& polygon : polygons) {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Point& a = polygon[i];
@@ -42,10 +48,17 @@ int winding_at(const std::vector<Polygon>& polygons, double x, double y)
                 continue;
             const double ax = a.x.raw() / 65536.0;
             const double bx = b.x.raw() / 65536.0;
-            if (ax + (bx - ax) * (y - ay) / (by - ay) < x)
-                winding += ay < by ? 1 : -1;
+            found.push_back({ax + (bx - ax) * (y - ay) / (by - ay), ay < by ? 1 : -1});
         }
     }
+    return found;
+}
+
+int winding_at(const std::vector<Crossing>& row, double x)
+{
+    int winding = 0;
+    for (const Crossing& crossing : row)
+        winding += crossing.x < x ? crossing.winding : 0;
     return winding;
 }
 
@@ -59,9 +72,11 @@ double sampled_level(const std::vector<Polygon>& polygons, int x, int y, FillRul
 {
     constexpr int samples = 32;
     int inside = 0;
-    for (int i = 0; i < samples; ++i)
-        for (int j = 0; j < samples; ++j)
-            inside += is_inside(winding_at(polygons, x + (i + 0.5) / samples, y + (j + 0.5) / samples), rule);
+    for (int j = 0; j < samples; ++j) {
+        const std::vector<Crossing> row = crossings(polygons, y + (j + 0.5) / samples);
+        for (int i = 0; i < samples; ++i)
+            inside += is_inside(winding_at(row, x + (i + 0.5) / samples), rule);
+    }
     return inside * 255.0 / (samples * samples);
 }
 

@@ -8,6 +8,7 @@
 #include "host/compiler/skinned_drawing.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "tests/host/compiler/random_scene.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -392,7 +393,7 @@ TEST_CASE("whatever is written comes back as it was, and can be played")
 {
     std::mt19937 random{311};
     int written_scenes = 0;
-    for (int round = 0; round < 1500; ++round) {
+    for (int round = 0; round < rounds(1500); ++round) {
         const scene::Scene scene = random_scene(random);
         Diagnostics diagnostics;
         const auto bytes = write_scene(scene, diagnostics);
@@ -404,7 +405,7 @@ TEST_CASE("whatever is written comes back as it was, and can be played")
         play(*view, random);
         ++written_scenes;
     }
-    CHECK(written_scenes > 1000);
+    CHECK(written_scenes > rounds(1000));
 }
 
 }

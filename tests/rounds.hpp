@@ -1,0 +1,9 @@
+#pragma once
+
+namespace kfast::test {
+
+/// How many rounds of a random test that takes long are run: `all`, or, where sanitizers slow it, the first
+/// quarter of them.
+constexpr int rounds(int all) { return all / KFAST_SHARE_OF_ROUNDS; }
+
+}
