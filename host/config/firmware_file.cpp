@@ -1,5 +1,6 @@
 #include "host/config/firmware_file.hpp"
 
+#include "core/byte_reader.hpp"
 #include "firmware/image_mark.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/failure.hpp"
@@ -24,6 +25,30 @@ bool begins_with_boot_block(std::span<const std::byte> bytes)
                               bytes.first(BootBlock{}.size()));
 }
 
+/// The bus that it is for, as it says itself, whether there is such a bus or not.
+std::optional<std::size_t> bus_number(std::span<const std::byte> image)
+{
+    if (image.size() < ImageMark::length_place)
+        return std::nullopt;
+    const auto mark = image.subspan(ImageMark::place, sizeof(ImageMark));
+    const auto magic = std::as_bytes(std::span{ImageMark::its_magic});
+    if (!std::ranges::equal(mark.first(magic.size()), magic))
+        return std::nullopt;
+    return std::to_integer<std::size_t>(mark[offsetof(ImageMark, bus)]);
+}
+
+void require_whole(std::span<const std::byte> image, const std::string& name)
+{
+    if (!bus_number(image))
+        return; // it does not say how long it is
+    ByteReader reader{image.subspan(ImageMark::length_place)};
+    const std::size_t length = reader.u32();
+    if (reader.overrun() || image.size() != length)
+        throw Failure(name + ": " + std::to_string(image.size()) + " bytes" +
+                      (reader.overrun() ? "" : " instead of " + std::to_string(length)) +
+                      ", so this is not the firmware as it was built: copy or build it again");
+}
+
 }
 
 std::vector<std::byte> load_firmware(const std::filesystem::path& path)
@@ -39,19 +64,16 @@ std::vector<std::byte> load_firmware(const std::filesystem::path& path)
         throw Failure(path.string() + ": " + std::to_string(bytes.size()) + " bytes, " +
                       std::to_string(bytes.size() - room) +
                       " more than lie before the settings at 0x1003F000");
+    require_whole(bytes, path.string());
     return {bytes.begin(), bytes.end()};
 }
 
 std::optional<BusKind> marked_bus(std::span<const std::byte> image)
 {
-    if (image.size() < ImageMark::place + sizeof(ImageMark))
+    const auto number = bus_number(image);
+    if (!number || *number >= bus_names.size())
         return std::nullopt;
-    const auto mark = image.subspan(ImageMark::place, sizeof(ImageMark));
-    const auto magic = std::as_bytes(std::span{ImageMark::its_magic});
-    const auto bus = std::to_integer<std::size_t>(mark[offsetof(ImageMark, bus)]);
-    if (!std::ranges::equal(mark.first(magic.size()), magic) || bus >= bus_names.size())
-        return std::nullopt;
-    return static_cast<BusKind>(bus);
+    return static_cast<BusKind>(*number);
 }
 
 }

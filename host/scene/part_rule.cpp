@@ -17,7 +17,7 @@ bool may_stand(const kdl::Node& part, const kdl::Node& whole, Times times, Readi
     const auto first = std::ranges::find(whole.children, part.name, &kdl::Node::name);
     if (times == Times::any || &*first == &part)
         return true;
-    return reading.report.error(part.name_place, "there is a " + part.name + " already, on " +
+    return reading.report.error(part.name_place, quoted(part.name) + " stands here already, on " +
                                                      reading.report.line(first->name_place));
 }
 

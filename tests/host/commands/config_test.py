@@ -81,11 +81,12 @@ def mpeg2_crc(data):
     return state
 
 
-def firmware(size, mark=b"KFPI\0\0\0\0"):
-    """Bytes that a Pico would start; they say that they are for SPI."""
+def firmware(size, mark=b"KFPI\0\0\0\0", length=None):
+    """Bytes that a Pico would start; they say that they are for SPI, and how many they are."""
     code = bytes(index % 251 for index in range(252))
     image = code + struct.pack("<I", mpeg2_crc(code)) + bytes(range(256)) * (size // 256)
-    return (image[:MARK] + mark + image[MARK + len(mark):])[:size]
+    image = image[:MARK] + mark + image[MARK + len(mark):]
+    return (image[:MARK + 8] + struct.pack("<I", size if length is None else length) + image[MARK + 12:])[:size]
 
 
 class ConfigTest(CommandTest):
@@ -342,6 +343,13 @@ class PackTest(CommandTest):
             (self.folder / "f.bin").write_bytes(firmware(8192, b"KFPI" + bytes([number, 0, 0, 0])))
             told = self.run_kfast("uf2", "pack", "--firmware", "f.bin", "--config", name, "-o", "a.uf2")
             self.assertEqual(told.stderr, "")
+
+    def test_firmware_that_is_not_whole_is_refused(self):
+        for image, says in ((firmware(8192)[:8191], "f.bin: 8191 bytes instead of 8192, so this is not the firmware as it was"),
+                            (firmware(8192) + b"\n", "f.bin: 8193 bytes instead of 8192"),
+                            (firmware(8192)[:MARK + 10], f"f.bin: {MARK + 10} bytes, so this is not the firmware")):
+            (self.folder / "f.bin").write_bytes(image)
+            self.refuse("uf2", "pack", "--firmware", "f.bin", "-o", "b.uf2", status=1, says=says)
 
     def test_firmware_without_a_mark_is_warned_of(self):
         for image in (firmware(8192, b""), firmware(8192, b"KFPI\3"), firmware(8192, b"KFPJ\0"), firmware(MARK + 7)):

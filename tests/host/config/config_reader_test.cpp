@@ -178,7 +178,7 @@ TEST_CASE("mistakes are told with their place and the remedy")
     check_refused(with("clip idle", "clip"), "5:5", "write clip NAME");
     check_refused(with("clip idle", "clip \"a name of twenty-five byte\""), "5:10", "up to 24 bytes");
     check_refused(with("clip idle", "clip \"\""), "5:10", "cannot be empty");
-    check_refused(with("clip idle", "clip a; clip b"), "5:13", "there is a clip already, on line 5");
+    check_refused(with("clip idle", "clip a; clip b"), "5:13", "\"clip\" stands here already, on line 5");
     check_refused(with("play blink", "plya blink"), "6:15", "did you mean \"play\"?");
     check_refused(with("play blink", "speed"), "6:15", "speed is not for a button");
     check_refused(with("play blink", "pause blink"), "6:21", "pause is for no clip or input");

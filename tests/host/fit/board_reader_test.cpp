@@ -157,7 +157,7 @@ TEST_CASE("mistakes are told with their place and the remedy")
     check_refused(with("reserved", "reserve"), "7:5", "did you mean \"reserved\"?");
     check_refused(with("ram=(KiB)3", "rom=(KiB)3"), "7:28", "did you mean \"ram\"?");
     check_refused(with("    bands", "    bus spi clock=(MHz)1\n    bands"), "6:5",
-                  "there is a bus already, on line 4");
+                  "\"bus\" stands here already, on line 4");
     check_refused(with("    panel 320 172 format=grey4 window=9\n", ""), "1:1", "this board has no panel");
 }
 
