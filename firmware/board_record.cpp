@@ -1,6 +1,6 @@
 #include "firmware/board_record.hpp"
 
-#include "firmware/byte_writer.hpp"
+#include "firmware/span_writer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@ constexpr std::uint32_t bgr = 1;
 constexpr std::uint32_t inverted = 2;
 constexpr std::uint32_t tearing_effect = 4;
 
-class Writer : public ByteWriter {
+class Writer : public SpanWriter {
 public:
-    using ByteWriter::ByteWriter;
+    using SpanWriter::SpanWriter;
 
     template <class E>
     void number_of(E value)

@@ -3,6 +3,7 @@
 #include "core/error_text.hpp"
 #include "core/result.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -57,6 +58,13 @@ struct Verdict {
 /// The longest text of a status.
 inline constexpr std::size_t longest_status_text = 56;
 
+/// "bad_magic: not a compiled scene" becomes "not a compiled scene".
+constexpr std::string_view without_name(std::string_view text)
+{
+    const auto colon = std::ranges::find(text, ':');
+    return {colon + 2, text.end()};
+}
+
 /// What a status means, for people, without its number; empty if it is none.
 constexpr std::string_view status_text(Status status)
 {
@@ -69,10 +77,8 @@ constexpr std::string_view status_text(Status status)
     case Status::unsupported_version:
     case Status::bad_checksum:
     case Status::bad_scene:
-    case Status::block_too_small: {
-        const std::string_view named = error_text(static_cast<Error>(status));
-        return named.substr(named.find(':') + 2);
-    }
+    case Status::block_too_small:
+        return without_name(error_text(static_cast<Error>(status)));
     case Status::bad_report:
         return "a report must have 64 bytes"sv;
     case Status::unknown_kind:

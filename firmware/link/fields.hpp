@@ -3,8 +3,8 @@
 #include "core/byte_reader.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
-#include "firmware/byte_writer.hpp"
 #include "firmware/link/report.hpp"
+#include "firmware/span_writer.hpp"
 #include "firmware/stored_text.hpp"
 
 #include <array>
@@ -61,7 +61,7 @@ private:
             T::fields(*this, value);
     }
 
-    ByteWriter to_;
+    SpanWriter to_;
 };
 
 /// Reads the fields of a message one after another and remembers whether each of them meant something.

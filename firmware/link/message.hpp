@@ -62,7 +62,8 @@ inline constexpr std::size_t block_bytes = payload_bytes - 2;
 inline constexpr std::uint32_t most_blocks = 0xFFFF;
 constexpr std::uint32_t blocks_of(std::uint32_t bytes)
 {
-    return static_cast<std::uint32_t>((bytes + std::uint64_t{block_bytes} - 1) / block_bytes);
+    constexpr std::uint32_t each{block_bytes};
+    return bytes / each + (bytes % each != 0 ? 1 : 0);
 }
 
 /// A request that has nothing but its kind.

@@ -2,7 +2,7 @@
 
 #include "core/byte_reader.hpp"
 #include "core/crc32.hpp"
-#include "firmware/byte_writer.hpp"
+#include "firmware/span_writer.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::byte, 4> magic{std::byte{'K'}, std::byte{'F'}, std::byte{'S'}, std::byte{'D'}};
 constexpr std::uint32_t directory_version = 1;
 
-void write_entry(const SlotEntry& entry, ByteWriter& writer)
+void write_entry(const SlotEntry& entry, SpanWriter& writer)
 {
     writer.bytes(std::as_bytes(std::span{entry.name.bytes}));
     for (const std::uint32_t number : {entry.offset, entry.size, entry.crc})
@@ -71,7 +71,7 @@ SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory)
 {
     SlotDirectoryPages pages;
     pages.fill(std::byte{0xFF});
-    ByteWriter writer{pages};
+    SpanWriter writer{pages};
     writer.bytes(magic);
     writer.u16(directory_version);
     writer.u16(SlotDirectory::slot_count);

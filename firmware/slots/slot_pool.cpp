@@ -16,8 +16,11 @@ void SlotPool::occupy(Extent extent)
 {
     if (extent.begin == extent.end)
         return;
-    occupied_[count_++] = {extent.begin / sector_bytes * sector_bytes, whole_sectors(extent.end)};
-    std::ranges::sort(std::span{occupied_}.first(count_), {}, &Extent::begin);
+    const Extent whole{extent.begin / sector_bytes * sector_bytes, whole_sectors(extent.end)};
+    std::size_t at = count_++;
+    for (; at > 0 && whole.begin < occupied_[at - 1].begin; --at)
+        occupied_[at] = occupied_[at - 1];
+    occupied_[at] = whole;
 }
 
 const Extent* SlotPool::first_obstacle(Extent extent) const

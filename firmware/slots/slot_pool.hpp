@@ -33,7 +33,7 @@ private:
     const Extent* first_obstacle(Extent extent) const;
     std::optional<std::uint32_t> room_behind(std::uint32_t from, std::uint32_t size) const;
 
-    std::array<Extent, SlotDirectory::slot_count + 1> occupied_{};
+    std::array<Extent, SlotDirectory::slot_count + 1> occupied_{}; ///< in the order of their beginnings
     std::size_t count_ = 0;
     std::uint32_t bytes_;
 };

@@ -25,6 +25,8 @@ struct LinkBench {
     DeviceLink link{device, slots};
     Microseconds now{0xFFFF'0000}; // the clock wraps soon
 
+    LinkBench() { device.built_in_scene = padded_scene(2000, 1000); }
+
     template <class M>
     void send(const M& message, std::uint8_t tag)
     {

@@ -85,7 +85,7 @@ TEST_CASE("messages lie in their reports as the document says")
     is_written_as(inputs, {0x36, 0x5A, 2, 4, 0, 0, 1, 0, 1, 2, 0, 0, 0});
     is_written_as(EnterBootLoader{}, {0x3F, 0x5A});
     is_written_as(Failure{.request = 0x10, .status = Status::no_room, .number = 0x1000, .text = {"no"}},
-                  {0xFF, 0x5A, 0x10, static_cast<int>(Status::no_room), 0, 0x10, 0, 0, 'n', 'o'});
+                  {0xFF, 0x5A, 0x10, 25, 0, 0x10, 0, 0, 'n', 'o'});
 }
 
 TEST_CASE("a block carries sixty bytes of the scene")
@@ -137,6 +137,7 @@ TEST_CASE("every status has a text that a report has room for")
     CHECK(status_text(Status::no_such_clip) == "the scene has no clip of that name");
     CHECK(status_text(static_cast<Status>(7)).empty());
     CHECK(status_of(Error::block_too_small) == Status::block_too_small);
+    CHECK(static_cast<int>(Status::unsupported) == 31); // as the document counts them
 }
 
 }

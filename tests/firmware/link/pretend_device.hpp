@@ -2,7 +2,6 @@
 
 #include "core/scene_view.hpp"
 #include "firmware/link/device.hpp"
-#include "tests/firmware/slots/padded_scene.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -82,7 +81,7 @@ public:
     link::Programme programme;
     std::vector<std::byte> shown; ///< the scene as it was when it began to play
     std::vector<std::byte> ram;
-    std::vector<std::byte> built_in_scene = padded_scene(2000, 1000);
+    std::vector<std::byte> built_in_scene;
     std::map<std::uint32_t, Time> inputs;
     bool is_in_boot_loader = false;
 };

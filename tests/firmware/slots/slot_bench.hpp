@@ -3,6 +3,7 @@
 #include "firmware/slots/slot_store.hpp"
 #include "tests/firmware/slots/padded_scene.hpp"
 #include "tests/firmware/slots/pretend_flash.hpp"
+#include "tests/firmware/slots/small_places.hpp"
 
 #include <array>
 #include <cstddef>
@@ -14,12 +15,6 @@
 #include <vector>
 
 namespace kfast::test {
-
-inline constexpr std::uint32_t pool_sectors = 12;
-/// A sector that belongs to others, the directory, the pool, and one more sector of others.
-inline constexpr FlashPlaces small_places{
-    .directory = sector_bytes, .pool = 3 * sector_bytes, .pool_bytes = pool_sectors * sector_bytes};
-inline constexpr std::size_t small_flash_bytes = (3 + pool_sectors + 1) * sector_bytes;
 
 using Store = SlotStore<PretendFlash>;
 using Scene = std::vector<std::byte>;

@@ -7,9 +7,9 @@
 namespace kfast {
 
 /// Writes little-endian numbers from front to back into memory that has room for them.
-class ByteWriter {
+class SpanWriter {
 public:
-    constexpr explicit ByteWriter(std::span<std::byte> bytes) : at_{bytes.data()} {}
+    constexpr explicit SpanWriter(std::span<std::byte> bytes) : at_{bytes.data()} {}
 
     constexpr void u8(std::uint32_t value) { *at_++ = static_cast<std::byte>(value); }
     constexpr void u16(std::uint32_t value)
