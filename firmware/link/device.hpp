@@ -39,15 +39,15 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     { same.playing() } -> std::same_as<Playing>;
     /// Without link_errors, which the link counts.
     { same.statistics() } -> std::same_as<Statistics>;
-    /// The bytes of the scene that plays; none if none does. What they are in is not written to.
+    /// The bytes of the scene that plays; none if none does. As long as they are told here, nothing writes to them.
     { same.played() } -> std::same_as<std::span<const std::byte>>;
     /// Where a UF2 file puts a scene, perhaps with more bytes after it.
     { same.built_in() } -> std::same_as<std::span<const std::byte>>;
 
     /// From the beginning, as authored, not paused. Fails with block_too_small, and then what played plays on.
     { device.play(programme) } -> std::same_as<Status>;
-    /// Memory of `size` bytes for a scene, at most ram_bytes. What was lent before is not played any more when
-    /// this returns, nor lies any of this in what played() tells.
+    /// Memory of `size` bytes for a scene, at most ram_bytes, of which nothing is played: what was played from
+    /// there gives way to something else before this returns. It is lent until the next call.
     { device.lend_ram(size) } -> std::same_as<std::span<std::byte>>;
     { device.pause() } -> std::same_as<void>;
     { device.resume() } -> std::same_as<void>;

@@ -7,7 +7,7 @@ namespace kfast::link {
 
 void Transfer::begin(const Begin& what, std::uint8_t tag, Microseconds now)
 {
-    *this = {};
+    forget();
     state_ = State::under_way;
     tag_ = tag;
     what_ = what;

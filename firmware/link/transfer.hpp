@@ -30,7 +30,7 @@ public:
     /// A new one, whatever was before. Of at most most_blocks.
     void begin(const Begin& what, std::uint8_t tag, Microseconds now);
     /// There is none any more, nor has there been.
-    void forget() { state_ = State::none; }
+    void forget() { *this = {}; }
 
     /// The scene that comes, or came last.
     const Begin& what() const { return what_; }
