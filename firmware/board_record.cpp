@@ -1,5 +1,7 @@
 #include "firmware/board_record.hpp"
 
+#include "firmware/span_writer.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -15,34 +17,16 @@ constexpr std::uint32_t bgr = 1;
 constexpr std::uint32_t inverted = 2;
 constexpr std::uint32_t tearing_effect = 4;
 
-class Writer {
+class Writer : public SpanWriter {
 public:
-    explicit Writer(std::span<std::byte> bytes) : at_{bytes.data()} {}
+    using SpanWriter::SpanWriter;
 
-    void u8(std::uint32_t value) { *at_++ = static_cast<std::byte>(value); }
-    void u16(std::uint32_t value)
-    {
-        u8(value);
-        u8(value >> 8);
-    }
-    void u32(std::uint32_t value)
-    {
-        u16(value);
-        u16(value >> 16);
-    }
     template <class E>
     void number_of(E value)
     {
         u8(static_cast<std::uint32_t>(value));
     }
-    void text(const StoredName& name)
-    {
-        for (const char letter : name.bytes)
-            u8(static_cast<std::uint8_t>(letter));
-    }
-
-private:
-    std::byte* at_;
+    void text(const StoredName& name) { bytes(std::as_bytes(std::span{name.bytes})); }
 };
 
 /// Reads fields one after another and remembers whether each of them meant something.

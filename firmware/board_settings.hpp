@@ -1,8 +1,8 @@
 #pragma once
 
 #include "firmware/panel_settings.hpp"
+#include "firmware/stored_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,24 +36,6 @@ inline constexpr std::array<std::string_view, 8> pin_role_names{
 /// The number of a pin as the chip's maker counts, or no_pin.
 using Pin = std::uint8_t;
 inline constexpr Pin no_pin = 0xFF;
-
-/// A text that is stored in place: at most `most` bytes of UTF-8, the rest 0.
-template <std::size_t most>
-struct StoredText {
-    std::array<char, most> bytes{};
-
-    constexpr StoredText() = default;
-    /// `text` is no longer than `most`.
-    constexpr StoredText(std::string_view text) { std::ranges::copy(text, bytes.begin()); }
-
-    constexpr std::string_view view() const
-    {
-        const auto end = std::ranges::find(bytes, '\0');
-        return {bytes.data(), static_cast<std::size_t>(end - bytes.begin())};
-    }
-
-    friend constexpr bool operator==(const StoredText&, const StoredText&) = default;
-};
 
 /// The longest name of a clip or an input that settings can have, in bytes.
 inline constexpr std::size_t longest_stored_name = 24;

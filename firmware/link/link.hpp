@@ -1,0 +1,320 @@
+#pragma once
+
+#include "core/clock.hpp"
+#include "core/playhead.hpp"
+#include "core/scene_view.hpp"
+#include "firmware/link/answer_queue.hpp"
+#include "firmware/link/device.hpp"
+#include "firmware/link/fields.hpp"
+#include "firmware/link/message.hpp"
+#include "firmware/link/outcome.hpp"
+#include "firmware/link/upload.hpp"
+#include "firmware/microseconds.hpp"
+#include "firmware/slots/slot_store.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast::link {
+
+/// The device's end of the link (docs/link.md): takes the computer's reports, does what they ask, and has the
+/// answers ready. It needs no order, no completeness and no sense in what comes.
+///
+/// Nothing waits for the computer to fetch answers. A request that finds no room for its answer is not
+/// carried out; how far an upload has come is told in one report, which is always the newest.
+template <Device D, Flash F>
+class Link {
+public:
+    /// Both must outlive the link. Nobody else begins uploads to `slots`.
+    Link(D& device, SlotStore<F>& slots) : device_{device}, slots_{slots}, upload_{device, slots} {}
+
+    /// A report as it came. Works until flash has taken what is full: up to a sector, or the directory.
+    void take(std::span<const std::byte> bytes, Microseconds now)
+    {
+        pass(now);
+        Report report;
+        std::ranges::copy(bytes.first(std::min(bytes.size(), report_bytes)), report.bytes.begin());
+        if (bytes.size() != report_bytes)
+            refuse(report, Status::bad_report);
+        else if (report.kind() == code_of<Data>())
+            take_data(report, now);
+        else if (wants_answer(report) && answers_.is_full())
+            ++errors_;
+        else
+            take_request(report, now);
+    }
+
+    /// Lets time pass: to be called at least every few seconds.
+    void pass(Microseconds now)
+    {
+        if (const auto tag = upload_.drop_overdue(now))
+            tell(report_of(failure(code_of<Data>(), Status::timed_out), *tag));
+    }
+
+    /// Whether there is something to fetch.
+    bool has_report() const { return !answers_.is_empty() || upload_.has_acknowledgement(); }
+    /// What is to be sent to the computer next, if there is anything.
+    std::optional<Report> next_report()
+    {
+        return answers_.is_empty() ? upload_.next_acknowledgement() : answers_.next();
+    }
+
+private:
+    /// What a request has besides its message.
+    struct Asked {
+        std::uint8_t tag = 0;
+        Microseconds now;
+    };
+
+    /// Whoever chooses tag 0 wants to hear of failures alone.
+    static bool wants_answer(const Report& report) { return report.tag() != 0; }
+
+    void tell(const Report& report)
+    {
+        if (answers_.is_full())
+            ++errors_;
+        else
+            answers_.put(report);
+    }
+
+    /// Of what could not be understood.
+    void refuse(const Report& report, Verdict verdict)
+    {
+        ++errors_;
+        fail(report, verdict);
+    }
+    void fail(const Report& report, Verdict verdict)
+    {
+        tell(report_of(failure(report.kind(), verdict), report.tag()));
+    }
+
+    void take_request(const Report& report, Microseconds now)
+    {
+        switch (static_cast<Kind>(report.kind())) {
+        case Kind::hello:
+            return take<Hello>(report, now);
+        case Kind::names:
+            return take<AskNames>(report, now);
+        case Kind::playing:
+            return take<AskPlaying>(report, now);
+        case Kind::statistics:
+            return take<AskStatistics>(report, now);
+        case Kind::begin:
+            return take<Begin>(report, now);
+        case Kind::commit:
+            return take<Commit>(report, now);
+        case Kind::cancel:
+            return take<Cancel>(report, now);
+        case Kind::slot:
+            return take<AskSlot>(report, now);
+        case Kind::erase:
+            return take<EraseSlot>(report, now);
+        case Kind::choose:
+            return take<ChooseSlot>(report, now);
+        case Kind::play:
+            return take<Play>(report, now);
+        case Kind::pause:
+            return take<Pause>(report, now);
+        case Kind::resume:
+            return take<Resume>(report, now);
+        case Kind::seek:
+            return take<Seek>(report, now);
+        case Kind::speed:
+            return take<Speed>(report, now);
+        case Kind::brightness:
+            return take<Brightness>(report, now);
+        case Kind::inputs:
+            return take<Inputs>(report, now);
+        case Kind::boot_loader:
+            return take<EnterBootLoader>(report, now);
+        case Kind::data:  // needs no answer
+        case Kind::error: // only devices send it
+            break;
+        }
+        refuse(report, Status::unknown_kind);
+    }
+
+    template <class M>
+    void take(const Report& report, Microseconds now)
+    {
+        const auto message = message_of<M>(report);
+        if (!message)
+            return refuse(report, Status::bad_value);
+        const auto outcome = carry_out(*message, {report.tag(), now});
+        if (!outcome.verdict.is_ok())
+            fail(report, outcome.verdict);
+        else if (wants_answer(report))
+            tell(report_of(outcome.answer, report.tag()));
+    }
+
+    void take_data(const Report& report, Microseconds now)
+    {
+        const Status status = upload_.take(*message_of<Data>(report), report.tag(), now);
+        if (status == Status::ok)
+            return;
+        ++errors_;
+        if (upload_.tells_stray())
+            fail(report, status);
+    }
+
+    Outcome<Capabilities> carry_out(const Hello&, Asked)
+    {
+        const DeviceFacts facts = device_.facts();
+        return Capabilities{.slots = SlotDirectory::slot_count,
+                            .panel = facts.panel,
+                            .block_bytes = facts.block_bytes,
+                            .ram_bytes = facts.ram_bytes,
+                            .pool_bytes = slots_.pool_bytes(),
+                            .room_bytes = slots_.longest_room(device_.played()),
+                            .serial = facts.serial};
+    }
+    Outcome<Names> carry_out(const AskNames&, Asked) { return device_.facts().names; }
+    Outcome<Playing> carry_out(const AskPlaying&, Asked) { return device_.playing(); }
+    Outcome<Statistics> carry_out(const AskStatistics&, Asked)
+    {
+        Statistics statistics = device_.statistics();
+        statistics.link_errors = errors_;
+        return statistics;
+    }
+
+    Outcome<Begun> carry_out(const Begin& what, Asked asked)
+    {
+        return upload_.begin(what, asked.tag, asked.now);
+    }
+    Deed<Kind::commit> carry_out(const Commit&, Asked asked) { return upload_.commit(asked.tag); }
+    Deed<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
+
+    /// no_such_slot, or ok.
+    static Verdict look_for(std::uint8_t slot)
+    {
+        if (slot < SlotDirectory::slot_count)
+            return {};
+        return {Status::no_such_slot, SlotDirectory::slot_count};
+    }
+
+    Outcome<SlotContents> carry_out(const AskSlot& which, Asked)
+    {
+        if (const Verdict verdict = look_for(which.slot); !verdict.is_ok())
+            return verdict;
+        const SlotEntry& entry = slots_.entry(which.slot);
+        return SlotContents{.slot = which.slot,
+                            .is_chosen = slots_.chosen() == which.slot,
+                            .size = entry.size,
+                            .crc = entry.crc,
+                            .name = entry.name};
+    }
+    Deed<Kind::erase> carry_out(const EraseSlot& which, Asked)
+    {
+        if (const Verdict verdict = look_for(which.slot); !verdict.is_ok())
+            return verdict;
+        upload_.forget_last();
+        return slots_.erase(which.slot);
+    }
+    Deed<Kind::choose> carry_out(const ChooseSlot& which, Asked)
+    {
+        if (which.slot == no_slot)
+            return slots_.choose(std::nullopt);
+        const Verdict verdict = look_for(which.slot);
+        return verdict.is_ok() ? Verdict{slots_.choose(which.slot)} : verdict;
+    }
+
+    Deed<Kind::play> carry_out(const Play& what, Asked)
+    {
+        Programme programme{.home = what.home, .slot = what.slot, .clip = what.clip};
+        if (const Verdict verdict = find_scene(programme); !verdict.is_ok())
+            return verdict;
+        const auto scene = SceneView::parse(programme.scene);
+        if (!scene)
+            return status_of(scene.error());
+        if (!what.clip.view().empty() && !scene->clip(what.clip.view()))
+            return Status::no_such_clip;
+        programme.scene = programme.scene.first(scene->size());
+        return device_.play(programme);
+    }
+
+    /// Fills in where the scene lies. Fails with no_such_slot, empty_slot, nothing_in_ram or nothing_plays.
+    Verdict find_scene(Programme& programme)
+    {
+        switch (programme.home) {
+        case Home::built_in:
+            programme.slot = no_slot;
+            programme.scene = device_.built_in();
+            return {};
+        case Home::slot:
+            if (const Verdict verdict = look_for(programme.slot); !verdict.is_ok())
+                return verdict;
+            programme.scene = slots_.scene(programme.slot);
+            return programme.scene.empty() ? Status::empty_slot : Status::ok;
+        case Home::ram:
+            programme.slot = no_slot;
+            programme.scene = upload_.ram_scene();
+            return programme.scene.empty() ? Status::nothing_in_ram : Status::ok;
+        case Home::here:
+            break;
+        }
+        const Playing playing = device_.playing();
+        programme.home = playing.home;
+        programme.slot = playing.slot;
+        programme.scene = device_.played();
+        return playing.is_playing ? Status::ok : Status::nothing_plays;
+    }
+
+    Deed<Kind::pause> carry_out(const Pause&, Asked)
+    {
+        device_.pause();
+        return Status::ok;
+    }
+    Deed<Kind::resume> carry_out(const Resume&, Asked)
+    {
+        device_.resume();
+        return Status::ok;
+    }
+    Deed<Kind::seek> carry_out(const Seek& where, Asked)
+    {
+        device_.seek(where.moment);
+        return Status::ok;
+    }
+    Deed<Kind::speed> carry_out(const Speed& how, Asked)
+    {
+        if (how.speed < -Playhead::fastest || how.speed > Playhead::fastest)
+            return Status::bad_value;
+        device_.set_speed(how.speed);
+        return Status::ok;
+    }
+    Deed<Kind::brightness> carry_out(const Brightness& how, Asked)
+    {
+        return device_.set_brightness(how.brightness);
+    }
+
+    /// All of them, or none.
+    Deed<Kind::inputs> carry_out(const Inputs& inputs, Asked)
+    {
+        if (inputs.count > Inputs::most)
+            return Status::bad_value;
+        const auto places = std::span{inputs.places}.first(inputs.count);
+        const auto is_place = [](const InputPlace& each) {
+            return each.place >= Time{0} && each.place <= whole_input;
+        };
+        if (!std::ranges::all_of(places, is_place))
+            return Status::bad_value;
+        const std::uint8_t known = device_.playing().inputs;
+        if (!std::ranges::all_of(places, [=](const InputPlace& each) { return each.input < known; }))
+            return Verdict{Status::no_such_input, known};
+        for (const InputPlace& each : places)
+            device_.set_input(each.input, each.place);
+        return Status::ok;
+    }
+
+    Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked) { return device_.enter_boot_loader(); }
+
+    D& device_;
+    SlotStore<F>& slots_;
+    Upload<D, F> upload_;
+    AnswerQueue answers_;
+    std::uint32_t errors_ = 0;
+};
+
+}

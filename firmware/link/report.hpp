@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::link {
+
+inline constexpr std::size_t report_bytes = 64;
+
+/// What goes over the link, either way: 64 bytes. Byte 0 is the kind, byte 1 a tag that the computer chooses
+/// and an answer repeats, the rest is payload, little-endian.
+struct Report {
+    std::array<std::byte, report_bytes> bytes{};
+
+    constexpr std::uint8_t kind() const { return std::to_integer<std::uint8_t>(bytes[0]); }
+    constexpr std::uint8_t tag() const { return std::to_integer<std::uint8_t>(bytes[1]); }
+    constexpr std::span<const std::byte> payload() const { return std::span{bytes}.subspan(2); }
+    constexpr std::span<std::byte> payload() { return std::span{bytes}.subspan(2); }
+
+    friend constexpr bool operator==(const Report&, const Report&) = default;
+};
+
+inline constexpr std::size_t payload_bytes = report_bytes - 2;
+
+/// Set in the kinds of what a device sends.
+inline constexpr std::uint8_t from_device = 0x80;
+
+}

@@ -1,0 +1,62 @@
+#include "firmware/link/transfer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast::link {
+
+void Transfer::begin(const Begin& what, std::uint8_t tag, Microseconds now)
+{
+    forget();
+    state_ = State::under_way;
+    tag_ = tag;
+    what_ = what;
+    blocks_ = static_cast<std::uint16_t>(blocks_of(what.size));
+    progressed_ = now;
+}
+
+bool Transfer::is_wanted(std::uint16_t block)
+{
+    if (block == next_ && next_ != blocks_)
+        return true;
+    if (block < next_) {
+        tell(); // perhaps what was told has been lost
+    } else if (untimely_++ % told_every == 0) {
+        is_missing_ = true;
+        tell();
+    }
+    return false;
+}
+
+/// The part of the scene that `data`, the next block, is.
+std::span<const std::byte> Transfer::next_bytes(const Data& data, Microseconds now)
+{
+    const std::size_t left = what_.size - next_ * block_bytes;
+    const auto bytes = std::span{data.bytes}.first(std::min(left, block_bytes));
+    crc_.add(bytes);
+    ++next_;
+    untimely_ = 0;
+    is_missing_ = false;
+    progressed_ = now;
+    if (++since_told_ == told_every || next_ == blocks_)
+        tell();
+    return bytes;
+}
+
+void Transfer::end(Status result)
+{
+    state_ = State::ended;
+    result_ = result;
+    is_told_ = Told::all;
+}
+
+std::optional<Acknowledgement> Transfer::next_acknowledgement()
+{
+    if (!has_acknowledgement())
+        return std::nullopt;
+    is_told_ = Told::all;
+    since_told_ = 0;
+    return Acknowledgement{.next = next_, .window = window, .is_missing = std::exchange(is_missing_, false)};
+}
+
+}

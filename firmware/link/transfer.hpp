@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/crc32.hpp"
+#include "firmware/link/message.hpp"
+#include "firmware/link/sink.hpp"
+#include "firmware/microseconds.hpp"
+#include "firmware/status.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast::link {
+
+/// A scene on its way to the device: takes its blocks in order and tells the computer how far it has come.
+///
+/// What comes twice is ignored. If a block is missing, those behind it are ignored as well, and the computer
+/// is told to begin again from there: once when it is seen, and once for every `told_every` blocks that come
+/// nevertheless.
+class Transfer {
+public:
+    /// How many blocks may be on the way.
+    static constexpr std::uint16_t window = 64;
+    /// How many blocks come before the computer is told.
+    static constexpr std::uint16_t told_every = 16;
+    /// How long the next block may take.
+    static constexpr Microseconds patience{3'000'000};
+
+    /// A new one, whatever was before. Of at most most_blocks.
+    void begin(const Begin& what, std::uint8_t tag, Microseconds now);
+    /// There is none any more, nor has there been.
+    void forget() { *this = {}; }
+
+    /// The scene that comes, or came last.
+    const Begin& what() const { return what_; }
+    std::uint8_t tag() const { return tag_; }
+    bool is_under_way() const { return state_ == State::under_way; }
+    /// Whether this beginning was told before: then the transfer goes on where it stands, even if it has
+    /// ended.
+    bool is_begun_by(const Begin& what, std::uint8_t tag) const
+    {
+        return (is_under_way() || result_ == Status::ok) && belongs(tag) && what == what_;
+    }
+    /// Whether something with this tag is about the scene that comes, or came last.
+    bool belongs(std::uint8_t tag) const { return state_ != State::none && tag == tag_; }
+    /// Whether the next block has not come in time.
+    bool is_overdue(Microseconds now) const { return is_under_way() && reached(now, progressed_ + patience); }
+
+    /// A block that belongs to the transfer.
+    template <Sink S>
+    void take(const Data& data, S& sink, Microseconds now)
+    {
+        if (is_under_way() && is_wanted(data.block))
+            sink.write(next_bytes(data, now));
+    }
+
+    /// Ends the transfer if all its blocks have come; asked again, it answers the same. Fails with
+    /// incomplete, and then it goes on; else with bad_checksum or what the sink says.
+    template <Sink S>
+    Verdict commit(S& sink)
+    {
+        if (state_ == State::ended)
+            return result_;
+        if (next_ != blocks_)
+            return {Status::incomplete, next_};
+        end(crc_.value() == what_.crc ? sink.finish() : Status::bad_checksum);
+        return result_;
+    }
+    /// There will be no more of it, because of `why`, which is not ok.
+    void fail(Status why) { end(why); }
+
+    Begun begun() const { return {.next = next_, .window = window}; }
+    bool has_acknowledgement() const { return is_told_ == Told::not_yet; }
+    /// How far it has come, if the computer is to be told so now.
+    std::optional<Acknowledgement> next_acknowledgement();
+
+private:
+    enum class State : std::uint8_t { none, under_way, ended };
+    enum class Told : std::uint8_t { all, not_yet };
+
+    bool is_wanted(std::uint16_t block);
+    std::span<const std::byte> next_bytes(const Data& data, Microseconds now);
+    void end(Status result);
+    void tell() { is_told_ = Told::not_yet; }
+
+    State state_ = State::none;
+    Status result_ = Status::ok; ///< if it has ended
+    std::uint8_t tag_ = 0;
+    Begin what_;
+    std::uint16_t blocks_ = 0;
+    std::uint16_t next_ = 0;
+    std::uint16_t since_told_ = 0; ///< blocks that were taken
+    std::uint16_t untimely_ = 0;   ///< blocks that came too early since the last one that was taken
+    Told is_told_ = Told::all;
+    bool is_missing_ = false; ///< what is to be told next
+    Crc32 crc_;
+    Microseconds progressed_;
+};
+
+}

@@ -1,0 +1,147 @@
+#pragma once
+
+#include "firmware/link/device.hpp"
+#include "firmware/link/message.hpp"
+#include "firmware/link/outcome.hpp"
+#include "firmware/link/sink.hpp"
+#include "firmware/link/transfer.hpp"
+#include "firmware/microseconds.hpp"
+#include "firmware/slots/slot_store.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace kfast::link {
+
+/// Scenes that come over the link, one at a time, into a slot or into RAM.
+template <Device D, Flash F>
+class Upload {
+public:
+    /// Both must outlive it.
+    Upload(D& device, SlotStore<F>& slots) : device_{device}, slots_{slots} {}
+
+    /// Fails with bad_value, no_such_slot, no_room or too_large. An upload that was under way is dropped even
+    /// then, unless this is its own beginning once more.
+    Outcome<Begun> begin(const Begin& what, std::uint8_t tag, Microseconds now)
+    {
+        if (transfer_.is_begun_by(what, tag))
+            return transfer_.begun();
+        transfer_.forget();
+        is_stray_told_ = false;
+        if (what.size == 0 || blocks_of(what.size) > most_blocks)
+            return Status::bad_value;
+        if (const Verdict verdict = make_room(what); !verdict.is_ok())
+            return verdict;
+        transfer_.begin(what, tag, now);
+        return transfer_.begun();
+    }
+
+    /// Fails with no_transfer if it belongs to none.
+    Status take(const Data& data, std::uint8_t tag, Microseconds now)
+    {
+        if (!transfer_.belongs(tag))
+            return Status::no_transfer;
+        with_sink([&](auto& sink) { transfer_.take(data, sink, now); });
+        return Status::ok;
+    }
+    /// Whether data that belong to no upload are to be told: once until the next one begins.
+    bool tells_stray() { return !std::exchange(is_stray_told_, true); }
+
+    /// Fails with no_transfer, incomplete, bad_checksum, flash_failed or an error of SceneView::parse, or
+    /// with why the upload was dropped.
+    Verdict commit(std::uint8_t tag)
+    {
+        if (!transfer_.belongs(tag))
+            return Status::no_transfer;
+        Verdict verdict;
+        with_sink([&](auto& sink) { verdict = transfer_.commit(sink); });
+        if (verdict.is_ok() && is_for_ram())
+            ram_scene_ = ram_.bytes();
+        return verdict;
+    }
+
+    /// Fails with no_transfer. What was committed stays.
+    Status cancel(std::uint8_t tag)
+    {
+        if (!transfer_.belongs(tag))
+            return Status::no_transfer;
+        if (transfer_.is_under_way())
+            transfer_.fail(Status::no_transfer);
+        return Status::ok;
+    }
+
+    /// What came last may not be where it was put any more.
+    void forget_last()
+    {
+        if (!transfer_.is_under_way())
+            transfer_.forget();
+    }
+
+    /// The tag of an upload that took too long and is dropped now.
+    std::optional<std::uint8_t> drop_overdue(Microseconds now)
+    {
+        if (!transfer_.is_overdue(now))
+            return std::nullopt;
+        transfer_.fail(Status::timed_out);
+        return transfer_.tag();
+    }
+
+    /// The whole scene that lies in RAM, if there is one.
+    std::span<const std::byte> ram_scene() const { return ram_scene_; }
+
+    bool has_acknowledgement() const { return transfer_.has_acknowledgement(); }
+    /// How far it has come, if that is to be told now.
+    std::optional<Report> next_acknowledgement()
+    {
+        const auto progress = transfer_.next_acknowledgement();
+        return progress ? std::optional{report_of(*progress, transfer_.tag())} : std::nullopt;
+    }
+
+private:
+    bool is_for_ram() const { return transfer_.what().home == Home::ram; }
+
+    template <class Do>
+    void with_sink(Do&& with)
+    {
+        if (is_for_ram())
+            with(ram_);
+        else
+            with(slots_);
+    }
+
+    Verdict make_room(const Begin& what)
+    {
+        switch (what.home) {
+        case Home::slot:
+            if (what.slot >= SlotDirectory::slot_count)
+                return {Status::no_such_slot, SlotDirectory::slot_count};
+            return slots_.begin({what.slot, what.size, what.crc, what.name}, device_.played());
+        case Home::ram:
+            return make_room_in_ram(what.size);
+        case Home::built_in:
+        case Home::here:
+            return Status::bad_value;
+        }
+        return Status::bad_value;
+    }
+
+    Verdict make_room_in_ram(std::uint32_t size)
+    {
+        if (const std::uint32_t most = device_.facts().ram_bytes; size > most)
+            return {Status::too_large, most};
+        ram_scene_ = {};
+        ram_ = RamSink{device_.lend_ram(size)};
+        return {};
+    }
+
+    D& device_;
+    SlotStore<F>& slots_;
+    Transfer transfer_;
+    RamSink ram_;
+    std::span<const std::byte> ram_scene_;
+    bool is_stray_told_ = false;
+};
+
+}

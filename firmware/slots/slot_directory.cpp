@@ -1,0 +1,97 @@
+#include "firmware/slots/slot_directory.hpp"
+
+#include "core/byte_reader.hpp"
+#include "core/crc32.hpp"
+#include "firmware/span_writer.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr std::array<std::byte, 4> magic{std::byte{'K'}, std::byte{'F'}, std::byte{'S'}, std::byte{'D'}};
+constexpr std::uint32_t directory_version = 1;
+
+void write_entry(const SlotEntry& entry, SpanWriter& writer)
+{
+    writer.bytes(std::as_bytes(std::span{entry.name.bytes}));
+    for (const std::uint32_t number : {entry.offset, entry.size, entry.crc})
+        writer.u32(number);
+}
+
+SlotEntry read_entry(ByteReader& reader)
+{
+    SlotEntry entry;
+    for (char& letter : entry.name.bytes)
+        letter = static_cast<char>(reader.u8());
+    for (std::uint32_t* number : {&entry.offset, &entry.size, &entry.crc})
+        *number = reader.u32();
+    return entry;
+}
+
+SlotDirectory read_fields(ByteReader reader)
+{
+    SlotDirectory directory;
+    directory.generation = reader.u32();
+    directory.next = reader.u32();
+    directory.chosen = static_cast<std::uint8_t>(reader.u8());
+    reader.skip(3);
+    for (SlotEntry& entry : directory.slots)
+        entry = read_entry(reader);
+    return directory;
+}
+
+bool is_whole(std::span<const std::byte> record)
+{
+    ByteReader reader{record.subspan(magic.size())};
+    ByteReader end{record.last(4)};
+    Crc32 crc;
+    crc.add(record.first(record.size() - 4));
+    return std::ranges::equal(record.first(magic.size()), magic) && reader.u16() == directory_version &&
+           reader.u16() == SlotDirectory::slot_count && end.u32() == crc.value();
+}
+
+bool lies_within(const SlotEntry& entry, std::uint32_t pool_bytes)
+{
+    return entry.is_empty() || (entry.offset % sector_bytes == 0 && entry.offset < pool_bytes &&
+                                entry.size <= pool_bytes - entry.offset);
+}
+
+bool lies_within(const SlotDirectory& directory, std::uint32_t pool_bytes)
+{
+    return directory.next <= pool_bytes && directory.next % sector_bytes == 0 &&
+           (directory.chosen < SlotDirectory::slot_count || directory.chosen == SlotDirectory::none) &&
+           std::ranges::all_of(directory.slots,
+                               [=](const SlotEntry& entry) { return lies_within(entry, pool_bytes); });
+}
+
+}
+
+SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory)
+{
+    SlotDirectoryPages pages;
+    pages.fill(std::byte{0xFF});
+    SpanWriter writer{pages};
+    writer.bytes(magic);
+    writer.u16(directory_version);
+    writer.u16(SlotDirectory::slot_count);
+    writer.u32(directory.generation);
+    writer.u32(directory.next);
+    writer.u32(directory.chosen); // and the three zeros behind it
+    for (const SlotEntry& entry : directory.slots)
+        write_entry(entry, writer);
+    Crc32 crc;
+    crc.add(std::span{pages}.first(slot_directory_bytes - 4));
+    writer.u32(crc.value());
+    return pages;
+}
+
+std::optional<SlotDirectory> read_slot_directory(std::span<const std::byte> bytes, std::uint32_t pool_bytes)
+{
+    if (bytes.size() < slot_directory_bytes || !is_whole(bytes.first(slot_directory_bytes)))
+        return std::nullopt;
+    const SlotDirectory directory = read_fields(ByteReader{bytes.subspan(8)});
+    return lies_within(directory, pool_bytes) ? std::optional{directory} : std::nullopt;
+}
+
+}

@@ -1,0 +1,210 @@
+#pragma once
+
+#include "core/crc32.hpp"
+#include "core/scene_view.hpp"
+#include "firmware/slots/flash.hpp"
+#include "firmware/slots/flash_places.hpp"
+#include "firmware/slots/sector_writer.hpp"
+#include "firmware/slots/slot_directory.hpp"
+#include "firmware/slots/slot_pool.hpp"
+#include "firmware/status.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast {
+
+/// What is to be put into a slot.
+struct SlotUpload {
+    std::uint8_t slot = 0;
+    std::uint32_t size = 0; ///< bytes
+    std::uint32_t crc = 0;  ///< CRC-32 of all bytes
+    SceneName name{};
+};
+
+/// The scenes in the flash of a device. Whatever is done, and whenever power is cut, a start finds all slots
+/// as they were before or as they are to be: what a slot holds is not touched until the new directory is
+/// written whole, and then it is the new one.
+///
+/// Every function that changes flash works until it has done so: a sector takes about 50 ms, at worst 400.
+template <Flash F>
+class SlotStore {
+public:
+    /// Reads the directory; where there is none that is whole, all slots are empty. `flash` must outlive the
+    /// store.
+    SlotStore(F& flash, const FlashPlaces& places) : flash_{flash}, places_{places}, writer_{flash}
+    {
+        const auto first = copy(0);
+        const auto second = copy(1);
+        newer_ = second && (!first || is_newer(*second, *first)) ? 1 : 0;
+        if (const auto& found = newer_ == 1 ? second : first)
+            directory_ = *found;
+    }
+
+    std::uint32_t pool_bytes() const { return places_.pool_bytes; }
+    /// `slot` is less than SlotDirectory::slot_count.
+    const SlotEntry& entry(std::uint8_t slot) const { return directory_.slots[slot]; }
+    /// The bytes of a slot, which nobody has looked at; none if it is empty. They stay where they are until
+    /// the slot changes, and then as long as they are `held`.
+    std::span<const std::byte> scene(std::uint8_t slot) const
+    {
+        return flash_.contents().subspan(places_.pool + entry(slot).offset, entry(slot).size);
+    }
+    /// What plays when the device starts; none: the built-in scene.
+    std::optional<std::uint8_t> chosen() const
+    {
+        return directory_.chosen == SlotDirectory::none ? std::nullopt : std::optional{directory_.chosen};
+    }
+
+    /// The bytes of the largest scene that a slot can take while `held` stays as it is.
+    std::uint32_t longest_room(std::span<const std::byte> held) const { return pool(held).longest_room(); }
+
+    /// Fails with no_room. Until the next begin(), bytes go where none of the slots has its own, nor `held`:
+    /// what is played, from a slot or from anywhere.
+    Verdict begin(const SlotUpload& upload, std::span<const std::byte> held)
+    {
+        upload_ = upload;
+        if (holds_already(upload)) {
+            offset_ = entry(upload.slot).offset;
+            writer_.begin(places_.pool + offset_, SectorWriter<F>::Use::compare);
+            return {};
+        }
+        const SlotPool free = pool(held);
+        const auto offset = free.room_for(upload.size, directory_.next);
+        if (!offset)
+            return {Status::no_room, free.longest_room()};
+        offset_ = *offset;
+        writer_.begin(places_.pool + offset_, SectorWriter<F>::Use::write);
+        return {};
+    }
+
+    /// The next bytes of the upload, after begin() and before finish(): no more than its size, altogether.
+    void write(std::span<const std::byte> bytes) { writer_.add(bytes); }
+
+    /// All bytes have come: the slot holds them from now on. Fails, and then the slot is as it was, with
+    /// bad_checksum or flash_failed, or an error of SceneView::parse.
+    Status finish()
+    {
+        writer_.flush();
+        const Status status = check();
+        return status == Status::ok ? enter() : status;
+    }
+
+    /// Fails with empty_slot or flash_failed.
+    Status erase(std::uint8_t slot)
+    {
+        if (entry(slot).is_empty())
+            return Status::empty_slot;
+        SlotDirectory changed = directory_;
+        changed.slots[slot] = {};
+        if (changed.chosen == slot)
+            changed.chosen = SlotDirectory::none;
+        return put(changed);
+    }
+
+    /// From the next start on, `slot` plays; none: the built-in scene. Fails with empty_slot or flash_failed.
+    Status choose(std::optional<std::uint8_t> slot)
+    {
+        if (slot && entry(*slot).is_empty())
+            return Status::empty_slot;
+        SlotDirectory changed = directory_;
+        changed.chosen = slot.value_or(SlotDirectory::none);
+        return put(changed);
+    }
+
+private:
+    std::span<const std::byte> copy_bytes(std::uint32_t number) const
+    {
+        return flash_.contents().subspan(places_.directory + number * sector_bytes, sector_bytes);
+    }
+    std::optional<SlotDirectory> copy(std::uint32_t number) const
+    {
+        return read_slot_directory(copy_bytes(number), places_.pool_bytes);
+    }
+
+    std::span<const std::byte> pool_contents() const
+    {
+        return flash_.contents().subspan(places_.pool, places_.pool_bytes);
+    }
+    SlotPool pool(std::span<const std::byte> held) const
+    {
+        return {directory_, places_.pool_bytes, extent_of(held)};
+    }
+    /// The part of the pool that `held` is; none if it lies elsewhere.
+    Extent extent_of(std::span<const std::byte> held) const
+    {
+        const auto address = [](const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at); };
+        const std::uintptr_t offset = address(held.data()) - address(pool_contents().data());
+        if (offset >= places_.pool_bytes || held.size() > places_.pool_bytes - offset)
+            return {};
+        return {static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(offset + held.size())};
+    }
+
+    std::uint32_t crc_of_flash(std::uint32_t offset, std::uint32_t size) const
+    {
+        Crc32 crc;
+        crc.add(pool_contents().subspan(offset, size));
+        return crc.value();
+    }
+
+    /// The same scene, as far as size and checksum tell, and undamaged.
+    bool holds_already(const SlotUpload& upload) const
+    {
+        const SlotEntry& held = entry(upload.slot);
+        return held.size == upload.size && held.crc == upload.crc &&
+               crc_of_flash(held.offset, held.size) == held.crc;
+    }
+
+    Status check() const
+    {
+        if (writer_.compares() && !writer_.is_same())
+            return Status::bad_checksum;
+        if (crc_of_flash(offset_, upload_.size) != upload_.crc)
+            return Status::flash_failed;
+        const auto scene = SceneView::parse(pool_contents().subspan(offset_, upload_.size));
+        return scene ? Status::ok : status_of(scene.error());
+    }
+
+    /// Puts what was written into the directory.
+    Status enter()
+    {
+        SlotDirectory changed = directory_;
+        SlotEntry& entry = changed.slots[upload_.slot];
+        if (!writer_.compares())
+            changed.next = (offset_ + whole_sectors(upload_.size)) % places_.pool_bytes;
+        entry = {.name = upload_.name, .offset = offset_, .size = upload_.size, .crc = upload_.crc};
+        return put(changed);
+    }
+
+    /// Writes `changed` over the older copy, unless it says nothing new.
+    Status put(SlotDirectory changed)
+    {
+        if (changed == directory_)
+            return Status::ok;
+        ++changed.generation;
+        const std::uint32_t older = 1 - newer_;
+        const std::uint32_t place = places_.directory + older * sector_bytes;
+        const SlotDirectoryPages pages = slot_directory_pages_of(changed);
+        flash_.erase(place);
+        for (std::uint32_t at = 0; at < pages.size(); at += page_bytes)
+            flash_.program(place + at, std::span{pages}.subspan(at).template first<page_bytes>());
+        if (copy(older) != changed)
+            return Status::flash_failed;
+        directory_ = changed;
+        newer_ = older;
+        return Status::ok;
+    }
+
+    F& flash_;
+    FlashPlaces places_;
+    SlotDirectory directory_;
+    std::uint32_t newer_ = 0; ///< the copy that directory_ was read from
+    SectorWriter<F> writer_;
+    SlotUpload upload_;
+    std::uint32_t offset_ = 0; ///< in the pool, of the upload
+};
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace kfast {
+
+/// A text that is stored in place: at most `most` bytes of UTF-8, the rest 0.
+template <std::size_t most>
+struct StoredText {
+    std::array<char, most> bytes{};
+
+    constexpr StoredText() = default;
+    /// `text` is no longer than `most`.
+    constexpr StoredText(std::string_view text) { std::ranges::copy(text, bytes.begin()); }
+
+    constexpr std::string_view view() const
+    {
+        const auto end = std::ranges::find(bytes, '\0');
+        return {bytes.data(), static_cast<std::size_t>(end - bytes.begin())};
+    }
+
+    friend constexpr bool operator==(const StoredText&, const StoredText&) = default;
+};
+
+}

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/scene_view.hpp"
+#include "firmware/link/device.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace kfast::test {
+
+/// A device that keeps what it was asked for.
+class PretendDevice {
+public:
+    link::DeviceFacts facts() const
+    {
+        return {.panel = {240, 135},
+                .block_bytes = 100'000,
+                .ram_bytes = ram_bytes,
+                .serial = {"E66058388341A22C"},
+                .names = {.firmware = {"0.1.0"}, .board = {"pico"}, .panel = {"st7789"}}};
+    }
+    link::Playing playing() const { return now; }
+    link::Statistics statistics() const
+    {
+        return {.frames = 1000, .late = 3, .skipped = 2, .link_errors = 0};
+    }
+    std::span<const std::byte> played() const { return programme.scene; }
+    std::span<const std::byte> built_in() const { return built_in_scene; }
+
+    Status play(const link::Programme& next)
+    {
+        if (next.scene.size() > largest_that_plays)
+            return Status::block_too_small;
+        programme = next;
+        shown.assign(next.scene.begin(), next.scene.end());
+        now = {};
+        now.is_playing = true;
+        now.home = next.home;
+        now.slot = next.slot;
+        now.inputs = static_cast<std::uint8_t>(SceneView::parse(next.scene)->input_count());
+        now.clip = next.clip;
+        return Status::ok;
+    }
+    /// As long as asked for, so that a byte beyond is noticed.
+    std::span<std::byte> lend_ram(std::uint32_t size)
+    {
+        if (programme.home == link::Home::ram)
+            stop();
+        ram.assign(size, std::byte{0});
+        ram.shrink_to_fit();
+        return ram;
+    }
+    void pause() { now.is_paused = true; }
+    void resume() { now.is_paused = false; }
+    void seek(Time time) { now.moment = time; }
+    void set_speed(std::int32_t speed) { now.speed = speed; }
+    Status set_brightness(std::uint8_t brightness)
+    {
+        now.brightness = brightness;
+        return Status::ok;
+    }
+    void set_input(std::uint32_t number, Time place) { inputs[number] = place; }
+    Status enter_boot_loader()
+    {
+        is_in_boot_loader = true;
+        return Status::ok;
+    }
+    void stop()
+    {
+        programme = {};
+        now = {};
+    }
+
+    static constexpr std::uint32_t ram_bytes = 20'000;
+
+    std::size_t largest_that_plays = 1'000'000;
+    link::Playing now;
+    link::Programme programme;
+    std::vector<std::byte> shown; ///< the scene as it was when it began to play
+    std::vector<std::byte> ram;
+    std::vector<std::byte> built_in_scene;
+    std::map<std::uint32_t, Time> inputs;
+    bool is_in_boot_loader = false;
+};
+
+}

@@ -1,0 +1,234 @@
+#include "tests/firmware/link/link_bench.hpp"
+
+#include <doctest/doctest.h>
+
+/// Uploads over a link that loses nothing, or one thing that is named.
+namespace kfast::test {
+
+using namespace link;
+
+namespace {
+
+constexpr std::uint8_t tag = 42;
+
+struct Upload {
+    LinkBench bench;
+    Scene scene = padded_scene(50 * 60 - 7, 1);
+    Begin begin = LinkBench::begin_for_slot(0, "scene", scene);
+
+    Upload() { REQUIRE(bench.ask<Begun>(begin, tag) == Begun{.next = 0, .window = 64}); }
+
+    void blocks(std::size_t first, std::size_t count) { bench.send_blocks(scene, tag, first, count); }
+    Acknowledgement told() { return bench.fetch<Acknowledgement>(tag); }
+    bool is_told() { return bench.link.has_report(); }
+    bool is_committed()
+    {
+        bench.ask<Done<Kind::commit>>(Commit{}, tag);
+        return bench.slots.entry(0).size == scene.size() && std::ranges::equal(bench.slots.scene(0), scene);
+    }
+    Verdict commit_refused()
+    {
+        const auto failure = bench.ask<Failure>(Commit{}, tag);
+        return {failure.status, failure.number};
+    }
+};
+
+}
+
+TEST_CASE("the computer is told after every sixteen blocks, and at the end")
+{
+    Upload upload;
+    upload.blocks(0, 15);
+    CHECK_FALSE(upload.is_told());
+    upload.blocks(15, 1);
+    CHECK(upload.told() == Acknowledgement{.next = 16, .window = 64});
+    CHECK_FALSE(upload.is_told());
+    upload.blocks(16, 16);
+    CHECK(upload.told() == Acknowledgement{.next = 32, .window = 64});
+    upload.blocks(32, 18);
+    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("who fetches nothing is told the newest, once")
+{
+    Upload upload;
+    upload.blocks(0, 50);
+    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK_FALSE(upload.is_told());
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("when a block is missing the computer is told at once, and now and then while it does not hear")
+{
+    Upload upload;
+    upload.blocks(0, 3);
+    upload.blocks(4, 1);
+    CHECK(upload.told() == Acknowledgement{.next = 3, .window = 64, .is_missing = true});
+    upload.blocks(5, 15);
+    CHECK_FALSE(upload.is_told());
+    upload.blocks(20, 1);
+    CHECK(upload.told() == Acknowledgement{.next = 3, .window = 64, .is_missing = true});
+    upload.blocks(3, 47);
+    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("blocks that come twice are ignored, and the computer is told where it is")
+{
+    Upload upload;
+    upload.blocks(0, 5);
+    upload.blocks(2, 1);
+    CHECK(upload.told() == Acknowledgement{.next = 5, .window = 64});
+    upload.blocks(0, 50);
+    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    upload.blocks(49, 1);
+    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("blocks behind the end are ignored")
+{
+    Upload upload;
+    upload.blocks(0, 50);
+    for (const int block : {50, 51, 0x7FFF, 0xFFFF})
+        upload.bench.send(Data{.block = static_cast<std::uint16_t>(block)}, tag);
+    CHECK(upload.told().next == 50);
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("commit before the end says what is missing, and the upload goes on")
+{
+    Upload upload;
+    upload.blocks(0, 49);
+    upload.bench.last_failure();
+    CHECK(upload.commit_refused() == Verdict{Status::incomplete, 49});
+    upload.blocks(49, 1);
+    upload.told();
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("commit asked again is answered again")
+{
+    Upload upload;
+    upload.blocks(0, 50);
+    upload.told();
+    CHECK(upload.is_committed());
+    const int operations = upload.bench.flash.operations();
+    CHECK(upload.is_committed());
+    // Its beginning once more, too: all of it has come.
+    CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 50, .window = 64});
+    CHECK(upload.is_committed());
+    CHECK(upload.bench.flash.operations() == operations);
+    // But not when the slot holds it no more.
+    CHECK(upload.bench.does(EraseSlot{.slot = 0}));
+    CHECK(upload.commit_refused() == Verdict{Status::no_transfer});
+    CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 0, .window = 64});
+}
+
+TEST_CASE("a beginning that comes twice changes nothing; another one replaces the upload")
+{
+    Upload upload;
+    upload.blocks(0, 16);
+    upload.told();
+    CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 16, .window = 64});
+    upload.blocks(18, 1); // what there would be to tell is nobody's concern any more
+    const Scene other = padded_scene(700, 2);
+    upload.bench.ask<Begun>(LinkBench::begin_for_slot(1, "other", other), 43);
+    CHECK_FALSE(upload.is_told());
+    upload.blocks(16, 4);
+    CHECK(upload.bench.last_failure() == Verdict{Status::no_transfer});
+    CHECK(upload.bench.upload(LinkBench::begin_for_slot(1, "other", other), other, 43).is_ok());
+    CHECK(std::ranges::equal(upload.bench.slots.scene(1), other));
+    CHECK(upload.bench.slots.entry(0).is_empty());
+}
+
+TEST_CASE("a block that was damaged on the way is found at the end, and the slot stays as it was")
+{
+    Upload upload;
+    REQUIRE(upload.bench.upload(upload.begin, upload.scene, tag).is_ok());
+    const SlotState before = state_of(upload.bench.slots);
+    Scene other = padded_scene(3000, 2);
+    for (const bool is_for_ram : {false, true}) {
+        const auto begin =
+            is_for_ram ? LinkBench::begin_for_ram(other) : LinkBench::begin_for_slot(0, "b", other);
+        Scene damaged = other;
+        damaged[1234] ^= std::byte{4};
+        CHECK(upload.bench.upload(begin, damaged, 43) == Verdict{Status::bad_checksum});
+        CHECK(state_of(Store{upload.bench.flash, small_places}) == before);
+        CHECK(upload.bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+    }
+    CHECK(upload.bench.upload(LinkBench::begin_for_slot(0, "b", other), other, 43).is_ok());
+}
+
+TEST_CASE("what is no scene is refused at the end")
+{
+    Upload upload;
+    Scene none = padded_scene(3000, 2);
+    none[3] = std::byte{99};
+    const auto& bench_begin = LinkBench::begin_for_slot(2, "none", none);
+    CHECK(upload.bench.upload(bench_begin, none, 43) == Verdict{Status::unsupported_version});
+    CHECK(upload.bench.upload(LinkBench::begin_for_ram(none), none, 44) ==
+          Verdict{Status::unsupported_version});
+    CHECK(upload.bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+    CHECK(upload.bench.slots.entry(2).is_empty());
+}
+
+TEST_CASE("an upload of which nothing is heard is dropped, and can be begun again at once")
+{
+    Upload upload;
+    upload.blocks(0, 10);
+    upload.bench.wait(2999);
+    CHECK_FALSE(upload.is_told());
+    upload.blocks(10, 1);
+    upload.bench.wait(2999);
+    CHECK_FALSE(upload.is_told());
+    upload.bench.wait(1);
+    const auto failure = upload.bench.fetch<Failure>(tag);
+    CHECK(failure.status == Status::timed_out);
+    CHECK(failure.request == 0x11);
+    upload.blocks(11, 39);
+    CHECK_FALSE(upload.is_told());
+    CHECK(upload.commit_refused() == Verdict{Status::timed_out});
+    CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 0, .window = 64});
+    upload.blocks(0, 50);
+    upload.told();
+    CHECK(upload.is_committed());
+}
+
+TEST_CASE("an upload that is cancelled leaves the slot as it was")
+{
+    Upload upload;
+    upload.blocks(0, 50);
+    upload.told();
+    upload.bench.ask<Done<Kind::cancel>>(Cancel{}, tag);
+    CHECK(upload.commit_refused() == Verdict{Status::no_transfer});
+    CHECK(upload.bench.slots.entry(0).is_empty());
+    CHECK(upload.bench.refusal(Cancel{}) == Verdict{Status::no_transfer}); // of another tag
+}
+
+TEST_CASE("data without an upload are told once")
+{
+    LinkBench bench;
+    for (std::uint16_t block = 0; block < 100; ++block)
+        bench.send(Data{.block = block}, tag);
+    CHECK(bench.fetch<Failure>(tag).status == Status::no_transfer);
+    CHECK_FALSE(bench.link.has_report());
+    CHECK(bench.link_errors() == 100);
+}
+
+TEST_CASE("what plays is held while its slot is replaced again and again")
+{
+    LinkBench bench;
+    const Scene first = padded_scene(9000, 1);
+    REQUIRE(bench.upload(LinkBench::begin_for_slot(0, "a", first), first, tag).is_ok());
+    REQUIRE(bench.does(Play{.home = Home::slot, .slot = 0}));
+    const auto played = bench.device.played();
+    for (std::uint8_t round = 1; round < 8; ++round) {
+        const Scene next = padded_scene(9000, round + 1U);
+        REQUIRE(bench.upload(LinkBench::begin_for_slot(0, "a", next), next, round).is_ok());
+        CHECK(std::ranges::equal(played, bench.device.shown));
+    }
+}
+
+}
