@@ -23,31 +23,37 @@ void forget_partners(TracedPicture& picture)
     }
 }
 
-bool has_same_outlines(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
-                       const PaintStep& after)
+/// Both have the same outlines: nothing of what they come from has moved.
+bool stays(const PaintStep& before, const PaintStep& after, std::uint32_t moved)
 {
-    return (before.still == after.still && before.still.inputs == 0 &&
-            shown.coarseness == coming.coarseness) ||
+    return before.still == after.still && (before.still.inputs & moved) == 0;
+}
+
+bool has_same_outlines(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
+                       const PaintStep& after, std::uint32_t moved)
+{
+    return (stays(before, after, moved) && shown.coarseness == coming.coarseness) ||
            shown.outlines.is_equal(before.layer.outlines, coming.outlines, after.layer.outlines);
 }
 
 Change change_between(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
-                      const PaintStep& after)
+                      const PaintStep& after, std::uint32_t moved)
 {
     if (after.kind != Kind::layer)
         return Change::none;
     if (before.layer.colour != after.layer.colour || before.layer.rule != after.layer.rule)
         return Change::all;
-    return has_same_outlines(shown, before, coming, after) ? Change::none : Change::outlines;
+    return has_same_outlines(shown, before, coming, after, moved) ? Change::none : Change::outlines;
 }
 
-void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::size_t after)
+void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::size_t after,
+          std::uint32_t moved)
 {
     PaintStep& a = shown.steps()[before];
     PaintStep& b = coming.steps()[after];
     a.partner = static_cast<std::uint16_t>(after);
     b.partner = static_cast<std::uint16_t>(before);
-    a.change = b.change = change_between(shown, a, coming, b);
+    a.change = b.change = change_between(shown, a, coming, b, moved);
     a.top = b.top = std::min(a.top, b.top);
     a.bottom = b.bottom = std::max(a.bottom, b.bottom);
 }
@@ -64,7 +70,7 @@ std::size_t distance_to(const PaintStep& step, std::span<const PaintStep> steps)
     return look_ahead;
 }
 
-void find_partners(TracedPicture& shown, TracedPicture& coming)
+void find_partners(TracedPicture& shown, TracedPicture& coming, std::uint32_t moved)
 {
     std::size_t before = 0;
     std::size_t after = 0;
@@ -72,9 +78,9 @@ void find_partners(TracedPicture& shown, TracedPicture& coming)
         const std::size_t vanished = distance_to(coming.steps()[after], shown.steps().subspan(before));
         const std::size_t appeared = distance_to(shown.steps()[before], coming.steps().subspan(after));
         if (vanished <= appeared && vanished < look_ahead)
-            join(shown, before += vanished, coming, after);
+            join(shown, before += vanished, coming, after, moved);
         else if (appeared < look_ahead)
-            join(shown, before, coming, after += appeared);
+            join(shown, before, coming, after += appeared, moved);
         ++before;
         ++after;
     }
@@ -108,11 +114,11 @@ void change_blended(TracedPicture& picture, TracedPicture& other)
 
 }
 
-void match(TracedPicture& shown, TracedPicture& coming)
+void match(TracedPicture& shown, TracedPicture& coming, std::uint32_t moved)
 {
     forget_partners(shown);
     forget_partners(coming);
-    find_partners(shown, coming);
+    find_partners(shown, coming, moved);
     if (blends_alike(shown, coming))
         return;
     change_blended(shown, coming);

@@ -225,7 +225,7 @@ void Player::begin_changes()
         knows_panel_ = false; // where a picture ends for want of room, nothing tells what changes
     if (!knows_panel_)
         return;
-    match(shown(), coming());
+    match(shown(), coming(), moved_since_shown_);
     strips_.begin(shown(), coming());
 }
 

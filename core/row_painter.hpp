@@ -94,10 +94,12 @@ public:
                 work_for(step.item);
                 end_blend(step.opacity);
             } else {
-                const std::size_t end = end_of_blend(picture, i);
-                if (depth_ == 0 && !reach(picture.steps().subspan(i, end - i))) {
-                    i = end;
-                    continue;
+                if (depth_ == 0) {
+                    const std::size_t end = end_of_blend(picture, i);
+                    if (!reach(picture.steps().subspan(i, end - i))) {
+                        i = end;
+                        continue;
+                    }
                 }
                 work_for(step.item);
                 begin_blend();

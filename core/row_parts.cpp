@@ -53,9 +53,7 @@ void RowParts::add_under_way(std::uint16_t number)
         part.top = top_;
         bend(part, edge);
     }
-    if (count_ != 0 && part.left < order_[count_ - 1]->right)
-        return put_between(part);
-    order_[count_++] = &part;
+    put_in_order(part);
 }
 
 void RowParts::add_beginning(std::uint16_t number)
@@ -67,7 +65,7 @@ void RowParts::add_beginning(std::uint16_t number)
     part.is_straight = false;
     part.top = edge.upper->y;
     bend(part, edge);
-    put_between(part);
+    put_in_order(part);
 }
 
 RowPart& RowParts::begin_part(std::uint16_t number, Chain& chain)
@@ -94,6 +92,13 @@ void RowParts::bend(RowPart& part, const ChainEdge& edge)
 }
 
 /// The order depends on nothing but where parts lie: however the sweep came to the row, it is the same.
+void RowParts::put_in_order(RowPart& part)
+{
+    if (count_ != 0 && part.left < order_[count_ - 1]->right)
+        return put_between(part);
+    order_[count_++] = &part;
+}
+
 void RowParts::put_between(RowPart& part)
 {
     std::size_t at = count_++;

@@ -70,6 +70,7 @@ private:
     void add_beginning(std::uint16_t number);
     RowPart& begin_part(std::uint16_t number, Chain& chain);
     void bend(RowPart& part, const ChainEdge& edge);
+    void put_in_order(RowPart& part);
     void put_between(RowPart& part);
     void follow(RowPart& part, ChainEdge edge) const;
     bool lie_apart() const;

@@ -81,6 +81,8 @@ bool SceneView::read_sections(ByteReader reader)
     if ((head & inputs_bit) != 0) {
         input_count_ = reader.u8();
         inputs_ = take_block(reader);
+        if (input_count_ == 0)
+            return false; // then the header says that there are none
     }
     if ((head & marks_bit) != 0)
         marks_ = take_block(reader);

@@ -30,9 +30,10 @@ std::vector<InputView> inputs_of(const SceneView& scene)
 
 std::int32_t read_value(std::string_view text, const InputView& input)
 {
+    const std::string_view number = text.substr(text.starts_with('+') ? 1 : 0);
     double value = 0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_whole = error == std::errc{} && rest == text.data() + text.size();
+    const auto [rest, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    const bool is_whole = error == std::errc{} && rest == number.data() + number.size();
     const double least = input.least / 1000.0;
     const double most = input.most / 1000.0;
     if (!is_whole || !(value >= least && value <= most))
@@ -55,7 +56,7 @@ std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const Scene
     std::vector<std::int32_t> values;
     std::ranges::transform(inputs, std::back_inserter(values), &InputView::usual);
     for (const std::string_view text : options.texts) {
-        const std::size_t sign = text.find('=');
+        const std::size_t sign = text.rfind('='); // names may have one
         if (sign == std::string_view::npos)
             refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
         const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);

@@ -26,13 +26,17 @@ std::vector<std::uint32_t> steps_of(const Beats& beats)
 
 std::uint32_t bits_for(std::uint32_t largest) { return static_cast<std::uint32_t>(std::bit_width(largest)); }
 
+/// A single beat is the same by any clock.
+Clock told_clock(const ClockedBeats& beats) { return beats.beats.size() == 1 ? Clock{} : beats.clock; }
+
 }
 
 void write_beats(const ClockedBeats& clocked, const ClockedBeats& usual, ByteWriter& bytes)
 {
-    if (clocked == usual)
+    const auto& beats = clocked.beats;
+    const Clock clock = told_clock(clocked);
+    if (beats == usual.beats && clock == told_clock(usual))
         return bytes.varint(0);
-    const auto& [beats, clock] = clocked;
     const std::vector<std::uint32_t> steps = steps_of(beats);
     const std::uint32_t all_bits = std::reduce(steps.begin(), steps.end(), 0U, std::bit_or{});
     const int shift = all_bits == 0 ? 0 : std::min(std::countr_zero(all_bits), most_shift);

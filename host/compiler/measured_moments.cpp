@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::int32_t most_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
-constexpr std::int32_t places_of_input = 64;
-constexpr std::int32_t times_of_input = 8;
+constexpr int input_combinations = 1500;
 
 /// Collects moments of one clock, which goes from 0 to `length`.
 class ClockMoments {
@@ -93,28 +92,68 @@ std::vector<Time> usual_places(const SceneView& scene)
     return places;
 }
 
-/// As they would be moved by nobody in particular; the same ones every time.
-void add_anywhere(const std::vector<Time>& times, std::size_t inputs, std::vector<MeasuredMoment>& moments)
-{
-    std::mt19937 random{1};
-    for (const Time time : times) {
-        std::vector<Time> places(inputs);
-        for (Time& place : places)
-            place.ticks = static_cast<std::int32_t>(random() % (whole_input.ticks + 1U));
-        moments.push_back({time, std::move(places)});
+/// Where the inputs of a scene may stand.
+class InputPlaces {
+public:
+    explicit InputPlaces(const SceneView& scene) : usual_{usual_places(scene)}
+    {
+        for (std::size_t i = 0; i < usual_.size(); ++i)
+            telling_.push_back(moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
+                                          whole_input.ticks / even_places));
     }
-}
 
-void add_ways(const SceneView& scene, const std::vector<Time>& usual, std::vector<MeasuredMoment>& moments)
+    const std::vector<Time>& usual() const { return usual_; }
+    /// Of one input, in order: even ones, those of its keys, and the tick before.
+    std::size_t telling_count(std::size_t input) const
+    {
+        return std::min(telling_[input].size(), most_telling);
+    }
+    Time telling(std::size_t input, std::size_t index) const
+    {
+        const std::vector<Time>& places = telling_[input];
+        return places[index * places.size() / telling_count(input)];
+    }
+
+    /// Mostly an end, as a button puts it; the same ones every time.
+    Time any(std::size_t input)
+    {
+        const auto choice = random_() % 8;
+        if (choice < 4)
+            return choice % 2 == 0 ? Time{} : whole_input;
+        if (choice < 7)
+            return telling_[input][random_() % telling_[input].size()];
+        return usual_[input];
+    }
+
+    std::uint32_t random() { return static_cast<std::uint32_t>(random_()); }
+
+private:
+    static constexpr std::int32_t even_places = 32;
+    static constexpr std::size_t most_telling = 256;
+
+    std::vector<Time> usual_;
+    std::vector<std::vector<Time>> telling_;
+    std::mt19937 random_{1};
+};
+
+/// Each input alone, then all of them at once, at any time.
+void add_with_inputs(const std::vector<Time>& times, InputPlaces& places,
+                     std::vector<MeasuredMoment>& moments)
 {
-    for (std::size_t i = 0; i < usual.size(); ++i) {
-        const Clock clock{static_cast<std::uint8_t>(i + 1)};
-        for (const Time place : moments_of(scene, clock, whole_input, whole_input.ticks / places_of_input))
-            for (std::int32_t part = 0; part < times_of_input; ++part) {
-                MeasuredMoment moment{{scene.length().ticks / times_of_input * part}, usual};
-                moment.inputs[i] = place;
-                moments.push_back(std::move(moment));
-            }
+    const auto any_time = [&] { return times[places.random() % times.size()]; };
+    const std::size_t inputs = places.usual().size();
+    for (std::size_t input = 0; input < inputs; ++input)
+        for (std::size_t i = 0; i < places.telling_count(input); ++i) {
+            moments.push_back({any_time(), places.usual()});
+            moments.back().inputs[input] = places.telling(input, i);
+        }
+    for (const Time end : {Time{}, whole_input})
+        for (const Time time : {times.front(), times[times.size() / 2]})
+            moments.push_back({time, std::vector<Time>(inputs, end)});
+    for (int i = 0; i < input_combinations; ++i) {
+        moments.push_back({any_time(), {}});
+        for (std::size_t input = 0; input < inputs; ++input)
+            moments.back().inputs.push_back(places.any(input));
     }
 }
 
@@ -123,14 +162,12 @@ void add_ways(const SceneView& scene, const std::vector<Time>& usual, std::vecto
 std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
 {
     const std::vector<Time> times = times_of(scene);
-    const std::vector<Time> usual = usual_places(scene);
+    InputPlaces places{scene};
     std::vector<MeasuredMoment> moments;
     for (const Time time : times)
-        moments.push_back({time, usual});
-    if (usual.empty())
-        return moments;
-    add_anywhere(times, usual.size(), moments);
-    add_ways(scene, usual, moments);
+        moments.push_back({time, places.usual()});
+    if (!places.usual().empty())
+        add_with_inputs(times, places, moments);
     return moments;
 }
 

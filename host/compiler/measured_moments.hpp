@@ -18,8 +18,9 @@ struct MeasuredMoment {
 
 /// At which the outlines of a scene are measured: four moments of each frame, or 4000 in all if the scene is
 /// long, and wherever it may change at once: the time of every key of drawings, backbones and tracks, and the
-/// tick before. Inputs stand at their usual places then; where a scene has some, the same follows with inputs
-/// anywhere, and each of them goes all its way at eight times of the scene.
+/// tick before. Inputs stand at their usual places then. Where a scene has some, moments follow at any time:
+/// each input alone on its way, at up to 256 places; all at their least and all at their greatest; and 1500
+/// combinations, in which most of them stand at an end or at a key.
 std::vector<MeasuredMoment> measured_moments(const SceneView& scene);
 
 }

@@ -1,5 +1,7 @@
 #include "host/compiler/outline_meter.hpp"
 
+#include <utility>
+
 namespace kfast {
 namespace {
 
@@ -16,7 +18,8 @@ Camera camera_of(const SceneView& scene)
 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     : outlines_(bytes / 4), steps_(scene.paint_steps()), bones_(scene.bone_count()),
-      backbone_nodes_(scene.backbone_nodes()), on_panel_{scene, {}, camera_of(scene), bones_, backbone_nodes_}
+      backbone_nodes_(scene.backbone_nodes()),
+      inputs_(scene.input_count()), on_panel_{scene, {}, camera_of(scene), bones_, backbone_nodes_}
 {
     picture_.outlines = OutlineStore{std::as_writable_bytes(std::span{outlines_}), OutlineStore::every_row};
     picture_.storage = steps_;
@@ -26,10 +29,22 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
 
 const TracedPicture& OutlineMeter::picture_at(const Moment& moment)
 {
-    constexpr std::uint32_t any_input = ~std::uint32_t{0};
-    if (!picture_.still.holds(moment.time(), any_input))
+    const std::uint32_t moved = take_inputs(moment);
+    if (!picture_.still.holds(moment.time(), moved))
         trace(moment);
     return picture_;
+}
+
+/// A bit for each input that stands elsewhere than in the picture before.
+std::uint32_t OutlineMeter::take_inputs(const Moment& moment)
+{
+    std::uint32_t moved = 0;
+    for (std::uint32_t input = 0; input < inputs_.size(); ++input) {
+        const Time place = moment.at({static_cast<std::uint8_t>(input + 1)});
+        if (std::exchange(inputs_[input], place) != place)
+            moved |= bit_of_input(input);
+    }
+    return moved;
 }
 
 void OutlineMeter::trace(const Moment& moment)

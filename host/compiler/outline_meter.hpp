@@ -24,12 +24,14 @@ public:
     const TracedPicture& picture_at(const Moment& moment);
 
 private:
+    std::uint32_t take_inputs(const Moment& moment);
     void trace(const Moment& moment);
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
     std::vector<PaintStep> steps_;
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
+    std::vector<Time> inputs_; ///< of the picture; at first all at 0
     SceneOnPanel on_panel_;
     TracedPicture picture_;
 };

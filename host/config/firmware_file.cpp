@@ -39,14 +39,18 @@ std::optional<std::size_t> bus_number(std::span<const std::byte> image)
 
 void require_whole(std::span<const std::byte> image, const std::string& name)
 {
+    constexpr std::size_t least = ImageMark::length_place + 4;
+    if (image.size() < least)
+        throw Failure(name + ": only " + std::to_string(image.size()) +
+                      " bytes: it was cut off, copy it again");
     if (!bus_number(image))
         return; // it does not say how long it is
     ByteReader reader{image.subspan(ImageMark::length_place)};
     const std::size_t length = reader.u32();
-    if (reader.overrun() || image.size() != length)
-        throw Failure(name + ": " + std::to_string(image.size()) + " bytes" +
-                      (reader.overrun() ? "" : " instead of " + std::to_string(length)) +
-                      ", so this is not the firmware as it was built: copy or build it again");
+    if (image.size() != length)
+        throw Failure(name + ": " + std::to_string(image.size()) + " bytes instead of " +
+                      std::to_string(length) +
+                      ": it was cut off, or an older KFAST built it; copy or build it again");
 }
 
 }

@@ -74,6 +74,9 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
 {
     if (player_.scene().input_count() == 0)
         return;
+    put_inputs_and_draw(Time{}, visit); // as buttons do: all of them pressed at once, and let go
+    put_inputs_and_draw(whole_input, visit);
+    put_inputs_and_draw(Time{}, visit);
     const int turn = std::max(frames_, least_frames_with_inputs);
     for (int frame = 0; frame < turn; frame += stride_) {
         if (frame == 0 || stride_ > 1) {
@@ -83,6 +86,18 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
         put_inputs(frame);
         draw(moment_of(frame % frames_, {}), visit);
     }
+    std::uint32_t number = 0;
+    for (InputCursor inputs = player_.scene().inputs(); !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        player_.set_input(number, input.place_of(input.usual));
+    }
+}
+
+void SceneRun::put_inputs_and_draw(Time place, const VisitFrame& visit)
+{
+    for (std::uint32_t input = 0; input < player_.scene().input_count(); ++input)
+        player_.set_input(input, place);
+    draw(moment_of(0, {}), visit);
 }
 
 /// The slowest goes there and back in as many frames as are seen at least.

@@ -40,8 +40,9 @@ public:
     void visit_first(Time offset, const VisitFrame& visit);
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
-    /// Likewise, at least 64 frames, while all inputs of the scene go there and back, each faster than the
-    /// one before. Nothing if it has none.
+    /// Likewise, while all inputs of the scene go there and back, each faster than the one before: at least
+    /// 64 frames, and three before them in which all inputs leap from end to end. Nothing if it has none;
+    /// they stand as usual afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
     /// The very end, which the scene shows at last if it plays once; nothing otherwise.
     void visit_end(const VisitFrame& visit);
@@ -53,6 +54,7 @@ public:
 private:
     void draw(Time moment, const VisitFrame& visit);
     void put_inputs(int frame);
+    void put_inputs_and_draw(Time place, const VisitFrame& visit);
     Time moment_of(int frame, Time offset) const;
 
     const Target& target_;

@@ -96,6 +96,7 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& readin
     if (std::ranges::all_of(node.children, is_change))
         reading.report.error(place, "this group holds nothing", "add { object NAME … }");
     const std::vector<ItemKey> keys = content.keys.take();
+    warn_of_idle_input(node, !keys.empty(), reading);
     refuse_double_quantities(content.timed, properties.values, keys, reading);
     auto tracks =
         build_tracks(node, properties.values, {keys, properties.clock.clock()}, content.timed, reading);

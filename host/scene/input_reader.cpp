@@ -1,5 +1,6 @@
 #include "host/scene/input_reader.hpp"
 
+#include "host/kdl/canonical.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
@@ -38,7 +39,7 @@ constexpr std::array input_rules{
     PropertyRule<InputProperties>{"default", read_value<&InputProperties::usual>},
 };
 
-bool has_range(const kdl::Node& node, const InputProperties& input, Reading& reading)
+bool check_range(const kdl::Node& node, const InputProperties& input, Reading& reading)
 {
     if (input.most <= input.least)
         return reading.report.error(property_place(node, has_property(node, "max") ? "max" : "min"),
@@ -57,8 +58,8 @@ void add_input(const kdl::Node& node, Reading& reading)
     if (!fits(node, input_form, reading))
         return;
     InputProperties properties;
-    const bool good =
-        read_properties(node, input_rules, properties, reading) && has_range(node, properties, reading);
+    if (read_properties(node, input_rules, properties, reading))
+        check_range(node, properties, reading);
     const kdl::Value& value = node.arguments.front();
     const auto name = read_name(value, reading);
     const Place place = span(node.name_place, value.place);
@@ -68,14 +69,13 @@ void add_input(const kdl::Node& node, Reading& reading)
         report_double("an input", *name, place, earlier->place, reading.report);
         return;
     }
-    if (reading.inputs.entries.size() == most_inputs) {
+    if (reading.inputs.entries.size() == most_inputs)
         reading.report.error(place, "a scene has at most " + std::to_string(most_inputs) + " inputs");
-        return;
-    }
     Input input{.name = std::string{*name}, .least = properties.least, .most = properties.most};
-    input.usual = properties.usual.value_or(std::clamp(0, input.least, std::max(input.least, input.most)));
+    const bool has_range = input.most > input.least;
+    input.usual = properties.usual.value_or(has_range ? std::clamp(0, input.least, input.most) : 0);
     // One that is wrong is kept, so that what names it is not wrong as well.
-    reading.inputs.entries.push_back({good ? input : Input{.name = input.name}, place});
+    reading.inputs.entries.push_back({.input = input, .place = place, .is_range_known = has_range});
 }
 
 void warn_of_unused_inputs(Reading& reading)
@@ -83,7 +83,7 @@ void warn_of_unused_inputs(Reading& reading)
     for (const InputEntry& entry : reading.inputs.entries)
         if (!entry.is_used)
             reading.report.warning(entry.place, "the input " + quoted(entry.input.name) + " moves nothing",
-                                   "add input=" + visible(entry.input.name) +
+                                   "add input=" + kdl::string_form(entry.input.name) +
                                        " to a track, an item or a pose, or remove it");
 }
 

@@ -13,7 +13,8 @@ namespace kfast::scene {
 struct InputEntry {
     Input input;
     Place place;
-    bool is_used = false; ///< keys go by it
+    bool is_used = false;       ///< keys go by it
+    bool is_range_known = true; ///< else it was wrong
 };
 
 /// The inputs of a scene in their order.

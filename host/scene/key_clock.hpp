@@ -20,7 +20,8 @@ public:
     KeyClock() = default;
     /// The input `number` of `inputs`.
     KeyClock(const InputTable& inputs, std::size_t number)
-        : input_{inputs.entries[number].input}, clock_{static_cast<std::uint8_t>(number + 1)}
+        : input_{inputs.entries[number].input}, is_range_known_{inputs.entries[number].is_range_known},
+          clock_{static_cast<std::uint8_t>(number + 1)}
     {
     }
 
@@ -35,11 +36,15 @@ public:
 
 private:
     std::optional<Input> input_;
+    bool is_range_known_ = true;
     Clock clock_;
 };
 
 /// Of a property `input=NAME`; the input is in use then.
 std::optional<KeyClock> read_key_clock(const kdl::Value& value, Reading& reading);
+
+/// Warns of a property `input` of `node`, an item, that has no keys itself.
+void warn_of_idle_input(const kdl::Node& node, bool has_keys, Reading& reading);
 
 /// For the table of properties of something that has a `clock`.
 template <class Target>

@@ -77,8 +77,8 @@ public:
     Item read(std::string_view name)
     {
         DrawingContent content = read_drawing_content(node_, KeyHolder::object, properties_.clock, reading_);
+        warn_of_idle_input(node_, !content.keys.empty(), reading_);
         refuse_paint_of_nothing(node_, content, reading_);
-        const bool has_drawing_keys = content.drawn.empty();
         Object object{.fill = properties_.fill_colour(),
                       .fill_rule = properties_.fill_rule,
                       .stroke = properties_.stroke_style(),
@@ -87,8 +87,7 @@ public:
             {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
             object.keys, reading_);
         object.backbone_keys = read_skeletons(content.keys, reading_);
-        if (has_drawing_keys)
-            object.clock = properties_.clock.clock();
+        object.clock = properties_.clock.clock();
         refuse_two_carriers(content.keys);
         auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
                                    content.timed, reading_);
@@ -134,6 +133,10 @@ private:
             take_place(node, *use, property);
         refuse_doubles(content);
         mirror(use->mirror, properties_.values, content.keys, content.timed);
+        if (use->symbol->keys.size() > 1 && !properties_.clock.is_time())
+            reading_.report.error(node.name_place,
+                                  "this object goes by an input, but the drawings of its symbol by the time",
+                                  "leave out input=, or draw the keys in the object");
         for (const Key& key : use->symbol->keys)
             if (!take_points(point_count(key.drawing) + 1, node.name_place, reading_))
                 return {};

@@ -56,6 +56,7 @@ std::optional<Item> read_use(const kdl::Node& node, int depth, Reading& reading)
         reading.report.error(place, too_deep());
         return std::nullopt;
     }
+    warn_of_idle_input(node, !keys.empty(), reading);
     refuse_double_quantities(timed, use->values, keys, reading);
     mirror(use->mirror, use->values, keys, timed);
     auto tracks = build_tracks(node, use->values, {keys, use->clock.clock()}, timed, reading);

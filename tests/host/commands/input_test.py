@@ -43,6 +43,7 @@ class InputTest(CommandTest):
     def test_a_scene_looks_as_its_inputs_say(self):
         for gaze, opened, *still in ((-1, 0, -30, 0, -22.5), (1, 100, 30, 50, 22.5), (0.5, 50, 15, 25, 11.25)):
             self.assertEqual(self.hashes("knobs.kfast", *self.put(gaze, opened)), self.expected(*still))
+        self.assertEqual(self.hashes("knobs.kfast", *self.put("+0.5", 50)), self.expected(15, 25, 11.25))
         self.assertEqual(self.hashes("knobs.kfast"), self.expected(0, 25, 0))
 
     def test_a_panel_on_a_simulated_board_shows_the_same(self):

@@ -83,7 +83,7 @@ TEST_CASE("moments are even, at changes and just before them")
         CHECK(std::ranges::count(moments, Time{ticks}, &MeasuredMoment::time) == 1);
 }
 
-TEST_CASE("inputs stand as usual at all moments, then anywhere, and go all their way")
+TEST_CASE("inputs stand as usual at all moments, then each goes its way, and all of them anywhere")
 {
     const auto bytes =
         compiled(scene_with("input a default=0.25; input b\n"
@@ -91,20 +91,41 @@ TEST_CASE("inputs stand as usual at all moments, then anywhere, and go all their
                             "track y input=b { at 0 0; at 1 9 }; rect 0 0 9 9 }"));
     const auto moments = measured_moments(*SceneView::parse(bytes));
     constexpr int times = 4 * 10 + 1;
-    CHECK(moments.size() == times + times + 8 * (64 + 1 + 2 + 1) + 8 * (64 + 1 + 1));
+    CHECK(moments.size() == times + (32 + 1 + 2 + 1) + (32 + 1 + 1) + 4 + 1500);
     for (int i = 0; i < times; ++i)
         CHECK(moments[static_cast<std::size_t>(i)].inputs == std::vector<Time>{{16384}, {0}});
-    const auto stands_at = [&moments](std::size_t input, std::int32_t ticks) {
+    const auto has = [&moments](std::int32_t a, std::int32_t b) {
         return std::ranges::any_of(moments, [&](const MeasuredMoment& moment) {
-            return moment.inputs[input] == Time{ticks} &&
-                   moment.inputs[1 - input] == Time{input == 0 ? 0 : 16384};
+            return moment.inputs == std::vector<Time>{{a}, {b}};
         });
     };
-    for (const std::int32_t ticks : {0, 1024, 19660, 19661, 65535, 65536})
-        CHECK(stands_at(0, ticks));
-    for (const std::int32_t ticks : {0, 1024, 65535, 65536})
-        CHECK(stands_at(1, ticks));
-    CHECK_FALSE(stands_at(1, 19661));
+    for (const std::int32_t ticks : {0, 2048, 19660, 19661, 65535, 65536})
+        CHECK(has(ticks, 0));
+    for (const std::int32_t ticks : {0, 2048, 65535, 65536})
+        CHECK(has(16384, ticks));
+    for (const std::int32_t a : {0, 19660, 19661, 65536})
+        CHECK(has(a, 65536));
+}
+
+TEST_CASE("what is seen only when several inputs are at their ends has room")
+{
+    std::string circles;
+    for (int i = 0; i < 60; ++i)
+        circles += "circle " + std::to_string(4 * i) + " 50 r=9; ";
+    const auto scene = [&circles](const std::string& usual) {
+        return scene_with("input a" + usual + "; input b" + usual + "; input c" + usual +
+                          "\ngroup input=a { key 0 visible=#false; key 1 visible=#true\n"
+                          "group input=b { key 0 visible=#false; key 1 visible=#true\n"
+                          "group input=c { key 0 visible=#true; key 1 visible=#false\n"
+                          "object o fill=red { " +
+                          circles + "} } } }");
+    };
+    const auto bytes = [](const std::string& text) {
+        return SceneView::parse(compiled(text))->outline_bytes();
+    };
+    const std::string shown = scene_with("object o fill=red { " + circles + "}");
+    CHECK(bytes(scene("")) == bytes(shown));
+    CHECK(bytes(scene(" default=1")) == bytes(shown));
 }
 
 TEST_CASE("what lies above and below of the canvas has room on panels of all shapes")

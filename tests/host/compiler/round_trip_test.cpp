@@ -131,7 +131,7 @@ private:
         for (std::size_t i = 0; i < bone_quantity_count; ++i) {
             const bool is_modular = i == 0 && !bone.turns_as_written;
             compare_bone_keys(read.keys[i], bone.keys[i], is_modular);
-            if (!bone.keys[i].empty())
+            if (bone.keys[i].size() > 1) // a single one is the same by any clock
                 CHECK(read.keys[i].keys().beats().clock() == bone.clock);
         }
     }
@@ -302,7 +302,8 @@ private:
     void compare_backbones(const ObjectView& read, const scene::Object& object)
     {
         BackboneKeyCursor backbones = read.backbones.keys();
-        CHECK(backbones.beats().clock() == object.clock);
+        if (object.backbone_keys.size() > 1)
+            CHECK(backbones.beats().clock() == object.clock);
         for (const scene::BackboneKey& key : object.backbone_keys) {
             REQUIRE(!backbones.at_end());
             const BackboneKey stored = backbones.next();

@@ -66,7 +66,7 @@ TEST_CASE("a scene is looked at with its inputs moving, too")
                            "object b fill=lime" +
                            bound + " { key 0 law=hold { rect 0 0 2 2 }; key 1 { rect 0 0 60 40 } }\n");
         const FitReport report = report_of(bytes);
-        CHECK(report.speed.frames.size() == 2 * 10 + 64);
+        CHECK(report.speed.frames.size() == 2 * 10 + 3 + 64);
         CHECK(report.speed.frames.front().instructions < report.speed.worst().instructions / 4); // at rest
         CHECK((report.speed.worst().bytes > 60 * 40) == (bound == " input=knob"));
     }

@@ -149,4 +149,35 @@ TEST_CASE("poses go by the time or by an input, all of one bone by the same")
               .findings.find("this reach goes by the time, but an input moves \"b\"") != std::string::npos);
 }
 
+TEST_CASE("keys by an input are told apart in 1/65536 of its range, however fine its values are")
+{
+    CHECK(places_of_x(
+              "input a max=0.01\nobject o fill=red { track x input=a { at 0 0; at 0.00001 1; at 0.01 2 }\n"
+              "rect 0 0 2 2 }") == std::vector<std::int32_t>{0, 66, 65536});
+    CHECK(findings("input a", "track x input=a { at 0 0; at 0.0004 1 }").empty());
+}
+
+TEST_CASE("an input that moves none of the keys of its item is warned of")
+{
+    CHECK(read_on_canvas("input a\nobject o fill=red input=a { rect 0 0 2 2; track x input=a { at 0 1 } }")
+              .findings ==
+          "4:19 warning: this input moves nothing: there are no keys (add keys, or remove input=…)");
+    CHECK(read_on_canvas("input a\ngroup input=a { object o fill=red { rect 0 0 2 2 } }")
+              .findings.starts_with("4:7 warning: this input moves nothing"));
+}
+
+TEST_CASE("skeletons go by the input of their object, also where its drawing stands outside of keys")
+{
+    const SceneText read = read_on_canvas("input a\nobject o fill=red input=a { line 0 5 20 5\n"
+                                          "key 0 { skeleton { backbone 0 5 20 5; width 4 } }\n"
+                                          "key 1 { skeleton { backbone 0 5 20 9; width 4 } } }");
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    CHECK(object_at(*read.scene).clock == Clock{1});
+    CHECK(read_on_canvas("input a\nsymbol s { key 0 { rect 0 0 1 1 }; key 9 { rect 1 1 1 1 } }\n"
+                         "object o fill=red input=a { use s; key 0 x=1; key 1 x=2 }")
+              .findings.find("this object goes by an input, but the drawings of its symbol by the time") !=
+          std::string::npos);
+}
+
 }
