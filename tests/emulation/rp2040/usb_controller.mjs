@@ -47,8 +47,8 @@ const full = 1 << 15;
 const lengthMask = 0x3ff;
 const known = available | stall | data1 | full | lengthMask;
 
-/** How many cycles of the core must lie between what is said about a packet and that it is available. */
-const cyclesToSee = 12;
+/** What must lie between what is said about a packet and that it is available: 12 cycles at 125 MHz. */
+const nanosToSee = 96;
 
 /**
  * The chip's unit for USB, as a device: what rp2040js has answers no token of a host. A packet stays with the unit
@@ -60,7 +60,7 @@ const cyclesToSee = 12;
 export class UsbController extends BasePeripheral {
     #values = new Map([[ADDR_ENDP, 0], [MAIN_CTRL, 0], [SIE_CTRL, 0], [SIE_STATUS, 0], [BUFF_STATUS, 0],
         [EP_STALL_ARM, 0], [USB_MUXING, 0], [USB_PWR, 0], [INTE, 0]]);
-    /** What was last said about each packet, and when: [word, cycles]. */
+    /** What was last said about each packet, and when: [word, nanoseconds]. */
     #said = Array.from({ length: 32 }, () => [0, -Infinity]);
     /** The packet that is on the line. */
     #onLine;
@@ -203,7 +203,7 @@ export class UsbController extends BasePeripheral {
 
     #say(index, word) {
         const [before, since] = this.#said[index];
-        const { cycles } = this.rp2040.core;
+        const now = this.rp2040.clock.nanos;
         const who = name(endpointAt(index));
         if (this.#onLine && indexOf(this.#onLine) === index)
             fail(`USB: the packet of ${who} is changed while it is on the line`);
@@ -213,9 +213,9 @@ export class UsbController extends BasePeripheral {
             fail(`USB: a packet of ${word & lengthMask} bytes for ${who}`);
         if (word & available && (word & ~available) !== before)
             fail(`USB: the packet of ${who} is available in the same write as what is said about it`);
-        if (word & available && cycles - since < cyclesToSee)
-            fail(`USB: the packet of ${who} is available ${cycles - since} cycles after what is said about it`);
-        this.#said[index] = [word, cycles];
+        if (word & available && Math.round(now - since) < nanosToSee)
+            fail(`USB: the packet of ${who} is available ${Math.round(now - since)} ns after what is said about it`);
+        this.#said[index] = [word, now];
     }
 
     /** A packet that the unit has is not to be written. */
@@ -260,7 +260,7 @@ export class UsbController extends BasePeripheral {
     #finish(endpoint, word) {
         const index = indexOf(endpoint);
         this.#onLine = undefined;
-        this.#said[index] = [word, this.rp2040.core.cycles];
+        this.#said[index] = [word, this.rp2040.clock.nanos];
         this.rp2040.usbDPRAMView.setUint32(packetControls + 4 * index, word, true);
         if (this.#tells(endpoint))
             this.#values.set(BUFF_STATUS, this.#values.get(BUFF_STATUS) | (1 << index));
