@@ -29,6 +29,8 @@ void draw_frame(B& board, Animation& player)
     static_assert(P::granularity.height <= tallest_group);
     std::array bands = board.bands();
     for (bool is_first = true; true; is_first = false) {
+        if constexpr (ListeningBoard<B>)
+            board.listen();
         const auto changes =
             player.template draw_changes<P::format>(bands[0], P::granularity, P::window_bytes);
         if (changes.empty())

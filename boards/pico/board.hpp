@@ -49,10 +49,10 @@ public:
     bool running()
     {
         watchdog::feed();
-        computer_.serve();
         report_dropped();
         return true;
     }
+    void listen() { computer_.serve(); }
 
     void scene_started(const SceneView& scene) { report::scene_started(scene_bytes().first(scene.size())); }
     void event_passed(const EventView& event) { report::event_passed(event.name); }

@@ -53,13 +53,13 @@ private:
     void show_scene(const BoardSettings& settings)
     {
         Bus bus{settings};
-        auto pause = [this](Microseconds time) { clock_.sleep_until(clock_.now() + time); };
+        auto pause = [this](Microseconds time) { computer_.serve_until(clock_.now() + time, clock_); };
         reset_display(settings, pause);
         with_panel(bus, settings.panel, [this, &settings](auto& panel) {
             Board board{panel, settings, clock_, computer_};
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && RestingBoard<B> && SynchronizedBoard<B> &&
-                          NamedBoard<B>);
+                          NamedBoard<B> && ListeningBoard<B>);
             while (board.wants_to_run())
                 run(board);
         });

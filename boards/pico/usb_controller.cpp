@@ -3,6 +3,9 @@
 #include "boards/pico/register.hpp"
 #include "boards/pico/resets.hpp"
 
+#include <algorithm>
+#include <atomic>
+
 namespace kfast::pico {
 namespace {
 
@@ -44,7 +47,7 @@ constexpr std::uint32_t on_suspend = 1 << 14;
 constexpr std::uint32_t on_resume = 1 << 15;
 constexpr std::uint32_t on_setup = 1 << 16;
 
-/// The unit's memory, read and written by words alone.
+/// The unit's memory: by words or bytes, as one likes.
 constexpr std::uint32_t memory = 0x5010'0000;
 constexpr std::uint32_t control_bytes = 0x100; // with all that is said about endpoints, and then the packets
 
@@ -62,14 +65,6 @@ constexpr std::uint32_t packet_length = 0x3FF;
 
 constexpr Register word_of_memory(std::uint32_t offset) { return Register{memory + offset}; }
 
-/// The place of an endpoint in all tables of the unit.
-constexpr std::uint32_t place_of(Endpoint endpoint)
-{
-    return 2 * usb::number_of(endpoint) + (is_in(endpoint) ? 0 : 1);
-}
-
-constexpr std::uint32_t bit_of(Endpoint endpoint) { return 1U << place_of(endpoint); }
-
 constexpr Register endpoint_control(Endpoint endpoint) { return word_of_memory(4 * place_of(endpoint)); }
 constexpr Register packet_control(Endpoint endpoint) { return word_of_memory(0x80 + 4 * place_of(endpoint)); }
 
@@ -81,24 +76,7 @@ constexpr std::uint32_t packet_offset(Endpoint endpoint)
     return is_control(endpoint) ? 0x100 : 0x180 + usb::packet_bytes * (place_of(endpoint) - 2);
 }
 
-void write_memory(std::uint32_t offset, std::span<const std::byte> bytes)
-{
-    for (std::size_t at = 0; at < bytes.size(); at += 4) {
-        std::uint32_t word = 0;
-        for (std::size_t i = at; i < at + 4 && i < bytes.size(); ++i)
-            word |= std::to_integer<std::uint32_t>(bytes[i]) << 8 * (i - at);
-        word_of_memory(offset + at).write(word);
-    }
-}
-
-void read_memory(std::uint32_t offset, std::span<std::byte> bytes)
-{
-    for (std::size_t at = 0; at < bytes.size(); at += 4) {
-        const std::uint32_t word = word_of_memory(offset + at).read();
-        for (std::size_t i = at; i < at + 4 && i < bytes.size(); ++i)
-            bytes[i] = static_cast<std::byte>(word >> 8 * (i - at));
-    }
-}
+std::byte* place_in_memory(std::uint32_t offset) { return reinterpret_cast<std::byte*>(memory + offset); }
 
 /// A cycle of 48 MHz at the least, so that the unit sees the rest of the word before what follows.
 void let_unit_see()
@@ -139,7 +117,8 @@ void UsbController::close(Endpoint endpoint)
 
 void UsbController::give(Endpoint endpoint, std::span<const std::byte> packet)
 {
-    write_memory(packet_offset(endpoint), packet);
+    std::ranges::copy(packet, place_in_memory(packet_offset(endpoint)));
+    std::atomic_signal_fence(std::memory_order_release); // all of it is there before it is handed over
     hand_over(endpoint, packet_full | static_cast<std::uint32_t>(packet.size()));
 }
 
@@ -148,7 +127,8 @@ void UsbController::accept(Endpoint endpoint) { hand_over(endpoint, usb::packet_
 std::size_t UsbController::read(Endpoint endpoint, std::span<std::byte, usb::packet_bytes> place) const
 {
     const std::size_t size = packet_control(endpoint).read() & packet_length;
-    read_memory(packet_offset(endpoint), place.first(size));
+    std::atomic_signal_fence(std::memory_order_acquire); // nothing is read before it is there
+    std::copy_n(place_in_memory(packet_offset(endpoint)), size, place.begin());
     return size;
 }
 
@@ -183,12 +163,11 @@ UsbController::Event UsbController::next_line_event()
     return Event::none;
 }
 
-bool UsbController::has_finished(Endpoint endpoint) const
+std::uint32_t UsbController::take_finished() const
 {
-    if ((finished.read() & bit_of(endpoint)) == 0)
-        return false;
-    finished.clear(bit_of(endpoint));
-    return true;
+    const std::uint32_t bits = finished.read();
+    finished.clear(bits);
+    return bits;
 }
 
 bool UsbController::read_setup(std::span<std::byte, usb::setup_bytes> packet)
@@ -196,7 +175,8 @@ bool UsbController::read_setup(std::span<std::byte, usb::setup_bytes> packet)
     if ((line_status.read() & has_setup) == 0)
         return false;
     line_status.clear(has_setup); // before it is read: if one more comes meanwhile, it is told, too
-    read_memory(0, packet);
+    std::atomic_signal_fence(std::memory_order_acquire);
+    std::copy_n(place_in_memory(0), packet.size(), packet.begin());
     forget(Endpoint::control_in, true);
     forget(Endpoint::control_out, true);
     stall_control.write(0);

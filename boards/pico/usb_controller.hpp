@@ -11,6 +11,14 @@
 
 namespace kfast::pico {
 
+/// The place of an endpoint in all tables of the unit, and in its registers.
+constexpr std::uint32_t place_of(usb::Endpoint endpoint)
+{
+    return 2 * usb::number_of(endpoint) + (is_in(endpoint) ? 0 : 1);
+}
+
+constexpr std::uint32_t bit_of(usb::Endpoint endpoint) { return 1U << place_of(endpoint); }
+
 /// The chip's unit for USB as a device with two endpoints of its own: firmware/usb/controller.hpp tells what
 /// it does. All of it begins as zeros.
 class UsbController {
@@ -39,8 +47,9 @@ public:
             device.suspended();
         else if (event == Event::resumed)
             device.resumed();
+        const std::uint32_t finished = take_finished();
         for (const usb::Endpoint endpoint : endpoints)
-            if (has_finished(endpoint))
+            if ((finished & bit_of(endpoint)) != 0)
                 is_in(endpoint) ? device.sent(endpoint) : device.received(endpoint);
         std::array<std::byte, usb::setup_bytes> packet;
         if (read_setup(packet))
@@ -55,7 +64,7 @@ private:
         usb::Endpoint::reports_out};
 
     Event next_line_event();
-    bool has_finished(usb::Endpoint endpoint) const;
+    std::uint32_t take_finished() const;
     bool read_setup(std::span<std::byte, usb::setup_bytes> packet);
 
     void forget(usb::Endpoint endpoint, bool next_is_data_1);

@@ -154,6 +154,11 @@ export class UsbController extends BasePeripheral {
         return 'ready';
     }
 
+    /** Of the packet that an endpoint has to give. */
+    lengthOf(endpoint) {
+        return this.#word(endpoint) & lengthMask;
+    }
+
     /** @returns {{pid: number, bytes: Uint8Array}} of an endpoint that is ready, whose packet has arrived */
     finishIn(endpoint) {
         const word = this.#word(endpoint);

@@ -1,8 +1,9 @@
 import { fail } from './emulation_error.mjs';
 
 const bitNanos = 1e9 / 12e6;
-/** Of a transaction: sync, token, checksums, handshake and the gaps between them. */
-const overheadBytes = 13;
+/** Of a transaction: the token with its sync and the gap before it, and the rest that is no data. */
+const tokenBytes = 4;
+const otherBytes = 9;
 const setupBytes = 8;
 const longestPacket = 64;
 const frameNanos = 1e6;
@@ -106,7 +107,7 @@ export class UsbHost {
     setup(packet) {
         if (!this.unit.hears(this.#address))
             fail(`USB: no device has the address ${this.#address}`);
-        this.run(this.#nanosOf(setupBytes));
+        this.run(this.#nanosOf(tokenBytes + otherBytes + setupBytes));
         this.unit.setup(packet);
         for (const isIn of [false, true])
             this.#setToggle(control(isIn), 1);
@@ -116,11 +117,10 @@ export class UsbHost {
     askOnce(number) {
         const endpoint = { number, isIn: true };
         const answer = this.#token(endpoint);
-        if (answer !== 'ready') {
-            this.run(this.#nanosOf(0));
+        this.run(this.#nanosOf(otherBytes));
+        if (answer !== 'ready')
             return answer;
-        }
-        this.run(this.#nanosOf(longestPacket));
+        this.run(this.#nanosOf(this.unit.lengthOf(endpoint)));
         const { pid, bytes } = this.unit.finishIn(endpoint);
         if (pid !== this.#toggle(endpoint))
             fail(`USB: endpoint ${number} sends DATA${pid}, and the host waits for the other one`);
@@ -132,7 +132,7 @@ export class UsbHost {
     sendOnce(number, bytes) {
         const endpoint = { number, isIn: false };
         const answer = this.#token(endpoint);
-        this.run(this.#nanosOf(bytes.length));
+        this.run(this.#nanosOf(otherBytes + bytes.length));
         if (answer !== 'ready')
             return answer;
         this.unit.finishOut(endpoint, this.#toggle(endpoint), bytes);
@@ -193,6 +193,7 @@ export class UsbHost {
     }
 
     #token(endpoint) {
+        this.run(this.#nanosOf(tokenBytes));
         const answer = this.unit.hears(this.#address) ? this.unit.token(endpoint) : 'timeout';
         if (answer === 'nak')
             ++this.naks;
@@ -220,6 +221,6 @@ export class UsbHost {
     }
 
     #nanosOf(bytes) {
-        return (overheadBytes + bytes) * 8 * bitNanos;
+        return bytes * 8 * bitNanos;
     }
 }
