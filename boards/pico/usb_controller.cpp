@@ -126,7 +126,8 @@ void UsbController::accept(Endpoint endpoint) { hand_over(endpoint, usb::packet_
 
 std::size_t UsbController::read(Endpoint endpoint, std::span<std::byte, usb::packet_bytes> place) const
 {
-    const std::size_t size = packet_control(endpoint).read() & packet_length;
+    const std::size_t size =
+        std::min<std::size_t>(packet_control(endpoint).read() & packet_length, place.size());
     std::atomic_signal_fence(std::memory_order_acquire); // nothing is read before it is there
     std::copy_n(place_in_memory(packet_offset(endpoint)), size, place.begin());
     return size;
@@ -179,7 +180,6 @@ bool UsbController::read_setup(std::span<std::byte, usb::setup_bytes> packet)
     std::copy_n(place_in_memory(0), packet.size(), packet.begin());
     forget(Endpoint::control_in, true);
     forget(Endpoint::control_out, true);
-    stall_control.write(0);
     return true;
 }
 

@@ -41,16 +41,8 @@ public:
     template <class Device>
     void tell_events(Device& device)
     {
-        if (const Event event = next_line_event(); event == Event::bus_reset)
-            device.bus_reset();
-        else if (event == Event::suspended)
-            device.suspended();
-        else if (event == Event::resumed)
-            device.resumed();
-        const std::uint32_t finished = take_finished();
-        for (const usb::Endpoint endpoint : endpoints)
-            if ((finished & bit_of(endpoint)) != 0)
-                is_in(endpoint) ? device.sent(endpoint) : device.received(endpoint);
+        tell_line(device);
+        tell_packets(device);
         std::array<std::byte, usb::setup_bytes> packet;
         if (read_setup(packet))
             device.setup(packet);
@@ -58,6 +50,38 @@ public:
 
 private:
     enum class Event : std::uint8_t { none, bus_reset, suspended, resumed };
+
+    template <class Device>
+    void tell_line(Device& device)
+    {
+        switch (next_line_event()) {
+        case Event::none:
+            break;
+        case Event::bus_reset:
+            device.bus_reset();
+            break;
+        case Event::suspended:
+            device.suspended();
+            break;
+        case Event::resumed:
+            device.resumed();
+            break;
+        }
+    }
+
+    template <class Device>
+    void tell_packets(Device& device) const
+    {
+        const std::uint32_t finished = take_finished();
+        for (const usb::Endpoint endpoint : endpoints) {
+            if ((finished & bit_of(endpoint)) == 0)
+                continue;
+            if (is_in(endpoint))
+                device.sent(endpoint);
+            else
+                device.received(endpoint);
+        }
+    }
 
     static constexpr std::array<usb::Endpoint, 4> endpoints{
         usb::Endpoint::control_in, usb::Endpoint::control_out, usb::Endpoint::reports_in,
