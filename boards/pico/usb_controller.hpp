@@ -41,8 +41,8 @@ public:
     template <class Device>
     void tell_events(Device& device)
     {
-        tell_line(device);
-        tell_packets(device);
+        tell_line_event(device);
+        tell_finished(device);
         std::array<std::byte, usb::setup_bytes> packet;
         if (read_setup(packet))
             device.setup(packet);
@@ -52,7 +52,7 @@ private:
     enum class Event : std::uint8_t { none, bus_reset, suspended, resumed };
 
     template <class Device>
-    void tell_line(Device& device)
+    void tell_line_event(Device& device)
     {
         switch (next_line_event()) {
         case Event::none:
@@ -70,7 +70,7 @@ private:
     }
 
     template <class Device>
-    void tell_packets(Device& device) const
+    void tell_finished(Device& device) const
     {
         const std::uint32_t finished = take_finished();
         for (const usb::Endpoint endpoint : endpoints) {

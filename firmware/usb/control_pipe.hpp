@@ -15,9 +15,6 @@ namespace kfast::usb {
 /// way, by which the side that has them says so.
 class ControlPipe {
 public:
-    /// What is left of an earlier transfer does not matter any more.
-    void forget() { stage_ = Stage::idle; }
-
     // One of these follows a setup.
 
     /// Sends `data`, or as much as the computer has room for. They stay as they are until the next setup.

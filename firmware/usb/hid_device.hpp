@@ -63,7 +63,6 @@ public:
 
     void bus_reset()
     {
-        control_.forget();
         new_address_.reset();
         is_suspended_ = false;
         disconnect();

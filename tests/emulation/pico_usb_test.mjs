@@ -112,6 +112,7 @@ test('reports also go by the control endpoint', () => {
         assert.deepEqual(host.control(setReport(length), report(3, length)), done);
         assert.deepEqual(host.ask(reports), sentBack(report(3, length)));
         assert.deepEqual(host.control(getReport), sentBack(report(3, length)));
+        assert.deepEqual(host.control(request(0xa1, 1, 0x0100, 0, 255)), sentBack(report(3, length)));
     }
     assert.equal(host.control(setReport(65), report(3, 65)), 'stall');
     expectEcho(host, 4);

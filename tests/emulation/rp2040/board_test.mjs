@@ -88,6 +88,7 @@ test('the flash chip tells its number', () => {
     assert.deepEqual(read.slice(5), [...uniqueId]);
     expectFailure([...command, ...exchange(0x4b)], /the chip not selected/);
     expectFailure([...command, select, store(0x18000060, 0x9f)], /the command 0x9f is not modelled/);
+    expectFailure([...command, select, call(rom.FC)], /a command has not ended/);
     expectFailure([...command, select, load(0x18000060)], /a byte is read that is not there/);
     expectFailure([select, store(0x18000060, 0x4b)], /not set up for that/);
 });

@@ -40,7 +40,10 @@ class FlashPins extends BasePeripheral {
         this.changed();
     }
 
+    /** As flushing the cache does. */
     release() {
+        if (this.isSelected)
+            fail('flash: a command has not ended when the chip is to be read again');
         this.force(0);
     }
 
