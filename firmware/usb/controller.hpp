@@ -24,8 +24,8 @@ namespace kfast::usb {
 /// - received(): read() has a packet.
 template <class C>
 concept UsbController =
-    requires(C& controller, Endpoint endpoint, std::span<const std::byte> packet, std::span<std::byte, packet_bytes> place,
-             std::uint8_t address) {
+    requires(C& controller, Endpoint endpoint, std::span<const std::byte> packet,
+             std::span<std::byte, packet_bytes> place, std::uint8_t address) {
     /// While one lives, the device is told nothing; it is told later.
     typename C::EventsOff;
 

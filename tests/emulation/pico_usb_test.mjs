@@ -87,8 +87,8 @@ test('its names are there, and its number is that of the chip', () => {
 test('what it does not know it stalls, and goes on', () => {
     const host = configured();
     for (const unknown of [getText(4), getText(0xee), request(0x80, 6, 0x0600, 0, 10), request(0x80, 6, 0x0f00, 0, 5),
-        request(0xc0, 1, 0, 0, 8), request(0x40, 1), request(0x00, 9, 2), request(0x01, 11, 1), request(0xa1, 3, 0, 0, 1),
-        request(0x02, 3, 0, 0x82), request(0x00, 3, 1)]) {
+        request(0xc0, 1, 0, 0, 8), request(0x40, 1), request(0x00, 9, 2), request(0x01, 11, 1),
+        request(0xa1, 3, 0, 0, 1), request(0x02, 3, 0, 0x82), request(0x00, 3, 1)]) {
         assert.equal(host.control(unknown), 'stall', `${unknown}`);
         assert.equal(host.askOnce(0), 'stall');
         assert.equal(host.sendOnce(0, new Uint8Array(0)), 'stall');

@@ -138,7 +138,7 @@ export class UsbController extends BasePeripheral {
 
     /**
      * A token has come.
-     * @returns 'timeout' (there is no such endpoint), 'stall', 'nak', or 'ready': then finishIn() or finishOut() follows
+     * @returns 'timeout' (there is no such endpoint), 'stall', 'nak', or 'ready': finishIn() or finishOut() follows
      */
     token(endpoint) {
         if (!this.#isEnabled(endpoint))

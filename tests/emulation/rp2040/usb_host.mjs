@@ -19,7 +19,8 @@ const control = (isIn) => ({ number: 0, isIn });
 
 /** A request as its eight bytes. */
 export function request(type, number, value = 0, index = 0, length = 0) {
-    return Uint8Array.of(type, number, value & 0xff, value >>> 8, index & 0xff, index >>> 8, length & 0xff, length >>> 8);
+    const word = (bits) => [bits & 0xff, bits >>> 8];
+    return Uint8Array.of(type, number, ...word(value), ...word(index), ...word(length));
 }
 
 /** A text, out of a string descriptor. */
