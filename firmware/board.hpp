@@ -114,6 +114,13 @@ concept SynchronizedBoard = Board<B> && requires(B& board) {
     { board.wait_for_blank() } -> std::same_as<void>;
 };
 
+/// A board that somebody talks to while it draws. Asked before each part of a picture, and whenever it sleeps it
+/// looks for itself. What is heard waits for the end of the frame if it changes what is played.
+template <class B>
+concept ListeningBoard = Board<B> && requires(B& board) {
+    { board.listen() } -> std::same_as<void>;
+};
+
 /// A board that shows a test card when it has no scene: when the first four bytes of its place are all 0xFF, as
 /// erased flash is, or all 0.
 template <class B>

@@ -29,6 +29,8 @@ void draw_frame(B& board, Animation& player)
     static_assert(P::granularity.height <= tallest_group);
     std::array bands = board.bands();
     for (bool is_first = true; true; is_first = false) {
+        if constexpr (ListeningBoard<B>)
+            board.listen();
         const auto changes =
             player.template draw_changes<P::format>(bands[0], P::granularity, P::window_bytes);
         if (changes.empty())
@@ -133,8 +135,9 @@ inline bool is_blank(std::span<const std::byte> place)
            (place[0] == std::byte{0xFF} || place[0] == std::byte{0});
 }
 
+/// Happens once at most, and is compiled for size.
 template <Board B>
-void show_why_nothing_plays(B& board, Error error)
+[[gnu::cold]] void show_why_nothing_plays(B& board, Error error)
 {
     if constexpr (NamedBoard<B>)
         if (is_blank(board.scene_bytes()))
@@ -144,7 +147,7 @@ void show_why_nothing_plays(B& board, Error error)
 
 /// Says on the panel, if the bands hold a row of it, and to the board why nothing is played.
 template <Board B>
-void refuse(B& board, Error error)
+[[gnu::cold]] void refuse(B& board, Error error)
 {
     if (rows_per_band(board.panel(), board.bands()[0].size()) != 0) {
         begin_panel(board);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boards/pico/clock.hpp"
+#include "boards/pico/computer.hpp"
 #include "boards/pico/control_pins.hpp"
 #include "boards/pico/dimmer.hpp"
 #include "boards/pico/memory.hpp"
@@ -25,9 +26,9 @@ namespace kfast::pico {
 template <class Display>
 class Board {
 public:
-    /// All three must outlive the board.
-    Board(Display& panel, const BoardSettings& settings, const Clock& clock)
-        : panel_{panel}, settings_{settings}, clock_{clock}, control_pins_{settings},
+    /// All of them must outlive the board.
+    Board(Display& panel, const BoardSettings& settings, const Clock& clock, Computer& computer)
+        : panel_{panel}, settings_{settings}, clock_{clock}, computer_{computer}, control_pins_{settings},
           light_{settings.pin(PinRole::backlight)}, tearing_line_{settings.pin(PinRole::tearing)}
     {
     }
@@ -39,7 +40,7 @@ public:
 
     Display& panel() { return panel_; }
     Microseconds now() const { return clock_.now(); }
-    void sleep_until(Microseconds moment) { clock_.sleep_until(moment); }
+    void sleep_until(Microseconds moment) { computer_.serve_until(moment, clock_); }
 
     std::span<const std::byte> scene_bytes() { return memory::scene_region(); }
     std::span<std::byte> block() { return memory::player_block(); }
@@ -48,8 +49,10 @@ public:
     bool running()
     {
         watchdog::feed();
+        report_dropped();
         return true;
     }
+    void listen() { computer_.serve(); }
 
     void scene_started(const SceneView& scene) { report::scene_started(scene_bytes().first(scene.size())); }
     void event_passed(const EventView& event) { report::event_passed(event.name); }
@@ -92,6 +95,12 @@ public:
     }
 
 private:
+    void report_dropped()
+    {
+        if (const std::uint32_t dropped = computer_.dropped(); dropped != told_dropped_)
+            report::reports_dropped(told_dropped_ = dropped);
+    }
+
     void set_brightness(std::uint8_t brightness)
     {
         brightness_ = brightness;
@@ -101,12 +110,14 @@ private:
     Display& panel_;
     const BoardSettings& settings_;
     const Clock& clock_;
+    Computer& computer_;
     ControlPins control_pins_;
     Dimmer light_;
     TearingLine tearing_line_;
     TearingWait tearing_wait_;
     std::optional<Controls> controls_; ///< of the scene that is played
     std::uint8_t brightness_ = settings_.panel.brightness;
+    std::uint32_t told_dropped_ = 0;
     bool wants_to_run_ = true;
 };
 

@@ -18,15 +18,6 @@ constexpr std::uint32_t alarm_0 = 1 << 0;
 
 constexpr Microseconds longest_sleep{1'000'000}; // so that the watchdog is fed
 
-/// Until an interrupt, of the timer at `moment` at the latest. One that comes before the processor sleeps
-/// ends the sleep as well (WFE, not WFI).
-void doze_until(Microseconds moment, const Clock& clock)
-{
-    timer_alarm_0.write(moment.count);
-    if (!reached(clock.now(), moment)) // the alarm rings only if the time is yet to come
-        asm volatile("wfe");
-}
-
 }
 
 void Clock::begin()
@@ -41,11 +32,22 @@ Microseconds Clock::now() const { return {timer_low.read()}; }
 void Clock::sleep_until(Microseconds moment) const
 {
     watchdog::feed();
-    while (!reached(now(), moment)) {
-        const Microseconds left = moment - now();
-        doze_until(left.count > longest_sleep.count ? now() + longest_sleep : moment, *this);
-        watchdog::feed();
-    }
+    while (!reached(now(), moment))
+        doze_until(moment);
+}
+
+void Clock::doze_until(Microseconds moment) const
+{
+    const Microseconds start = now();
+    if (reached(start, moment))
+        return;
+    const Microseconds end = (moment - start).count > longest_sleep.count ? start + longest_sleep : moment;
+    timer_alarm_0.write(end.count);
+    // The alarm rings only if the time is yet to come. An interrupt that comes before the processor sleeps
+    // ends the sleep as well (WFE, not WFI).
+    if (!reached(now(), end))
+        asm volatile("wfe");
+    watchdog::feed();
 }
 
 extern "C" void timer_0_handler() { timer_raised.write(alarm_0); }

@@ -1,8 +1,10 @@
 #include "boards/pico/flash.hpp"
 
 #include "boards/pico/interrupts.hpp"
+#include "boards/pico/register.hpp"
 #include "boards/pico/watchdog.hpp"
 
+#include <algorithm>
 #include <array>
 
 extern "C" {
@@ -66,6 +68,40 @@ private:
     Step* flush_cache_ = rom_function<Step>(named('F', 'C'));
 };
 
+// Of the unit that speaks with the flash chip (SSI); in command mode the boot ROM has set it up for bytes,
+// one in for each one out.
+constexpr Register flash_status{0x1800'0028};
+constexpr Register flash_data{0x1800'0060};
+constexpr std::uint32_t has_byte = 1 << 3;
+
+// The pin that selects the flash chip is forced low or high, as the unit would let go of it whenever it has
+// nothing to send. The boot ROM does the same; flushing the cache ends that.
+constexpr Register select_control{0x4001'800C};
+constexpr std::uint32_t force_select = 2 << 8;
+constexpr std::uint32_t select_high = 1 << 8;
+
+/// While it lives the flash chip takes what is sent as one command.
+class Selected {
+public:
+    Selected()
+    {
+        select_control.set(force_select);
+        select_control.clear(select_high);
+    }
+    ~Selected() { select_control.set(select_high); }
+    Selected(const Selected&) = delete;
+    Selected& operator=(const Selected&) = delete;
+};
+
+/// Sends a byte, and returns what the chip said meanwhile.
+std::byte exchange(std::uint8_t byte)
+{
+    flash_data.write(byte);
+    while ((flash_status.read() & has_byte) == 0) {
+    }
+    return static_cast<std::byte>(flash_data.read());
+}
+
 void expect(bool is_kept)
 {
     if (!is_kept)
@@ -103,6 +139,20 @@ void program(std::uint32_t offset, std::span<const std::byte> bytes)
     auto* const program = rom_function<Program>(named('R', 'P'));
     const CommandMode mode;
     program(offset, bytes.data(), bytes.size());
+}
+
+UniqueId unique_id()
+{
+    constexpr std::uint8_t read_unique_id = 0x4B;
+    constexpr int silent_bytes = 4; // after the command
+    const CommandMode mode;
+    const Selected selected;
+    exchange(read_unique_id);
+    for (int i = 0; i < silent_bytes; ++i)
+        exchange(0);
+    UniqueId id;
+    std::ranges::generate(id, [] { return exchange(0); });
+    return id;
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,5 +19,11 @@ void erase(std::uint32_t offset, std::size_t count);
 /// Writes pages, which were erased before. `bytes` lies in RAM; the offset and its size are multiples of
 /// page_bytes, or nothing is done and the board stops with a fault.
 void program(std::uint32_t offset, std::span<const std::byte> bytes);
+
+inline constexpr std::size_t unique_id_bytes = 8;
+using UniqueId = std::array<std::byte, unique_id_bytes>;
+
+/// The number that the flash chip was made with: no other chip has the same.
+UniqueId unique_id();
 
 }

@@ -2,10 +2,12 @@
 
 #include "boards/pico/board.hpp"
 #include "boards/pico/clocks.hpp"
+#include "boards/pico/computer.hpp"
 #include "boards/pico/display_reset.hpp"
 #include "boards/pico/led.hpp"
 #include "boards/pico/log.hpp"
 #include "boards/pico/settings.hpp"
+#include "boards/pico/usb_reports.hpp"
 #include "firmware/panel_choice.hpp"
 #include "firmware/run.hpp"
 
@@ -23,13 +25,14 @@ public:
         watchdog::start();
         led::begin();
         clock_.begin();
+        usb_reports.begin();
         if (settings_) // else any pin may be wired to anything
             live_by(*settings_);
         blink();
     }
 
 private:
-    void live_by(const BoardSettings& settings) const
+    void live_by(const BoardSettings& settings)
     {
         log.begin(settings.pin(PinRole::log));
         report::begun(settings.panel);
@@ -47,32 +50,33 @@ private:
         return !mistake && settings.bus == bus_kind;
     }
 
-    void show_scene(const BoardSettings& settings) const
+    void show_scene(const BoardSettings& settings)
     {
         Bus bus{settings};
-        auto pause = [this](Microseconds time) { clock_.sleep_until(clock_.now() + time); };
+        auto pause = [this](Microseconds time) { computer_.serve_until(clock_.now() + time, clock_); };
         reset_display(settings, pause);
         with_panel(bus, settings.panel, [this, &settings](auto& panel) {
-            Board board{panel, settings, clock_};
+            Board board{panel, settings, clock_, computer_};
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
-                          SynchronizedBoard<B> && NamedBoard<B>);
+                          SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B>);
             while (board.wants_to_run())
                 run(board);
         });
     }
 
     /// What is left to do when nothing can be shown.
-    [[noreturn]] void blink() const
+    [[noreturn]] void blink()
     {
         constexpr Microseconds half_a_second{500'000};
         while (true) {
             led::toggle();
-            clock_.sleep_until(clock_.now() + half_a_second);
+            computer_.serve_until(clock_.now() + half_a_second, clock_);
         }
     }
 
     Clock clock_;
+    Computer computer_;
     const std::optional<BoardSettings> settings_ = settings_for(bus_kind);
 };
 

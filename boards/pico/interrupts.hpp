@@ -9,6 +9,7 @@ namespace kfast::pico {
 /// The numbers of the chip's interrupts, as its vector table (start.cpp) has them.
 enum class Interrupt : std::uint32_t {
     timer_0 = 0,
+    usb = 5,
     io_bank0 = 13,
     uart0 = 20,
     uart1 = 21,

@@ -24,6 +24,7 @@ extern std::uint32_t stack_top[];
 void fault_handler();
 
 void timer_0_handler();
+void usb_handler();
 void io_bank0_handler();
 void uart_handler();
 // Of a bus that not every image has.
@@ -96,6 +97,7 @@ constexpr std::array<Handler, 41> handlers = [] {
     table.fill(fault_handler);
     table[0] = reset_handler;
     table[of_chip(Interrupt::timer_0)] = timer_0_handler;
+    table[of_chip(Interrupt::usb)] = usb_handler;
     table[of_chip(Interrupt::io_bank0)] = io_bank0_handler;
     table[of_chip(Interrupt::uart0)] = uart_handler;
     table[of_chip(Interrupt::uart1)] = uart_handler;

@@ -237,6 +237,19 @@ public:
 
 static_assert(RedrawingBoard<ForgetfulBoard>);
 
+/// Notes how many areas have been sent when it listens.
+class CuriousBoard : public TestBoard {
+public:
+    using TestBoard::TestBoard;
+
+    void listen() { heard_after.push_back(panel().areas.size()); }
+
+    std::vector<std::size_t> heard_after;
+};
+
+static_assert(ListeningBoard<CuriousBoard>);
+static_assert(!ListeningBoard<TestBoard>);
+
 }
 
 TEST_CASE("the bands make up the picture although each is sent while the next is drawn")
@@ -286,6 +299,14 @@ TEST_CASE("a watching board sees every area and its pixels, in the order in whic
     draw_frame(board, player);
     CHECK(board.watched_areas == board.panel().areas);
     CHECK(std::ranges::equal(board.watched, ten_numbered_rows()));
+}
+
+TEST_CASE("a board listens before each part of a picture")
+{
+    CuriousBoard board{12};
+    NumberedRows player;
+    draw_frame(board, player);
+    CHECK(board.heard_after == std::vector<std::size_t>{0, 1, 2, 3});
 }
 
 TEST_CASE("a frame in which nothing changes sends nothing and is shown all the same")

@@ -3,6 +3,7 @@ build> <kfast>"""
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -18,10 +19,13 @@ SCENE = "kfast 1\ncanvas 240 240\nobject dot fill=white { rect 0 0 9 9 }\n"
 
 def symbols(image):
     """name -> (address, size)"""
-    listing = subprocess.run(["arm-none-eabi-nm", "--demangle", "--format=posix", "--radix=d", BUILD / f"{image}.elf"],
-                             check=True, stdout=subprocess.PIPE, text=True, timeout=60)
+    listing = subprocess.run(["arm-none-eabi-nm", "--format=posix", "--radix=d", BUILD / f"{image}.elf"],
+                             check=True, stdout=subprocess.PIPE, text=True, timeout=60).stdout
+    plain = re.sub(r"\.lto_priv\.\d+ ", " ", listing)  # which the linker appends now and then
+    readable = subprocess.run(["arm-none-eabi-c++filt"], input=plain, check=True, stdout=subprocess.PIPE, text=True,
+                              timeout=60).stdout
     found = {}
-    for line in listing.stdout.splitlines():
+    for line in readable.splitlines():
         name, _, address, size = line.rsplit(" ", 3)
         found[name.split("::")[-1]] = int(address), int(size or 0)
     return found

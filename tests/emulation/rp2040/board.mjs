@@ -8,6 +8,7 @@ import { addRegisters } from './register_files.mjs';
 import { Resets } from './resets.mjs';
 import { timePio } from './timed_pio.mjs';
 import { correctTimer } from './timer.mjs';
+import { UsbController } from './usb_controller.mjs';
 
 export const flashAddress = 0x10000000;
 export const flashBytes = 2 * 1024 * 1024;
@@ -175,9 +176,10 @@ export class Board {
         mcu.logger = { debug() {}, info() {}, warn: complain, error: complain };
         this.#showFlash();
         addRegisters(mcu, () => this.setFlashStale(false));
-        this.flashInterface = new FlashInterface(mcu);
+        this.flashInterface = new FlashInterface(mcu, this.flashChip);
         this.flashInterface.onChange = () => this.#guardFlash();
         mcu.peripherals[0x18000] = this.flashInterface;
+        mcu.peripherals[0x40018] = this.flashInterface.pins;
         this.rom = new BootRom(this);
         mcu.onBreak = (number) => this.#breakpoint(number);
         for (const pin of [...mcu.gpio, ...mcu.qspi])
@@ -186,6 +188,7 @@ export class Board {
         this.#correctCore();
         this.#correctTimers();
         mcu.pio.forEach((pio) => timePio(mcu, pio));
+        new UsbController(mcu);
         new Resets(mcu); // last, so that it sees all accesses
     }
 

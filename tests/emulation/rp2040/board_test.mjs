@@ -3,6 +3,7 @@ import test from 'node:test';
 
 import { Board } from './board.mjs';
 import { checksum } from './boot_rom.mjs';
+import { uniqueId } from './flash_chip.mjs';
 import { call, flashSetUp, load, makeImage, maskInterrupts, sleep, startClocks, store, wait } from './test_image.mjs';
 
 const millisecond = 1e6;
@@ -59,11 +60,37 @@ test('flash changes as NOR flash does, by the functions of the boot ROM alone', 
     assert.equal(board.memoryWord(0x10100000), 0x30f0f0f0);
     assert.deepEqual(board.rom.flashOperations.map(([what]) => what), ['erase', 'program', 'program']);
     expectFailure([...command, load(0x10100000)], /its interface is not set up/);
-    expectFailure([...command, ...change, call(rom.CX), load(0x10100000)], /its cache holds what was there before/);
+    expectFailure([...command, call(rom.FC), ...change, call(rom.CX), load(0x10100000)],
+        /its cache holds what was there before/);
+    expectFailure([...command, call(rom.CX), load(0x10100000)], /its interface is not set up/); // select is still forced
     expectFailure([maskInterrupts(), ...change], /before IF and EX/);
     expectFailure([store(0xe000e100, 1), ...command.slice(1), ...change], /while interrupts can come/);
     expectFailure([...command, call(rom.RE, 0x100100, 4096)], /not whole sectors/);
     expectFailure([store(0x10100000, 0)], /a store to flash/);
+});
+
+test('the flash chip tells its number', () => {
+    const rom = functionsOfRom();
+    const command = [maskInterrupts(), call(rom.IF), call(rom.EX)];
+    const select = store(0x4001b00c, 1 << 8); // forced high by the boot ROM, and low by this
+    const exchange = (byte) => [store(0x18000060, byte), load(0x18000060)];
+    const bytes = [0x4b, 0, 0, 0, 0, ...uniqueId.map(() => 0)].flatMap(exchange);
+    const board = started([...command, select, ...bytes]);
+    const read = [];
+    board.run(millisecond / 100);
+    const { readUint32 } = board.flashInterface;
+    board.flashInterface.readUint32 = function (offset) {
+        const value = readUint32.call(this, offset);
+        read.push(value);
+        return value;
+    };
+    board.run(millisecond);
+    assert.deepEqual(read.slice(5), [...uniqueId]);
+    expectFailure([...command, ...exchange(0x4b)], /the chip not selected/);
+    expectFailure([...command, select, store(0x18000060, 0x9f)], /the command 0x9f is not modelled/);
+    expectFailure([...command, select, call(rom.FC)], /a command has not ended/);
+    expectFailure([...command, select, load(0x18000060)], /a byte is read that is not there/);
+    expectFailure([select, store(0x18000060, 0x4b)], /not set up for that/);
 });
 
 test('what would not work on hardware ends the run', () => {

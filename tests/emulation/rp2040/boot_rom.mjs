@@ -90,10 +90,15 @@ export class BootRom {
             EX: () => this.board.flashInterface.stopReading(),
             RE: () => this.#erase(this.#argument(0), this.#argument(1)),
             RP: () => this.#program(this.#argument(0), this.#argument(1), this.#argument(2)),
-            FC: () => this.board.setFlashStale(false),
+            FC: () => this.#flush(),
             CX: () => this.board.flashInterface.readSlowly(),
             UB: () => this.board.end('restarted as a USB drive'),
         };
+    }
+
+    #flush() {
+        this.board.flashInterface.pins.release();
+        this.board.setFlashStale(false);
     }
 
     #expectCommandMode(what) {

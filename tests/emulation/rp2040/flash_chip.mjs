@@ -3,11 +3,36 @@ import { fail, hex } from './emulation_error.mjs';
 export const sectorBytes = 4096;
 export const pageBytes = 256;
 
-/** The memory of the flash chip: NOR flash, which is erased by sectors and programmed by pages. */
+/** No other chip has this number. */
+export const uniqueId = Uint8Array.of(0xe4, 0x61, 0x38, 0x52, 0xc7, 0x1b, 0x9d, 0x0f);
+
+const readUniqueId = 0x4b;
+const silentBytes = 4;
+
+/**
+ * The flash chip: NOR flash, which is erased by sectors and programmed by pages. Of commands that are sent by hand it
+ * knows one, for its number.
+ */
 export class FlashChip {
+    #sent = [];
+
     /** @param {Uint8Array} memory its contents, which change when it is written */
     constructor(memory) {
         this.memory = memory;
+    }
+
+    /** A command begins. */
+    select() {
+        this.#sent = [];
+    }
+
+    /** Takes a byte of a command, and says one meanwhile. */
+    exchange(byte) {
+        this.#sent.push(byte);
+        if (this.#sent[0] !== readUniqueId)
+            fail(`flash: the command ${hex(this.#sent[0])} is not modelled`);
+        const place = this.#sent.length - 2 - silentBytes;
+        return uniqueId[place] ?? 0xff;
     }
 
     erase(offset, count) {

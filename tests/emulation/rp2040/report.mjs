@@ -6,7 +6,7 @@ import { PinFunction, noPin } from './pins.mjs';
  * @param wired what run_pico.mjs has built
  * @param {string | undefined} failure why it broke off
  */
-export function report({ board, bus, busTime, display, led, log, settings, tearing }, failure) {
+export function report({ board, bus, busTime, display, led, log, settings, tearing, usb }, failure) {
     return {
         failure,
         ending: failure ? 'failure' : board.ending ?? 'the time was over',
@@ -23,6 +23,7 @@ export function report({ board, bus, busTime, display, led, log, settings, teari
         tearingRises: tearing?.rises ?? [],
         log: log.lines,
         commands: display.commands,
+        ...(usb && { usb: usb.told }),
         frames: busTime.frames,
     };
 }

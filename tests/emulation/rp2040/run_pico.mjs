@@ -16,6 +16,7 @@ import { report } from './report.mjs';
 import { readSettings, sceneOffset, settingsOffset } from './settings.mjs';
 import { TearingLine } from './tearing_line.mjs';
 import { Trace } from './trace.mjs';
+import { UsbTraffic } from './usb_traffic.mjs';
 
 const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE --report FILE [OPTION]...
 
@@ -30,6 +31,7 @@ const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE
   --hold-data CLOCKS      the display was interrupted and holds SDA low for so many clocks of I2C
   --address ADDRESS       the display on I2C has this one, whatever the record says
   --absent FROM-TO        it does not answer from one millisecond to another; may be repeated
+  --usb                   a computer sets the board up, and sends it a report every millisecond
   --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired
 
 Exits with 1 when something happened that would not work on hardware or that the emulator cannot do: the report says
@@ -39,6 +41,7 @@ const options = {
     settings: { type: 'string' }, 'wired-only': { type: 'boolean' }, scene: { type: 'string' },
     patch: { type: 'string', multiple: true, default: [] }, trace: { type: 'string' }, report: { type: 'string' },
     for: { type: 'string', default: '1000' }, frames: { type: 'string' }, te: { type: 'string' },
+    usb: { type: 'boolean' },
     'hold-data': { type: 'string' }, address: { type: 'string' },
     absent: { type: 'string', multiple: true, default: [] },
     press: { type: 'string', multiple: true, default: [] }, knob: { type: 'string', multiple: true, default: [] },
@@ -111,12 +114,13 @@ function wiredBoard(memory, settings, values) {
         tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
         display.onCommand = (byte) => tearing.command(byte);
     }
-    return { board, bus, busTime, display, led, log, settings, tearing, trace };
+    const usb = values.usb && new UsbTraffic(board);
+    return { board, bus, busTime, display, led, log, settings, tearing, trace, usb };
 }
 
 function run(wired, milliseconds) {
     try {
-        wired.board.run(milliseconds * 1e6);
+        (wired.usb || wired.board).run(milliseconds * 1e6);
     } catch (problem) {
         if (!(problem instanceof EmulationError))
             throw problem;

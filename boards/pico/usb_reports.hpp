@@ -1,0 +1,27 @@
+#pragma once
+
+#include "firmware/usb/report.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace kfast::pico {
+
+/// The reports that a computer and this board send each other over USB: firmware/usb/hid_device.hpp tells
+/// more. An interrupt wakes the board when one comes.
+class UsbReports {
+public:
+    /// Shows the computer that the board is there. Needs start_clocks().
+    void begin() const;
+
+    std::optional<usb::Report> take() const;
+    bool send(const usb::Report& report) const;
+
+    bool is_connected() const;
+    std::uint32_t connections() const;
+};
+
+/// There is one plug.
+inline constexpr UsbReports usb_reports;
+
+}
