@@ -64,238 +64,238 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 57720,
+        .code = 57808,
         .fixed_ram = 4,
-        .stack = 7996,
+        .stack = 8324,
         .cycles = 1.57,
-        .frame = 856,
-        .area = 332,
+        .frame = 865,
+        .area = 22,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                1895.8, // item
-                2906.1, // track
-                1400.1, // key
+                2036.0, // item
+                2772.0, // track
+                1318.4, // key
                 0.0, // placement
-                1331.4, // law
-                2668.0, // bezier_law
+                1282.1, // law
+                2714.1, // bezier_law
                 0.0, // bone
-                3193.6, // object
-                1391.8, // stroke
-                192.6, // line
-                1838.0, // curve
-                666.9, // split
-                150.3, // point
+                3426.0, // object
+                1524.4, // stroke
+                189.6, // line
+                1814.8, // curve
+                668.8, // split
+                149.4, // point
                 0.0, // wide_point
-                1068.1, // projected_point
-                823.8, // carried_point
-                1087.5, // bent_point
-                135.0, // piece
-                80.5, // wide_piece
-                335.1, // pen_piece
-                415.8, // bend
+                1069.0, // projected_point
+                524.8, // carried_point
+                1083.3, // bent_point
+                102.2, // piece
+                79.8, // wide_piece
+                341.5, // pen_piece
+                411.6, // bend
                 0.0, // slight_bend
-                208.8, // corner
-                224.2, // chain
-                29.3, // copied_corner
-                72.7, // copied_chain
-                0.0, // strip
-                674.6, // searched_row
-                0.8, // step_visit
-                425.8, // swept_row
-                300.1, // straight_part
-                668.3, // bent_part
-                186.2, // edge
-                1208.1, // slab
-                238.5, // slab_edge
+                206.2, // corner
+                217.9, // chain
+                32.4, // copied_corner
+                47.1, // copied_chain
+                913.5, // strip
+                93.1, // searched_row
+                0.0, // step_visit
+                527.0, // swept_row
+                255.5, // straight_part
+                484.1, // bent_part
+                197.9, // edge
+                1297.4, // slab
+                243.0, // slab_edge
                 0.0, // flat_edge
-                173.6, // crossed_pixel
+                135.2, // crossed_pixel
                 0.0, // cell
                 0.0, // span
                 0.0, // compared
-                80.2, // marked
-                379.6, // inserted_run
-                99.8, // fill
-                0.0, // filled_pixel
-                75.4, // blended_pixel
-                83.1, // faded_pixel
+                68.7, // marked
+                376.7, // inserted_run
+                140.9, // fill
+                1.0, // filled_pixel
+                81.6, // blended_pixel
+                78.9, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 53304,
+        .code = 53628,
         .fixed_ram = 4,
-        .stack = 7676,
-        .cycles = 1.76,
-        .frame = 408,
-        .area = 373,
+        .stack = 7988,
+        .cycles = 1.74,
+        .frame = 412,
+        .area = 57,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                1426.7, // item
-                1326.6, // track
-                510.5, // key
+                1523.1, // item
+                1291.4, // track
+                499.4, // key
                 0.0, // placement
-                615.4, // law
-                1821.1, // bezier_law
+                628.5, // law
+                1859.7, // bezier_law
                 0.0, // bone
-                1750.1, // object
-                1033.5, // stroke
-                78.8, // line
-                1473.0, // curve
-                412.7, // split
-                131.7, // point
+                1754.7, // object
+                1026.8, // stroke
+                79.8, // line
+                1460.9, // curve
+                414.9, // split
+                128.3, // point
                 0.0, // wide_point
                 275.1, // projected_point
-                374.6, // carried_point
-                606.3, // bent_point
-                38.0, // piece
-                5.8, // wide_piece
-                197.0, // pen_piece
-                242.0, // bend
+                349.7, // carried_point
+                606.1, // bent_point
+                29.7, // piece
+                3.1, // wide_piece
+                195.7, // pen_piece
+                242.6, // bend
                 0.0, // slight_bend
-                194.3, // corner
-                146.1, // chain
-                18.0, // copied_corner
+                195.0, // corner
+                143.7, // chain
+                17.0, // copied_corner
                 0.0, // copied_chain
-                25.0, // strip
-                533.0, // searched_row
-                9.9, // step_visit
-                210.8, // swept_row
-                76.2, // straight_part
-                289.7, // bent_part
-                89.6, // edge
-                183.3, // slab
-                222.2, // slab_edge
-                50.4, // flat_edge
-                3.4, // crossed_pixel
-                110.2, // cell
+                640.1, // strip
+                178.4, // searched_row
+                10.8, // step_visit
+                334.3, // swept_row
+                77.0, // straight_part
+                258.4, // bent_part
+                59.4, // edge
+                290.9, // slab
+                221.6, // slab_edge
+                41.9, // flat_edge
+                0.0, // crossed_pixel
+                89.9, // cell
                 0.0, // span
-                30.8, // compared
-                150.5, // marked
-                117.2, // inserted_run
-                36.7, // fill
-                0.5, // filled_pixel
-                26.3, // blended_pixel
-                36.3, // faded_pixel
+                27.7, // compared
+                107.5, // marked
+                137.3, // inserted_run
+                96.4, // fill
+                0.7, // filled_pixel
+                31.9, // blended_pixel
+                35.3, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 53300,
+        .code = 53628,
         .fixed_ram = 4,
-        .stack = 7676,
-        .cycles = 1.76,
-        .frame = 408,
-        .area = 368,
+        .stack = 7980,
+        .cycles = 1.74,
+        .frame = 412,
+        .area = 51,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                1426.8, // item
-                1329.8, // track
-                512.0, // key
+                1522.8, // item
+                1294.4, // track
+                499.9, // key
                 0.0, // placement
-                613.6, // law
-                1819.8, // bezier_law
+                626.4, // law
+                1857.4, // bezier_law
                 0.0, // bone
-                1748.3, // object
-                1034.3, // stroke
-                77.7, // line
-                1471.0, // curve
-                410.7, // split
-                131.8, // point
+                1750.1, // object
+                1027.4, // stroke
+                78.7, // line
+                1458.8, // curve
+                412.9, // split
+                128.4, // point
                 0.0, // wide_point
                 277.1, // projected_point
-                373.7, // carried_point
-                606.4, // bent_point
-                38.2, // piece
-                5.9, // wide_piece
-                197.1, // pen_piece
-                242.4, // bend
+                348.9, // carried_point
+                606.3, // bent_point
+                29.9, // piece
+                3.1, // wide_piece
+                195.8, // pen_piece
+                242.9, // bend
                 0.0, // slight_bend
-                194.2, // corner
-                146.3, // chain
-                18.1, // copied_corner
+                195.0, // corner
+                143.9, // chain
+                17.1, // copied_corner
                 0.0, // copied_chain
-                16.8, // strip
-                532.7, // searched_row
-                9.6, // step_visit
-                214.7, // swept_row
-                75.2, // straight_part
-                293.8, // bent_part
-                86.1, // edge
-                184.0, // slab
-                224.8, // slab_edge
-                46.6, // flat_edge
-                4.6, // crossed_pixel
-                111.8, // cell
+                643.6, // strip
+                176.1, // searched_row
+                10.2, // step_visit
+                339.6, // swept_row
+                76.2, // straight_part
+                261.8, // bent_part
+                58.7, // edge
+                288.7, // slab
+                224.2, // slab_edge
+                38.0, // flat_edge
+                0.0, // crossed_pixel
+                92.4, // cell
                 0.0, // span
-                31.5, // compared
-                161.0, // marked
-                116.1, // inserted_run
-                40.3, // fill
-                0.5, // filled_pixel
-                26.1, // blended_pixel
-                36.3, // faded_pixel
+                25.8, // compared
+                107.8, // marked
+                136.0, // inserted_run
+                98.1, // fill
+                0.8, // filled_pixel
+                31.8, // blended_pixel
+                35.3, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 53392,
+        .code = 53744,
         .fixed_ram = 4,
-        .stack = 7676,
-        .cycles = 1.64,
-        .frame = 403,
-        .area = 346,
+        .stack = 7980,
+        .cycles = 1.62,
+        .frame = 407,
+        .area = 18,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                1427.6, // item
-                1326.4, // track
-                509.7, // key
+                1522.3, // item
+                1292.6, // track
+                499.8, // key
                 0.0, // placement
-                611.8, // law
-                1808.5, // bezier_law
+                626.2, // law
+                1857.5, // bezier_law
                 0.0, // bone
-                1745.1, // object
-                1034.5, // stroke
-                77.6, // line
-                1471.0, // curve
-                410.8, // split
-                131.8, // point
+                1751.6, // object
+                1027.7, // stroke
+                78.6, // line
+                1458.8, // curve
+                413.0, // split
+                128.4, // point
                 0.0, // wide_point
-                276.2, // projected_point
-                374.0, // carried_point
-                605.4, // bent_point
-                38.1, // piece
-                5.8, // wide_piece
-                197.0, // pen_piece
-                242.3, // bend
+                276.1, // projected_point
+                348.9, // carried_point
+                605.2, // bent_point
+                29.9, // piece
+                3.1, // wide_piece
+                195.7, // pen_piece
+                242.9, // bend
                 0.0, // slight_bend
-                194.2, // corner
-                146.4, // chain
-                18.1, // copied_corner
+                195.0, // corner
+                143.9, // chain
+                17.0, // copied_corner
                 0.0, // copied_chain
-                11.6, // strip
-                565.0, // searched_row
-                9.9, // step_visit
-                200.2, // swept_row
-                98.5, // straight_part
-                317.1, // bent_part
-                82.1, // edge
-                155.7, // slab
-                230.8, // slab_edge
-                61.3, // flat_edge
-                14.9, // crossed_pixel
-                97.0, // cell
+                692.1, // strip
+                181.2, // searched_row
+                10.2, // step_visit
+                328.5, // swept_row
+                92.7, // straight_part
+                282.0, // bent_part
+                53.1, // edge
+                267.2, // slab
+                230.6, // slab_edge
+                62.2, // flat_edge
+                0.0, // crossed_pixel
+                84.3, // cell
                 0.0, // span
-                33.2, // compared
-                131.5, // marked
-                119.2, // inserted_run
-                32.6, // fill
-                0.3, // filled_pixel
-                26.0, // blended_pixel
-                36.8, // faded_pixel
+                29.4, // compared
+                100.7, // marked
+                136.8, // inserted_run
+                86.7, // fill
+                0.6, // filled_pixel
+                31.1, // blended_pixel
+                35.4, // faded_pixel
             }),
     },
 }};

@@ -151,7 +151,7 @@ class FitTest(CommandTest):
         report = self.refused("repeat.kfast", *self.board(clock=1, bus="i2c clock=(kHz)100"))
         self.assertIn("30 fps leave 33.3 ms", report["reasons"][-1])
         self.assertTrue(self.report("repeat.kfast", *self.board(bus="i2c clock=(kHz)800"), "--fps", "1")["fits"])
-        self.refused("repeat.kfast", *self.board(), "--fps", "1000")
+        self.refused("repeat.kfast", *self.board(clock=24), "--fps", "1000")
 
     def test_late_frames_and_hasty_buses_are_noted(self):
         report = self.report("repeat.kfast", *self.board(panel="st7735 60 40"))
