@@ -1,47 +1,24 @@
 #pragma once
 
-#include "firmware/usb/controller.hpp"
 #include "firmware/usb/report.hpp"
-#include "firmware/usb/report_ring.hpp"
+#include "firmware/usb/report_pipe.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <span>
 
 namespace kfast::usb {
 
 /// Reports from the computer. As long as there is room, the controller accepts one more.
 template <std::size_t room>
-class ReportsFromComputer {
+class ReportsFromComputer : public ReportPipe<Endpoint::reports_out, room> {
 public:
-    bool is_halted() const { return is_halted_; }
-
     /// The first packet is DATA0; nothing is halted. Reports that have come stay.
     template <UsbController C>
     void open(C& controller)
     {
-        controller.open(endpoint);
-        is_open_ = true;
-        is_halted_ = false;
-        is_accepting_ = false;
+        this->begin(controller);
         accept_more(controller);
-    }
-
-    /// Nothing comes any more, and what has come is forgotten.
-    void close()
-    {
-        ring_.clear();
-        is_open_ = false;
-        is_accepting_ = false;
-    }
-
-    template <UsbController C>
-    void halt(C& controller)
-    {
-        controller.stall(endpoint);
-        is_halted_ = true;
-        is_accepting_ = false;
     }
 
     template <UsbController C>
@@ -59,8 +36,8 @@ public:
     template <UsbController C>
     void received(C& controller)
     {
-        is_accepting_ = false;
-        put(controller, endpoint);
+        is_at_controller_ = false;
+        put(controller, Endpoint::reports_out);
         accept_more(controller);
     }
 
@@ -69,7 +46,7 @@ public:
     template <UsbController C>
     bool put(C& controller, Endpoint from)
     {
-        if (ring_.free() <= (is_accepting_ ? 1u : 0u))
+        if (ring_.free() <= (is_at_controller_ ? 1u : 0u))
             return false;
         Report& report = ring_.next();
         const std::size_t size = controller.read(from, report);
@@ -79,61 +56,37 @@ public:
     }
 
 private:
-    static constexpr Endpoint endpoint = Endpoint::reports_out;
+    using Pipe = ReportPipe<Endpoint::reports_out, room>;
+    using Pipe::is_at_controller_;
+    using Pipe::ring_;
 
     template <UsbController C>
     void accept_more(C& controller)
     {
-        if (!is_open_ || is_halted_ || is_accepting_ || ring_.free() == 0)
+        if (!this->is_open_ || this->is_halted_ || is_at_controller_ || ring_.free() == 0)
             return;
-        is_accepting_ = true;
-        controller.accept(endpoint);
+        is_at_controller_ = true;
+        controller.accept(Endpoint::reports_out);
     }
-
-    ReportRing<room> ring_;
-    bool is_open_ = false;
-    bool is_halted_ = false;
-    bool is_accepting_ = false; ///< has room in the ring
 };
 
 /// Reports to the computer.
 template <std::size_t room>
-class ReportsToComputer {
+class ReportsToComputer : public ReportPipe<Endpoint::reports_in, room> {
 public:
-    bool is_halted() const { return is_halted_; }
-
     /// The first packet is DATA0; nothing is halted. Reports that wait are sent.
     template <UsbController C>
     void open(C& controller)
     {
-        controller.open(endpoint);
-        is_open_ = true;
-        is_halted_ = false;
-        is_given_ = false;
+        this->begin(controller);
         give_next(controller);
-    }
-
-    /// Nothing is sent any more, and what waits is forgotten.
-    void close()
-    {
-        ring_.clear();
-        is_open_ = false;
-        is_given_ = false;
-    }
-
-    template <UsbController C>
-    void halt(C& controller)
-    {
-        controller.stall(endpoint);
-        is_halted_ = true;
-        is_given_ = false;
     }
 
     /// False if nobody listens, or there is no room.
     template <UsbController C>
     bool send(C& controller, const Report& report)
     {
-        if (!is_open_ || ring_.free() == 0)
+        if (!this->is_open_ || ring_.free() == 0)
             return false;
         ring_.next() = report;
         ring_.push();
@@ -147,7 +100,7 @@ public:
     {
         latest_ = ring_.first();
         ring_.pop();
-        is_given_ = false;
+        is_at_controller_ = false;
         give_next(controller);
     }
 
@@ -155,22 +108,20 @@ public:
     const Report& latest() const { return latest_; }
 
 private:
-    static constexpr Endpoint endpoint = Endpoint::reports_in;
+    using Pipe = ReportPipe<Endpoint::reports_in, room>;
+    using Pipe::is_at_controller_;
+    using Pipe::ring_;
 
     template <UsbController C>
     void give_next(C& controller)
     {
-        if (is_halted_ || is_given_ || ring_.is_empty())
+        if (this->is_halted_ || is_at_controller_ || ring_.is_empty())
             return;
-        is_given_ = true;
-        controller.give(endpoint, ring_.first());
+        is_at_controller_ = true;
+        controller.give(Endpoint::reports_in, ring_.first());
     }
 
-    ReportRing<room> ring_;
     alignas(4) Report latest_{};
-    bool is_open_ = false;
-    bool is_halted_ = false;
-    bool is_given_ = false; ///< the first report of the ring
 };
 
 }
