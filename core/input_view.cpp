@@ -33,4 +33,12 @@ InputView InputCursor::next()
     return input;
 }
 
+void put_usual_places(InputCursor inputs, std::span<Time> places)
+{
+    for (Time& place : places) {
+        const InputView input = inputs.next();
+        place = input.place_of(input.usual);
+    }
+}
+
 }

@@ -4,6 +4,7 @@
 #include "core/clock.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace kfast {
@@ -35,5 +36,8 @@ private:
     ByteReader bytes_;
     std::uint32_t left_;
 };
+
+/// Puts into `places` where the inputs stand until others are told; there are as many of both.
+void put_usual_places(InputCursor inputs, std::span<Time> places);
 
 }

@@ -99,16 +99,6 @@ std::span<std::int32_t> zeroed(std::span<std::int32_t> cells)
     return cells;
 }
 
-std::span<Time> at_usual_places(const SceneView& scene, std::span<Time> inputs)
-{
-    InputCursor cursor = scene.inputs();
-    for (Time& place : inputs) {
-        const InputView input = cursor.next();
-        place = input.place_of(input.usual);
-    }
-    return inputs;
-}
-
 }
 
 std::size_t Player::block_bytes(const SceneView& scene, Size panel) { return BlockPlan{scene, panel}.size(); }
@@ -134,7 +124,8 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
     strips_ = ChangedStrips{cutter.cut_as<CoveredSpan>(plan.spans), panel};
     on_panel_.bones = cutter.cut_as<LiveBone>(plan.bones);
     on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(plan.nodes);
-    inputs_ = at_usual_places(scene, cutter.cut_as<Time>(plan.inputs));
+    inputs_ = cutter.cut_as<Time>(plan.inputs);
+    put_usual_places(scene.inputs(), inputs_);
     backdrops_ = cutter.cut(plan.backdrops);
     set_up_bones(scene, on_panel_.bones);
     trace({});

@@ -2,6 +2,7 @@
 
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
+#include "core/input_check.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
@@ -90,7 +91,7 @@ bool are_backbones(PackedDrawing drawing)
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
+    return check_header() && check_laws() && inputs_are_sound(scene_) && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
            count_items(scene_.items(), 0, 0);
 }
@@ -114,22 +115,6 @@ bool SceneCheck::check_laws() const
             return false;
     }
     return true;
-}
-
-bool SceneCheck::check_inputs() const
-{
-    const auto is_value = [](std::int32_t value) {
-        return value >= -kfb::max_input_value && value <= kfb::max_input_value;
-    };
-    InputCursor inputs = scene_.inputs();
-    while (!inputs.at_end()) {
-        const InputView input = inputs.next();
-        if (inputs.rest().overrun() || input.name.empty() || !is_value(input.least) ||
-            !is_value(input.most) || input.most <= input.least || input.usual < input.least ||
-            input.usual > input.most)
-            return false;
-    }
-    return scene_.input_count() <= kfb::max_inputs && inputs.rest().left() == 0;
 }
 
 bool SceneCheck::check_clips() const

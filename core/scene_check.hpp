@@ -16,7 +16,6 @@ public:
 private:
     bool check_header() const;
     bool check_laws() const;
-    bool check_inputs() const;
     bool check_clips() const;
     bool check_events() const;
     bool check_bones();

@@ -18,6 +18,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
     ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
     ${CMAKE_CURRENT_LIST_DIR}/hermite.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/input_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/input_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_state.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_view.cpp

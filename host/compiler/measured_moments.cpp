@@ -82,21 +82,12 @@ std::vector<Time> times_of(const SceneView& scene)
                       std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / most_even_moments));
 }
 
-std::vector<Time> usual_places(const SceneView& scene)
-{
-    std::vector<Time> places;
-    for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
-        const InputView input = inputs.next();
-        places.push_back(input.place_of(input.usual));
-    }
-    return places;
-}
-
 /// Where the inputs of a scene may stand.
 class InputPlaces {
 public:
-    explicit InputPlaces(const SceneView& scene) : usual_{usual_places(scene)}
+    explicit InputPlaces(const SceneView& scene) : usual_(scene.input_count())
     {
+        put_usual_places(scene.inputs(), usual_);
         for (std::size_t i = 0; i < usual_.size(); ++i)
             telling_.push_back(moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
                                           whole_input.ticks / even_places));

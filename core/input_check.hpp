@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/scene_view.hpp"
+
+namespace kfast {
+
+/// Whether the inputs of the scene, which has its sections, are what the format allows.
+bool inputs_are_sound(const SceneView& scene);
+
+}
