@@ -1,4 +1,5 @@
 #include "host/commands/bone_tracks.hpp"
+#include "host/commands/clock_facts.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/item_tracks.hpp"
 #include "host/commands/picture_options.hpp"
@@ -39,11 +40,12 @@ const char* name_of(Loop loop)
 
 double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
 
-Json keys_of(const SceneView& scene)
+/// As an author writes them.
+Json keys_of(const SceneView& scene, Clock clock = {})
 {
     Json keys = Json::array();
-    for (const Time key : key_times(scene))
-        keys.push_back(frames(key));
+    for (const Time key : key_times(scene, clock))
+        keys.push_back(written_moment(scene, clock, key));
     return keys;
 }
 
@@ -59,10 +61,12 @@ Json inputs_of(const SceneView& scene)
     Json inputs = Json::array();
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
+        const Clock clock{static_cast<std::uint8_t>(inputs.size() + 1)};
         inputs.push_back({{"name", input.name},
                           {"min", input.least / 1000.0},
                           {"max", input.most / 1000.0},
-                          {"default", input.usual / 1000.0}});
+                          {"default", input.usual / 1000.0},
+                          {"keys", keys_of(scene, clock)}});
     }
     return inputs;
 }
@@ -122,12 +126,13 @@ std::string size_text(const Json& size)
     return std::to_string(size["width"].get<int>()) + 'x' + std::to_string(size["height"].get<int>());
 }
 
-std::string key_text(const Json& keys)
+/// `at` is what stands in front of the first: ", at frames ".
+std::string key_text(const Json& keys, const char* at)
 {
     std::ostringstream text;
     text << keys.size();
     for (std::size_t place = 0; place < keys.size(); ++place)
-        text << (place == 0 ? ", at frames " : " ") << keys[place].get<double>();
+        text << (place == 0 ? at : " ") << keys[place].get<double>();
     return text.str();
 }
 
@@ -135,7 +140,7 @@ void print_input(const Json& input)
 {
     std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": "
               << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
-              << input["default"].get<double>() << '\n';
+              << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ") << '\n';
 }
 
 void print_clip(const Json& clip)
@@ -163,7 +168,7 @@ void print_text(const Json& facts)
               << "  objects     " << facts["objects"] << '\n'
               << "  items       " << facts["items"] << '\n'
               << "  symbols     " << facts["symbols"] << '\n'
-              << "  keys        " << key_text(facts["keys"]) << '\n'
+              << "  keys        " << key_text(facts["keys"], ", at frames ") << '\n'
               << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
               << size_text(facts["memory"]) << '\n';
     std::ranges::for_each(facts["inputs"], print_input);

@@ -3,57 +3,62 @@
 #include "host/every_item.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kfast {
 namespace {
 
-Clock clock_of(const BeatCursor& beats) { return beats.clock(); }
+/// Collects the moments of keys that go by one clock.
+class KeyTimes {
+public:
+    explicit KeyTimes(Clock clock) : clock_{clock} {}
 
-template <class Cursor>
-Clock clock_of(const Cursor& keys)
-{
-    return keys.beats().clock();
-}
+    void add(const BonesView& skeleton)
+    {
+        add(skeleton.common_beats());
+        for (BoneCursor bones = skeleton.bones(); !bones.at_end();)
+            for (const BoneKeys& keys : bones.next().keys)
+                if (keys.kind() == BoneKeys::Kind::own)
+                    add(keys.keys().beats());
+    }
 
-template <class Cursor>
-void add_times(Cursor keys, std::vector<Time>& times)
-{
-    while (clock_of(keys).is_time() && !keys.at_end())
-        times.push_back(keys.next().time);
-}
-
-void add_times(const BoneView& bone, std::vector<Time>& times)
-{
-    for (const BoneKeys& keys : bone.keys)
-        if (keys.kind() == BoneKeys::Kind::own)
-            add_times(keys.keys(), times);
-}
-
-void add_times(const BonesView& skeleton, std::vector<Time>& times)
-{
-    add_times(skeleton.common_beats(), times);
-    for (BoneCursor bones = skeleton.bones(); !bones.at_end();)
-        add_times(bones.next(), times);
-}
-
-}
-
-std::vector<Time> key_times(const SceneView& scene)
-{
-    std::vector<Time> times;
-    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();)
-        add_times(skeletons.next(), times);
-    every_item(scene, [&times](const ItemView& item) {
+    void add(const ItemView& item)
+    {
         if (item.kind == ItemKind::object)
-            add_times(item.object.keys(), times);
+            add(item.object.keys().beats());
         if (item.kind == ItemKind::object && item.object.carrier == Carrier::backbones)
-            add_times(item.object.backbones.keys(), times);
+            add(item.object.backbones.keys().beats());
         for (TrackCursor tracks = item.tracks; !tracks.at_end();)
-            add_times(tracks.next().keys, times);
-    });
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    return times;
+            add(tracks.next().keys.beats());
+    }
+
+    std::vector<Time> sorted()
+    {
+        std::ranges::sort(times_);
+        times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+        return std::move(times_);
+    }
+
+private:
+    void add(BeatCursor beats)
+    {
+        while (beats.clock() == clock_ && !beats.at_end())
+            times_.push_back(beats.next().time);
+    }
+
+    Clock clock_;
+    std::vector<Time> times_;
+};
+
+}
+
+std::vector<Time> key_times(const SceneView& scene, Clock clock)
+{
+    KeyTimes times{clock};
+    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();)
+        times.add(skeletons.next());
+    every_item(scene, [&times](const ItemView& item) { times.add(item); });
+    return times.sorted();
 }
 
 }

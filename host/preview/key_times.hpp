@@ -6,7 +6,8 @@
 
 namespace kfast {
 
-/// When any drawing or track of the scene has a key, in groups and symbols too: in order, each time once.
-std::vector<Time> key_times(const SceneView& scene);
+/// Where on `clock` any drawing, track or bone of the scene has a key, in groups and symbols too: in order,
+/// each moment once.
+std::vector<Time> key_times(const SceneView& scene, Clock clock = {});
 
 }

@@ -175,17 +175,17 @@ std::vector<Pose> PoseReader::take()
                                     "use it: pose TIME " + visible(definition.name) + ", or remove it");
     warn_of_idle_laws();
     refuse_two_clocks();
-    take_times();
+    take_scene_times();
     return std::move(poses_);
 }
 
-void PoseReader::take_times()
+void PoseReader::take_scene_times()
 {
     std::vector<Pose> timed;
     std::ranges::copy_if(poses_, std::back_inserter(timed),
                          [](const Pose& pose) { return pose.clock.is_time(); });
     // The way to a pose is seen in part if it begins before the end.
-    scene::take_times(timed, 1, pose_name, reading_);
+    take_times(timed, 1, pose_name, reading_);
 }
 
 void PoseReader::refuse_two_clocks()

@@ -73,7 +73,7 @@ private:
     void set(Pose& pose, std::vector<PosedBone> bones);
     void warn_of_idle_laws();
     void refuse_two_clocks();
-    void take_times();
+    void take_scene_times();
 
     const std::vector<Bone>& bones_;
     Reading& reading_;
