@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-/// How the 2 MiB of flash of a Raspberry Pi Pico are divided where it has slots (docs/link.md). Its images
-/// have none yet: their built-in scene may reach to the end.
+/// How the 2 MiB of flash of a Raspberry Pi Pico are divided behind the sector of its settings
+/// (docs/link.md).
 namespace kfast::rp2040 {
 
 inline constexpr std::uint32_t flash_bytes = 0x200000;

@@ -40,8 +40,9 @@ void send(B& board, Rect area, std::span<const std::byte> pixels)
     board.panel().start(area, pixels);
 }
 
+/// Its start-up tables are not to lie on the stack while pictures are drawn.
 template <Board B>
-void begin_panel(B& board)
+[[gnu::noinline]] void begin_panel(B& board)
 {
     board.panel().begin([&board](Microseconds time) { board.sleep_until(board.now() + time); });
 }

@@ -4,6 +4,7 @@
 #include "boards/pico/computer.hpp"
 #include "boards/pico/control_pins.hpp"
 #include "boards/pico/dimmer.hpp"
+#include "boards/pico/fault_light.hpp"
 #include "boards/pico/memory.hpp"
 #include "boards/pico/report.hpp"
 #include "boards/pico/tearing_line.hpp"
@@ -45,14 +46,17 @@ public:
     std::array<std::span<std::byte>, 2> bands() { return memory::bands(); }
 
     bool wants_to_run() const { return true; }
-    bool begin() { return is_drawing_ = stage_.begin(); }
+    bool begin()
+    {
+        is_faulty_ = false;
+        fault_light_.end();
+        return is_drawing_ = stage_.begin();
+    }
     bool running()
     {
         watchdog::feed();
-        if (!is_drawing_ && stage_.brightness() != brightness_) {
-            set_brightness(stage_.brightness());
-            light_.set(brightness_);
-        }
+        if (!is_drawing_)
+            stand_by();
         return !stage_.wants_to_begin();
     }
     void listen() { computer_.serve(); }
@@ -99,11 +103,24 @@ public:
     {
         stage_.fault();
         is_drawing_ = false;
+        is_faulty_ = true;
+        fault_light_.begin(now());
         light_.set(brightness_);
         report::fault(error);
     }
 
 private:
+    /// While no frames are drawn.
+    void stand_by()
+    {
+        if (is_faulty_)
+            fault_light_.pass(now());
+        if (stage_.brightness() == brightness_)
+            return;
+        set_brightness(stage_.brightness());
+        light_.set(brightness_);
+    }
+
     void set_brightness(std::uint8_t brightness)
     {
         brightness_ = brightness;
@@ -120,7 +137,9 @@ private:
     TearingLine tearing_line_;
     TearingWait tearing_wait_;
     std::uint8_t brightness_ = settings_.panel.brightness;
+    FaultLight fault_light_;
     bool is_drawing_ = false;
+    bool is_faulty_ = false; ///< what was to be played cannot be
 };
 
 }

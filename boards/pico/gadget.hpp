@@ -4,6 +4,7 @@
 #include "boards/pico/clocks.hpp"
 #include "boards/pico/computer.hpp"
 #include "boards/pico/display_reset.hpp"
+#include "boards/pico/fault_light.hpp"
 #include "boards/pico/led.hpp"
 #include "boards/pico/log.hpp"
 #include "boards/pico/settings.hpp"
@@ -70,10 +71,11 @@ private:
     /// What is left to do when nothing can be shown.
     [[noreturn]] void blink()
     {
-        constexpr Microseconds half_a_second{500'000};
+        FaultLight light;
+        light.begin(clock_.now());
         while (true) {
-            led::toggle();
-            computer_.serve_until(clock_.now() + half_a_second);
+            computer_.serve_until(clock_.now() + FaultLight::half_a_second);
+            light.pass(clock_.now());
         }
     }
 

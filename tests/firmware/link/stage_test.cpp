@@ -407,6 +407,23 @@ TEST_CASE("of the computer and a button, the one that moved last has its way")
     CHECK(bench.ask<InputState>(AskInput{.input = 1}).place == whole_input);
 }
 
+TEST_CASE("what the computer plays wakes a display that a button has switched off")
+{
+    constexpr Pin sleep = 5;
+    StagedBench bench{with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
+    bench.board.run_for(300);
+    bench.board.pins.closed[sleep] = true; // and stays so
+    bench.board.run_for(200);
+    const std::size_t shown = bench.board.frames.size();
+    bench.board.run_for(300);
+    CHECK(bench.board.frames.size() == shown);
+    const Scene scene = padded_scene(2000, 1);
+    play_from_ram(bench, scene);
+    bench.board.run_for(300);
+    CHECK(bench.board.frames.size() > shown + 5);
+    CHECK(is_scene(bench.board.scene_begun(), scene));
+}
+
 TEST_CASE("when the computer goes, what it asked for is done at once")
 {
     StagedBench bench;
