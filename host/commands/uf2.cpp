@@ -71,11 +71,12 @@ void add_config(const Options& options, const BoardSettings& settings, Contents&
 void add_scene(const std::string& name, SceneFile scene, Contents& contents)
 {
     const std::size_t size = scene.bytes.size();
-    constexpr std::size_t room = pico_flash::end - pico_flash::scene;
+    constexpr std::size_t room = pico_flash::scene_end - pico_flash::scene;
     if (size > room)
-        throw Failure(name + ": " + std::to_string(size) + " bytes once compiled, " +
-                      std::to_string(size - room) +
-                      " more than a Pico has room for: shorten the scene or draw it with fewer points");
+        throw Failure(
+            name + ": " + std::to_string(size) + " bytes once compiled, " + std::to_string(size - room) +
+            " more than a Pico has room for as its built-in scene: shorten the scene or draw it with fewer "
+            "points");
     contents.add(pico_flash::scene, std::move(scene.bytes), "scene of " + std::to_string(size) + " bytes");
 }
 
