@@ -16,6 +16,7 @@ from pico import Desk, expect
 PLACE = 0x100000
 SECTOR = 4096
 PAGE = 256
+ERASE_TIME = 45  # ms, for a sector
 
 
 def checksum(flash):
@@ -40,6 +41,9 @@ def main(programs, images):
     flash[:SECTOR] = b"\xff" * SECTOR
     expected.append(f"HALF {checksum(flash)}")
     expect(run.log == expected, f"the board reads {run.log}, there must be {expected}")
+
+    times = {text.split()[0]: moment / 1e6 for moment, text in run.report["log"]}
+    expect(times["ERASED"] - times["BEFORE"] > 2 * ERASE_TIME, f"two sectors are erased within {times} ms")
 
     operations = run.report["flash"]["operations"]
     expect(operations == [["erase", PLACE, SECTOR], ["erase", PLACE + SECTOR, SECTOR],

@@ -2,8 +2,8 @@
 
     pico_usb_test.py <folder of kfast and kfast-panel> <folder of images> <scene>
 
-A trial image answers whatever a computer may ask (pico_usb_test.mjs). The real ones play a scene meanwhile as if
-nothing was there, never let the computer wait, and count the reports that they get."""
+A trial image answers whatever a computer may ask (pico_usb_test.mjs). The real ones play a scene as if nothing was there
+while reports come that mean nothing, and never let the computer wait."""
 
 import pathlib
 import subprocess
@@ -24,11 +24,6 @@ def check_trial(images):
     expect(done.returncode == 0, f"the trial image:\n{done.stdout}")
 
 
-def told_reports(run):
-    """How many reports came, as the board tells it now and then."""
-    return [int(line.removeprefix("USB ")) for line in run.log if line.startswith("USB ")]
-
-
 def check_image(desk, configuration, source):
     settings = desk.settings(configuration)
     scene = desk.compile(source)
@@ -40,11 +35,7 @@ def check_image(desk, configuration, source):
     for shown in run.frames:
         expect(shown.hash == hashes[shown.ticks // TICKS % len(hashes)],
                f"{configuration} shows something else at {shown.ticks / TICKS:.0f} while reports come")
-    counts = told_reports(run)
-    expect(counts == sorted(counts), f"{configuration} counts {counts}")
-    since_last = usb["sent"] - counts[-1]
-    expect(usb["sent"] > 100 and 0 <= since_last < 60,
-           f"{configuration} counts {counts[-1]} of {usb['sent']}")
+    expect(usb["sent"] > 100, f"{configuration} takes {usb['sent']} reports")
     expect(usb["naks"] == 0, f"{configuration} lets the computer wait {usb['naks']} times")
     return usb
 

@@ -30,6 +30,10 @@ export class Board {
     ending;
     /** The boot block's run, the latest one: {cycles, vectors}. */
     bootBlock;
+    /** What a sector takes; up to 400 ms, says its maker. */
+    eraseNanos = 45e6;
+    /** Called before flash changes: (offset, what will lie there). */
+    onFlashOperation = () => {};
     /** How often the chip was started. */
     starts = 0;
     /** What the watchdog brought about: [nanoseconds]. */
@@ -122,7 +126,8 @@ export class Board {
         while (clock.nanosCounter < end && !this.#interrupted) {
             if (core.waiting && !this.#wakeUp(core, end))
                 continue;
-            const after = clock.nanosCounter + core.executeInstruction() * nanosPerCycle;
+            const cycles = core.executeInstruction(); // first: in it the boot ROM may let time pass
+            const after = clock.nanosCounter + cycles * nanosPerCycle;
             if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= after)
                 clock.tick(after - clock.nanosCounter);
             else

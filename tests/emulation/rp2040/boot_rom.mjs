@@ -5,7 +5,6 @@ export const bootBlockBytes = 256;
 /** Where the ROM copies the boot block to and runs it. */
 export const bootBlockAddress = 0x20041f00;
 
-const eraseNanosPerSector = 45e6;
 const programNanosPerPage = 0.4e6;
 const tablePointer = 0x14;
 const lookupPointer = 0x18;
@@ -112,9 +111,10 @@ export class BootRom {
     #erase(offset, count) {
         this.#expectCommandMode('erased');
         this.flashOperations.push(['erase', offset, count]);
+        this.board.onFlashOperation(offset, new Uint8Array(count).fill(0xff));
         this.board.flashChip.erase(offset, count);
         this.board.setFlashStale(true);
-        this.board.passTime((count / sectorBytes) * eraseNanosPerSector);
+        this.board.passTime((count / sectorBytes) * this.board.eraseNanos);
     }
 
     #program(offset, address, count) {
@@ -123,7 +123,9 @@ export class BootRom {
             fail(`flash: bytes from ${hex(address)} cannot be programmed: they must lie in RAM`);
         this.flashOperations.push(['program', offset, count]);
         const start = address - 0x20000000;
-        this.board.flashChip.program(offset, this.board.mcu.sram.slice(start, start + count));
+        const bytes = this.board.mcu.sram.slice(start, start + count);
+        this.board.onFlashOperation(offset, bytes);
+        this.board.flashChip.program(offset, bytes);
         this.board.setFlashStale(true);
         this.board.passTime((count / pageBytes) * programNanosPerPage);
     }

@@ -1,6 +1,10 @@
 import { flashBytes } from './board.mjs';
 import { PinFunction, noPin } from './pins.mjs';
 
+// In RAM, as boards/pico/link.ld has it.
+const stackTop = 264 * 1024;
+const stackLimit = stackTop - 14 * 1024;
+
 /**
  * What a run was like, for tests: see README.md for the fields.
  * @param wired what run_pico.mjs has built
@@ -16,6 +20,7 @@ export function report({ board, bus, busTime, display, led, log, settings, teari
         watchdogResets: board.watchdogResets.map((nanos) => nanos / 1e6),
         bootBlock: board.bootBlock && { ...board.bootBlock, writes: board.flashInterface.writes },
         flash: { bytes: flashBytes, operations: board.rom?.flashOperations ?? [] },
+        freeStack: freeStack(board.mcu),
         registers: registers(board.mcu, settings),
         connectedPins: connectedPins(board.mcu),
         ledTurns: led.turns.map((nanos) => nanos / 1e6),
@@ -26,6 +31,14 @@ export function report({ board, bus, busTime, display, led, log, settings, teari
         ...(usb && { usb: usb.told }),
         frames: busTime.frames,
     };
+}
+
+/** How many bytes of the stack nothing was ever written to; RAM begins as zeros here. */
+function freeStack({ sramView }) {
+    let at = stackLimit;
+    while (at < stackTop && sramView.getUint32(at, true) === 0)
+        at += 4;
+    return at - stackLimit;
 }
 
 function rounded(times) {
@@ -60,7 +73,7 @@ function usedPins(bus, pins) {
 }
 
 /** The share of time for which the backlight is lit, as its PWM is set; nothing without one. */
-function light(mcu, pin) {
+export function light(mcu, pin) {
     if (pin === noPin)
         return undefined;
     const { cc, top } = mcu.pwm.channels[(pin >>> 1) & 7];

@@ -2,21 +2,12 @@
 import fs from 'node:fs';
 import { parseArgs } from 'node:util';
 
-import { Board } from './board.mjs';
-import { BusTime } from './bus_time.mjs';
-import { Controls } from './controls.mjs';
-import { Display } from './display.mjs';
-import { busFor } from './display_buses.mjs';
 import { EmulationError, fail } from './emulation_error.mjs';
-import { HeldData } from './held_data.mjs';
-import { Led } from './led.mjs';
-import { LogLine } from './log_line.mjs';
-import { Inputs, noPin } from './pins.mjs';
+import { LinkTraffic } from './link_traffic.mjs';
 import { report } from './report.mjs';
-import { readSettings, sceneOffset, settingsOffset } from './settings.mjs';
-import { TearingLine } from './tearing_line.mjs';
-import { Trace } from './trace.mjs';
+import { readSettings } from './settings.mjs';
 import { UsbTraffic } from './usb_traffic.mjs';
+import { memoryFrom, wiredBoard } from './wired_board.mjs';
 
 const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE --report FILE [OPTION]...
 
@@ -32,6 +23,11 @@ const usage = `usage: node run_pico.mjs IMAGE.bin --settings RECORD --trace FILE
   --address ADDRESS       the display on I2C has this one, whatever the record says
   --absent FROM-TO        it does not answer from one millisecond to another; may be repeated
   --usb                   a computer sets the board up, and sends it a report every millisecond
+  --link STORY            a computer speaks the link with it, as a story of ../link_stories.mjs has it
+  --file NAME=FILE        for the story; may be repeated
+  --flash FILE            all of the flash: IMAGE and what else would be placed there are not looked at
+  --keep-flash FILE       writes the flash there at the end
+  --erase-time MILLISECONDS  that a sector takes (default 45)
   --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired
 
 Exits with 1 when something happened that would not work on hardware or that the emulator cannot do: the report says
@@ -41,86 +37,23 @@ const options = {
     settings: { type: 'string' }, 'wired-only': { type: 'boolean' }, scene: { type: 'string' },
     patch: { type: 'string', multiple: true, default: [] }, trace: { type: 'string' }, report: { type: 'string' },
     for: { type: 'string', default: '1000' }, frames: { type: 'string' }, te: { type: 'string' },
-    usb: { type: 'boolean' },
+    usb: { type: 'boolean' }, link: { type: 'string' }, file: { type: 'string', multiple: true, default: [] },
+    flash: { type: 'string' }, 'keep-flash': { type: 'string' }, 'erase-time': { type: 'string' },
     'hold-data': { type: 'string' }, address: { type: 'string' },
     absent: { type: 'string', multiple: true, default: [] },
     press: { type: 'string', multiple: true, default: [] }, knob: { type: 'string', multiple: true, default: [] },
 };
 
-function parsed(text, pattern, option) {
-    const match = pattern.exec(text) ?? fail(`--${option} ${text}: ${usage}`);
-    return match.slice(1).map(Number);
-}
-
-function memoryFrom(image, values) {
-    const bytes = new Uint8Array(2 * 1024 * 1024).fill(0xff);
-    bytes.set(fs.readFileSync(image));
-    if (!values['wired-only'])
-        bytes.set(fs.readFileSync(values.settings), settingsOffset);
-    if (values.scene)
-        bytes.set(fs.readFileSync(values.scene), sceneOffset);
-    for (const patch of values.patch) {
-        const [offset, byte] = parsed(patch, /^(\w+)=(\w+)$/, 'patch');
-        bytes[offset] = byte;
-    }
-    return bytes;
-}
-
-function actions(values) {
-    const presses = values.press.flatMap((text) => {
-        const [pin, from, to] = parsed(text, /^(\d+)@([\d.]+)-([\d.]+)$/, 'press');
-        return [{ pin, nanos: from * 1e6, level: false }, { pin, nanos: to * 1e6, level: undefined }];
-    });
-    const turns = values.knob.map((text) => {
-        const [pin, at, value] = parsed(text, /^(\d+)@([\d.]+)=(\d+)$/, 'knob');
-        return { pin, nanos: at * 1e6, value };
-    });
-    return [...presses, ...turns];
-}
-
-/** Which addresses a display on I2C answers, and when, as options tell. */
-function answersBy(board, settings, values) {
-    const own = Number(values.address ?? settings.address);
-    const absences = values.absent.map((text) => parsed(text, /^([\d.]+)-([\d.]+)$/, 'absent'));
-    const isAbsent = (milliseconds) => absences.some(([from, to]) => milliseconds >= from && milliseconds < to);
-    return (address) => address === own && !isAbsent(board.nanos / 1e6);
-}
-
-/** A board with everything wired to it that the settings and the options tell. */
-function wiredBoard(memory, settings, values) {
-    const trace = new Trace();
-    const busTime = new BusTime();
-    const board = new Board(memory);
-    busTime.programCounter = () => board.mcu.core.PC;
-    const inputs = board.add(new Inputs());
-    const display = board.add(new Display(settings, trace, busTime));
-    const bus = board.add(busFor(display));
-    const led = board.add(new Led());
-    const log = board.add(new LogLine(settings, trace));
-    board.add(new Controls(inputs, actions(values)));
-    log.onLine = (text, nanos) => {
-        busTime.note(text, nanos);
-        if (busTime.frames.length === Number(values.frames))
-            board.end('enough frames');
-    };
-    if (values['hold-data']) {
-        const held = board.add(new HeldData(inputs, settings.pins, Number(values['hold-data'])));
-        bus.isFree = () => held.isFree;
-    }
-    if (values.address || values.absent.length > 0)
-        bus.answers = answersBy(board, settings, values);
-    let tearing;
-    if (values.te && settings.pins.tearing !== noPin) {
-        tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
-        display.onCommand = (byte) => tearing.command(byte);
-    }
-    const usb = values.usb && new UsbTraffic(board);
-    return { board, bus, busTime, display, led, log, settings, tearing, trace, usb };
+/** What lets time pass: the board alone, or a computer with it. */
+function runner(wired, settings, values) {
+    if (values.link)
+        return new LinkTraffic(wired, settings, values);
+    return values.usb ? new UsbTraffic(wired.board) : wired.board;
 }
 
 function run(wired, milliseconds) {
     try {
-        (wired.usb || wired.board).run(milliseconds * 1e6);
+        wired.usb.run(milliseconds * 1e6);
     } catch (problem) {
         if (!(problem instanceof EmulationError))
             throw problem;
@@ -135,7 +68,12 @@ function main() {
         fail(usage);
     const settings = readSettings(fs.readFileSync(values.settings));
     const wired = wiredBoard(memoryFrom(image, values), settings, values);
+    if (values['erase-time'])
+        wired.board.eraseNanos = Number(values['erase-time']) * 1e6;
+    wired.usb = runner(wired, settings, values);
     const failure = run(wired, Number(values.for));
+    if (values['keep-flash'])
+        fs.writeFileSync(values['keep-flash'], wired.board.memory);
     wired.trace.write(values.trace);
     fs.writeFileSync(values.report, JSON.stringify(report(wired, failure), null, 1));
     if (failure)

@@ -1,0 +1,88 @@
+import fs from 'node:fs';
+
+import { Board } from './board.mjs';
+import { BusTime } from './bus_time.mjs';
+import { Controls } from './controls.mjs';
+import { Display } from './display.mjs';
+import { busFor } from './display_buses.mjs';
+import { fail } from './emulation_error.mjs';
+import { HeldData } from './held_data.mjs';
+import { Led } from './led.mjs';
+import { LogLine } from './log_line.mjs';
+import { Inputs, noPin } from './pins.mjs';
+import { sceneOffset, settingsOffset } from './settings.mjs';
+import { TearingLine } from './tearing_line.mjs';
+import { Trace } from './trace.mjs';
+
+function parsed(text, pattern, option) {
+    const match = pattern.exec(text) ?? fail(`--${option} ${text}: no such value`);
+    return match.slice(1).map(Number);
+}
+
+/** What lies in flash before the power comes on. */
+export function memoryFrom(image, values) {
+    if (values.flash)
+        return new Uint8Array(fs.readFileSync(values.flash));
+    const bytes = new Uint8Array(2 * 1024 * 1024).fill(0xff);
+    bytes.set(fs.readFileSync(image));
+    if (!values['wired-only'])
+        bytes.set(fs.readFileSync(values.settings), settingsOffset);
+    if (values.scene)
+        bytes.set(fs.readFileSync(values.scene), sceneOffset);
+    for (const patch of values.patch) {
+        const [offset, byte] = parsed(patch, /^(\w+)=(\w+)$/, 'patch');
+        bytes[offset] = byte;
+    }
+    return bytes;
+}
+
+function actions(values) {
+    const presses = values.press.flatMap((text) => {
+        const [pin, from, to] = parsed(text, /^(\d+)@([\d.]+)-([\d.]+)$/, 'press');
+        return [{ pin, nanos: from * 1e6, level: false }, { pin, nanos: to * 1e6, level: undefined }];
+    });
+    const turns = values.knob.map((text) => {
+        const [pin, at, value] = parsed(text, /^(\d+)@([\d.]+)=(\d+)$/, 'knob');
+        return { pin, nanos: at * 1e6, value };
+    });
+    return [...presses, ...turns];
+}
+
+/** Which addresses a display on I2C answers, and when, as options tell. */
+function answersBy(board, settings, values) {
+    const own = Number(values.address ?? settings.address);
+    const absences = values.absent.map((text) => parsed(text, /^([\d.]+)-([\d.]+)$/, 'absent'));
+    const isAbsent = (milliseconds) => absences.some(([from, to]) => milliseconds >= from && milliseconds < to);
+    return (address) => address === own && !isAbsent(board.nanos / 1e6);
+}
+
+/** A board with everything wired to it that the settings and the options tell. */
+export function wiredBoard(memory, settings, values) {
+    const trace = new Trace();
+    const busTime = new BusTime();
+    const board = new Board(memory);
+    busTime.programCounter = () => board.mcu.core.PC;
+    const inputs = board.add(new Inputs());
+    const display = board.add(new Display(settings, trace, busTime));
+    const bus = board.add(busFor(display));
+    const led = board.add(new Led());
+    const log = board.add(new LogLine(settings, trace));
+    board.add(new Controls(inputs, actions(values)));
+    log.onLine = (text, nanos) => {
+        busTime.note(text, nanos);
+        if (busTime.frames.length === Number(values.frames))
+            board.end('enough frames');
+    };
+    if (values['hold-data']) {
+        const held = board.add(new HeldData(inputs, settings.pins, Number(values['hold-data'])));
+        bus.isFree = () => held.isFree;
+    }
+    if (values.address || values.absent.length > 0)
+        bus.answers = answersBy(board, settings, values);
+    let tearing;
+    if (values.te && settings.pins.tearing !== noPin) {
+        tearing = board.add(new TearingLine(inputs, settings.pins.tearing, Number(values.te) * 1000));
+        display.onCommand = (byte) => tearing.command(byte);
+    }
+    return { board, bus, busTime, display, led, log, settings, tearing, trace };
+}
