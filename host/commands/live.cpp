@@ -157,7 +157,7 @@ private:
         if (options_.afterwards == Afterwards::hold)
             session.order(link::Pause{});
         if (options_.afterwards == Afterwards::back)
-            session.order(link::Play{.home = link::Home::start});
+            session.order(link::Play{.home = link::Home::start}, patience_to_begin);
         if (wants_watch())
             session.order(link::Silence{});
     }
@@ -189,7 +189,7 @@ std::vector<LiveInput> begin(const Options& options, std::span<RemoteDevice> dev
         return common_inputs(devices);
     send_into_ram(*scene, devices, options.device);
     on_each(devices, [](RemoteDevice& device, std::size_t) {
-        device.session().order(link::Play{.home = link::Home::ram});
+        device.session().order(link::Play{.home = link::Home::ram}, patience_to_begin);
     });
     return inputs_of(scene->view);
 }

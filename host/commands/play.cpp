@@ -60,7 +60,7 @@ void play(const Options& options)
     if (scene)
         send(options, devices.all(), *scene);
     on_each(devices.all(), [&](RemoteDevice& device, std::size_t) {
-        device.session().order(what);
+        device.session().order(what, patience_to_begin);
         if (options.play.speed != Playhead::as_authored)
             device.session().order(link::Speed{options.play.speed});
     });

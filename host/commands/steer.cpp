@@ -1,6 +1,7 @@
 #include "core/playhead.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
+#include "host/commands/json_text.hpp"
 #include "host/commands/playing_text.hpp"
 #include "host/commands/speed_text.hpp"
 #include "host/commands/time_text.hpp"
@@ -10,6 +11,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <iostream>
 
 /// Small orders to what plays: a command each.
 namespace kfast {
@@ -85,12 +87,20 @@ void set_brightness(const Options& options)
     order(link::Brightness{read_brightness(options.text)}, options.device);
 }
 
-/// It does not play any more then.
+/// It does not play any more then, so it cannot be asked what it plays.
 void boot(const Options& options)
 {
     OpenDevices devices{options.device};
     on_each(devices.all(),
             [](RemoteDevice& device, std::size_t) { device.session().order(link::EnterBootLoader{}); });
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const RemoteDevice& device : devices.all()) {
+        json.push_back({{"device", device.name()}});
+        if (!options.device.json && !options.device.quiet)
+            std::cout << device.name() << ": enters its boot loader\n";
+    }
+    if (options.device.json)
+        std::cout << json_text(json);
 }
 
 std::shared_ptr<Options> with_devices(CLI::App& app)

@@ -59,7 +59,8 @@ public:
     void play()
     {
         on_each(devices_, [&](RemoteDevice& device, std::size_t index) {
-            device.session().order(link::Play{.home = link::Home::slot, .slot = slots_[index]});
+            device.session().order(link::Play{.home = link::Home::slot, .slot = slots_[index]},
+                                   patience_to_begin);
         });
     }
 

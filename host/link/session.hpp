@@ -12,6 +12,8 @@ namespace kfast {
 /// How long a device may be silent before it is asked again: what it does without its flash, and with it.
 inline constexpr Milliseconds patience_with_ram{50};
 inline constexpr Milliseconds patience_with_flash{600};
+/// A device that is asked twice to play begins twice, and it looks at the whole scene before it answers.
+inline constexpr Milliseconds patience_to_begin{600};
 
 /// Asks a device and hears its answers, over a pipe that may lose, repeat and reorder (docs/link.md). What it
 /// is not answered it asks again, each time after a longer silence, up to its last patience.

@@ -1,5 +1,6 @@
 """What the tests of commands about devices share: boards behind sockets. Called like <name>_test.py <kfast> <pretend_board>."""
 
+import contextlib
 import json
 import pathlib
 import subprocess
@@ -77,7 +78,8 @@ class DeviceTest(CommandTest):
         process.kill()
         process.wait()
         for pipe in (process.stdin, process.stdout, process.stderr):
-            pipe.close()
+            with contextlib.suppress(BrokenPipeError):
+                pipe.close()
 
     def refused(self, *arguments, status, says):
         result = self.ask(*arguments, status=status)

@@ -1,11 +1,13 @@
 """Live values from standard input, through the real command and boards behind sockets."""
 
+import re
 import signal
 import subprocess
+import textwrap
 import time
 import unittest
 
-from command_case import KFAST
+from command_case import KFAST, ROOT
 from device_case import INPUTS, INTERRUPTED, PAUSE, PLAY, SILENCE, UNPLUGGED, DeviceTest
 
 START, RAM = 4, 2
@@ -84,6 +86,14 @@ class LiveTest(DeviceTest):
         boards = [self.board(name) for name in "AB"]
         self.live("gaze 1\n", "knobs.kfast")
         self.assertEqual([self.sent(board) for board in boards], [[{0: 65536}]] * 2)
+
+    def test_what_the_document_shows(self):
+        document = (ROOT / "docs/devices.md").read_text()
+        (self.folder / "shown.kfast").write_text(re.search(r"(?s)```kdl\n(.*?)```", document)[1])
+        lines = textwrap.dedent(re.search(r"(?m)^    # a comment\n(?:    .*\n)+", document)[0])
+        board = self.board()
+        self.live(lines, "shown.kfast", "--rate", 20)
+        self.assertEqual(self.sent(board), [{0: 49152}, {0: 24576, 1: 26214}])
 
     def test_what_happens_at_the_end(self):
         for words, kinds in ((("hold",), [PLAY, SILENCE, PAUSE, SILENCE]), (("return",), [PLAY, SILENCE, PLAY, SILENCE]),
