@@ -172,7 +172,7 @@ const Command brightness_command{.name = "brightness",
 
 const Command boot_command{.name = "boot",
                            .summary = "Let a device enter its boot loader, for another firmware",
-                           .example = "kfast boot",
+                           .example = "kfast boot --device all",
                            .declare = declare_plain<boot>,
                            .group = devices_group};
 

@@ -31,7 +31,8 @@ public:
         sent.push_back(report);
         if (on_sent)
             on_sent(report);
-        there_.put(report);
+        if (const auto left = on_the_way ? on_the_way(report) : report)
+            there_.put(*left);
         pass();
     }
     std::optional<link::Report> receive(Milliseconds patience) override
@@ -51,6 +52,8 @@ public:
     std::size_t unplugged_after = never; ///< so many reports, of those that come as well as of those that go
     bool is_silent = false;              ///< the device answers nothing
     std::function<void(const link::Report&)> on_sent;
+    /// What becomes of a report, besides what the badness does.
+    std::function<std::optional<link::Report>(const link::Report&)> on_the_way;
     std::vector<link::Report> sent;
 
 private:

@@ -2,11 +2,13 @@
 #include "host/link/refusal.hpp"
 #include "host/link/scene_upload.hpp"
 #include "tests/host/link/device_pipe.hpp"
+#include "tests/host/link/scripted_pipe.hpp"
 
 #include <doctest/doctest.h>
 
 #include <csignal>
 #include <set>
+#include <utility>
 
 /// The computer's side of uploads, against the firmware's own end of the link.
 namespace kfast::test {
@@ -112,6 +114,90 @@ TEST_CASE("over links that damage reports and bring garbage, a scene comes whole
         CHECK((found == scene || found.empty()));
     }
     CHECK(right > 40);
+}
+
+TEST_CASE("a block that is lost is sent again as soon as the device misses it")
+{
+    const Scene scene = padded_scene(7777, 3);
+    LinkBench device;
+    DevicePipe pipe{device};
+    bool is_lost = false;
+    pipe.on_the_way = [&](const Report& report) {
+        const auto data = message_of<Data>(report);
+        const bool loses = data && data->block == 20 && !std::exchange(is_lost, true);
+        return loses ? std::nullopt : std::optional{report};
+    };
+    Session session{pipe, {}};
+    upload_scene(session, begin_in_ram(scene), scene, nobody);
+    CHECK(device.device.ram == scene);
+    CHECK(is_lost);
+    CHECK(pipe.now() <= Milliseconds{130 + 40}); // no silence was waited for
+}
+
+TEST_CASE("a scene that was damaged on the way is sent once more")
+{
+    const Scene scene = padded_scene(3000, 3);
+    LinkBench device;
+    DevicePipe pipe{device};
+    bool is_damaged = false;
+    pipe.on_the_way = [&](Report report) {
+        if (message_of<Data>(report) && !std::exchange(is_damaged, true))
+            report.bytes[40] ^= std::byte{4};
+        return std::optional{report};
+    };
+    Session session{pipe, {}};
+    upload_scene(session, begin_in_slot(1, "s", scene), scene, nobody);
+    CHECK(in_slot(device, 1) == scene);
+    CHECK(count_of(pipe.sent, Kind::begin) == 2);
+}
+
+TEST_CASE("a scene that is damaged each time is given up")
+{
+    const Scene scene = padded_scene(3000, 3);
+    Scene other = scene;
+    other.back() ^= std::byte{1};
+    LinkBench device;
+    DevicePipe pipe{device};
+    Session session{pipe, {}};
+    CHECK_THROWS_AS(upload_scene(session, begin_in_ram(other), scene, nobody), Refusal);
+    CHECK(count_of(pipe.sent, Kind::begin) < 10);
+}
+
+TEST_CASE("an acknowledgement of blocks that were not sent is not believed")
+{
+    const Scene scene = padded_scene(3000, 3); // 50 blocks
+    ScriptedPipe pipe;
+    std::set<std::uint16_t> came;
+    pipe.answer = [&](const Report& report) -> std::optional<Report> {
+        if (message_of<Begin>(report))
+            return report_of(Begun{.next = 0, .window = 8}, report.tag());
+        if (const auto data = message_of<Data>(report)) {
+            came.insert(data->block);
+            const auto next = static_cast<std::uint16_t>(data->block == 0 ? 50 : data->block + 1);
+            return report_of(Acknowledgement{.next = next, .window = 8}, report.tag());
+        }
+        CHECK(came.size() == 50);
+        return report_of(Done<Kind::commit>{}, report.tag());
+    };
+    Session session{pipe, {}};
+    upload_scene(session, begin_in_ram(scene), scene, nobody);
+    CHECK(came.size() == 50);
+}
+
+TEST_CASE("a device that never has all blocks, as it says, is given up")
+{
+    const Scene scene = padded_scene(3000, 3);
+    ScriptedPipe pipe;
+    pipe.answer = [&](const Report& report) -> std::optional<Report> {
+        if (message_of<Begin>(report))
+            return report_of(Begun{.next = 50, .window = 64}, report.tag());
+        if (message_of<Data>(report))
+            return report_of(Acknowledgement{.next = 50, .window = 64}, report.tag());
+        return report_of(link::Failure{.request = report.kind(), .status = Status::incomplete, .number = 49},
+                         report.tag());
+    };
+    Session session{pipe, {}};
+    CHECK_THROWS_AS(upload_scene(session, begin_in_ram(scene), scene, nobody), Refusal);
 }
 
 TEST_CASE("progress is told and ends with all")

@@ -3,6 +3,7 @@
 #include "host/link/remote_device.hpp"
 #include "host/link/session.hpp"
 #include "tests/host/link/device_pipe.hpp"
+#include "tests/host/link/scripted_pipe.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,35 +26,6 @@ ExitStatus status_of_failure(const std::function<void()>& act)
     }
     return ExitStatus::done;
 }
-
-/// Another kind of device than the bench: it answers what it is told to.
-class ScriptedPipe : public ReportPipe {
-public:
-    void send(const Report& report) override
-    {
-        ++now_;
-        if (answer)
-            if (const auto told = answer(report))
-                answers_.push_back(*told);
-    }
-    std::optional<Report> receive(Milliseconds patience) override
-    {
-        if (answers_.empty()) {
-            now_ += patience;
-            return std::nullopt;
-        }
-        const Report report = answers_.front();
-        answers_.pop_front();
-        return report;
-    }
-    Milliseconds now() const override { return now_; }
-
-    std::function<std::optional<Report>(const Report&)> answer;
-
-private:
-    std::deque<Report> answers_;
-    Milliseconds now_{0};
-};
 
 }
 
