@@ -3,7 +3,6 @@
 #include "host/failure.hpp"
 #include "host/link/interruption.hpp"
 
-#include <latch>
 #include <optional>
 #include <string>
 #include <thread>
@@ -56,14 +55,11 @@ void report(const Failures& failures, std::span<const RemoteDevice> devices)
 void on_each(std::span<RemoteDevice> devices, const std::function<void(RemoteDevice&, std::size_t)>& act)
 {
     Failures failures(devices.size());
-    std::latch all_are_there{static_cast<std::ptrdiff_t>(devices.size())};
     {
         std::vector<std::jthread> threads;
         for (std::size_t index = 0; index < devices.size(); ++index)
-            threads.emplace_back([&, index] {
-                all_are_there.arrive_and_wait();
-                failures[index] = failure_of([&] { act(devices[index], index); });
-            });
+            threads.emplace_back(
+                [&, index] { failures[index] = failure_of([&] { act(devices[index], index); }); });
     }
     report(failures, devices);
 }

@@ -50,6 +50,7 @@ public:
     static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
     std::size_t unplugged_after = never; ///< so many reports, of those that come as well as of those that go
+    Milliseconds::rep answers_every = 1; ///< milliseconds
     bool is_silent = false;              ///< the device answers nothing
     std::function<void(const link::Report&)> on_sent;
     /// What becomes of a report, besides what the badness does.
@@ -69,6 +70,8 @@ private:
         device_.wait(1);
         while (const auto bytes = there_.next())
             device_.link.take(*bytes, device_.now);
+        if (now_.count() % answers_every != 0)
+            return;
         if (const auto report = device_.link.next_report(); report && !is_silent)
             back_.put(*report);
     }

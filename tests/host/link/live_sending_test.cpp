@@ -36,9 +36,10 @@ TEST_CASE("live values arrive, and what was put last is sent before the end")
 
 TEST_CASE("a device that has no such input any more says so, even of the last values")
 {
-    for (const Badness& badness : {Badness{}, Badness{.repeated = 500}}) {
+    for (const Milliseconds::rep answers_every : {1, 25}) {
         LiveBench device;
-        DevicePipe pipe{device, badness};
+        DevicePipe pipe{device};
+        pipe.answers_every = answers_every;
         Session session{pipe, {}};
         LiveFeed feed;
         feed.put(std::array{InputPlace{2, Time{7}}});
