@@ -84,12 +84,6 @@ CLI::Option* add_size(CLI::App& app, PictureOptions& options)
                [&options](const std::string& text) { options.size = read_size(text); });
 }
 
-CLI::Option* add_panel(CLI::App& app, PictureOptions& options)
-{
-    return add(
-        app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
-        [&options](const std::string& name) { options.panel = &named(panel_choices(), "--panel", name); });
-}
 
 CLI::Option* add_format(CLI::App& app, PictureOptions& options)
 {
@@ -116,9 +110,15 @@ std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const S
 
 }
 
+CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel)
+{
+    return add(app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
+               [&panel](const std::string& name) { panel = &named(panel_choices(), "--panel", name); });
+}
+
 void declare_size_options(CLI::App& app, PictureOptions& options)
 {
-    add_panel(app, options)->excludes(add_size(app, options));
+    declare_panel_option(app, options.panel)->excludes(add_size(app, options));
 }
 
 void declare_picture_options(CLI::App& app, PictureOptions& options)

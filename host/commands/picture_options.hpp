@@ -24,6 +24,9 @@ struct PictureOptions {
 /// Adds these options to `app`. `options` must outlive its parsing.
 void declare_picture_options(CLI::App& app, PictureOptions& options);
 
+/// Adds --panel only. `panel` must outlive the parsing.
+CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
+
 /// Adds --size and --panel only.
 void declare_size_options(CLI::App& app, PictureOptions& options);
 

@@ -1,0 +1,144 @@
+#include "host/commands/command.hpp"
+#include "host/commands/picture_options.hpp"
+#include "host/config/config_input.hpp"
+#include "host/link/interruption.hpp"
+#include "host/link/sim_socket.hpp"
+#include "host/picture/png.hpp"
+#include "host/preview/board_watcher.hpp"
+#include "host/scene_file.hpp"
+#include "host/simulator/plugged_run.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimulateOptions {
+    std::string scene;
+    const PanelChoice* panel = &panel_choices().front();
+    std::string config; ///< instead of the panel
+    std::string socket = sim_socket_path();
+    std::string flash;
+    std::string serial = "SIM";
+    std::string picture;
+    bool headless = false;
+    bool frames = false;
+};
+
+/// Where programs keep what they would miss, after the XDG base directory specification.
+fs::path state_folder()
+{
+    if (const char* const state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
+        return state;
+    if (const char* const home = std::getenv("HOME"); home != nullptr && *home != '\0')
+        return fs::path{home} / ".local/state";
+    throw Failure("there is no home folder for the flash of the simulated board: name a file with --flash");
+}
+
+fs::path default_flash()
+{
+    const fs::path folder = state_folder() / "kfast";
+    std::error_code why;
+    fs::create_directories(folder, why);
+    if (why)
+        throw Failure(folder.string() + ": " + why.message() + ": name a file with --flash");
+    return folder / "sim-flash.bin";
+}
+
+/// A validator of CLI11: empty if it is right, else what is wrong.
+std::string is_serial(const std::string& text)
+{
+    constexpr std::size_t most = 24;
+    const bool is_plain =
+        std::ranges::all_of(text, [](char letter) { return letter > ' ' && letter <= '~'; });
+    if (is_plain && !text.empty() && text.size() <= most)
+        return "";
+    return "'" + visible(text) + "' is no serial number: 1 to 24 letters and digits, without spaces";
+}
+
+std::unique_ptr<PictureWindow> open_window(const SimulateOptions& options, Size picture)
+{
+    if (options.headless)
+        return nullptr;
+    auto window = PictureWindow::open("kfast simulate: " + options.serial, picture);
+    if (!window)
+        std::cerr << "kfast: there is no display for a window, so the board is not to be seen: "
+                     "--frames tells what it shows\n";
+    return window;
+}
+
+BoardSettings settings_of(const SimulateOptions& options)
+{
+    BoardSettings settings;
+    settings.panel = options.panel->settings;
+    if (!options.config.empty())
+        settings = config::chosen_settings(options.config);
+    settings.controls = {}; // nobody can touch them
+    return settings;
+}
+
+void simulate(const SimulateOptions& options)
+{
+    const BoardSettings settings = settings_of(options);
+    const auto scene = options.scene.empty() ? std::nullopt : std::optional{load_scene(options.scene)};
+    ReportSocket plug{options.socket};
+    FlashFile flash{options.flash.empty() ? default_flash() : fs::path{options.flash}, rp2040::flash_bytes};
+
+    const RememberedInterruption remembered;
+    BoardWatcher watcher{open_window(options, settings.panel.size()), options.frames ? &std::cout : nullptr,
+                         was_interrupted};
+    std::cout << "listening at " << options.socket << std::endl;
+    run_plugged_board({settings,
+                       {options.serial},
+                       scene ? std::span<const std::byte>{scene->bytes} : std::span<const std::byte>{},
+                       flash,
+                       plug,
+                       watcher});
+    if (!options.picture.empty() && !watcher.last().pixels.empty())
+        write_png(options.picture, widen(watcher.last()));
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<SimulateOptions>();
+    app.add_option(
+        "SCENE", options->scene,
+        "The built-in scene (.kfast or .kfb): plays if no slot is chosen. Without it there is a test card");
+    CLI::Option* panel = declare_panel_option(app, options->panel);
+    app.add_option("--config", options->config, "The display and the clip of a configuration (kfast config)")
+        ->type_name("NAME|FILE")
+        ->excludes(panel);
+    app.add_option("--socket", options->socket, "Where programs reach the board, as --device sim:PATH")
+        ->type_name("PATH")
+        ->capture_default_str();
+    app.add_option("--flash", options->flash,
+                   "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)")
+        ->type_name("FILE");
+    app.add_option("--serial", options->serial, "The serial number, of at most 24 letters")
+        ->type_name("TEXT")
+        ->check(is_serial)
+        ->capture_default_str();
+    app.add_option("--picture", options->picture, "At the end, write what was shown last as PNG")
+        ->type_name("FILE");
+    app.add_flag("--headless", options->headless, "Open no window");
+    app.add_flag("--frames", options->frames,
+                 "Print the events, and each frame shown with the CRC-32 of its pixels");
+    app.callback([options] { simulate(*options); });
+}
+
+}
+
+const Command simulate_command{"simulate", "Run a board in a window, for --device sim",
+                               "kfast simulate --panel gc9a01 &\n"
+                               "  kfast play eyes.kfast --device sim",
+                               declare};
+
+}

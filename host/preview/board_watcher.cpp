@@ -1,0 +1,92 @@
+#include "host/preview/board_watcher.hpp"
+
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+double frames(Time moment) { return static_cast<double>(moment.ticks) / Time::ticks_per_frame; }
+
+std::string place_text(const link::Playing& playing)
+{
+    switch (playing.home) {
+    case link::Home::slot:
+        return "slot " + std::to_string(playing.slot);
+    case link::Home::ram:
+        return "RAM";
+    default:
+        return "built-in scene";
+    }
+}
+
+/// "slot 2  frame 12.5  paused  clip blink".
+std::string status_text(Time moment, const link::Playing& playing)
+{
+    std::ostringstream text;
+    text << place_text(playing) << "  frame " << std::fixed << std::setprecision(1) << frames(moment);
+    if (playing.is_paused)
+        text << "  paused";
+    if (!playing.clip.view().empty())
+        text << "  clip " << visible(playing.clip.view());
+    return text.str();
+}
+
+}
+
+BoardWatcher::BoardWatcher(std::unique_ptr<PictureWindow> window, std::ostream* out,
+                           std::function<bool()> is_over)
+    : window_{std::move(window)}, out_{out}, is_over_{std::move(is_over)}
+{
+}
+
+void BoardWatcher::see(const Frame& picture, Time moment, const link::Playing& playing)
+{
+    keep(picture, status_text(moment, playing));
+    if (out_ == nullptr)
+        return;
+    std::ostringstream line;
+    line << "frame " << frames(moment) << ' ' << std::hex << std::setw(8) << std::setfill('0')
+         << hash(picture) << '\n';
+    *out_ << line.str() << std::flush;
+}
+
+void BoardWatcher::hear(const EventView& event)
+{
+    if (out_ != nullptr)
+        *out_ << "event " << visible(event.name) << '\n' << std::flush;
+}
+
+void BoardWatcher::see_nothing(const Frame& picture, std::string_view why)
+{
+    keep(picture, "nothing plays: " + std::string{why});
+    if (out_ != nullptr)
+        *out_ << status_ << '\n' << std::flush;
+}
+
+bool BoardWatcher::has_seen_enough()
+{
+    if (window_ == nullptr)
+        return is_over_();
+    const PictureWindow::Events events = window_->take_events(0);
+    is_closed_ = is_closed_ || std::ranges::find(events.keys, PreviewKey::quit) != events.keys.end();
+    if (events.any && !last_.pixels.empty())
+        draw();
+    return is_closed_ || is_over_();
+}
+
+void BoardWatcher::keep(const Frame& picture, const std::string& status)
+{
+    last_ = picture;
+    status_ = status;
+    if (window_ != nullptr)
+        draw();
+}
+
+void BoardWatcher::draw() { window_->draw(last_, status_, {}); }
+
+}

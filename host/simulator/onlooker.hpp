@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/mark_view.hpp"
+#include "core/time.hpp"
+#include "firmware/link/message.hpp"
+#include "host/picture/frame.hpp"
+
+#include <string_view>
+
+namespace kfast {
+
+/// Who watches a simulated board while it runs.
+class Onlooker {
+public:
+    Onlooker() = default;
+    virtual ~Onlooker() = default;
+    Onlooker(const Onlooker&) = delete;
+    Onlooker& operator=(const Onlooker&) = delete;
+
+    /// The picture has changed, or time has passed. It is `moment` of what plays.
+    virtual void see(const Frame& picture, Time moment, const link::Playing& playing) = 0;
+    virtual void hear(const EventView& event) = 0;
+    /// Nothing plays, and why. The picture says so.
+    virtual void see_nothing(const Frame& picture, std::string_view why) = 0;
+    /// Whether the board is to be switched off. Asked often.
+    virtual bool has_seen_enough() = 0;
+};
+
+}
