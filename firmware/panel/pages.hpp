@@ -16,8 +16,8 @@ constexpr void fill_pages(std::span<const std::byte> rows, std::size_t row_bytes
                 columns[x] = columns[x] >> 1 | (*row << x & std::byte{0x80});
         }
     };
-    const std::size_t page_bytes = 8 * row_bytes;
-    for (std::size_t page = 0; page < rows.size(); page += page_bytes) {
+    const std::size_t bytes_of_page = 8 * row_bytes;
+    for (std::size_t page = 0; page < rows.size(); page += bytes_of_page) {
         for (std::size_t block = 0; block < row_bytes; ++block)
             turn_block(&rows[page + block], &pages[page + 8 * block]);
     }
