@@ -6,6 +6,7 @@ import json
 import pathlib
 import struct
 import subprocess
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 CONFIGURATIONS = HERE.parents[1] / "boards" / "pico" / "configurations"
@@ -41,6 +42,13 @@ class Shown:
     moment: float  # nanoseconds since the power came on
 
 
+def expect_scene(frames, hashes, who):
+    """That all frames are those of the scene which Desk.hashes() are of."""
+    for shown in frames:
+        expect(shown.hash == hashes[shown.ticks // TICKS % len(hashes)],
+               f"{who} shows something else at {shown.ticks / TICKS:.0f}")
+
+
 def append_note(trace, text, moment):
     """Has `kfast-panel` look at the display once more; see rp2040/trace.mjs."""
     note = 6
@@ -73,6 +81,7 @@ class Desk:
         self._programs = pathlib.Path(programs)
         self._images = pathlib.Path(images)
         self.folder = pathlib.Path(folder)
+        self._trace, self._report = self.folder / "trace.kft", self.folder / "report.json"
 
     def kfast(self, *arguments):
         return self._call(self._programs / "kfast", *arguments).stdout
@@ -111,16 +120,34 @@ class Desk:
         """Boots the image for the settings' bus, or `image`. Whatever is wrong with it or on the wires is an
         AssertionError. Pictures of the frames go to the folder `pictures`; with `look_at_end` one more is what is shown
         at the end."""
-        trace, report = self.folder / "trace.kft", self.folder / "report.json"
         placed = [] if scene is None else ["--scene", scene]
-        self._call("node", RUNNER, image or self.image(settings), "--settings", settings.record, "--trace", trace,
-                   "--report", report, *placed, *options)
-        found = json.loads(report.read_text(encoding="utf-8"))
+        self._call("node", RUNNER, image or self.image(settings), *self.recorded(settings), *placed, *options)
+        return self.look(settings, pictures, look_at_end)
+
+    def recorded(self, settings):
+        """The options of a board whose run look() can look at."""
+        return ["--settings", settings.record, "--trace", self._trace, "--report", self._report]
+
+    def look(self, settings, pictures=None, look_at_end=False):
+        """What has been recorded, played into the model of the display; see run()."""
+        found = json.loads(self._report.read_text(encoding="utf-8"))
         if look_at_end:
-            append_note(trace, "F 0 0", round(found["milliseconds"] * 1e6))
+            append_note(self._trace, "F 0 0", round(found["milliseconds"] * 1e6))
         wanted = [] if pictures is None else ["--pictures", pictures]
-        told = self._call(self._programs / "kfast-panel", trace, settings.record, *wanted).stdout.splitlines()
+        told = self._call(self._programs / "kfast-panel", self._trace, settings.record, *wanted).stdout.splitlines()
         return Run(found, told[:-1] if look_at_end else told)
+
+    def watch(self, board, settings, count):
+        """The next `count` frames, or more, of a ServedPico that plays and was started with recorded(settings). The one
+        that it draws at this moment is not among them."""
+        board.command("record")
+        since = json.loads(self._report.read_text(encoding="utf-8"))["milliseconds"] * 1e6
+        frames = []
+        while len(frames) < count:
+            time.sleep(1)
+            board.command("record")
+            frames = [shown for shown in self.look(settings).frames if shown.moment > since][1:]
+        return frames
 
     def _call(self, *command):
         done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from pico import HERE, TICKS, Desk, expect
+from pico import HERE, Desk, expect, expect_scene
 
 CONFIGURATIONS = ("pico-st7789", "pico-ssd1306-i2c", "pico-ili9341-parallel")
 FRAMES = 25
@@ -32,9 +32,7 @@ def check_image(desk, configuration, source):
     usb = run.report["usb"]
     expect(usb["names"] == NAMES, f"{configuration} calls itself {usb['names']}")
     expect(len(run.frames) == FRAMES, f"{configuration} shows {len(run.frames)} frames")
-    for shown in run.frames:
-        expect(shown.hash == hashes[shown.ticks // TICKS % len(hashes)],
-               f"{configuration} shows something else at {shown.ticks / TICKS:.0f} while reports come")
+    expect_scene(run.frames, hashes, f"{configuration}, while reports come,")
     expect(usb["sent"] > 100, f"{configuration} takes {usb['sent']} reports")
     expect(usb["naks"] == 0, f"{configuration} lets the computer wait {usb['naks']} times")
     return usb

@@ -48,15 +48,18 @@ export class Board {
     #interrupted = false;
     #startedAt = 0;
 
-    /** @param {Uint8Array} image what lies in flash from its beginning; the rest is empty */
-    constructor(image) {
+    /**
+     * @param {Uint8Array} image what lies in flash from its beginning; the rest is empty
+     * @param {Uint8Array} [chipNumber] of the flash chip
+     */
+    constructor(image, chipNumber) {
         if (image.length > flashBytes)
             fail(`the image has ${image.length} bytes, the flash ${flashBytes}`);
         this.mcu = new RP2040();
         this.clock = this.mcu.clock;
         this.memory = new Uint8Array(flashBytes).fill(0xff);
         this.memory.set(image);
-        this.flashChip = new FlashChip(this.memory);
+        this.flashChip = new FlashChip(this.memory, chipNumber);
     }
 
     /** Wires `device` up: attach(board) is called each time the chip starts, before it runs. */

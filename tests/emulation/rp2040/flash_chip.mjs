@@ -3,7 +3,7 @@ import { fail, hex } from './emulation_error.mjs';
 export const sectorBytes = 4096;
 export const pageBytes = 256;
 
-/** No other chip has this number. */
+/** Of a chip that is given no other number; no two chips have the same. */
 export const uniqueId = Uint8Array.of(0xe4, 0x61, 0x38, 0x52, 0xc7, 0x1b, 0x9d, 0x0f);
 
 const readUniqueId = 0x4b;
@@ -16,9 +16,13 @@ const silentBytes = 4;
 export class FlashChip {
     #sent = [];
 
-    /** @param {Uint8Array} memory its contents, which change when it is written */
-    constructor(memory) {
+    /**
+     * @param {Uint8Array} memory its contents, which change when it is written
+     * @param {Uint8Array} number of eight bytes
+     */
+    constructor(memory, number = uniqueId) {
         this.memory = memory;
+        this.number = number;
     }
 
     /** A command begins. */
@@ -32,7 +36,7 @@ export class FlashChip {
         if (this.#sent[0] !== readUniqueId)
             fail(`flash: the command ${hex(this.#sent[0])} is not modelled`);
         const place = this.#sent.length - 2 - silentBytes;
-        return uniqueId[place] ?? 0xff;
+        return this.number[place] ?? 0xff;
     }
 
     erase(offset, count) {

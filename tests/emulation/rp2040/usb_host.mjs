@@ -12,8 +12,10 @@ const frameNanos = 1e6;
 const resetNanos = 10e6;
 const recoveryNanos = 10e6;
 const addressNanos = 2e6;
-const dataNanos = 500e6;
-const statusNanos = 50e6;
+const strict = { dataNanos: 500e6, statusNanos: 50e6 };
+
+/** For how long a device may make a computer wait that is as patient as Linux. */
+export const asLinux = { dataNanos: 5000e6, statusNanos: 5000e6 };
 
 const control = (isIn) => ({ number: 0, isIn });
 
@@ -39,8 +41,10 @@ export class UsbHost {
     #address = 0;
     #toggles = new Map();
 
-    constructor(board) {
+    /** @param limits for how long the device may make it wait: as USB says, unless told */
+    constructor(board, limits = strict) {
         this.board = board;
+        this.limits = limits;
     }
 
     get unit() {
@@ -142,11 +146,11 @@ export class UsbHost {
     }
 
     /** Asks until there is an answer, but not for longer than `nanos`. */
-    ask(number, nanos = dataNanos) {
+    ask(number, nanos = this.limits.dataNanos) {
         return this.#insist(() => this.askOnce(number), nanos);
     }
 
-    send(number, bytes, nanos = dataNanos) {
+    send(number, bytes, nanos = this.limits.dataNanos) {
         return this.#insist(() => this.sendOnce(number, bytes), nanos);
     }
 
@@ -168,7 +172,7 @@ export class UsbHost {
             if (left === 0 || packet.length < longestPacket)
                 break;
         }
-        return this.send(0, new Uint8Array(0), statusNanos) === 'ack' ? Uint8Array.from(parts) : 'stall';
+        return this.send(0, new Uint8Array(0), this.limits.statusNanos) === 'ack' ? Uint8Array.from(parts) : 'stall';
     }
 
     #controlOut(data) {
@@ -176,7 +180,7 @@ export class UsbHost {
             if (this.send(0, data.subarray(at, at + longestPacket)) === 'stall')
                 return 'stall';
         this.#setToggle(control(true), 1);
-        const status = this.ask(0, data.length > 0 ? dataNanos : statusNanos);
+        const status = this.ask(0, data.length > 0 ? this.limits.dataNanos : this.limits.statusNanos);
         if (status === 'stall')
             return status;
         if (status.length > 0)

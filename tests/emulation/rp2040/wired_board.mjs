@@ -1,6 +1,6 @@
 import fs from 'node:fs';
 
-import { Board } from './board.mjs';
+import { Board, flashBytes } from './board.mjs';
 import { BusTime } from './bus_time.mjs';
 import { Controls } from './controls.mjs';
 import { Display } from './display.mjs';
@@ -14,6 +14,31 @@ import { sceneOffset, settingsOffset } from './settings.mjs';
 import { TearingLine } from './tearing_line.mjs';
 import { Trace } from './trace.mjs';
 
+/** For parseArgs(): what lies in flash, and what is wired to the board. */
+export const wiringOptions = {
+    settings: { type: 'string' }, 'wired-only': { type: 'boolean' }, scene: { type: 'string' },
+    flash: { type: 'string' }, patch: { type: 'string', multiple: true, default: [] }, te: { type: 'string' },
+    'chip-number': { type: 'string' },
+    'hold-data': { type: 'string' }, address: { type: 'string' },
+    absent: { type: 'string', multiple: true, default: [] },
+    press: { type: 'string', multiple: true, default: [] }, knob: { type: 'string', multiple: true, default: [] },
+};
+
+/** What they are, for a text on how a program is used. */
+export const wiringUsage = `\
+  --settings RECORD       the board record: placed in flash, and how the display is wired
+  --wired-only            the record only tells how it is wired; the image has its own settings
+  --scene FILE            placed in flash
+  --patch OFFSET=BYTE     changes a byte of flash; may be repeated
+  --press PIN@FROM-TO     holds a button from one millisecond to another; may be repeated
+  --knob PIN@AT=VALUE     turns a knob at a millisecond so that 0 … 4095 is read; may be repeated
+  --flash FILE            all of the flash: IMAGE and what else would be placed there are not looked at
+  --chip-number HEX       16 digits, from which the board has its serial number
+  --hold-data CLOCKS      the display was interrupted and holds SDA low for so many clocks of I2C
+  --address ADDRESS       the display on I2C has this one, whatever the record says
+  --absent FROM-TO        it does not answer from one millisecond to another; may be repeated
+  --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired`;
+
 function parsed(text, pattern, option) {
     const match = pattern.exec(text) ?? fail(`--${option} ${text}: no such value`);
     return match.slice(1).map(Number);
@@ -23,9 +48,9 @@ function parsed(text, pattern, option) {
 export function memoryFrom(image, values) {
     if (values.flash)
         return new Uint8Array(fs.readFileSync(values.flash));
-    const bytes = new Uint8Array(2 * 1024 * 1024).fill(0xff);
+    const bytes = new Uint8Array(flashBytes).fill(0xff);
     bytes.set(fs.readFileSync(image));
-    if (!values['wired-only'])
+    if (values.settings && !values['wired-only'])
         bytes.set(fs.readFileSync(values.settings), settingsOffset);
     if (values.scene)
         bytes.set(fs.readFileSync(values.scene), sceneOffset);
@@ -56,11 +81,20 @@ function answersBy(board, settings, values) {
     return (address) => address === own && !isAbsent(board.nanos / 1e6);
 }
 
+/** Of a board: nothing if it is to have the usual one. */
+export function chipNumber({ 'chip-number': text }) {
+    if (text === undefined)
+        return undefined;
+    if (!/^[0-9a-f]{16}$/i.test(text))
+        fail(`--chip-number ${text}: 16 hexadecimal digits are needed`);
+    return Uint8Array.from(Buffer.from(text, 'hex'));
+}
+
 /** A board with everything wired to it that the settings and the options tell. */
 export function wiredBoard(memory, settings, values) {
     const trace = new Trace();
     const busTime = new BusTime();
-    const board = new Board(memory);
+    const board = new Board(memory, chipNumber(values));
     busTime.programCounter = () => board.mcu.core.PC;
     const inputs = board.add(new Inputs());
     const display = board.add(new Display(settings, trace, busTime));
