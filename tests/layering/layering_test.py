@@ -57,6 +57,7 @@ class Layering(unittest.TestCase):
                 self.assertEqual([], self.mistakes({"host/a.cpp": line}))
                 self.assertEqual(1, len(self.mistakes({"host/a.hpp": line})))
                 self.assertEqual(1, len(self.mistakes({"host/a.cpp": line, "host/b.cpp": line})))
+                self.assertEqual([], self.mistakes({"host/a.cpp": line, "tests/b.cpp": line}))
 
 
 if __name__ == "__main__":
