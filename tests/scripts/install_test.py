@@ -9,7 +9,10 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-PROGRAMS = {"dpkg-query": "printf installed", "node": "exit 0", "npm": 'echo "$@" >>"$CALLS"; {npm}'}
+PROGRAMS = {
+    "dpkg-query": "printf installed", "node": "exit 0", "npm": 'echo "$@" >>"$CALLS"; {npm}', "apt-cache": "{apt-cache}",
+    "id": "echo 0", "apt-get": 'echo apt-get "$@" >>"$CALLS"',
+}
 
 
 class InstallTest(unittest.TestCase):
@@ -22,12 +25,13 @@ class InstallTest(unittest.TestCase):
             shutil.copy(ROOT / name, self.folder / name)
         self.modules = self.folder / "tests/emulation/node_modules"
 
-    def install(self, *arguments, npm):
-        """The result, and what npm was called with."""
+    def install(self, *arguments, npm, apt_cache="exit 0"):
+        """The result, and what npm and apt-get were called with."""
         programs = self.folder / "bin"
         programs.mkdir(exist_ok=True)
         for name, text in PROGRAMS.items():
-            (programs / name).write_text("#!/bin/sh\n" + text.replace("{npm}", npm) + "\n")
+            text = text.replace("{npm}", npm).replace("{apt-cache}", apt_cache)
+            (programs / name).write_text(f"#!/bin/sh\n{text}\n")
             (programs / name).chmod(0o755)
         calls = self.folder / "calls"
         calls.write_text("")
@@ -48,8 +52,12 @@ class InstallTest(unittest.TestCase):
         self.assertIn("scripts/install --without-npm", result.stderr)
         self.assertFalse(self.modules.exists())
 
+    def test_apt_is_told_what_there_is_when_it_does_not_know_the_kernel(self):
+        result, calls = self.install(npm="mkdir node_modules", apt_cache="exit 100")
+        self.assertEqual((result.returncode, calls), (0, ["apt-get update -qq", "ci --silent"]), result.stderr)
+
     def test_without_npm(self):
-        result, calls = self.install("--without-npm", npm="exit 7")
+        result, calls = self.install("--without-npm", npm="exit 7", apt_cache="exit 100")
         self.assertEqual((result.returncode, result.stderr, calls), (0, "", []))
 
     def test_the_demo_needs_no_npm(self):
