@@ -215,6 +215,22 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
     }
 }
 
+TEST_CASE("a scene from flash that gave way is not written over, whatever becomes of its slot")
+{
+    const Scene scene = padded_scene(4000, 1);
+    StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
+    REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
+    REQUIRE(put(bench.board.slots, 0, "all the rest", padded_scene((pool_sectors - 1) * sector_bytes, 2)) ==
+            Status::ok);
+    bench.does(Play{.home = Home::slot, .slot = 5});
+    bench.board.run_for(300);
+    bench.begin(StagedBench::for_ram(padded_scene(1100, 2)), tag);
+    bench.does(EraseSlot{.slot = 5});
+    CHECK(bench.refusal(StagedBench::for_slot(1, scene), 43) == Verdict{Status::no_room, 0});
+    bench.board.run_for(200);
+    CHECK(bench.playing().slot == 5);
+}
+
 TEST_CASE("a scene from flash has the whole block, whatever lies in RAM")
 {
     const Scene large = compiled("kfast 1\ncanvas 64 48 frames=60\nobject sun fill=yellow {" + [] {
