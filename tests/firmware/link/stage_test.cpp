@@ -462,8 +462,28 @@ TEST_CASE("a device that works long does not take that for silence")
     const Scene scene = padded_scene(4096 * 2, 1);
     bench.upload(StagedBench::for_slot(0, scene), scene, tag);
     CHECK_FALSE(bench.playing().is_paused);
+    bench.begin(StagedBench::for_slot(1, padded_scene(4096, 2)), 43);
+    bench.send_blocks(padded_scene(4096, 2), 43);
+    bench.board.run_for(150); // with a sector to write at the end
+    CHECK_FALSE(bench.playing().is_paused);
     bench.board.run_for(300);
     CHECK(bench.playing().is_paused);
+}
+
+TEST_CASE("what is asked for after a scene was told to play is about that scene")
+{
+    StagedBench bench;
+    bench.board.run_for(300);
+    const Scene scene = padded_scene(2000, 1);
+    bench.upload(StagedBench::for_ram(scene), scene, tag);
+    bench.send(Play{.home = Home::ram}, 1);
+    Inputs inputs{.count = 1};
+    inputs.places[0] = {.input = 0, .place = Time{5}};
+    bench.send(inputs, 0);
+    bench.send(Pause{}, 0);
+    CHECK(bench.playing().home == Home::ram);
+    CHECK(bench.playing().is_paused);
+    CHECK(bench.ask<InputState>(AskInput{.input = 0}).place == Time{5});
 }
 
 TEST_CASE("a new computer gets no answers of the old one")
