@@ -13,27 +13,7 @@ namespace {
 
 constexpr std::uint8_t tag = 42;
 
-BoardSettings with(std::initializer_list<Control> controls)
-{
-    BoardSettings settings;
-    std::ranges::copy(controls, settings.controls.begin());
-    return settings;
-}
-
 std::size_t needed(const Scene& scene) { return Player::block_bytes(*SceneView::parse(scene), small_panel); }
-
-bool is_scene(const Scene& begun, const Scene& sent)
-{
-    return !begun.empty() && begun.size() <= sent.size() &&
-           std::equal(begun.begin(), begun.end(), sent.begin());
-}
-
-/// Plays `scene` from RAM.
-void play_from_ram(StagedBench& bench, const Scene& scene, std::uint8_t with_tag = tag)
-{
-    bench.upload(StagedBench::for_ram(scene), scene, with_tag);
-    bench.does(Play{.home = Home::ram});
-}
 
 }
 
@@ -215,6 +195,22 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
     }
 }
 
+TEST_CASE("a scene from flash that gave way is not written over, whatever becomes of its slot")
+{
+    const Scene scene = padded_scene(4000, 1);
+    StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
+    REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
+    REQUIRE(put(bench.board.slots, 0, "all the rest", padded_scene((pool_sectors - 1) * sector_bytes, 2)) ==
+            Status::ok);
+    bench.does(Play{.home = Home::slot, .slot = 5});
+    bench.board.run_for(300);
+    bench.begin(StagedBench::for_ram(padded_scene(1100, 2)), tag);
+    bench.does(EraseSlot{.slot = 5});
+    CHECK(bench.refusal(StagedBench::for_slot(1, scene), 43) == Verdict{Status::no_room, 0});
+    bench.board.run_for(200);
+    CHECK(bench.playing().slot == 5);
+}
+
 TEST_CASE("a scene from flash has the whole block, whatever lies in RAM")
 {
     const Scene large = compiled("kfast 1\ncanvas 64 48 frames=60\nobject sun fill=yellow {" + [] {
@@ -255,232 +251,6 @@ TEST_CASE("playing from a slot goes on while the slot is replaced")
     bench.does(Play{.home = Home::slot, .slot = 1});
     bench.board.run_for(100);
     CHECK(is_scene(bench.board.scene_begun(), padded_scene(9007, 7)));
-}
-
-TEST_CASE("the computer steers what plays")
-{
-    StagedBench bench;
-    bench.board.run_for(300);
-    bench.does(Seek{.moment = Time::frame(30)});
-    bench.does(Pause{});
-    bench.board.run_for(100);
-    const Playing paused = bench.playing();
-    CHECK(paused.is_paused);
-    CHECK(paused.moment >= Time::frame(30));
-    CHECK(paused.moment <= Time::frame(33));
-    bench.board.run_for(300);
-    CHECK(bench.playing().moment == paused.moment);
-
-    bench.does(Speed{.speed = -2 * Playhead::as_authored});
-    bench.board.run_for(200);
-    CHECK(bench.playing().moment == paused.moment);
-    CHECK(bench.playing().speed == -2 * Playhead::as_authored);
-    bench.does(Resume{});
-    bench.board.run_for(200);
-    CHECK(bench.playing().moment < paused.moment);
-    CHECK_FALSE(bench.playing().is_paused);
-
-    bench.does(Brightness{.brightness = 7});
-    CHECK(bench.playing().brightness == 7);
-    CHECK(bench.board.stage().brightness() == 7);
-
-    bench.does(Play{.home = Home::here, .clip = {"rise"}});
-    bench.board.run_for(200);
-    const Playing clip = bench.playing();
-    CHECK(clip.clip == Name{"rise"});
-    CHECK(clip.speed == Playhead::as_authored);
-    CHECK(clip.moment >= Time::frame(10));
-    CHECK(clip.moment <= Time::frame(30));
-    CHECK(clip.brightness == 7);
-}
-
-TEST_CASE("inputs stand where the computer says, and it is told where")
-{
-    StagedBench bench;
-    bench.board.run_for(200);
-    auto gaze = bench.ask<InputState>(AskInput{.input = 0});
-    CHECK(gaze.name.view() == "gaze");
-    CHECK(gaze.least == -1000);
-    CHECK(gaze.most == 1000);
-    CHECK(gaze.usual == 0);
-    CHECK(gaze.place == Time{32768});
-    CHECK(bench.ask<InputState>(AskInput{.input = 1}).name.view() == "lid");
-    Inputs inputs{.count = 1};
-    inputs.places[0] = {.input = 0, .place = Time{100}};
-    bench.does(inputs);
-    bench.board.run_for(100);
-    CHECK(bench.ask<InputState>(AskInput{.input = 0}).place == Time{100});
-    CHECK(bench.ask<InputState>(AskInput{.input = 1}).place == Time{0});
-    // Another scene has inputs of its own.
-    bench.does(Play{.home = Home::start});
-    bench.board.run_for(100);
-    CHECK(bench.ask<InputState>(AskInput{.input = 0}).place == Time{32768});
-}
-
-TEST_CASE("a long name of an input is told as far as its letters find room")
-{
-    StagedBench bench;
-    bench.board.built_in =
-        compiled("kfast 1\ncanvas 8 8\ninput \"12345678901234567890123\u00e9x\" min=0 max=1\n"
-                 "group g { track x input=\"12345678901234567890123\u00e9x\" { at 0 0; at 1 9 }\n"
-                 "object a fill=white { rect 1 1 4 4 } }");
-    bench.board.run_for(200);
-    CHECK(bench.ask<InputState>(AskInput{.input = 0}).name.view() == "12345678901234567890123");
-}
-
-TEST_CASE("of the computer and a knob, the one that moved last has its way")
-{
-    constexpr Pin gaze = 26;
-    constexpr Pin light = 27;
-    constexpr Pin speed = 28;
-    StagedBench bench{with({{ControlKind::knob, ControlAction::input, gaze, {"gaze"}},
-                            {ControlKind::knob, ControlAction::brightness, light, {}},
-                            {ControlKind::knob, ControlAction::speed, speed, {}}})};
-    auto& levels = bench.board.pins.levels;
-    levels = {{gaze, 4095}, {light, 1600}, {speed, 2048}};
-    const auto place = [&] { return bench.ask<InputState>(AskInput{.input = 0}).place.ticks; };
-    bench.board.run_for(300);
-    CHECK(place() == 65536);
-    CHECK(bench.playing().brightness == 100);
-    CHECK(bench.playing().speed == 0);
-
-    Inputs inputs{.count = 1};
-    inputs.places[0] = {.input = 0, .place = Time{5}};
-    bench.does(inputs);
-    bench.does(Brightness{.brightness = 9});
-    bench.does(Speed{.speed = 1000});
-    bench.board.run_for(100);
-    CHECK(place() == 5);
-    CHECK(bench.playing().brightness == 9);
-    CHECK(bench.playing().speed == 1000);
-
-    levels = {{gaze, 0}, {light, 3200}, {speed, 4095}};
-    bench.board.run_for(100);
-    CHECK(place() == 0);
-    CHECK(bench.playing().brightness == 200);
-    CHECK(bench.playing().speed > Playhead::as_authored);
-
-    // Another scene plays as authored, its inputs stand where the knobs are, and the light stays as it was.
-    bench.does(Brightness{.brightness = 11});
-    play_from_ram(bench, padded_scene(2000, 1));
-    bench.board.run_for(100);
-    CHECK(place() == 0);
-    CHECK(bench.playing().brightness == 11);
-    CHECK(bench.playing().speed == Playhead::as_authored);
-}
-
-TEST_CASE("of the computer and a button, the one that moved last has its way")
-{
-    constexpr Pin pause = 2;
-    constexpr Pin rise = 3;
-    constexpr Pin lid = 4;
-    StagedBench bench{with({{ControlKind::button, ControlAction::pause, pause, {}},
-                            {ControlKind::button, ControlAction::play, rise, {"rise"}},
-                            {ControlKind::button, ControlAction::input, lid, {"lid"}}})};
-    const auto press = [&](Pin pin) {
-        bench.board.pins.closed[pin] = true;
-        bench.board.run_for(120);
-        bench.board.pins.closed[pin] = false;
-        bench.board.run_for(120);
-    };
-    bench.board.run_for(300);
-    bench.does(Pause{});
-    press(pause);
-    CHECK_FALSE(bench.playing().is_paused);
-    press(pause);
-    CHECK(bench.playing().is_paused);
-    bench.does(Resume{});
-    press(rise);
-    CHECK(bench.playing().clip == Name{"rise"});
-    bench.does(Seek{.moment = Time::frame(50)});
-    bench.board.run_for(100);
-    CHECK(bench.playing().clip == Name{});
-    CHECK(bench.playing().moment > Time::frame(49));
-
-    // What is held down does not count as pressed once more, but its input stands where it wants it.
-    bench.board.pins.closed = {{pause, true}, {lid, true}};
-    bench.board.run_for(200);
-    CHECK(bench.playing().is_paused);
-    play_from_ram(bench, padded_scene(2000, 1));
-    bench.board.run_for(200);
-    CHECK_FALSE(bench.playing().is_paused);
-    CHECK(bench.ask<InputState>(AskInput{.input = 1}).place == whole_input);
-}
-
-TEST_CASE("what the computer plays wakes a display that a button has switched off")
-{
-    constexpr Pin sleep = 5;
-    StagedBench bench{with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
-    bench.board.run_for(300);
-    bench.board.pins.closed[sleep] = true; // and stays so
-    bench.board.run_for(200);
-    const std::size_t shown = bench.board.frames.size();
-    bench.board.run_for(300);
-    CHECK(bench.board.frames.size() == shown);
-    const Scene scene = padded_scene(2000, 1);
-    play_from_ram(bench, scene);
-    bench.board.run_for(300);
-    CHECK(bench.board.frames.size() > shown + 5);
-    CHECK(is_scene(bench.board.scene_begun(), scene));
-}
-
-TEST_CASE("when the computer goes, what it asked for is done at once")
-{
-    StagedBench bench;
-    play_from_ram(bench, padded_scene(2000, 1));
-    bench.does(Silence{.milliseconds = 60'000, .action = SilenceAction::start});
-    bench.board.run_for(100);
-    CHECK(bench.playing().home == Home::ram);
-    bench.board.pipe.unplug();
-    bench.board.run_for(100);
-    CHECK(is_scene(bench.board.scene_begun(), bench.board.built_in));
-    bench.board.pipe.plug_in();
-    CHECK(bench.playing().home == Home::built_in);
-}
-
-TEST_CASE("a device that works long does not take that for silence")
-{
-    StagedBench bench;
-    bench.does(Silence{.milliseconds = 100, .action = SilenceAction::hold});
-    bench.board.flash_time = Microseconds{25'000};
-    const Scene scene = padded_scene(4096 * 2, 1);
-    bench.upload(StagedBench::for_slot(0, scene), scene, tag);
-    CHECK_FALSE(bench.playing().is_paused);
-    bench.board.run_for(300);
-    CHECK(bench.playing().is_paused);
-}
-
-TEST_CASE("a new computer gets no answers of the old one")
-{
-    StagedBench bench;
-    bench.board.pipe.room = 0;
-    for (std::uint8_t asked = 1; asked < 8; ++asked)
-        bench.send(AskPlaying{}, asked);
-    bench.board.run_for(100);
-    bench.board.pipe.plug_in();
-    bench.board.pipe.room = 4;
-    bench.board.run_for(100);
-    CHECK(bench.board.pipe.to_computer.empty());
-}
-
-TEST_CASE("the boot loader is entered when the answer has gone out")
-{
-    StagedBench bench;
-    bench.does(EnterBootLoader{});
-    CHECK_FALSE(bench.board.stage().is_to_leave(bench.board.now()));
-    bench.board.run_for(100);
-    CHECK(bench.board.stage().is_to_leave(bench.board.now()));
-}
-
-TEST_CASE("frames are counted")
-{
-    StagedBench bench;
-    bench.board.run_for(1000);
-    const auto statistics = bench.ask<Statistics>(AskStatistics{});
-    CHECK(statistics.frames == bench.board.frames.size());
-    CHECK(statistics.frames > 20);
-    CHECK(statistics.late == 0);
-    CHECK(statistics.skipped == 0);
 }
 
 /// Everything at random: whatever comes, every frame is one of a whole scene (StagedBoard), the device

@@ -307,4 +307,17 @@ public:
     StagedBoard board;
 };
 
+inline bool is_scene(const Scene& begun, const Scene& sent)
+{
+    return !begun.empty() && begun.size() <= sent.size() &&
+           std::equal(begun.begin(), begun.end(), sent.begin());
+}
+
+/// Plays `scene` from RAM.
+inline void play_from_ram(StagedBench& bench, const Scene& scene, std::uint8_t tag = 42)
+{
+    bench.upload(StagedBench::for_ram(scene), scene, tag);
+    bench.does(link::Play{.home = link::Home::ram});
+}
+
 }
