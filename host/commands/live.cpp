@@ -89,9 +89,7 @@ std::vector<LiveInput> begin(const Options& options, std::span<RemoteDevice> dev
     if (!scene)
         return common_inputs(devices);
     send_into_ram(*scene, devices, options.device);
-    on_each(devices, [](RemoteDevice& device, std::size_t) {
-        device.session().order(link::Play{.home = link::Home::ram}, patience_to_begin);
-    });
+    on_each(devices, [](RemoteDevice& device, std::size_t) { play_from_ram(device, {}); });
     return inputs_of(scene->view);
 }
 

@@ -32,10 +32,9 @@ link::Name clip_name(const Options& options)
     return {name};
 }
 
+/// Of a scene that is there already.
 link::Home home_of(const Options& options)
 {
-    if (!options.file.empty())
-        return link::Home::ram;
     if (options.slot)
         return link::Home::slot;
     if (options.built_in)
@@ -60,7 +59,10 @@ void play(const Options& options)
     if (scene)
         send(options, devices.all(), *scene);
     on_each(devices.all(), [&](RemoteDevice& device, std::size_t) {
-        device.session().order(what, patience_to_begin);
+        if (scene)
+            play_from_ram(device, what.clip);
+        else
+            device.session().order(what, patience_to_begin);
         if (options.play.speed != Playhead::as_authored)
             device.session().order(link::Speed{options.play.speed});
     });

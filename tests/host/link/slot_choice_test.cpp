@@ -20,6 +20,8 @@ TEST_CASE("a scene goes where one of its name is, else into the first empty slot
     CHECK(slot_for("b", slots) == 2);
     CHECK(slot_for("c", slots) == 1);
     CHECK(slot_for("", slots) == 1);
+    const std::vector nameless{slot(0, "a"), slot(1, ""), link::SlotContents{.slot = 2, .size = 100}};
+    CHECK(slot_for("", nameless) == 2);
     const std::vector full{slot(0, "a"), slot(1, "b")};
     CHECK(slot_for("a", full) == 0);
     try {
