@@ -270,8 +270,12 @@ void Stage::resume()
 
 void Stage::seek(Time time)
 {
-    if (now_.scene)
-        controls_->seek(time);
+    if (!now_.scene)
+        return;
+    controls_->seek(time);
+    Playhead sought = controls_->playhead(); // playing() tells it before a frame shows it
+    sought.seek(time);
+    moment_ = sought.moment();
 }
 
 void Stage::set_speed(std::int32_t speed)

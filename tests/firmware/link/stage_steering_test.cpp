@@ -25,6 +25,7 @@ TEST_CASE("the computer steers what plays")
     StagedBench bench;
     bench.board.run_for(300);
     bench.does(Seek{.moment = Time::frame(30)});
+    CHECK(bench.playing().moment == Time::frame(30));
     bench.does(Pause{});
     bench.board.run_for(100);
     const Playing paused = bench.playing();
