@@ -26,7 +26,7 @@ public:
     /// then, unless this is its own beginning once more. Put off as long as what plays gives way to it.
     Outcome<Begun> begin(const Begin& what, std::uint8_t tag, Microseconds now)
     {
-        if (transfer_.is_begun_by(what, tag))
+        if (transfer_.is_begun_by(what, tag) && !is_out_of_ram())
             return transfer_.begun();
         const bool leaves_ram = transfer_.is_under_way() && is_for_ram();
         transfer_.forget();
@@ -123,11 +123,9 @@ public:
 private:
     bool is_for_ram() const { return transfer_.what().home == Home::ram; }
 
-    /// What it is written to is needed for something else.
-    bool has_lost_ram() const
-    {
-        return transfer_.is_under_way() && is_for_ram() && device_.lent_ram().empty();
-    }
+    /// What it is, or was, written to is needed for something else.
+    bool is_out_of_ram() const { return is_for_ram() && device_.lent_ram().empty(); }
+    bool has_lost_ram() const { return transfer_.is_under_way() && is_out_of_ram(); }
 
     void fail(Status why)
     {

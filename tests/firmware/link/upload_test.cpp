@@ -51,6 +51,18 @@ TEST_CASE("a beginning that the device puts off is answered when it can")
     CHECK(bench.does(Play{.home = Home::ram}));
 }
 
+TEST_CASE("a scene that lies in RAM no more comes whole once more")
+{
+    LinkBench bench;
+    const Scene scene = padded_scene(2000, 1);
+    const Begin begin = LinkBench::begin_for_ram(scene);
+    bench.ask<Begun>(begin, tag);
+    bench.send_blocks(scene, tag);
+    bench.ask<Done<Kind::commit>>(Commit{}, tag);
+    bench.device.lent = {};
+    CHECK(bench.ask<Begun>(begin, tag) == Begun{.next = 0, .window = 64});
+}
+
 TEST_CASE("memory that is needed for something else ends the upload into it")
 {
     LinkBench bench;
