@@ -52,11 +52,18 @@ bool is_answered(const std::filesystem::path& path)
     return answers;
 }
 
-/// Of a board that ended without clearing up.
+bool is_plug(const std::filesystem::path& path)
+{
+    std::error_code unknown;
+    return std::filesystem::is_socket(path, unknown);
+}
+
+/// Of a board that ended without clearing up. What cannot be removed is told when the board is to listen.
 void remove_left_over(const std::filesystem::path& path)
 {
-    if (std::filesystem::is_socket(path) && !is_answered(path))
-        std::filesystem::remove(path);
+    std::error_code stays;
+    if (is_plug(path) && !is_answered(path))
+        std::filesystem::remove(path, stays);
 }
 
 int listening_socket(const std::filesystem::path& path)
@@ -70,7 +77,7 @@ int listening_socket(const std::filesystem::path& path)
         return made;
     const int why = errno;
     ::close(made);
-    if (why == EADDRINUSE && std::filesystem::is_socket(path))
+    if (why == EADDRINUSE && is_plug(path) && is_answered(path))
         fail(path, "a simulated board runs there already: name another socket with --socket");
     fail(path, std::string{"cannot listen there: "} + std::strerror(why));
 }

@@ -175,6 +175,12 @@ TEST_CASE("where a board listens another one cannot")
         CHECK_THROWS_AS(ReportSocket{path}, Failure);
         CHECK(std::filesystem::exists(path));
     }
+    SUBCASE("the name leads nowhere")
+    {
+        std::filesystem::create_symlink(path, path);
+        CHECK_THROWS_AS(ReportSocket{path}, Failure);
+        CHECK_THROWS_AS(ReportSocket{path / "plug"}, Failure);
+    }
     SUBCASE("the name is too long")
     {
         CHECK_THROWS_AS(ReportSocket{folder / std::string(120, 'x').c_str()}, Failure);
