@@ -40,6 +40,8 @@ std::string remedy_of(const link::Failure& told)
         return "update the firmware of the device, or use the kfast that belongs to it";
     case Status::bad_checksum:
         return "try again, with another cable if need be";
+    case Status::no_transfer:
+        return "if another program sends a scene as well, try again when it is done";
     case Status::timed_out:
         return "try again";
     case Status::no_such_slot:
