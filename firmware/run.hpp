@@ -65,20 +65,6 @@ void place_inputs(B& board, Animation& player)
         player.set_input(number, place);
 }
 
-/// Keeps the panel asleep as long as the board wants to rest. What it shows when it wakes is not to be seen.
-template <RestingBoard B>
-void rest(B& board, Playhead& playhead, FrameClock& clock)
-{
-    const auto pause = [&board](Microseconds time) { board.sleep_until(board.now() + time); };
-    board.panel().sleep(pause);
-    while (board.running() && board.wants_rest()) {
-        board.sleep_until(clock.due());
-        clock.advance(board.now());
-        board.steer(playhead);
-    }
-    board.panel().wake(pause);
-}
-
 template <Board B>
 void sleep_until_frame(B& board, Microseconds moment)
 {
@@ -86,6 +72,20 @@ void sleep_until_frame(B& board, Microseconds moment)
         board.linger_until(moment);
     else
         board.sleep_until(moment);
+}
+
+/// Keeps the panel asleep as long as the board wants to rest. What it shows when it wakes is not to be seen.
+template <RestingBoard B>
+void rest(B& board, Playhead& playhead, FrameClock& clock)
+{
+    const auto pause = [&board](Microseconds time) { board.sleep_until(board.now() + time); };
+    board.panel().sleep(pause);
+    while (board.running() && board.wants_rest()) {
+        sleep_until_frame(board, clock.due());
+        clock.advance(board.now());
+        board.steer(playhead);
+    }
+    board.panel().wake(pause);
 }
 
 /// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of

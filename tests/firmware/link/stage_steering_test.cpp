@@ -171,6 +171,21 @@ TEST_CASE("of the computer and a button, the one that moved last has its way")
     CHECK(bench.ask<InputState>(AskInput{.input = 1}).place == whole_input);
 }
 
+TEST_CASE("a display that a button has switched off wakes at once, however slow its scene is")
+{
+    constexpr Pin sleep = 5;
+    StagedBench bench{with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
+    bench.board.run_for(300);
+    play_from_ram(bench, compiled("kfast 1\ncanvas 64 48 fps=1 frames=3\n"
+                                  "object sun fill=yellow { circle 10 24 r=8 }\n"));
+    bench.board.pins.closed[sleep] = true; // and stays so
+    bench.board.run_for(5'200);
+    const std::size_t shown = bench.board.frames.size();
+    bench.does(Play{.home = Home::built_in});
+    bench.board.run_for(500);
+    CHECK(bench.board.frames.size() > shown + 5);
+}
+
 TEST_CASE("what the computer plays wakes a display that a button has switched off")
 {
     constexpr Pin sleep = 5;
