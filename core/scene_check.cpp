@@ -7,6 +7,7 @@
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
 #include "core/paint_order.hpp"
+#include "core/still.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -91,7 +92,7 @@ bool are_backbones(PackedDrawing drawing)
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && inputs_are_sound(scene_) && check_clips() && check_events() &&
+    return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
            count_items(scene_.items(), 0, 0);
 }
@@ -115,6 +116,38 @@ bool SceneCheck::check_laws() const
             return false;
     }
     return true;
+}
+
+bool SceneCheck::check_inputs()
+{
+    if (!inputs_are_sound(scene_))
+        return false;
+    InputCursor inputs = scene_.inputs();
+    for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        if (input.type == InputType::number)
+            scene_.number_inputs_ |= bit_of_input(number);
+        if (input.type == InputType::drawing && !check_usual(input.drawing))
+            return false;
+    }
+    return true;
+}
+
+/// Lines, and no more than the input may have.
+bool SceneCheck::check_usual(const DrawingInput& input)
+{
+    if (!check_drawing(input.usual))
+        return false;
+    PackedDrawing drawing = scene_.drawing(input.usual);
+    std::uint32_t points = drawing.strokes();
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        points += segments;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (drawing.next_segment().kind != Segment::Kind::line)
+                return false;
+    }
+    return drawing.strokes() <= input.strokes && points <= input.points;
 }
 
 bool SceneCheck::check_clips() const
@@ -182,6 +215,8 @@ bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, 
         return depth < kfb::max_depth && check_items(ItemCursor{item.items}, usable_symbols, depth + 1);
     case ItemKind::use:
         return item.symbol < usable_symbols;
+    case ItemKind::live:
+        return check_live(item);
     }
     return false;
 }
@@ -225,7 +260,7 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) c
 
 bool SceneCheck::is_moment(Clock clock, Time time) const
 {
-    return is_key_moment(clock, time, scene_.input_count());
+    return is_key_moment(clock, time, scene_.number_inputs());
 }
 
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
@@ -234,6 +269,23 @@ bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
     const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
     return value >= range.least && value <= range.most &&
            (!is_colour || static_cast<std::size_t>(value) < scene_.palette_size());
+}
+
+bool SceneCheck::check_live(const ItemView& item) const
+{
+    switch (item.live.kind) {
+    case LiveKind::drawing:
+        return check_style(item.object.style) && is_input(item.live.input, InputType::drawing);
+    }
+    return false;
+}
+
+bool SceneCheck::is_input(std::uint32_t number, InputType type) const
+{
+    InputCursor inputs = scene_.inputs();
+    for (; number > 0 && !inputs.at_end(); --number)
+        inputs.next();
+    return !inputs.at_end() && inputs.next().type == type;
 }
 
 bool SceneCheck::check_object(const ObjectView& object)
@@ -387,7 +439,7 @@ bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint
         scene_.paint_steps_ += 2;
         scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
     }
-    if (item.kind == ItemKind::object) {
+    if (item.is_leaf()) {
         scene_.paint_steps_ += layer_count(item.object.style);
         return true;
     }

@@ -26,6 +26,9 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/law_pair.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_backbones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_bones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawing_trace.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawings.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp

@@ -18,8 +18,14 @@ Camera camera_of(const SceneView& scene)
 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     : outlines_(bytes / 4), steps_(scene.paint_steps()), bones_(scene.bone_count()),
-      backbone_nodes_(scene.backbone_nodes()),
-      inputs_(scene.input_count()), on_panel_{scene, {}, camera_of(scene), bones_, backbone_nodes_}
+      backbone_nodes_(scene.backbone_nodes()), inputs_(scene.input_count()),
+      drawings_(LiveDrawings::bytes_for(scene) / 4),
+      on_panel_{scene,
+                {},
+                camera_of(scene),
+                bones_,
+                backbone_nodes_,
+                {scene, std::as_writable_bytes(std::span{drawings_})}}
 {
     picture_.outlines = OutlineStore{std::as_writable_bytes(std::span{outlines_}), OutlineStore::every_row};
     picture_.storage = steps_;

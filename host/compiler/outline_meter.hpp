@@ -31,7 +31,8 @@ private:
     std::vector<PaintStep> steps_;
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
-    std::vector<Time> inputs_; ///< of the picture; at first all at 0
+    std::vector<Time> inputs_;            ///< of the picture; at first all at 0
+    std::vector<std::uint32_t> drawings_; // words, likewise
     SceneOnPanel on_panel_;
     TracedPicture picture_;
 };
