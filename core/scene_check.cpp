@@ -282,10 +282,7 @@ bool SceneCheck::check_live(const ItemView& item) const
 
 bool SceneCheck::is_input(std::uint32_t number, InputType type) const
 {
-    InputCursor inputs = scene_.inputs();
-    for (; number > 0 && !inputs.at_end(); --number)
-        inputs.next();
-    return !inputs.at_end() && inputs.next().type == type;
+    return number < scene_.input_count() && scene_.input(number).type == type;
 }
 
 bool SceneCheck::check_object(const ObjectView& object)

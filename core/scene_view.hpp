@@ -79,6 +79,8 @@ public:
     /// What the scene takes from outside.
     InputCursor inputs() const { return {inputs_, input_count_}; }
     std::uint32_t input_count() const { return input_count_; }
+    /// `number` is less than input_count().
+    InputView input(std::uint32_t number) const;
     /// A bit for each input that is a number, the first in the lowest: keys may go by it.
     std::uint32_t number_inputs() const { return number_inputs_; }
     /// The number of the input that has this name.
