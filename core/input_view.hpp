@@ -31,7 +31,7 @@ struct InputView {
     std::int32_t usual = 0; ///< until another is told
     DrawingInput drawing{}; ///< only of a drawing
 
-    /// Where the input stands with `value`, held within its range; rounded to nearest, halves up.
+    /// Where the input, a number, stands with `value`, held within its range; rounded to nearest, halves up.
     Time place_of(std::int32_t value) const;
 };
 

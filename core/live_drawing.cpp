@@ -51,6 +51,7 @@ void LiveDrawing::begin()
 {
     next() = {};
     head_->has_stroke = 0;
+    head_->mark = 0;
 }
 
 bool LiveDrawing::add(LivePoint point)

@@ -35,12 +35,15 @@ public:
     /// `number` is less than strokes(). Has at least one point.
     LiveStroke stroke(std::uint32_t number) const;
 
-    /// The next drawing is empty.
+    /// The next drawing is empty, and its mark 0.
     void begin();
     /// The next point begins a stroke, as the first one does anyway.
     void begin_stroke() { head_->has_stroke = 0; }
     /// Whether there was room for the point.
     bool add(LivePoint point);
+    /// Of the next drawing: whatever helps the one who tells it; 0 at first.
+    std::uint32_t mark() const { return head_->mark; }
+    void set_mark(std::uint32_t mark) { head_->mark = mark; }
     /// Shows the next drawing instead, and empties what is next. Whether they differ.
     bool show();
 
@@ -53,8 +56,9 @@ private:
         Counts drawings[2];
         std::uint16_t shown;      ///< number of the drawing that is
         std::uint16_t has_stroke; ///< of the next one: points belong to its last stroke
+        std::uint32_t mark;
     };
-    static_assert(sizeof(Head) == 12);
+    static_assert(sizeof(Head) == 16);
 
     std::size_t next_number() const { return 1U - head_->shown; }
     const Counts& shown() const { return head_->drawings[head_->shown]; }

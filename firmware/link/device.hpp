@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/time.hpp"
+#include "firmware/link/drawing_part.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/status.hpp"
 
@@ -33,8 +34,8 @@ struct Programme {
 
 /// What the link asks of a device. All of it returns soon: what takes time begins.
 template <class D>
-concept Device = requires(D& device, const D& same, const Programme& programme, std::uint32_t size, Time time,
-                          std::int32_t speed, std::uint8_t number) {
+concept Device = requires(D& device, const D& same, const Programme& programme, const DrawingPart& part,
+                          std::uint32_t size, Time time, std::int32_t speed, std::uint8_t number) {
     { same.facts() } -> std::same_as<DeviceFacts>;
     { same.playing() } -> std::same_as<Playing>;
     /// Without link_errors, which the link counts.
@@ -59,6 +60,8 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     { device.set_brightness(number) } -> std::same_as<Status>;
     /// `number` is one of playing().inputs, and `time` within 0 … whole_input.
     { device.set_input(std::uint32_t{number}, time) } -> std::same_as<void>;
+    /// Its input is one of playing().inputs. Tells it to the player that plays: tell() does it (told_drawing.hpp).
+    { device.tell(part) } -> std::same_as<Status>;
     /// Soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
     { device.enter_boot_loader() } -> std::same_as<Status>;
 };

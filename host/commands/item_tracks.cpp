@@ -23,7 +23,7 @@ const char* name_of(ItemKind kind)
     case ItemKind::use:
         return "use ";
     case ItemKind::live:
-        return "live object ";
+        return "object ";
     }
     return "";
 }

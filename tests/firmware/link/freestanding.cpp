@@ -1,4 +1,5 @@
 #include "firmware/link/link.hpp"
+#include "firmware/link/told_drawing.hpp"
 #include "firmware/rp2040_flash.hpp"
 
 static_assert(__STDC_HOSTED__ == 0, "compiled with -ffreestanding");
@@ -26,6 +27,7 @@ struct BoardDevice {
     void set_speed(std::int32_t speed);
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
+    Status tell(const link::DrawingPart& part);
     Status enter_boot_loader();
 };
 
@@ -36,4 +38,5 @@ template class kfast::SlotStore<kfast::test::BoardFlash>;
 template class kfast::link::Link<kfast::test::BoardDevice, kfast::test::BoardFlash>;
 static_assert(sizeof(kfast::SlotStore<kfast::test::BoardFlash>) < 5000);
 static_assert(sizeof(kfast::link::Link<kfast::test::BoardDevice, kfast::test::BoardFlash>) < 1000);
+kfast::Status (*const compiled_as_well)(kfast::Player&, const kfast::link::DrawingPart&) = kfast::link::tell;
 static_assert(kfast::rp2040::slot_places.pool_bytes == 1528 * 1024);

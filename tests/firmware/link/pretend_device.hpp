@@ -2,10 +2,13 @@
 
 #include "core/scene_view.hpp"
 #include "firmware/link/device.hpp"
+#include "firmware/link/told_drawing.hpp"
+#include "host/told_drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +45,7 @@ public:
         now.slot = next.slot;
         now.inputs = static_cast<std::uint8_t>(SceneView::parse(next.scene)->input_count());
         now.clip = next.clip;
+        begin_player();
         return Status::ok;
     }
     /// As long as asked for, so that a byte beyond is noticed.
@@ -63,6 +67,7 @@ public:
         return Status::ok;
     }
     void set_input(std::uint32_t number, Time place) { inputs[number] = place; }
+    Status tell(const link::DrawingPart& part) { return link::tell(*player, part); }
     Status enter_boot_loader()
     {
         is_in_boot_loader = true;
@@ -74,6 +79,9 @@ public:
         now = {};
     }
 
+    /// What an input shows.
+    ToldDrawing drawing(std::uint32_t input) const { return told_drawing(player->drawing(input)); }
+
     static constexpr std::uint32_t ram_bytes = 20'000;
 
     std::size_t largest_that_plays = 1'000'000;
@@ -84,6 +92,21 @@ public:
     std::vector<std::byte> built_in_scene;
     std::map<std::uint32_t, Time> inputs;
     bool is_in_boot_loader = false;
+
+private:
+    /// Of a copy of the scene: that of the programme may be gone when it is told something.
+    void begin_player()
+    {
+        const SceneView scene = *SceneView::parse(shown);
+        block.assign((Player::block_bytes(scene, player_panel) + 3) / 4, 0);
+        player.emplace(
+            *Player::create(scene, player_panel, Fit::contain, std::as_writable_bytes(std::span{block})));
+    }
+
+    static constexpr Size player_panel{24, 17};
+
+    std::vector<std::uint32_t> block; // words, for the player asks for an alignment of 4
+    std::optional<Player> player;
 };
 
 }
