@@ -83,11 +83,10 @@ constexpr std::array skin_rules{
     PropertyRule<Target>{"change", read_change, false, "skin"},
 };
 
-constexpr std::array live_rules{PropertyRule<Target>{"live", keep_name<&Target::live>}};
-
 constexpr auto object_rules =
-    joined(style_rules, skin_rules, live_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
-           std::array{PropertyRule<Target>{"input", read_own_clock<Target>}});
+    joined(style_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
+           std::array{PropertyRule<Target>{"input", read_own_clock<Target>},
+                      PropertyRule<Target>{"live", keep_name<&Target::live>}});
 
 }
 

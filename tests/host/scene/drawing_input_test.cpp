@@ -38,7 +38,7 @@ TEST_CASE("an input that is a drawing has a room and a usual drawing")
 
     const SceneText full =
         read_input("input a strokes=2 points=7 kind=drawing { line 1 1 2 2.5 0 0; rect 1 1 2 2 }; /-input b");
-    CHECK(full.findings == "1:11 error: the drawing inside has 8 points (write points=8, or draw less)");
+    CHECK(full.findings == "3:19 error: the drawing inside has 8 points (write points=8, or draw less)");
     const SceneText good =
         read_input("input a strokes=2 points=8 kind=drawing { line 1 1 2 2.5 0 0; polygon 1 1 2 2 3 1 }");
     CAPTURE(good.findings);
@@ -82,7 +82,7 @@ TEST_CASE("an object shows an input of the right kind, and has no drawing of its
                         "1; at 9 2 } }")
               .empty());
     CHECK(findings_with("object o fill=red live=b") ==
-          "5:24 error: unknown input \"b\" (did you mean \"a\"?)");
+          "5:24 error: unknown input \"b\" (allowed: a)");
     CHECK(findings_with("object o fill=red live=n") ==
           "5:24 error: the input \"n\" is a number, not a drawing (input= takes a number)");
     CHECK(
