@@ -177,8 +177,10 @@ bool Player::set_drawing(std::uint32_t number, std::span<const LiveStroke> strok
     live.begin();
     for (const LiveStroke& stroke : strokes) {
         live.begin_stroke();
-        if (!std::ranges::all_of(stroke, [&live](LivePoint point) { return live.add(point); }))
+        if (!std::ranges::all_of(stroke, [&live](LivePoint point) { return live.add(point); })) {
+            live.begin();
             return false;
+        }
     }
     show_next_drawing(number);
     return true;

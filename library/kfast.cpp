@@ -92,8 +92,10 @@ bool tell(kfast::LiveDrawing drawing, const kfast_point* points, std::span<const
     for (const std::uint16_t count : strokes) {
         drawing.begin_stroke();
         for (const kfast_point point : std::span{points, count})
-            if (!drawing.add({point.x, point.y}))
+            if (!drawing.add({point.x, point.y})) {
+                drawing.begin();
                 return false;
+            }
         points += count;
     }
     return true;

@@ -113,6 +113,8 @@ TEST_CASE("a drawing that finds no room changes nothing")
     CHECK_FALSE(tell(stage, 1, {{{0, 0}}, {{1, 1}}}));
     CHECK_FALSE(tell(stage, 1, {std::vector<LivePoint>(9)}));
     CHECK(stage.picture({}) == picture);
+    stage.player.show_next_drawing(1);
+    CHECK(stage.player.drawing(1).strokes() == 0);
     CHECK(tell(stage, 1, {std::vector<LivePoint>(8)}));
 }
 
