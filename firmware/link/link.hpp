@@ -8,6 +8,7 @@
 #include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/outcome.hpp"
+#include "firmware/link/silence_watch.hpp"
 #include "firmware/link/upload.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/slots/slot_store.hpp"
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace kfast::link {
 
@@ -24,7 +26,8 @@ namespace kfast::link {
 /// answers ready. It needs no order, no completeness and no sense in what comes.
 ///
 /// Nothing waits for the computer to fetch answers. A request that finds no room for its answer is not
-/// carried out; how far an upload has come is told in one report, which is always the newest.
+/// carried out; how far an upload has come is told in one report, which is always the newest. One request
+/// may have to wait for the device, and is answered later.
 template <Device D, Flash F>
 class Link {
 public:
@@ -34,6 +37,7 @@ public:
     /// A report as it came. Works until flash has taken what is full: up to a sector, or the directory.
     void take(std::span<const std::byte> bytes, Microseconds now)
     {
+        hear(now);
         pass(now);
         Report report;
         std::ranges::copy(bytes.first(std::min(bytes.size(), report_bytes)), report.bytes.begin());
@@ -47,11 +51,52 @@ public:
             take_request(report, now);
     }
 
-    /// Lets time pass: to be called at least every few seconds.
+    /// The computer has spoken. Also to be called when a report has been taken: the computer could not speak
+    /// while it worked.
+    void hear(Microseconds now) { silence_.hear(now); }
+
+    /// Lets time pass: to be called at least every few seconds, and often if silences shall be noticed in
+    /// time.
     void pass(Microseconds now)
     {
         if (const auto tag = upload_.drop_overdue(now))
             tell(report_of(failure(code_of<Data>(), Status::timed_out), *tag));
+        if (const auto request = std::exchange(waiting_, std::nullopt))
+            take_request(*request, now);
+        if (const auto action = silence_.pass(now))
+            carry_out(*action);
+        if (device_.is_idle())
+            return_to_start();
+    }
+
+    /// The computer is gone, perhaps for a while.
+    void lose_computer()
+    {
+        if (const auto action = silence_.end())
+            carry_out(*action);
+    }
+
+    /// A computer begins anew: nothing of what was under way is meant for it. Scenes stay where they are.
+    void begin_session()
+    {
+        lose_computer();
+        upload_.abandon();
+        if (std::exchange(waiting_, std::nullopt))
+            device_.end_loan();
+        answers_ = {};
+    }
+
+    /// Plays what plays when the device starts: the scene of the chosen slot or, where none is chosen or it
+    /// cannot be played, the built-in one. `clip` is one of its clips; empty: what the device is set to.
+    /// Fails as playing the built-in scene fails, and then what played plays on.
+    Verdict play_start(const Name& clip = {})
+    {
+        if (const auto chosen = slots_.chosen()) {
+            const Verdict verdict = play_at_start({slots_.scene(*chosen), Home::slot, *chosen, clip});
+            if (verdict.is_ok() || verdict.status == Status::no_such_clip)
+                return verdict;
+        }
+        return play_at_start({device_.built_in(), Home::built_in, no_slot, clip});
     }
 
     /// Whether there is something to fetch.
@@ -102,6 +147,8 @@ private:
             return take<AskPlaying>(report, now);
         case Kind::statistics:
             return take<AskStatistics>(report, now);
+        case Kind::input:
+            return take<AskInput>(report, now);
         case Kind::begin:
             return take<Begin>(report, now);
         case Kind::commit:
@@ -132,6 +179,8 @@ private:
             return take<Points>(report, now);
         case Kind::drawing:
             return take<Drawing>(report, now);
+        case Kind::silence:
+            return take<Silence>(report, now);
         case Kind::boot_loader:
             return take<EnterBootLoader>(report, now);
         case Kind::data:  // needs no answer
@@ -148,7 +197,9 @@ private:
         if (!message)
             return refuse(report, Status::bad_value);
         const auto outcome = carry_out(*message, {report.tag(), now});
-        if (!outcome.verdict.is_ok())
+        if (outcome.is_put_off)
+            waiting_ = report;
+        else if (!outcome.verdict.is_ok())
             fail(report, outcome.verdict);
         else if (wants_answer(report))
             tell(report_of(outcome.answer, report.tag()));
@@ -182,6 +233,22 @@ private:
         Statistics statistics = device_.statistics();
         statistics.link_errors = errors_;
         return statistics;
+    }
+
+    /// no_such_input, or ok.
+    Verdict look_for_input(std::uint32_t number) const
+    {
+        const std::uint8_t known = device_.playing().inputs;
+        return number < known ? Verdict{} : Verdict{Status::no_such_input, known};
+    }
+
+    Outcome<InputState> carry_out(const AskInput& which, Asked)
+    {
+        if (!device_.playing().is_playing)
+            return Status::nothing_plays;
+        if (const Verdict verdict = look_for_input(which.input); !verdict.is_ok())
+            return verdict;
+        return device_.input(which.input);
     }
 
     Outcome<Begun> carry_out(const Begin& what, Asked asked)
@@ -227,16 +294,54 @@ private:
 
     Deed<Kind::play> carry_out(const Play& what, Asked)
     {
+        if (what.home == Home::start)
+            return play_start(what.clip);
         Programme programme{.home = what.home, .slot = what.slot, .clip = what.clip};
         if (const Verdict verdict = find_scene(programme); !verdict.is_ok())
             return verdict;
         const auto scene = SceneView::parse(programme.scene);
+        return scene ? play(programme, *scene) : status_of(scene.error());
+    }
+
+    Verdict play(Programme programme, const SceneView& scene)
+    {
+        if (!programme.clip.view().empty() && !scene.clip(programme.clip.view()))
+            return Status::no_such_clip;
+        programme.scene = programme.scene.first(scene.size());
+        return device_.play(programme, scene);
+    }
+
+    Verdict play_at_start(Programme programme)
+    {
+        const auto scene = SceneView::parse(programme.scene);
         if (!scene)
             return status_of(scene.error());
-        if (!what.clip.view().empty() && !scene->clip(what.clip.view()))
-            return Status::no_such_clip;
-        programme.scene = programme.scene.first(scene->size());
-        return device_.play(programme);
+        const Name usual = device_.facts().start_clip;
+        if (programme.clip.view().empty() && scene->clip(usual.view()))
+            programme.clip = usual;
+        return play(programme, *scene);
+    }
+
+    void return_to_start()
+    {
+        if (!play_start().is_ok())
+            device_.play_nothing();
+    }
+
+    void carry_out(SilenceAction action)
+    {
+        switch (action) {
+        case SilenceAction::hold:
+            return device_.pause();
+        case SilenceAction::start:
+            return return_to_start();
+        }
+    }
+
+    Deed<Kind::silence> carry_out(const Silence& silence, Asked asked)
+    {
+        silence_.arm(silence, asked.now);
+        return Status::ok;
     }
 
     /// Fills in where the scene lies. Fails with no_such_slot, empty_slot, nothing_in_ram or nothing_plays.
@@ -257,6 +362,7 @@ private:
             programme.scene = upload_.ram_scene();
             return programme.scene.empty() ? Status::nothing_in_ram : Status::ok;
         case Home::here:
+        case Home::start:
             break;
         }
         const Playing playing = device_.playing();
@@ -304,9 +410,9 @@ private:
         };
         if (!std::ranges::all_of(places, is_place))
             return Status::bad_value;
-        const std::uint8_t known = device_.playing().inputs;
-        if (!std::ranges::all_of(places, [=](const InputPlace& each) { return each.input < known; }))
-            return Verdict{Status::no_such_input, known};
+        for (const InputPlace& each : places)
+            if (const Verdict verdict = look_for_input(each.input); !verdict.is_ok())
+                return verdict;
         for (const InputPlace& each : places)
             device_.set_input(each.input, each.place);
         return Status::ok;
@@ -332,12 +438,17 @@ private:
         return part.which.input < known ? Verdict{device_.tell(part)} : Verdict{Status::no_such_input, known};
     }
 
-    Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked) { return device_.enter_boot_loader(); }
+    Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)
+    {
+        return device_.enter_boot_loader(asked.now);
+    }
 
     D& device_;
     SlotStore<F>& slots_;
     Upload<D, F> upload_;
     AnswerQueue answers_;
+    SilenceWatch silence_;
+    std::optional<Report> waiting_; ///< a request that could not be carried out yet
     std::uint32_t errors_ = 0;
 };
 

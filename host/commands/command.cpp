@@ -13,12 +13,22 @@
 namespace kfast {
 namespace {
 
-constexpr int input_is_wrong = 1;
-constexpr int usage_is_wrong = 2;
+constexpr std::array commands{
+    &new_command,     &compile_command, &check_command,   &info_command,   &render_command,
+    &preview_command, &hash_command,    &fit_command,     &export_command, &config_command,
+    &wiring_command,  &uf2_command,     &devices_command, &play_command,   &live_command,
+    &pause_command,   &resume_command,  &seek_command,    &speed_command,  &brightness_command,
+    &upload_command,  &slots_command,   &choose_command,  &erase_command,  &boot_command};
 
-constexpr std::array commands{&new_command,    &compile_command, &check_command,  &info_command,
-                              &render_command, &preview_command, &hash_command,   &fit_command,
-                              &export_command, &config_command,  &wiring_command, &uf2_command};
+std::string exit_status_list()
+{
+    std::string list = "Exit status:";
+    for (const auto& [status, meaning] : exit_meanings) {
+        const std::string number = std::to_string(static_cast<int>(status));
+        list += "\n  " + number + std::string(5 - number.size(), ' ') + meaning;
+    }
+    return list;
+}
 
 std::string usage_message(const CLI::App* kfast, const CLI::Error& error)
 {
@@ -33,9 +43,10 @@ void declare_commands(CLI::App& kfast)
     kfast.set_version_flag("--version", std::string("kfast ") + version);
     kfast.failure_message(usage_message);
     kfast.footer(
-        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.");
+        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.\n\n" +
+        exit_status_list());
     for (const Command* command : commands) {
-        CLI::App* app = kfast.add_subcommand(command->name, command->summary);
+        CLI::App* app = kfast.add_subcommand(command->name, command->summary)->group(command->group);
         app->footer(std::string("Example:\n  ") + command->example);
         command->declare(*app);
     }
@@ -62,10 +73,10 @@ void require_command(std::span<const char* const> arguments)
         require_one_of((*chosen)->subcommands, word(2));
 }
 
-int fail(const char* reason)
+int fail(const char* reason, ExitStatus status = ExitStatus::wrong_input)
 {
     std::cerr << "kfast: " << reason << '\n';
-    return input_is_wrong;
+    return static_cast<int>(status);
 }
 
 int parse_and_run(CLI::App& kfast, int count, const char* const* arguments)
@@ -74,9 +85,9 @@ int parse_and_run(CLI::App& kfast, int count, const char* const* arguments)
         require_command({arguments, static_cast<std::size_t>(count)});
         kfast.parse(count, arguments);
     } catch (const CLI::ParseError& error) {
-        return kfast.exit(error) == 0 ? 0 : usage_is_wrong;
+        return kfast.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::wrong_usage);
     } catch (const Failure& failure) {
-        return fail(failure.what());
+        return fail(failure.what(), failure.status());
     } catch (const std::bad_alloc&) {
         return fail("not enough memory: try a smaller --size");
     }

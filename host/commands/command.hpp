@@ -6,15 +6,21 @@
 
 namespace kfast {
 
+/// Under which the help lists commands.
+inline constexpr const char* scenes_group = "Scenes";
+inline constexpr const char* settings_group = "Settings and firmware";
+inline constexpr const char* devices_group = "Devices that are attached (docs/devices.md)";
+
 /// One subcommand of kfast.
 struct Command {
     const char* name;
     const char* summary;
     const char* example; ///< for the end of its help
     /// Declares the arguments and, as CLI11's callback, what is done with them. The callback throws Failure
-    /// for a wrong input or file and CLI::ParseError for a wrong use.
+    /// for a wrong input or file, or what a device says, and CLI::ParseError for a wrong use.
     void (*declare)(CLI::App& app);
     std::span<const std::string_view> subcommands = {}; ///< if there are any, one of them follows
+    const char* group = scenes_group;
 };
 
 extern const Command new_command;
@@ -29,9 +35,21 @@ extern const Command fit_command;
 extern const Command config_command;
 extern const Command wiring_command;
 extern const Command uf2_command;
+extern const Command devices_command;
+extern const Command play_command;
+extern const Command live_command;
+extern const Command pause_command;
+extern const Command resume_command;
+extern const Command seek_command;
+extern const Command speed_command;
+extern const Command brightness_command;
+extern const Command upload_command;
+extern const Command slots_command;
+extern const Command choose_command;
+extern const Command erase_command;
+extern const Command boot_command;
 
-/// The whole program. Returns its exit status: 0, 1 (the input is wrong, or a file cannot be read or
-/// written) or 2 (the usage is wrong).
+/// The whole program. Returns its exit status (exit_status.hpp).
 int run_command_line(int count, const char* const* arguments);
 
 }

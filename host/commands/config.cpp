@@ -115,6 +115,9 @@ void declare(CLI::App& app)
 
 const Command config_command{"config",
                              "Make, check and read the settings of a board: display, pins, controls",
-                             "kfast config pico-st7789 -o gadget.kdl", declare};
+                             "kfast config pico-st7789 -o gadget.kdl",
+                             declare,
+                             {},
+                             settings_group};
 
 }

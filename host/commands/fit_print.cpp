@@ -1,5 +1,6 @@
 #include "host/commands/fit_print.hpp"
 
+#include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
 #include "host/fit/wording.hpp"
 #include "host/picture/format_name.hpp"
@@ -173,10 +174,6 @@ std::string fit_text(const FitFacts& facts)
     return text + line("fits", report.fits() ? "yes" : "no");
 }
 
-std::string json_text(const FitFacts& facts)
-{
-    return facts_of(facts).dump(2, ' ', false, Json::error_handler_t::replace) +
-           '\n'; // names need not be UTF-8
-}
+std::string json_text(const FitFacts& facts) { return json_text(facts_of(facts)); }
 
 }

@@ -2,6 +2,7 @@
 #include "host/commands/clock_facts.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/item_tracks.hpp"
+#include "host/commands/json_text.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
@@ -192,11 +193,6 @@ void print_text(const Json& facts)
         print_bone_tracks(facts["skeletons"], std::cout);
 }
 
-void print_json(const Json& facts)
-{
-    std::cout << facts.dump(2, ' ', false, Json::error_handler_t::replace) << '\n'; // names need not be UTF-8
-}
-
 void print_info(const InfoOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
@@ -205,7 +201,10 @@ void print_info(const InfoOptions& options)
         known["tracks"] = item_tracks(scene.view);
         known["skeletons"] = bone_tracks(scene.view);
     }
-    options.json ? print_json(known) : print_text(known);
+    if (options.json)
+        std::cout << json_text(known);
+    else
+        print_text(known);
 }
 
 void declare(CLI::App& app)

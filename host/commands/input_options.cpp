@@ -1,10 +1,9 @@
 #include "host/commands/input_options.hpp"
 
-#include "host/scene/value_reader.hpp"
+#include "host/commands/input_value.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 namespace kfast {
@@ -32,16 +31,10 @@ std::vector<InputView> inputs_of(const SceneView& scene)
 
 std::int32_t read_value(std::string_view text, const InputView& input)
 {
-    const std::string_view number = text.substr(text.starts_with('+') ? 1 : 0);
-    double value = 0;
-    const auto [rest, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    const bool is_whole = error == std::errc{} && rest == number.data() + number.size();
-    const double least = input.least / 1000.0;
-    const double most = input.most / 1000.0;
-    if (!is_whole || !(value >= least && value <= most))
-        refuse("'" + std::string{text} + "' is no value of " + std::string{input.name} + ": it goes from " +
-               scene::text_of(least) + " to " + scene::text_of(most));
-    return scene::thousandths(value);
+    const auto value = read_input_value(text, input);
+    if (!value)
+        refuse(input_value_mistake(text, input));
+    return *value;
 }
 
 }

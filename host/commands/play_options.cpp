@@ -1,32 +1,14 @@
 #include "host/commands/play_options.hpp"
 
 #include "host/commands/clip_names.hpp"
+#include "host/commands/speed_text.hpp"
 #include "host/text/suggestion.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
 namespace kfast {
 namespace {
-
-constexpr double slowest = 0.01;
-constexpr double fastest = Playhead::fastest / Playhead::as_authored;
-
-std::int32_t read_speed(const std::string& text)
-{
-    double factor = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, factor, std::chars_format::fixed);
-    const bool in_range =
-        std::abs(factor) >= slowest && std::abs(factor) <= fastest; // not if it is no number
-    if (error != std::errc{} || rest != end || !in_range)
-        throw CLI::ValidationError("--speed", "'" + text +
-                                                  "' is no speed: write a factor of 0.01 to 16, like 0.5, or "
-                                                  "-1 for backwards");
-    return static_cast<std::int32_t>(std::lround(factor * Playhead::as_authored));
-}
 
 [[noreturn]] void refuse_clip(const std::string& name, const SceneView& scene)
 {
@@ -52,7 +34,7 @@ void declare_play_options(CLI::App& app, PlayOptions& options)
 {
     app.add_option("--clip", options.clip, "Play this clip instead of the whole scene")->type_name("NAME");
     app.add_option_function<std::string>(
-           "--speed", [&options](const std::string& text) { options.speed = read_speed(text); },
+           "--speed", [&options](const std::string& text) { options.speed = read_speed("--speed", text); },
            "Play so many times as fast: 0.5, 2, or -1 for backwards")
         ->type_name("FACTOR");
 }

@@ -145,8 +145,11 @@ void declare(CLI::App& app)
 
 }
 
-const Command uf2_command{"uf2", "Make the file that is dragged onto the drive of a Pico",
-                          "kfast uf2 pack --config pico-st7789 --scene eyes.kfast -o eyes.uf2", declare,
-                          subcommands};
+const Command uf2_command{"uf2",
+                          "Make the file that is dragged onto the drive of a Pico",
+                          "kfast uf2 pack --config pico-st7789 --scene eyes.kfast -o eyes.uf2",
+                          declare,
+                          subcommands,
+                          settings_group};
 
 }

@@ -119,7 +119,11 @@ void declare(CLI::App& app)
 
 }
 
-const Command wiring_command{"wiring", "Tell which pin of the board goes to which pin of the display",
-                             "kfast wiring pico-st7789", declare};
+const Command wiring_command{"wiring",
+                             "Tell which pin of the board goes to which pin of the display",
+                             "kfast wiring pico-st7789",
+                             declare,
+                             {},
+                             settings_group};
 
 }

@@ -1,0 +1,142 @@
+#include "host/commands/command.hpp"
+#include "host/commands/device_options.hpp"
+#include "host/commands/json_text.hpp"
+#include "host/commands/playing_text.hpp"
+#include "host/failure.hpp"
+#include "host/link/device_choice.hpp"
+#include "host/link/hid_pipe.hpp"
+#include "host/link/udev_rule.hpp"
+#include "host/text/glyph.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    DeviceOptions device;
+    bool udev_rule = false;
+};
+
+/// All that a device tells of itself.
+struct DeviceFacts {
+    std::string name;
+    link::Capabilities capabilities;
+    link::Names names;
+    link::Playing playing;
+    link::Statistics statistics;
+};
+
+DeviceFacts facts_of(RemoteDevice& device)
+{
+    Session& session = device.session();
+    return {device.name(), device.capabilities(), session.ask<link::Names>(link::AskNames{}),
+            session.ask<link::Playing>(link::AskPlaying{}),
+            session.ask<link::Statistics>(link::AskStatistics{})};
+}
+
+Json json_of(const DeviceFacts& facts)
+{
+    const link::Capabilities& can = facts.capabilities;
+    return {
+        {"device", facts.name},
+        {"board", facts.names.board.view()},
+        {"panel",
+         {{"name", facts.names.panel.view()}, {"width", can.panel.width}, {"height", can.panel.height}}},
+        {"firmware", facts.names.firmware.view()},
+        {"protocol", can.protocol},
+        {"slots", can.slots},
+        {"memory",
+         {{"player", can.block_bytes},
+          {"ram", can.ram_bytes},
+          {"flash", can.pool_bytes},
+          {"largest_for_a_slot", can.room_bytes}}},
+        {"statistics",
+         {{"frames", facts.statistics.frames},
+          {"late", facts.statistics.late},
+          {"skipped", facts.statistics.skipped},
+          {"link_errors", facts.statistics.link_errors}}},
+        {"playing", playing_json(facts.playing)},
+    };
+}
+
+void print_text(const DeviceFacts& facts)
+{
+    const link::Capabilities& can = facts.capabilities;
+    std::cout << facts.name << '\n'
+              << "  board       " << visible(facts.names.board.view()) << ", firmware "
+              << visible(facts.names.firmware.view()) << '\n'
+              << "  panel       " << visible(facts.names.panel.view()) << ", " << can.panel.width << 'x'
+              << can.panel.height << '\n'
+              << "  room        scenes of up to " << can.ram_bytes << " bytes in RAM, " << can.room_bytes
+              << " in one of " << int{can.slots} << " slots\n"
+              << "  plays       " << playing_text(facts.playing) << '\n'
+              << "  frames      " << facts.statistics.frames << " shown, " << facts.statistics.late
+              << " of them late, " << facts.statistics.skipped << " left out\n";
+}
+
+/// Those that are asked for, or else all that are attached.
+std::vector<DeviceAddress> addresses_of(const DeviceOptions& options)
+{
+    const std::vector<std::string> all{"all"};
+    const auto& names = options.devices.empty() ? all : options.devices;
+    return chosen_addresses(names, attached_for(names));
+}
+
+/// One that cannot be asked does not keep the others from being listed.
+void list(const Options& options)
+{
+    const RememberedInterruption interruption;
+    std::optional<Failure> failure;
+    Json json = Json::array();
+    for (const DeviceAddress& address : addresses_of(options.device)) {
+        try {
+            RemoteDevice device = open_device(address, last_patience(options.device));
+            const DeviceFacts facts = facts_of(device);
+            json.push_back(json_of(facts));
+            if (!options.device.json && !options.device.quiet)
+                print_text(facts);
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const Failure& found) {
+            failure = failure.value_or(found);
+        }
+    }
+    if (options.device.json)
+        std::cout << json_text(json);
+    if (failure)
+        throw Failure{*failure};
+}
+
+void run(const Options& options)
+{
+    if (options.udev_rule)
+        std::cout << udev_rule;
+    else
+        list(options);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    declare_device_options(app, options->device);
+    app.add_flag("--udev-rule", options->udev_rule,
+                 "Print the rule by which users may open devices: " + std::string{udev_command})
+        ->excludes("--device")
+        ->excludes("--json");
+    app.callback([options] { run(*options); });
+}
+
+}
+
+const Command devices_command{.name = "devices",
+                              .summary = "List the devices that are attached, and what they play",
+                              .example = "kfast devices --json",
+                              .declare = declare,
+                              .group = devices_group};
+
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/input_view.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+
+/// The value of an input as somebody writes it, in 1/1000; nothing if it is no number within the range.
+std::optional<std::int32_t> read_input_value(std::string_view text, const InputView& input);
+
+/// What is wrong with it then.
+std::string input_value_mistake(std::string_view text, const InputView& input);
+
+}

@@ -1,0 +1,154 @@
+#include "host/commands/command.hpp"
+#include "host/commands/device_options.hpp"
+#include "host/commands/live_stream.hpp"
+#include "host/commands/playing_text.hpp"
+#include "host/commands/sent_scene.hpp"
+#include "host/failure.hpp"
+#include "host/link/on_each.hpp"
+#include "host/scene_file.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace kfast {
+namespace {
+
+struct AfterwardsWord {
+    std::string_view word;
+    Afterwards meaning;
+};
+
+constexpr std::array afterwards_words{
+    AfterwardsWord{"go-on", Afterwards::go_on},
+    AfterwardsWord{"hold", Afterwards::hold},
+    AfterwardsWord{"return", Afterwards::back},
+};
+
+Afterwards read_afterwards(const std::string& text)
+{
+    const auto found = std::ranges::find(afterwards_words, text, &AfterwardsWord::word);
+    if (found != afterwards_words.end())
+        return found->meaning;
+    std::array<std::string_view, afterwards_words.size()> words;
+    std::ranges::transform(afterwards_words, words.begin(), &AfterwardsWord::word);
+    throw CLI::ValidationError("--on-silence",
+                               "'" + visible(text) + "' is unknown: " + suggestion(text, words));
+}
+
+struct Options {
+    std::string file;
+    LiveManner manner;
+    double silence = 1; ///< in seconds
+    DeviceOptions device;
+};
+
+std::vector<LiveInput> inputs_of(const SceneView& scene)
+{
+    std::vector<LiveInput> inputs;
+    for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
+        const InputView input = cursor.next();
+        inputs.push_back({std::string{input.name}, input.least, input.most});
+    }
+    return inputs;
+}
+
+/// Of what it plays. It is asked, so values that make no sense are possible.
+std::vector<LiveInput> inputs_of(RemoteDevice& device)
+{
+    Session& session = device.session();
+    const std::uint8_t count = session.ask<link::Playing>(link::AskPlaying{}).inputs;
+    std::vector<LiveInput> inputs;
+    for (std::uint8_t number = 0; number < count; ++number) {
+        const auto input = session.ask<link::InputState>(link::AskInput{number});
+        if (input.least >= input.most)
+            throw Failure{device.name() + ": tells an input without values: try again", ExitStatus::refused};
+        inputs.push_back({std::string{input.name.view()}, input.least, input.most});
+    }
+    return inputs;
+}
+
+std::vector<LiveInput> common_inputs(std::span<RemoteDevice> devices)
+{
+    std::vector<std::vector<LiveInput>> inputs(devices.size());
+    on_each(devices, [&](RemoteDevice& device, std::size_t index) { inputs[index] = inputs_of(device); });
+    for (const auto& others : inputs)
+        if (others != inputs.front())
+            throw Failure{
+                "the devices play scenes with different inputs: name the scene that all are to play",
+                ExitStatus::wrong_usage};
+    return inputs.front();
+}
+
+/// The inputs of what plays then on all devices.
+std::vector<LiveInput> begin(const Options& options, std::span<RemoteDevice> devices,
+                             const std::optional<SceneFile>& scene)
+{
+    if (!scene)
+        return common_inputs(devices);
+    send_into_ram(*scene, devices, options.device);
+    on_each(devices, [](RemoteDevice& device, std::size_t) {
+        device.session().order(link::Play{.home = link::Home::ram}, patience_to_begin);
+    });
+    return inputs_of(scene->view);
+}
+
+void require_inputs(std::span<const LiveInput> inputs)
+{
+    if (inputs.empty())
+        throw Failure{"what plays has no inputs: give it one like 'input gaze min=-1 max=1', or name a scene "
+                      "that has some"};
+}
+
+void live(const Options& options)
+{
+    std::optional<SceneFile> scene;
+    if (!options.file.empty()) {
+        scene.emplace(load_scene(options.file));
+        require_inputs(inputs_of(scene->view));
+    }
+    OpenDevices devices{options.device};
+    const auto inputs = begin(options, devices.all(), scene);
+    require_inputs(inputs);
+    LiveManner manner = options.manner;
+    manner.silence = Milliseconds{static_cast<Milliseconds::rep>(options.silence * 1000)};
+    stream_live(devices.all(), inputs, manner);
+    print_playing(devices.all(), options.device);
+}
+
+void declare(CLI::App& app)
+{
+    constexpr double fastest = 1000;
+    constexpr double shortest_silence = 0.1;
+    constexpr double longest_silence = 60;
+    const auto options = std::make_shared<Options>();
+    app.add_option("SCENE", options->file,
+                   "A scene text (.kfast) or compiled scene (.kfb) to play from RAM (default: what plays)");
+    app.add_option("--rate", options->manner.rate, "So many lines a second (default: as they come)")
+        ->type_name("NUMBER")
+        ->check(CLI::Range(0.01, fastest));
+    app.add_option_function<std::string>(
+           "--on-silence",
+           [options](const std::string& text) { options->manner.afterwards = read_afterwards(text); },
+           "When no more values come: go-on playing (default), hold the picture, or return to the "
+           "scene of the start")
+        ->type_name("WHAT");
+    app.add_option("--silence", options->silence,
+                   "Seconds after which a device takes this computer for gone (default: 1)")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(shortest_silence, longest_silence));
+    declare_device_options(app, options->device);
+    app.callback([options] { live(*options); });
+}
+
+}
+
+const Command live_command{.name = "live",
+                           .summary = "Set inputs of what plays on a device from standard input",
+                           .example = "kfast live eyes.kfast --rate 30 <poses.txt",
+                           .declare = declare,
+                           .group = devices_group};
+
+}

@@ -1,0 +1,98 @@
+#include "host/commands/command.hpp"
+#include "host/commands/device_options.hpp"
+#include "host/commands/play_options.hpp"
+#include "host/commands/playing_text.hpp"
+#include "host/commands/sent_scene.hpp"
+#include "host/link/on_each.hpp"
+#include "host/link/slot_choice.hpp"
+#include "host/scene_file.hpp"
+#include "host/text/glyph.hpp"
+
+#include <optional>
+
+namespace kfast {
+namespace {
+
+struct Options {
+    std::string file;
+    std::optional<std::uint8_t> slot;
+    bool built_in = false;
+    bool start = false;
+    PlayOptions play;
+    DeviceOptions device;
+};
+
+link::Name clip_name(const Options& options)
+{
+    const std::string name = options.play.clip.value_or("");
+    if (stored_name(name) != name)
+        throw CLI::ValidationError("--clip", "'" + visible(name) +
+                                                 "' is too long: a device can be asked for clips whose names "
+                                                 "have at most 24 bytes");
+    return {name};
+}
+
+link::Home home_of(const Options& options)
+{
+    if (!options.file.empty())
+        return link::Home::ram;
+    if (options.slot)
+        return link::Home::slot;
+    if (options.built_in)
+        return link::Home::built_in;
+    return options.start ? link::Home::start : link::Home::here;
+}
+
+void send(const Options& options, std::span<RemoteDevice> devices, const SceneFile& scene)
+{
+    static_cast<void>(chosen_timeline(options.play, scene.view)); // a clip that it has not is refused here
+    send_into_ram(scene, devices, options.device);
+}
+
+void play(const Options& options)
+{
+    const link::Play what{
+        .home = home_of(options), .slot = options.slot.value_or(link::no_slot), .clip = clip_name(options)};
+    std::optional<SceneFile> scene;
+    if (!options.file.empty())
+        scene.emplace(load_scene(options.file));
+    OpenDevices devices{options.device};
+    if (scene)
+        send(options, devices.all(), *scene);
+    on_each(devices.all(), [&](RemoteDevice& device, std::size_t) {
+        device.session().order(what, patience_to_begin);
+        if (options.play.speed != Playhead::as_authored)
+            device.session().order(link::Speed{options.play.speed});
+    });
+    print_playing(devices.all(), options.device);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    CLI::Option* const file = app.add_option(
+        "SCENE", options->file,
+        "A scene text (.kfast) or compiled scene (.kfb); it goes into RAM (default: what plays)");
+    CLI::Option* const slot =
+        app.add_option("--slot", options->slot, "The scene in this slot")->type_name("N")->excludes(file);
+    CLI::Option* const built_in =
+        app.add_flag("--built-in", options->built_in, "The built-in scene")->excludes(file)->excludes(slot);
+    app.add_flag("--start", options->start, "What the device plays when it starts")
+        ->excludes(file)
+        ->excludes(slot)
+        ->excludes(built_in);
+    declare_play_options(app, options->play);
+    declare_device_options(app, options->device);
+    app.callback([options] { play(*options); });
+}
+
+}
+
+const Command play_command{.name = "play",
+                           .summary =
+                               "Play a scene on a device from its beginning, without wear of its flash",
+                           .example = "kfast play eyes.kfast --clip blink",
+                           .declare = declare,
+                           .group = devices_group};
+
+}

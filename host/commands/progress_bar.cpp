@@ -1,0 +1,54 @@
+#include "host/commands/progress_bar.hpp"
+
+#include "host/commands/progress_text.hpp"
+
+#include <iostream>
+#include <numeric>
+#include <unistd.h>
+
+namespace kfast {
+namespace {
+
+constexpr std::chrono::milliseconds between_drawings{100};
+
+}
+
+ProgressBar::ProgressBar(std::size_t bytes, std::size_t devices, Shown shown)
+    : done_(devices), total_{bytes * devices}, is_shown_{shown == Shown::on_a_terminal &&
+                                                         ::isatty(STDERR_FILENO) == 1},
+      begin_{Clock::now()}, drawn_{begin_ - between_drawings}
+{
+}
+
+ProgressBar::~ProgressBar()
+{
+    if (width_ != 0)
+        std::cerr << '\r' << std::string(width_, ' ') << '\r' << std::flush;
+}
+
+TellProgress ProgressBar::of_device(std::size_t index)
+{
+    return [this, index](std::size_t bytes) { tell(index, bytes); };
+}
+
+void ProgressBar::tell(std::size_t index, std::size_t bytes)
+{
+    if (!is_shown_)
+        return;
+    const std::lock_guard lock{mutex_};
+    done_[index] = bytes;
+    const std::size_t done = std::accumulate(done_.begin(), done_.end(), std::size_t{0});
+    if (done == total_ || Clock::now() - drawn_ >= between_drawings)
+        draw(done);
+}
+
+void ProgressBar::draw(std::size_t done)
+{
+    drawn_ = Clock::now();
+    const std::string text = progress_text(done, total_, drawn_ - begin_);
+    const std::size_t left_over = width_ > text.size() ? width_ - text.size() : 0;
+    std::cerr << '\r' << text << std::string(left_over, ' ') << std::flush;
+    width_ = text.size();
+}
+
+}

@@ -1,0 +1,179 @@
+#include "core/playhead.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/device_options.hpp"
+#include "host/commands/json_text.hpp"
+#include "host/commands/playing_text.hpp"
+#include "host/commands/speed_text.hpp"
+#include "host/commands/time_text.hpp"
+#include "host/failure.hpp"
+#include "host/link/on_each.hpp"
+#include "host/text/glyph.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+/// Small orders to what plays: a command each.
+namespace kfast {
+namespace {
+
+struct Options {
+    std::string text; ///< what the command takes, if anything
+    DeviceOptions device;
+};
+
+/// Gives the order to all devices at once, and says what they play then.
+template <class Message>
+void order(const Message& message, const DeviceOptions& options)
+{
+    OpenDevices devices{options};
+    on_each(devices.all(), [&](RemoteDevice& device, std::size_t) { device.session().order(message); });
+    print_playing(devices.all(), options);
+}
+
+void pause(const Options& options) { order(link::Pause{}, options.device); }
+void resume(const Options& options) { order(link::Resume{}, options.device); }
+
+/// The frame rate is that of what the device plays.
+Time moment_of(const std::string& text, RemoteDevice& device)
+{
+    const auto playing = device.session().ask<link::Playing>(link::AskPlaying{});
+    if (!playing.is_playing)
+        throw Failure{"nothing plays: play a scene with 'kfast play'", ExitStatus::refused};
+    const auto moment = read_time(text, playing.frame_rate);
+    if (!moment)
+        throw Failure{"'" + visible(text) +
+                          "' is no moment: write a frame like 12.5, or a time like 1.5s or "
+                          "500ms",
+                      ExitStatus::wrong_usage};
+    return *moment;
+}
+
+void seek(const Options& options)
+{
+    OpenDevices devices{options.device};
+    std::vector<Time> moments(devices.all().size());
+    on_each(devices.all(), [&](RemoteDevice& device, std::size_t index) {
+        moments[index] = moment_of(options.text, device);
+    });
+    on_each(devices.all(), [&](RemoteDevice& device, std::size_t index) {
+        device.session().order(link::Seek{moments[index]});
+    });
+    print_playing(devices.all(), options.device);
+}
+
+void set_speed(const Options& options)
+{
+    order(link::Speed{read_speed("FACTOR", options.text)}, options.device);
+}
+
+/// "0" to "255", or "40%".
+std::uint8_t read_brightness(const std::string& text)
+{
+    constexpr double brightest = 255;
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    const bool is_share = std::string_view{rest, end} == "%";
+    const double most = is_share ? 100 : brightest;
+    if (error != std::errc{} || !(is_share || rest == end) || !(number >= 0 && number <= most))
+        throw CLI::ValidationError(
+            "BRIGHTNESS", "'" + visible(text) + "' is no brightness: write 0 to 255, or a share like 40%");
+    return static_cast<std::uint8_t>(std::lround(number * brightest / most));
+}
+
+void set_brightness(const Options& options)
+{
+    order(link::Brightness{read_brightness(options.text)}, options.device);
+}
+
+/// It does not play any more then, so it cannot be asked what it plays.
+void boot(const Options& options)
+{
+    OpenDevices devices{options.device};
+    on_each(devices.all(),
+            [](RemoteDevice& device, std::size_t) { device.session().order(link::EnterBootLoader{}); });
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const RemoteDevice& device : devices.all()) {
+        json.push_back({{"device", device.name()}});
+        if (!options.device.json && !options.device.quiet)
+            std::cout << device.name() << ": enters its boot loader\n";
+    }
+    if (options.device.json)
+        std::cout << json_text(json);
+}
+
+std::shared_ptr<Options> with_devices(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    declare_device_options(app, options->device);
+    return options;
+}
+
+template <void (*act)(const Options&)>
+void declare_plain(CLI::App& app)
+{
+    const auto options = with_devices(app);
+    app.callback([options] { act(*options); });
+}
+
+void declare_seek(CLI::App& app)
+{
+    const auto options = with_devices(app);
+    app.add_option("MOMENT", options->text, "A frame like 12.5, or a time like 1.5s or 500ms")->required();
+    app.callback([options] { seek(*options); });
+}
+
+void declare_speed(CLI::App& app)
+{
+    const auto options = with_devices(app);
+    app.add_option("FACTOR", options->text, "So many times as fast: 0.5, 2, or -1 for backwards")->required();
+    app.callback([options] { set_speed(*options); });
+}
+
+void declare_brightness(CLI::App& app)
+{
+    const auto options = with_devices(app);
+    app.add_option("BRIGHTNESS", options->text, "0 to 255, or a share like 40%")->required();
+    app.callback([options] { set_brightness(*options); });
+}
+
+}
+
+const Command pause_command{.name = "pause",
+                            .summary = "Hold the picture of a device",
+                            .example = "kfast pause --device all",
+                            .declare = declare_plain<pause>,
+                            .group = devices_group};
+
+const Command resume_command{.name = "resume",
+                             .summary = "Let a device go on playing",
+                             .example = "kfast resume --device all",
+                             .declare = declare_plain<resume>,
+                             .group = devices_group};
+
+const Command seek_command{.name = "seek",
+                           .summary = "Go to a moment of what a device plays",
+                           .example = "kfast seek 1.5s",
+                           .declare = declare_seek,
+                           .group = devices_group};
+
+const Command speed_command{.name = "speed",
+                            .summary = "Play faster, slower or backwards on a device",
+                            .example = "kfast speed 0.5",
+                            .declare = declare_speed,
+                            .group = devices_group};
+
+const Command brightness_command{.name = "brightness",
+                                 .summary = "Set how bright the display of a device is",
+                                 .example = "kfast brightness 40%",
+                                 .declare = declare_brightness,
+                                 .group = devices_group};
+
+const Command boot_command{.name = "boot",
+                           .summary = "Let a device enter its boot loader, for another firmware",
+                           .example = "kfast boot --device all",
+                           .declare = declare_plain<boot>,
+                           .group = devices_group};
+
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+namespace kfast {
+
+/// What kfast ends with. The numbers stay what they are: scripts go by them.
+enum class ExitStatus : int {
+    done = 0,
+    wrong_input = 1,
+    wrong_usage = 2,
+    no_device = 3,
+    no_permission = 4,
+    unplugged = 5,
+    wrong_version = 6,
+    no_room = 7,
+    refused = 8,
+    timed_out = 9,
+    interrupted = 130, ///< as shells count SIGINT
+};
+
+struct ExitMeaning {
+    ExitStatus status;
+    const char* meaning;
+};
+
+/// Of each status, as the help and docs/devices.md tell it.
+inline constexpr std::array exit_meanings{
+    ExitMeaning{ExitStatus::done, "done"},
+    ExitMeaning{ExitStatus::wrong_input, "the input is wrong, or a file cannot be read or written"},
+    ExitMeaning{ExitStatus::wrong_usage, "the usage is wrong"},
+    ExitMeaning{ExitStatus::no_device, "no device, or not the one that is asked for"},
+    ExitMeaning{ExitStatus::no_permission, "a device may not be opened"},
+    ExitMeaning{ExitStatus::unplugged, "a device was unplugged meanwhile"},
+    ExitMeaning{ExitStatus::wrong_version, "the firmware of a device does not go with this kfast"},
+    ExitMeaning{ExitStatus::no_room, "a device has no room for the scene"},
+    ExitMeaning{ExitStatus::refused, "a device refused something else"},
+    ExitMeaning{ExitStatus::timed_out, "a device did not answer"},
+    ExitMeaning{ExitStatus::interrupted, "interrupted by Ctrl-C"},
+};
+
+}

@@ -1,0 +1,78 @@
+#include "host/link/refusal.hpp"
+
+#include "host/text/glyph.hpp"
+
+#include <string>
+
+namespace kfast {
+namespace {
+
+ExitStatus exit_status_of(Status status)
+{
+    switch (status) {
+    case Status::no_room:
+    case Status::too_large:
+    case Status::block_too_small:
+        return ExitStatus::no_room;
+    case Status::unsupported_version:
+    case Status::unknown_kind:
+        return ExitStatus::wrong_version;
+    case Status::timed_out:
+        return ExitStatus::timed_out;
+    default: // what devices to come may say as well
+        return ExitStatus::refused;
+    }
+}
+
+/// What would help; empty if nothing is known.
+std::string remedy_of(const link::Failure& told)
+{
+    const std::string number = std::to_string(told.number);
+    switch (told.status) {
+    case Status::no_room:
+        return "there is room for " + number + " bytes: erase a slot ('kfast erase'), or shorten the scene";
+    case Status::too_large:
+        return "it holds " + number + " bytes: upload it to a slot ('kfast upload'), or shorten the scene";
+    case Status::block_too_small:
+        return "'kfast fit' tells how much the scene needs";
+    case Status::unsupported_version:
+    case Status::unknown_kind:
+        return "update the firmware of the device, or use the kfast that belongs to it";
+    case Status::bad_checksum:
+        return "try again, with another cable if need be";
+    case Status::timed_out:
+        return "try again";
+    case Status::no_such_slot:
+        return "they go from 0 to " + std::to_string(told.number == 0 ? 0 : told.number - 1);
+    case Status::empty_slot:
+        return "'kfast slots' lists what there is";
+    case Status::nothing_in_ram:
+        return "send one with 'kfast play SCENE'";
+    case Status::nothing_plays:
+        return "play one with 'kfast play'";
+    case Status::no_such_clip:
+        return "'kfast info SCENE' lists them";
+    case Status::no_such_input:
+        return "another scene plays by now: begin anew";
+    default:
+        return {};
+    }
+}
+
+std::string in_words(const link::Failure& told)
+{
+    const std::string text = visible(told.text.view());
+    const std::string said =
+        text.empty() ? "error " + std::to_string(static_cast<unsigned>(told.status)) : text;
+    const std::string remedy = remedy_of(told);
+    return "the device says: " + said + (remedy.empty() ? "" : ": " + remedy);
+}
+
+}
+
+Refusal::Refusal(const link::Failure& told)
+    : Failure{in_words(told), exit_status_of(told.status)}, status_{told.status}, number_{told.number}
+{
+}
+
+}

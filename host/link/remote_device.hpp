@@ -1,0 +1,36 @@
+#pragma once
+
+#include "host/link/device_address.hpp"
+#include "host/link/report_pipe.hpp"
+#include "host/link/session.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// A device that has answered, and whose answers are understood.
+class RemoteDevice {
+public:
+    /// Throws what Session throws, and Failure with wrong_version. `name` is for messages if it has no
+    /// serial number.
+    RemoteDevice(std::unique_ptr<ReportPipe> pipe, const Session::Manner& manner, const std::string& name);
+
+    Session& session() { return session_; }
+    /// As it was when it was opened.
+    const link::Capabilities& capabilities() const { return capabilities_; }
+    /// The serial number, or what else it is called by; fit for a terminal.
+    const std::string& name() const { return name_; }
+
+private:
+    std::unique_ptr<ReportPipe> pipe_;
+    Session session_;
+    link::Capabilities capabilities_;
+    std::string name_;
+};
+
+/// Throws Failure with no_device or no_permission, and what RemoteDevice throws.
+RemoteDevice open_device(const DeviceAddress& address, Milliseconds last_patience);
+
+}

@@ -1,0 +1,187 @@
+#include "host/link/scene_upload.hpp"
+
+#include "core/crc32.hpp"
+#include "host/link/interruption.hpp"
+#include "host/link/refusal.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+/// So often a scene is sent from its beginning before somebody is told that it does not work.
+constexpr int most_attempts = 4;
+/// So often a device may say that it has all blocks and then that it has not.
+constexpr int most_rounds = 16;
+
+std::uint32_t crc_of(std::span<const std::byte> bytes)
+{
+    Crc32 crc;
+    crc.add(bytes);
+    return crc.value();
+}
+
+/// Whether the upload is over without having failed for good.
+bool is_lost(Status status)
+{
+    return status == Status::no_transfer || status == Status::timed_out || status == Status::bad_checksum;
+}
+
+class SceneUpload {
+public:
+    SceneUpload(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
+                const TellProgress& tell)
+        : session_{session}, begin_{begin}, scene_{scene}, tell_{tell}, patience_{begin.home ==
+                                                                                          link::Home::slot
+                                                                                      ? patience_with_flash
+                                                                                      : patience_with_ram}
+    {
+    }
+
+    /// Throws Refusal.
+    void run()
+    {
+        tag_ = session_.new_tag();
+        const auto begun = session_.ask_with<link::Begun>(begin_, tag_, patience_);
+        window_ = begun.window;
+        go_on_from(begun.next);
+        send_blocks();
+        for (int round = 1; !is_committed(round == most_rounds); ++round)
+            send_blocks();
+    }
+    void cancel() { session_.take_leave(link::report_of(link::Cancel{}, tag_)); }
+
+private:
+    std::uint32_t blocks() const { return link::blocks_of(begin_.size); }
+
+    void go_on_from(std::uint32_t block)
+    {
+        heard_ = std::min(block, blocks());
+        next_ = heard_;
+        furthest_ = std::max(furthest_, heard_);
+        progressed_ = session_.now();
+        tell_(std::min<std::size_t>(heard_ * link::block_bytes, scene_.size()));
+    }
+
+    /// Until the device has told that it has all of them.
+    void send_blocks()
+    {
+        Milliseconds patience = patience_;
+        while (heard_ < blocks()) {
+            const bool is_room = next_ < std::min(blocks(), heard_ + window_);
+            if (is_room)
+                send_next();
+            const std::uint32_t heard_before = heard_;
+            if (const auto report = session_.hear(tag_, is_room ? Milliseconds{0} : patience)) {
+                take(*report);
+            } else if (!is_room) {
+                next_ = heard_;
+                patience = Session::longer(patience);
+            }
+            if (heard_ != heard_before)
+                patience = patience_;
+            if (session_.now() - progressed_ >= session_.last_patience())
+                give_up(session_.last_patience());
+        }
+    }
+
+    void send_next()
+    {
+        link::Data data{.block = static_cast<std::uint16_t>(next_)};
+        const auto rest = scene_.subspan(next_ * link::block_bytes);
+        std::ranges::copy(rest.first(std::min(rest.size(), link::block_bytes)), data.bytes.begin());
+        session_.send(link::report_of(data, tag_));
+        furthest_ = std::max(furthest_, ++next_);
+    }
+
+    void take(const link::Report& report)
+    {
+        if (const auto told = link::message_of<link::Acknowledgement>(report))
+            hear(*told);
+        if (const auto failure = refusal_in(report, link::code_of<link::Data>()))
+            throw Refusal{*failure};
+    }
+
+    /// It may be late, or of blocks that were never sent.
+    void hear(const link::Acknowledgement& told)
+    {
+        if (told.next < heard_ || told.next > furthest_)
+            return;
+        window_ = told.window;
+        if (told.next > heard_) {
+            const std::uint32_t next = std::max<std::uint32_t>(next_, told.next);
+            go_on_from(told.next);
+            next_ = next;
+        }
+        if (told.is_missing)
+            next_ = heard_;
+    }
+
+    /// Otherwise some blocks are still to be sent, which cannot be when it is the `last` time.
+    bool is_committed(bool last)
+    {
+        try {
+            session_.ask_with<link::Done<link::Kind::commit>>(link::Commit{}, tag_, patience_);
+            return true;
+        } catch (const Refusal& refusal) {
+            if (last || refusal.status() != Status::incomplete || refusal.number() >= blocks())
+                throw;
+            go_on_from(refusal.number());
+            return false;
+        }
+    }
+
+    Session& session_;
+    link::Begin begin_;
+    std::span<const std::byte> scene_;
+    const TellProgress& tell_;
+    Milliseconds patience_;
+    std::uint8_t tag_ = 0;
+    std::uint32_t window_ = 0;
+    std::uint32_t heard_ = 0;    ///< the device has all blocks before it
+    std::uint32_t next_ = 0;     ///< to be sent
+    std::uint32_t furthest_ = 0; ///< behind the last that was sent
+    Milliseconds progressed_{};
+};
+
+link::Begin begin_of(std::span<const std::byte> scene)
+{
+    return {.size = static_cast<std::uint32_t>(scene.size()), .crc = crc_of(scene)};
+}
+
+}
+
+link::Begin begin_in_slot(std::uint8_t slot, std::string_view name, std::span<const std::byte> scene)
+{
+    link::Begin begin = begin_of(scene);
+    begin.home = link::Home::slot;
+    begin.slot = slot;
+    begin.name = {name};
+    return begin;
+}
+
+link::Begin begin_in_ram(std::span<const std::byte> scene)
+{
+    link::Begin begin = begin_of(scene);
+    begin.home = link::Home::ram;
+    return begin;
+}
+
+void upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
+                  const TellProgress& tell)
+{
+    for (int attempt = 1;; ++attempt) {
+        SceneUpload upload{session, begin, scene, tell};
+        try {
+            return upload.run();
+        } catch (const Interrupted&) {
+            upload.cancel();
+            throw;
+        } catch (const Refusal& refusal) {
+            if (!is_lost(refusal.status()) || attempt == most_attempts)
+                throw;
+        }
+    }
+}
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "firmware/link/message.hpp"
+#include "host/link/session.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace kfast {
+
+/// Told how many bytes of the scene the device has; it may become fewer when an upload begins anew.
+using TellProgress = std::function<void(std::size_t bytes)>;
+
+/// What begins the upload of a scene. `name` finds room.
+link::Begin begin_in_slot(std::uint8_t slot, std::string_view name, std::span<const std::byte> scene);
+link::Begin begin_in_ram(std::span<const std::byte> scene);
+
+/// Brings a scene to a device by the rules of docs/link.md: keeps the window full, goes back where something
+/// is missing, begins anew when the device has dropped the upload or found it damaged. If it is interrupted,
+/// the device is told so. `begin` is for these bytes.
+///
+/// Throws what Session throws, and Refusal.
+void upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
+                  const TellProgress& tell);
+
+}

@@ -1,0 +1,136 @@
+#include "host/link/session.hpp"
+
+#include "host/link/interruption.hpp"
+#include "host/link/refusal.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+/// So often an interruption is looked for.
+constexpr Milliseconds unheeded_at_most{100};
+constexpr Milliseconds longest_patience{2000};
+constexpr Milliseconds patience_when_leaving{500};
+
+}
+
+Session::Session(ReportPipe& pipe, const Manner& manner)
+    : pipe_{pipe}, manner_{manner}, tag_{static_cast<std::uint8_t>(manner.first_tag - 1)}
+{
+}
+
+std::uint8_t Session::new_tag()
+{
+    tag_ = tag_ == 0xFF ? std::uint8_t{1} : static_cast<std::uint8_t>(tag_ + 1);
+    return tag_;
+}
+
+void Session::send(const link::Report& report)
+{
+    heed_interruption();
+    pipe_.send(report);
+}
+
+std::optional<link::Report> Session::hear(std::uint8_t tag, Milliseconds patience)
+{
+    return hear_until(tag, pipe_.now() + patience);
+}
+
+// Reads at least once, so that what has come is heard without patience as well.
+std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds end)
+{
+    for (;;) {
+        heed_interruption();
+        const Milliseconds left = std::max(end - pipe_.now(), Milliseconds{0});
+        const auto report = pipe_.receive(std::min(left, unheeded_at_most));
+        if (report && report->tag() == tag && (report->kind() & link::from_device) != 0)
+            return report;
+        if (report)
+            remember_failure(*report);
+        if (pipe_.now() >= end && (!report || left > Milliseconds{0}))
+            return std::nullopt;
+    }
+}
+
+/// Of what was told without a tag.
+void Session::remember_failure(const link::Report& report)
+{
+    const auto failure = link::message_of<link::Failure>(report);
+    if (failure && report.tag() == 0 && !untold_)
+        untold_ = failure;
+}
+
+void Session::tell_failures()
+{
+    while (const auto report = hear(0, Milliseconds{0}))
+        remember_failure(*report);
+    if (const auto failure = std::exchange(untold_, std::nullopt))
+        throw Refusal{*failure};
+}
+
+Milliseconds Session::longer(Milliseconds patience)
+{
+    return std::max(patience, std::min(2 * patience, longest_patience));
+}
+
+std::optional<link::Report> Session::await(const link::Report& request, Milliseconds patience,
+                                           IsAnswer is_answer)
+{
+    const Milliseconds end = pipe_.now() + patience;
+    while (const auto report = hear_until(request.tag(), end)) {
+        if (is_answer(*report))
+            return report;
+        if (const auto failure = refusal_in(*report, request.kind()))
+            throw Refusal{*failure};
+        if (pipe_.now() >= end)
+            break;
+    }
+    return std::nullopt;
+}
+
+link::Report Session::exchange(const link::Report& request, Milliseconds patience, IsAnswer is_answer)
+{
+    const Milliseconds begin = pipe_.now();
+    for (;; patience = longer(patience)) {
+        send(request);
+        if (const auto answer = await(request, patience, is_answer))
+            return *answer;
+        if (pipe_.now() - begin >= manner_.last_patience)
+            give_up(manner_.last_patience);
+    }
+}
+
+void Session::take_leave(const link::Report& report)
+{
+    try {
+        pipe_.send(report);
+        const Milliseconds end = pipe_.now() + patience_when_leaving;
+        while (pipe_.now() < end) {
+            const auto answer = pipe_.receive(end - pipe_.now());
+            if (answer && answer->tag() == report.tag() &&
+                answer->kind() == (report.kind() | link::from_device))
+                return;
+        }
+    } catch (const Failure&) { // there is nobody to be left
+    }
+}
+
+std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t kind)
+{
+    const auto failure = link::message_of<link::Failure>(answer);
+    const bool tells_why = failure && failure->request == kind && failure->status != Status::bad_report;
+    return tells_why ? failure : std::nullopt;
+}
+
+void give_up(Milliseconds waited)
+{
+    throw Failure{"the device has not answered for " + std::to_string(waited.count() / 1000) +
+                      " seconds: unplug it, plug it in again, and ask once more; or wait longer, with "
+                      "--timeout",
+                  ExitStatus::timed_out};
+}
+
+}

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "firmware/link/fields.hpp"
+#include "firmware/link/message.hpp"
+#include "host/link/report_pipe.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace kfast {
+
+/// How long a device may be silent before it is asked again: what it does without its flash, and with it.
+inline constexpr Milliseconds patience_with_ram{50};
+inline constexpr Milliseconds patience_with_flash{600};
+/// A device that is asked twice to play begins twice, and it looks at the whole scene before it answers.
+inline constexpr Milliseconds patience_to_begin{600};
+
+/// Asks a device and hears its answers, over a pipe that may lose, repeat and reorder (docs/link.md). What it
+/// is not answered it asks again, each time after a longer silence, up to its last patience.
+///
+/// All members throw Failure with unplugged, with timed_out when the last patience is over, and Interrupted
+/// (interruption.hpp).
+class Session {
+public:
+    /// How it asks.
+    struct Manner {
+        Milliseconds last_patience{10'000};
+        /// No device may take requests for those of somebody who asked before, so it is chosen at random.
+        std::uint8_t first_tag = 1;
+    };
+
+    /// The pipe must outlive it.
+    Session(ReportPipe& pipe, const Manner& manner);
+
+    /// The device's answer. Throws Refusal.
+    template <class A, class M>
+    A ask(const M& message, Milliseconds patience = patience_with_ram)
+    {
+        return ask_with<A>(message, new_tag(), patience);
+    }
+    template <class A, class M>
+    A ask_with(const M& message, std::uint8_t tag, Milliseconds patience)
+    {
+        const auto is_answer = [](const link::Report& report) {
+            return link::message_of<A>(report).has_value();
+        };
+        return *link::message_of<A>(exchange(link::report_of(message, tag), patience, is_answer));
+    }
+    /// What is answered by nothing but that it was done.
+    template <class M>
+    void order(const M& message, Milliseconds patience = patience_with_ram)
+    {
+        ask<link::Done<M::kind>>(message, patience);
+    }
+    /// What is answered only if it fails: see tell_failures().
+    template <class M>
+    void tell(const M& message)
+    {
+        send(link::report_of(message, 0));
+    }
+    /// Throws Refusal if something was refused that was told. Does not wait.
+    void tell_failures();
+
+    /// Another one than those of late. Never 0.
+    std::uint8_t new_tag();
+    void send(const link::Report& report);
+    /// The next report with that tag, for which it waits so long.
+    std::optional<link::Report> hear(std::uint8_t tag, Milliseconds patience);
+    Milliseconds now() const { return pipe_.now(); }
+    Milliseconds last_patience() const { return manner_.last_patience; }
+    /// Another time of silence, after one that was not enough.
+    static Milliseconds longer(Milliseconds patience);
+
+    /// Says something to a device that is about to be left, and waits for it a little, also after an
+    /// interruption. Throws nothing.
+    void take_leave(const link::Report& report);
+
+private:
+    using IsAnswer = bool (*)(const link::Report& report);
+
+    /// The first report that is an answer to the request. Throws Refusal.
+    link::Report exchange(const link::Report& request, Milliseconds patience, IsAnswer is_answer);
+    std::optional<link::Report> await(const link::Report& request, Milliseconds patience, IsAnswer is_answer);
+    std::optional<link::Report> hear_until(std::uint8_t tag, Milliseconds end);
+    void remember_failure(const link::Report& report);
+
+    ReportPipe& pipe_;
+    Manner manner_;
+    std::uint8_t tag_;
+    std::optional<link::Failure> untold_; ///< the first failure of what was told
+};
+
+/// Why the device does not do what it was asked for by a report of that kind, if this tells it. That a report
+/// came damaged is no reason: it is sent again.
+std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t kind);
+
+/// Throws Failure with timed_out.
+[[noreturn]] void give_up(Milliseconds waited);
+
+}

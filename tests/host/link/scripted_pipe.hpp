@@ -1,0 +1,41 @@
+#pragma once
+
+#include "firmware/link/report.hpp"
+#include "host/link/report_pipe.hpp"
+
+#include <deque>
+#include <functional>
+#include <optional>
+
+namespace kfast::test {
+
+/// A device that answers what it is told to.
+class ScriptedPipe : public ReportPipe {
+public:
+    void send(const link::Report& report) override
+    {
+        ++now_;
+        if (answer)
+            if (const auto told = answer(report))
+                answers_.push_back(*told);
+    }
+    std::optional<link::Report> receive(Milliseconds patience) override
+    {
+        if (answers_.empty()) {
+            now_ += patience;
+            return std::nullopt;
+        }
+        const link::Report report = answers_.front();
+        answers_.pop_front();
+        return report;
+    }
+    Milliseconds now() const override { return now_; }
+
+    std::function<std::optional<link::Report>(const link::Report&)> answer;
+
+private:
+    std::deque<link::Report> answers_;
+    Milliseconds now_{0};
+};
+
+}
