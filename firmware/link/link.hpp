@@ -8,6 +8,7 @@
 #include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/outcome.hpp"
+#include "firmware/link/repertoire.hpp"
 #include "firmware/link/silence_watch.hpp"
 #include "firmware/link/upload.hpp"
 #include "firmware/microseconds.hpp"
@@ -32,7 +33,10 @@ template <Device D, Flash F>
 class Link {
 public:
     /// Both must outlive the link. Nobody else begins uploads to `slots`.
-    Link(D& device, SlotStore<F>& slots) : device_{device}, slots_{slots}, upload_{device, slots} {}
+    Link(D& device, SlotStore<F>& slots)
+        : device_{device}, slots_{slots}, upload_{device, slots}, repertoire_{device, slots, upload_}
+    {
+    }
 
     /// A report as it came. Works until flash has taken what is full: up to a sector, or the directory.
     void take(std::span<const std::byte> bytes, Microseconds now)
@@ -66,7 +70,7 @@ public:
         if (const auto action = silence_.pass(now))
             carry_out(*action);
         if (device_.is_idle())
-            return_to_start();
+            repertoire_.return_to_start();
     }
 
     /// The computer is gone, perhaps for a while.
@@ -86,18 +90,8 @@ public:
         answers_ = {};
     }
 
-    /// Plays what plays when the device starts: the scene of the chosen slot or, where none is chosen or it
-    /// cannot be played, the built-in one. `clip` is one of its clips; empty: what the device is set to.
-    /// Fails as playing the built-in scene fails, and then what played plays on.
-    Verdict play_start(const Name& clip = {})
-    {
-        if (const auto chosen = slots_.chosen()) {
-            const Verdict verdict = play_at_start({slots_.scene(*chosen), Home::slot, *chosen, clip});
-            if (verdict.is_ok() || verdict.status == Status::no_such_clip)
-                return verdict;
-        }
-        return play_at_start({device_.built_in(), Home::built_in, no_slot, clip});
-    }
+    /// What plays when the device starts plays (Repertoire).
+    Verdict play_start() { return repertoire_.play_start(); }
 
     /// Whether there is something to fetch.
     bool has_report() const { return !answers_.is_empty() || upload_.has_acknowledgement(); }
@@ -258,17 +252,9 @@ private:
     Deed<Kind::commit> carry_out(const Commit&, Asked asked) { return upload_.commit(asked.tag); }
     Deed<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
 
-    /// no_such_slot, or ok.
-    static Verdict look_for(std::uint8_t slot)
-    {
-        if (slot < SlotDirectory::slot_count)
-            return {};
-        return {Status::no_such_slot, SlotDirectory::slot_count};
-    }
-
     Outcome<SlotContents> carry_out(const AskSlot& which, Asked)
     {
-        if (const Verdict verdict = look_for(which.slot); !verdict.is_ok())
+        if (const Verdict verdict = slot_exists(which.slot); !verdict.is_ok())
             return verdict;
         const SlotEntry& entry = slots_.entry(which.slot);
         return SlotContents{.slot = which.slot,
@@ -279,7 +265,7 @@ private:
     }
     Deed<Kind::erase> carry_out(const EraseSlot& which, Asked)
     {
-        if (const Verdict verdict = look_for(which.slot); !verdict.is_ok())
+        if (const Verdict verdict = slot_exists(which.slot); !verdict.is_ok())
             return verdict;
         upload_.forget_last();
         return slots_.erase(which.slot);
@@ -288,45 +274,11 @@ private:
     {
         if (which.slot == no_slot)
             return slots_.choose(std::nullopt);
-        const Verdict verdict = look_for(which.slot);
+        const Verdict verdict = slot_exists(which.slot);
         return verdict.is_ok() ? Verdict{slots_.choose(which.slot)} : verdict;
     }
 
-    Deed<Kind::play> carry_out(const Play& what, Asked)
-    {
-        if (what.home == Home::start)
-            return play_start(what.clip);
-        Programme programme{.home = what.home, .slot = what.slot, .clip = what.clip};
-        if (const Verdict verdict = find_scene(programme); !verdict.is_ok())
-            return verdict;
-        const auto scene = SceneView::parse(programme.scene);
-        return scene ? play(programme, *scene) : status_of(scene.error());
-    }
-
-    Verdict play(Programme programme, const SceneView& scene)
-    {
-        if (!programme.clip.view().empty() && !scene.clip(programme.clip.view()))
-            return Status::no_such_clip;
-        programme.scene = programme.scene.first(scene.size());
-        return device_.play(programme, scene);
-    }
-
-    Verdict play_at_start(Programme programme)
-    {
-        const auto scene = SceneView::parse(programme.scene);
-        if (!scene)
-            return status_of(scene.error());
-        const Name usual = device_.facts().start_clip;
-        if (programme.clip.view().empty() && scene->clip(usual.view()))
-            programme.clip = usual;
-        return play(programme, *scene);
-    }
-
-    void return_to_start()
-    {
-        if (!play_start().is_ok())
-            device_.play_nothing();
-    }
+    Deed<Kind::play> carry_out(const Play& what, Asked) { return repertoire_.play(what); }
 
     void carry_out(SilenceAction action)
     {
@@ -334,7 +286,7 @@ private:
         case SilenceAction::hold:
             return device_.pause();
         case SilenceAction::start:
-            return return_to_start();
+            return repertoire_.return_to_start();
         }
     }
 
@@ -342,34 +294,6 @@ private:
     {
         silence_.arm(silence, asked.now);
         return Status::ok;
-    }
-
-    /// Fills in where the scene lies. Fails with no_such_slot, empty_slot, nothing_in_ram or nothing_plays.
-    Verdict find_scene(Programme& programme)
-    {
-        switch (programme.home) {
-        case Home::built_in:
-            programme.slot = no_slot;
-            programme.scene = device_.built_in();
-            return {};
-        case Home::slot:
-            if (const Verdict verdict = look_for(programme.slot); !verdict.is_ok())
-                return verdict;
-            programme.scene = slots_.scene(programme.slot);
-            return programme.scene.empty() ? Status::empty_slot : Status::ok;
-        case Home::ram:
-            programme.slot = no_slot;
-            programme.scene = upload_.ram_scene();
-            return programme.scene.empty() ? Status::nothing_in_ram : Status::ok;
-        case Home::here:
-        case Home::start:
-            break;
-        }
-        const Playing playing = device_.playing();
-        programme.home = playing.home;
-        programme.slot = playing.slot;
-        programme.scene = device_.played();
-        return playing.is_playing ? Status::ok : Status::nothing_plays;
     }
 
     Deed<Kind::pause> carry_out(const Pause&, Asked)
@@ -446,6 +370,7 @@ private:
     D& device_;
     SlotStore<F>& slots_;
     Upload<D, F> upload_;
+    Repertoire<D, F> repertoire_;
     AnswerQueue answers_;
     SilenceWatch silence_;
     std::optional<Report> waiting_; ///< a request that could not be carried out yet
