@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/input_view.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_drawing.hpp"
 #include "core/size.hpp"
@@ -171,11 +172,13 @@ struct AskInput {
 };
 
 /// What an input of a scene takes.
-enum class InputKind : std::uint8_t { number };
+enum class InputKind : std::uint8_t { number, text, drawing };
 /// A later device may have more of them.
 constexpr bool is_known(InputKind) { return true; }
+constexpr InputKind input_kind(InputType type) { return static_cast<InputKind>(type); }
+static_assert(input_kind(InputType::drawing) == InputKind::drawing);
 
-/// One input of the scene that plays. Values are in 1/1000.
+/// One input of the scene that plays. Values, which only a number has, are in 1/1000.
 struct InputState {
     static constexpr Kind kind = Kind::input;
     static constexpr bool answers = true;
