@@ -1,5 +1,6 @@
 #include "core/scene_check.hpp"
 
+#include "core/backbone_check.hpp"
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
 #include "core/input_check.hpp"
@@ -49,43 +50,6 @@ bool is_sound(const Binding& binding, std::uint32_t bones)
     bool sound = true;
     binding.each([&](BoneShare share) { sound = sound && share.bone < bones && share.weight >= 1; });
     return sound;
-}
-
-/// Of two drawings that have been checked: as many strokes, with the same segments of the same kinds.
-bool is_built_alike(PackedDrawing a, PackedDrawing b)
-{
-    if (a.strokes() != b.strokes())
-        return false;
-    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
-        const std::uint32_t segments = a.next_stroke();
-        if (b.next_stroke() != segments)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (a.next_segment().kind != b.next_segment().kind)
-                return false;
-    }
-    return true;
-}
-
-/// Three strokes of lines for each backbone, with as many points, at least two.
-bool are_backbones(PackedDrawing drawing)
-{
-    std::uint32_t all = 0;
-    std::uint32_t nodes = 0;
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
-        const std::uint32_t segments = drawing.next_stroke();
-        if (stroke % 3 == 0) {
-            nodes = segments;
-            all += segments;
-        }
-        if (segments == 0 || segments != nodes)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (drawing.next_segment().kind != Segment::Kind::line)
-                return false;
-    }
-    return drawing.strokes() != 0 && drawing.strokes() % 3 == 0 &&
-           drawing.strokes() <= 3 * kfb::max_backbones && all <= kfb::max_backbone_segments;
 }
 
 }

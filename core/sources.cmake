@@ -2,6 +2,7 @@
 set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/affine.cpp
     ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/backbone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp

@@ -343,6 +343,9 @@ TEST_CASE("drawings are shown in the frame after their last report, whole and no
             bench.board.pipe.to_device.push_back(report.bytes);
             bench.board.run_for(static_cast<std::uint32_t>(1 + random() % 7)); // in the midst of frames; each is checked
         }
+        bench.board.run_for(100);
+        std::erase_if(drawing, [](const auto& stroke) { return stroke.empty(); });
+        CHECK(bench.board.drawing(1) == drawing);
     }
     CHECK(bench.refusal(Drawing{.which = 0}) == Verdict{Status::no_drawing});
     CHECK(bench.refusal(Drawing{.which = 2}) == Verdict{Status::no_such_input, 2});

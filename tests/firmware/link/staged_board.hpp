@@ -151,6 +151,8 @@ public:
     BoardNames names() const { return {"a board", "a panel"}; }
 
     const Scene& scene_begun() const { return shown_; }
+    /// That the last frame showed.
+    const ToldDrawing& drawing(std::uint32_t input) const { return drawings_.at(input); }
 
     BoardSettings settings;
     Scene built_in;
