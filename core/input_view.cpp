@@ -5,11 +5,6 @@
 #include <algorithm>
 
 namespace kfast {
-namespace {
-
-constexpr std::uint32_t number_kind = 0;
-
-}
 
 Time InputView::place_of(std::int32_t value) const
 {
@@ -23,13 +18,24 @@ Time InputView::place_of(std::int32_t value) const
 InputView InputCursor::next()
 {
     --left_;
-    if (bytes_.u8() != number_kind)
-        bytes_.refuse();
     InputView input;
+    input.type = static_cast<InputType>(bytes_.u8());
     input.name = read_name(bytes_);
-    input.least = bytes_.signed_varint();
-    input.most = bytes_.signed_varint();
-    input.usual = bytes_.signed_varint();
+    switch (input.type) {
+    case InputType::number:
+        input.least = bytes_.signed_varint();
+        input.most = bytes_.signed_varint();
+        input.usual = bytes_.signed_varint();
+        return input;
+    case InputType::drawing:
+        input.drawing.strokes = bytes_.varint();
+        input.drawing.points = bytes_.varint();
+        input.drawing.usual = bytes_.varint();
+        return input;
+    case InputType::text:
+        break;
+    }
+    bytes_.refuse();
     return input;
 }
 
@@ -37,7 +43,7 @@ void put_usual_places(InputCursor inputs, std::span<Time> places)
 {
     for (Time& place : places) {
         const InputView input = inputs.next();
-        place = input.place_of(input.usual);
+        place = input.type == InputType::number ? input.place_of(input.usual) : Time{};
     }
 }
 

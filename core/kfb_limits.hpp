@@ -18,6 +18,8 @@ inline constexpr std::size_t max_symbols = 255;
 inline constexpr std::size_t max_clips = 255;
 inline constexpr std::uint32_t max_inputs = 32;
 inline constexpr std::int32_t max_input_value = 1'000'000'000; ///< in 1/1000, in each direction
+/// Of a drawing from outside, all strokes together.
+inline constexpr std::uint32_t max_live_points = 4096;
 inline constexpr std::size_t max_name_bytes = 255;
 /// Groups and uses within each other.
 inline constexpr std::uint32_t max_depth = 8;

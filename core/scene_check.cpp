@@ -1,5 +1,6 @@
 #include "core/scene_check.hpp"
 
+#include "core/backbone_check.hpp"
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
 #include "core/input_check.hpp"
@@ -7,6 +8,7 @@
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
 #include "core/paint_order.hpp"
+#include "core/still.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -50,48 +52,11 @@ bool is_sound(const Binding& binding, std::uint32_t bones)
     return sound;
 }
 
-/// Of two drawings that have been checked: as many strokes, with the same segments of the same kinds.
-bool is_built_alike(PackedDrawing a, PackedDrawing b)
-{
-    if (a.strokes() != b.strokes())
-        return false;
-    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
-        const std::uint32_t segments = a.next_stroke();
-        if (b.next_stroke() != segments)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (a.next_segment().kind != b.next_segment().kind)
-                return false;
-    }
-    return true;
-}
-
-/// Three strokes of lines for each backbone, with as many points, at least two.
-bool are_backbones(PackedDrawing drawing)
-{
-    std::uint32_t all = 0;
-    std::uint32_t nodes = 0;
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
-        const std::uint32_t segments = drawing.next_stroke();
-        if (stroke % 3 == 0) {
-            nodes = segments;
-            all += segments;
-        }
-        if (segments == 0 || segments != nodes)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (drawing.next_segment().kind != Segment::Kind::line)
-                return false;
-    }
-    return drawing.strokes() != 0 && drawing.strokes() % 3 == 0 &&
-           drawing.strokes() <= 3 * kfb::max_backbones && all <= kfb::max_backbone_segments;
-}
-
 }
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && inputs_are_sound(scene_) && check_clips() && check_events() &&
+    return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
            count_items(scene_.items(), 0, 0);
 }
@@ -115,6 +80,38 @@ bool SceneCheck::check_laws() const
             return false;
     }
     return true;
+}
+
+bool SceneCheck::check_inputs()
+{
+    if (!inputs_are_sound(scene_))
+        return false;
+    InputCursor inputs = scene_.inputs();
+    for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        if (input.type == InputType::number)
+            scene_.number_inputs_ |= bit_of_input(number);
+        if (input.type == InputType::drawing && !check_usual(input.drawing))
+            return false;
+    }
+    return true;
+}
+
+/// Lines, and no more than the input may have.
+bool SceneCheck::check_usual(const DrawingInput& input)
+{
+    if (!check_drawing(input.usual))
+        return false;
+    PackedDrawing drawing = scene_.drawing(input.usual);
+    std::uint32_t points = drawing.strokes();
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        points += segments;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (drawing.next_segment().kind != Segment::Kind::line)
+                return false;
+    }
+    return drawing.strokes() <= input.strokes && points <= input.points;
 }
 
 bool SceneCheck::check_clips() const
@@ -182,6 +179,8 @@ bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, 
         return depth < kfb::max_depth && check_items(ItemCursor{item.items}, usable_symbols, depth + 1);
     case ItemKind::use:
         return item.symbol < usable_symbols;
+    case ItemKind::live:
+        return check_live(item);
     }
     return false;
 }
@@ -225,7 +224,7 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) c
 
 bool SceneCheck::is_moment(Clock clock, Time time) const
 {
-    return is_key_moment(clock, time, scene_.input_count());
+    return is_key_moment(clock, time, scene_.number_inputs());
 }
 
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
@@ -234,6 +233,20 @@ bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
     const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
     return value >= range.least && value <= range.most &&
            (!is_colour || static_cast<std::size_t>(value) < scene_.palette_size());
+}
+
+bool SceneCheck::check_live(const ItemView& item) const
+{
+    switch (item.live.kind) {
+    case LiveKind::drawing:
+        return check_style(item.object.style) && is_input(item.live.input, InputType::drawing);
+    }
+    return false;
+}
+
+bool SceneCheck::is_input(std::uint32_t number, InputType type) const
+{
+    return number < scene_.input_count() && scene_.input(number).type == type;
 }
 
 bool SceneCheck::check_object(const ObjectView& object)
@@ -387,7 +400,7 @@ bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint
         scene_.paint_steps_ += 2;
         scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
     }
-    if (item.kind == ItemKind::object) {
+    if (item.is_leaf()) {
         scene_.paint_steps_ += layer_count(item.object.style);
         return true;
     }

@@ -16,6 +16,8 @@ public:
 private:
     bool check_header() const;
     bool check_laws() const;
+    bool check_inputs();
+    bool check_usual(const DrawingInput& input);
     bool check_clips() const;
     bool check_events() const;
     bool check_bones();
@@ -25,6 +27,8 @@ private:
     bool check_tracks(const ItemView& item) const;
     bool check_track(const TrackView& track, const ObjectStyle& style) const;
     bool check_value(const TrackView& track, std::int32_t value) const;
+    bool check_live(const ItemView& item) const;
+    bool is_input(std::uint32_t number, InputType type) const;
     bool check_object(const ObjectView& object);
     bool check_style(const ObjectStyle& style) const;
     bool check_keys(const ObjectView& object);

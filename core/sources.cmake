@@ -2,6 +2,7 @@
 set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/affine.cpp
     ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/backbone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
@@ -26,6 +27,9 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/law_pair.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_backbones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_bones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawing_trace.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawings.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -58,13 +59,32 @@ public:
     /// has not changes nothing, and the answer is false.
     bool set_input(std::string_view name, std::int32_t value)
     {
-        InputCursor inputs = scene().inputs();
-        for (std::uint32_t number = 0; !inputs.at_end(); ++number)
-            if (const InputView input = inputs.next(); input.name == name) {
-                player_.set_input(number, input.place_of(value));
-                return true;
-            }
-        return false;
+        const auto number = input(name, InputType::number);
+        if (number)
+            player_.set_input(*number, scene().input(*number).place_of(value));
+        return number.has_value();
+    }
+
+    /// Sets a drawing among the inputs of the scene, from the next show() on: to `strokes`, their points in
+    /// 1/16 px of the objects that show it. If there is no such drawing, or if it takes fewer strokes or
+    /// points, nothing changes, and the answer is false.
+    bool set_drawing(std::string_view name, std::span<const LiveStroke> strokes)
+    {
+        const auto number = input(name, InputType::drawing);
+        return number && player_.set_drawing(*number, strokes);
+    }
+    /// For telling a drawing point by point; what is next is shown by show_next_drawing(name) alone. None if
+    /// the scene has no such drawing.
+    std::optional<LiveDrawing> drawing(std::string_view name) const
+    {
+        const auto number = input(name, InputType::drawing);
+        return number ? std::optional{player_.drawing(*number)} : std::nullopt;
+    }
+    /// From the next show() on. What the scene has not changes nothing.
+    void show_next_drawing(std::string_view name)
+    {
+        if (const auto number = input(name, InputType::drawing))
+            player_.show_next_drawing(*number);
     }
 
     /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
@@ -122,6 +142,12 @@ private:
     static std::size_t beyond_halfword(const std::byte* at)
     {
         return reinterpret_cast<std::uintptr_t>(at) % 2;
+    }
+
+    std::optional<std::uint32_t> input(std::string_view name, InputType type) const
+    {
+        const auto number = scene().input(name);
+        return number && scene().input(*number).type == type ? number : std::nullopt;
     }
 
     explicit Animation(const Player& player) : player_{player}, stretch_{stretch_of(player.scene())} {}

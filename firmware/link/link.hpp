@@ -169,6 +169,10 @@ private:
             return take<Brightness>(report, now);
         case Kind::inputs:
             return take<Inputs>(report, now);
+        case Kind::points:
+            return take<Points>(report, now);
+        case Kind::drawing:
+            return take<Drawing>(report, now);
         case Kind::silence:
             return take<Silence>(report, now);
         case Kind::boot_loader:
@@ -336,6 +340,26 @@ private:
         for (const InputPlace& each : places)
             device_.set_input(each.input, each.place);
         return Status::ok;
+    }
+
+    Deed<Kind::points> carry_out(const Points& points, Asked)
+    {
+        return tell({.which = DrawingNumber::of(points.which),
+                     .part = points.part,
+                     .count = std::nullopt,
+                     .points = points.points});
+    }
+    Deed<Kind::drawing> carry_out(const Drawing& last, Asked)
+    {
+        return tell({.which = DrawingNumber::of(last.which),
+                     .part = last.part,
+                     .count = last.count,
+                     .points = last.points});
+    }
+    Verdict tell(const DrawingPart& part)
+    {
+        const std::uint8_t known = device_.playing().inputs;
+        return part.which.input < known ? Verdict{device_.tell(part)} : Verdict{Status::no_such_input, known};
     }
 
     Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)

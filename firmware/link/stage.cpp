@@ -1,5 +1,7 @@
 #include "firmware/link/stage.hpp"
 
+#include "firmware/link/told_drawing.hpp"
+
 #include "core/player.hpp"
 #include "firmware/version.hpp"
 
@@ -73,6 +75,8 @@ InputState Stage::input(std::uint8_t number) const
     InputView input = inputs.next();
     for (int ahead = number; ahead > 0; --ahead)
         input = inputs.next();
+    if (input.type != InputType::number)
+        return {.input = number, .takes = input_kind(input.type), .name = beginning_of(input.name)};
     return {.input = number,
             .name = beginning_of(input.name),
             .least = input.least,
@@ -289,6 +293,11 @@ Status Stage::set_brightness(std::uint8_t brightness)
 }
 
 void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
+
+Status Stage::tell(const DrawingPart& part)
+{
+    return player_ == nullptr ? Status::nothing_plays : link::tell(*player_, part);
+}
 
 Status Stage::enter_boot_loader(Microseconds now)
 {

@@ -4,6 +4,7 @@
 #include "host/commands/item_tracks.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/counted.hpp"
 #include "host/every_item.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
@@ -63,11 +64,18 @@ Json inputs_of(const SceneView& scene)
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
         const Clock clock{static_cast<std::uint8_t>(inputs.size() + 1)};
-        inputs.push_back({{"name", input.name},
-                          {"min", input.least / 1000.0},
-                          {"max", input.most / 1000.0},
-                          {"default", input.usual / 1000.0},
-                          {"keys", keys_of(scene, clock)}});
+        if (input.type == InputType::drawing)
+            inputs.push_back({{"name", input.name},
+                              {"kind", "drawing"},
+                              {"strokes", input.drawing.strokes},
+                              {"points", input.drawing.points}});
+        else
+            inputs.push_back({{"name", input.name},
+                              {"kind", "number"},
+                              {"min", input.least / 1000.0},
+                              {"max", input.most / 1000.0},
+                              {"default", input.usual / 1000.0},
+                              {"keys", keys_of(scene, clock)}});
     }
     return inputs;
 }
@@ -139,9 +147,13 @@ std::string key_text(const Json& keys, const char* at)
 
 void print_input(const Json& input)
 {
-    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": "
-              << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
-              << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ") << '\n';
+    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": ";
+    if (input["kind"] == "drawing")
+        std::cout << "a drawing, at most " << counted(input["points"].get<std::size_t>(), "point") << " in "
+                  << counted(input["strokes"].get<std::size_t>(), "stroke") << '\n';
+    else
+        std::cout << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
+                  << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ") << '\n';
 }
 
 void print_clip(const Json& clip)

@@ -22,7 +22,9 @@ std::vector<InputView> inputs_of(const SceneView& scene)
 [[noreturn]] void refuse_name(std::string_view name, const std::vector<InputView>& inputs)
 {
     std::vector<std::string_view> names;
-    std::ranges::transform(inputs, std::back_inserter(names), &InputView::name);
+    for (const InputView& input : inputs)
+        if (input.type == InputType::number)
+            names.push_back(input.name);
     refuse("there is no input '" + std::string{name} +
            "': " + (names.empty() ? "the scene has none: leave out --input" : suggestion(name, names)));
 }
@@ -55,6 +57,9 @@ std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const Scene
         const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);
         if (input == inputs.end())
             refuse_name(text.substr(0, sign), inputs);
+        if (input->type != InputType::number)
+            refuse("'" + std::string{input->name} + "' is a drawing: write --drawing " +
+                   std::string{input->name} + "=FILE");
         values[static_cast<std::size_t>(input - inputs.begin())] = read_value(text.substr(sign + 1), *input);
     }
     return values;
@@ -63,8 +68,11 @@ std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const Scene
 void put_inputs(const std::vector<std::int32_t>& values, const SceneView& scene, FrameSource& source)
 {
     std::uint32_t number = 0;
-    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number)
-        source.set_input(number, inputs.next().place_of(values[number]));
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        if (input.type == InputType::number)
+            source.set_input(number, input.place_of(values[number]));
+    }
 }
 
 }

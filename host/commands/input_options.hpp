@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// Where inputs of a scene stand, as chosen by --input NAME=VALUE.
+/// Where the numbers among the inputs of a scene stand, as chosen by --input NAME=VALUE.
 struct InputOptions {
     std::vector<std::string> texts; ///< as they are written
 };
@@ -18,8 +18,9 @@ struct InputOptions {
 /// Adds the option to `app`. `options` must outlive its parsing.
 void declare_input_options(CLI::App& app, InputOptions& options);
 
-/// The value of each input of the scene, in 1/1000: as chosen, else the usual one. Throws
-/// CLI::ValidationError for an input that the scene has not, and for a value that is not within its range.
+/// The value of each input of the scene, in 1/1000: as chosen, else the usual one; 0 of what is no number.
+/// Throws CLI::ValidationError for a number that the scene has not, and for a value that is not within its
+/// range.
 std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const SceneView& scene);
 
 /// Puts them into `source`.

@@ -50,7 +50,7 @@ std::vector<LiveInput> inputs_of(const SceneView& scene)
     std::vector<LiveInput> inputs;
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
-        inputs.push_back({std::string{input.name}, input.least, input.most});
+        inputs.push_back({std::string{input.name}, input.least, input.most, input.type});
     }
     return inputs;
 }
@@ -63,9 +63,11 @@ std::vector<LiveInput> inputs_of(RemoteDevice& device)
     std::vector<LiveInput> inputs;
     for (std::uint8_t number = 0; number < count; ++number) {
         const auto input = session.ask<link::InputState>(link::AskInput{number});
-        if (input.least >= input.most)
+        const bool is_number = input.takes == link::InputKind::number;
+        if (is_number && input.least >= input.most)
             throw Failure{device.name() + ": tells an input without values: try again", ExitStatus::refused};
-        inputs.push_back({std::string{input.name.view()}, input.least, input.most});
+        inputs.push_back(
+            {std::string{input.name.view()}, input.least, input.most, static_cast<InputType>(input.takes)});
     }
     return inputs;
 }

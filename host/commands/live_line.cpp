@@ -1,6 +1,7 @@
 #include "host/commands/live_line.hpp"
 
 #include "host/commands/input_value.hpp"
+#include "host/drawing_text.hpp"
 #include "host/failure.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -23,6 +24,8 @@ public:
     Words(std::string_view line, std::size_t number) : rest_{line}, number_{number} { skip_blanks(); }
 
     bool at_end() const { return rest_.empty() || rest_.front() == '#'; }
+    /// What has not been taken, without a comment.
+    std::string_view rest() const { return rest_.substr(0, rest_.find('#')); }
     /// Only when not at the end.
     std::string next()
     {
@@ -80,6 +83,22 @@ Time place_of(const std::string& value, const InputView& input, std::size_t numb
 
 }
 
+std::optional<LiveDrawingLine> read_live_drawing(std::string_view line, std::size_t number,
+                                                 std::span<const LiveInput> inputs)
+{
+    Words words{line, number};
+    if (words.at_end())
+        return std::nullopt;
+    const auto found = std::ranges::find(inputs, words.next(), &LiveInput::name);
+    if (found == inputs.end() || found->type != InputType::drawing)
+        return std::nullopt;
+    auto read = read_drawing(words.rest());
+    if (const auto* const mistake = std::get_if<std::string>(&read))
+        refuse(number, *mistake);
+    return LiveDrawingLine{static_cast<std::uint8_t>(found - inputs.begin()),
+                           std::get<ToldDrawing>(std::move(read))};
+}
+
 std::vector<link::InputPlace> read_live_line(std::string_view line, std::size_t number,
                                              std::span<const LiveInput> inputs)
 {
@@ -87,6 +106,8 @@ std::vector<link::InputPlace> read_live_line(std::string_view line, std::size_t 
     for (Words words{line, number}; !words.at_end();) {
         const std::string name = words.next();
         const std::size_t index = index_of(name, number, inputs);
+        if (inputs[index].type != InputType::number)
+            refuse(number, "'" + visible(name) + "' is no number: a drawing has a line for itself");
         if (words.at_end())
             refuse(number, "'" + visible(name) + "' has no value: write it like gaze 0.5");
         places.push_back(

@@ -5,6 +5,7 @@
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
@@ -57,8 +58,9 @@ std::vector<std::string> missing_names(const BoardSettings& settings, const Scen
     for (const std::string_view name : named_clips(settings))
         if (!scene.clip(name))
             found.push_back(missing_clip(name, scene));
+    const std::vector<std::string_view> numbers = input_names(scene);
     for (const std::string_view name : names_of_controls(settings, has_input))
-        if (!scene.input(name))
+        if (std::ranges::find(numbers, name) == numbers.end())
             found.push_back(missing_input(name, scene));
     return found;
 }

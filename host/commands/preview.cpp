@@ -43,8 +43,8 @@ Programme chosen_programme(const PlayOptions& options, const SceneView& scene,
     Programme programme = programme_of(scene);
     programme.speed = chosen_timeline(options, scene).speed;
     const auto first = std::ranges::find(programme.parts, options.clip.value_or(""), &Part::name);
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-        programme.inputs[i].value = inputs[i];
+    for (InputKnob& input : programme.inputs)
+        input.value = inputs[input.number];
     programme.first = static_cast<std::size_t>(first - programme.parts.begin());
     return programme;
 }

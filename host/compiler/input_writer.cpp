@@ -5,17 +5,30 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t number_kind = 0;
+void write_number(const scene::Input& input, ByteWriter& bytes)
+{
+    for (const std::int32_t value : {input.least, input.most, input.usual})
+        bytes.signed_varint(value);
+}
+
+void write_drawing(const scene::DrawingInput& drawing, DrawingPool& drawings, ByteWriter& bytes)
+{
+    bytes.varint(static_cast<std::uint32_t>(drawing.strokes));
+    bytes.varint(static_cast<std::uint32_t>(drawing.points));
+    bytes.varint(static_cast<std::uint32_t>(drawings.offset_of(drawing.usual)));
+}
 
 }
 
-void write_inputs(const std::vector<scene::Input>& inputs, ByteWriter& bytes)
+void write_inputs(const std::vector<scene::Input>& inputs, DrawingPool& drawings, ByteWriter& bytes)
 {
     for (const scene::Input& input : inputs) {
-        bytes.u8(number_kind);
+        bytes.u8(static_cast<std::uint32_t>(input.type));
         write_name(input.name, bytes);
-        for (const std::int32_t value : {input.least, input.most, input.usual})
-            bytes.signed_varint(value);
+        if (input.type == InputType::drawing)
+            write_drawing(input.drawing, drawings, bytes);
+        else
+            write_number(input, bytes);
     }
 }
 

@@ -22,8 +22,9 @@ std::uint32_t flags_of(const scene::Object& object)
 
 std::uint32_t head_of(const scene::Item& item, bool has_tracks)
 {
-    const auto kind = static_cast<std::uint32_t>(item.content.index());
     const auto* object = std::get_if<scene::Object>(&item.content);
+    const auto kind = static_cast<std::uint32_t>(
+        object != nullptr && object->live ? ItemKind::live : static_cast<ItemKind>(item.content.index()));
     return kind | flag(has_tracks, 2) | (object != nullptr ? flags_of(*object) : 0);
 }
 
@@ -34,6 +35,14 @@ void write_stroke_style(const scene::StrokeStyle& style, ByteWriter& bytes)
     bytes.u8(static_cast<std::uint32_t>(style.cap) | static_cast<std::uint32_t>(style.join) << 2);
     if (style.join == Join::miter)
         bytes.u8(static_cast<std::uint32_t>(style.miter_limit));
+}
+
+void write_style(const scene::Object& object, ByteWriter& bytes)
+{
+    if (object.fill)
+        bytes.u8(static_cast<std::uint32_t>(*object.fill));
+    if (object.stroke)
+        write_stroke_style(*object.stroke, bytes);
 }
 
 }
@@ -47,10 +56,15 @@ void ItemWriter::write(const std::vector<scene::Item>& items, ByteWriter& bytes)
 void ItemWriter::write_item(const scene::Item& item, ByteWriter& bytes)
 {
     const std::vector<std::byte> tracks = packed_tracks(item, laws_);
+    const auto* object = std::get_if<scene::Object>(&item.content);
     bytes.u8(head_of(item, !tracks.empty()));
+    if (object != nullptr && object->live)
+        bytes.u8(static_cast<std::uint32_t>(LiveKind::drawing));
     bytes.append(tracks);
     write_path(item, drawings_, bytes, diagnostics_);
-    if (const auto* object = std::get_if<scene::Object>(&item.content)) {
+    if (object != nullptr && object->live) {
+        write_live(*object, bytes);
+    } else if (object != nullptr) {
         write_object(*object, bytes);
     } else if (const auto* group = std::get_if<scene::Group>(&item.content)) {
         ByteWriter items;
@@ -75,15 +89,19 @@ void ItemWriter::write_carrier(const scene::Object& object, std::uint32_t unit_b
     }
 }
 
+void ItemWriter::write_live(const scene::Object& object, ByteWriter& bytes)
+{
+    points_[&object] = 0; // they are those of the input
+    bytes.u8(static_cast<std::uint32_t>(*object.live));
+    write_style(object, bytes);
+}
+
 void ItemWriter::write_object(const scene::Object& object, ByteWriter& bytes)
 {
     const PackedKeys keys = object.skin ? packed_skinned_keys(object, laws_, drawings_, diagnostics_)
                                         : packed_keys(object, laws_, drawings_, diagnostics_);
     points_[&object] = keys.points + backbone_points(object);
-    if (object.fill)
-        bytes.u8(static_cast<std::uint32_t>(*object.fill));
-    if (object.stroke)
-        write_stroke_style(*object.stroke, bytes);
+    write_style(object, bytes);
     write_carrier(object, keys.unit_bits, bytes);
     bytes.append(keys.bytes);
 }

@@ -34,7 +34,14 @@ std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const sc
             report_excess(scene, *view, measured.moment(), diagnostics);
             return std::nullopt;
         }
-        most = std::max(most, outlines.used_bytes());
+        const OutlineAmount live = meter.live_outlines_at(measured.moment());
+        const std::size_t bytes = outlines.used_bytes() + live.bytes();
+        if (bytes > kfb::max_outline_bytes ||
+            outlines.mark().first_corner + live.corners > OutlineStore::most_corners) {
+            report_live_excess(scene, measured.moment(), outlines.used_bytes(), live, diagnostics);
+            return std::nullopt;
+        }
+        most = std::max(most, bytes);
     }
     return with_reserve(most);
 }

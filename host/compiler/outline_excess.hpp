@@ -3,6 +3,7 @@
 #include "core/moment.hpp"
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
+#include "host/compiler/live_outlines.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 
@@ -12,5 +13,10 @@ namespace kfast {
 /// them. `view` is `scene` compiled.
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
                    Diagnostics& diagnostics);
+
+/// Likewise where the worst that live drawings may be told, `live`, comes to `bytes` of others; at the one
+/// that may have most points.
+void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes,
+                        const OutlineAmount& live, Diagnostics& diagnostics);
 
 }

@@ -6,6 +6,7 @@
 #include "core/scene_view.hpp"
 #include "core/traced_picture.hpp"
 #include "core/tracer.hpp"
+#include "host/compiler/live_outlines.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +21,10 @@ public:
     /// `bytes` for the outlines of a picture, a multiple of 4; `scene` must outlive it.
     OutlineMeter(const SceneView& scene, std::size_t bytes);
 
-    /// Valid until the next call.
+    /// With nothing in the drawings that are told from outside. Valid until the next call.
     const TracedPicture& picture_at(const Moment& moment);
+    /// What these add at most, whatever is told.
+    OutlineAmount live_outlines_at(const Moment& moment) const;
 
 private:
     std::uint32_t take_inputs(const Moment& moment);
@@ -31,7 +34,8 @@ private:
     std::vector<PaintStep> steps_;
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
-    std::vector<Time> inputs_; ///< of the picture; at first all at 0
+    std::vector<Time> inputs_;            ///< of the picture; at first all at 0
+    std::vector<std::uint32_t> drawings_; // words, likewise
     SceneOnPanel on_panel_;
     TracedPicture picture_;
 };

@@ -2,9 +2,11 @@
 
 #include "core/player.hpp"
 #include "core/stretch.hpp"
+#include "host/fit/busy_drawing.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_log.hpp"
+#include "host/told_drawing.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -40,10 +42,14 @@ public:
     void visit_first(Time offset, const VisitFrame& visit);
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
-    /// Likewise, while all inputs of the scene go there and back, each faster than the one before: at least
-    /// 64 frames, and three before them in which all inputs leap from end to end. Nothing if it has none;
+    /// Likewise, while all inputs of the scene go there and back, each faster than the one before, and
+    /// drawings among them wave (Bustle::waves): at least 64 frames, and three before
+    /// them in which all inputs leap from end to end. Nothing if it has none;
     /// they stand as usual afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
+    /// A picture in which all drawings among the inputs are noise, after another such picture; nothing if
+    /// there are none. They are as usual afterwards.
+    void visit_noise(const VisitFrame& visit);
     /// The very end, which the scene shows at last if it plays once; nothing otherwise.
     void visit_end(const VisitFrame& visit);
     /// Of the first picture so far that was not complete for want of room, also of one that was not visited.
@@ -53,7 +59,10 @@ public:
 
 private:
     void draw(Time moment, const VisitFrame& visit);
+    bool is_number(std::uint32_t input) const { return (player_.scene().number_inputs() >> input & 1U) != 0; }
     void put_inputs(int frame);
+    void put_usual_inputs();
+    void put_drawing(std::uint32_t input, Bustle bustle, int frame);
     void put_inputs_and_draw(Time place, const VisitFrame& visit);
     Time moment_of(int frame, Time offset) const;
 
@@ -64,6 +73,7 @@ private:
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
     std::vector<std::byte> band_;
     Player player_;
+    std::vector<ToldDrawing> usual_drawings_; ///< of each input; empty of numbers
     std::optional<LargestOutlines> overfull_;
 };
 

@@ -1,5 +1,7 @@
 #include "host/link/live_feed.hpp"
 
+#include <utility>
+
 namespace kfast {
 namespace {
 
@@ -27,6 +29,15 @@ void LiveFeed::put(std::span<const link::InputPlace> places)
     changed_.notify_one();
 }
 
+void LiveFeed::put(std::uint8_t input, const ToldDrawing& drawing)
+{
+    {
+        const std::lock_guard lock{mutex_};
+        drawings_[input] = drawing;
+    }
+    changed_.notify_one();
+}
+
 void LiveFeed::close()
 {
     {
@@ -39,12 +50,18 @@ void LiveFeed::close()
 std::optional<std::vector<link::Inputs>> LiveFeed::take(Milliseconds patience)
 {
     std::unique_lock lock{mutex_};
-    changed_.wait_for(lock, patience, [&] { return is_closed_ || !places_.empty(); });
-    if (is_closed_ && places_.empty())
+    changed_.wait_for(lock, patience, [&] { return is_closed_ || !places_.empty() || !drawings_.empty(); });
+    if (is_closed_ && places_.empty() && drawings_.empty())
         return std::nullopt;
     auto reports = reports_of(places_);
     places_.clear();
     return reports;
+}
+
+std::map<std::uint8_t, ToldDrawing> LiveFeed::take_drawings()
+{
+    const std::lock_guard lock{mutex_};
+    return std::exchange(drawings_, {});
 }
 
 }

@@ -8,10 +8,11 @@
 
 namespace kfast {
 
-/// An input of a scene, turned by keys. Values are in 1/1000.
+/// An input of a scene that is a number, turned by keys. Values are in 1/1000.
 struct InputKnob {
     std::string name;
-    InputView range; ///< without its name
+    std::uint32_t number = 0; ///< of the input
+    InputView range;          ///< without its name
     std::int32_t value = 0;
 
     /// By a twentieth of its range for each step.

@@ -221,9 +221,8 @@ void Playback::step_key(int direction)
 
 const Frame& show(FrameSource& source, const Playback& playback)
 {
-    std::uint32_t number = 0;
     for (const InputKnob& input : playback.inputs())
-        source.set_input(number++, input.place());
+        source.set_input(input.number, input.place());
     return source.show(playback.time());
 }
 

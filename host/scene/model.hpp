@@ -4,6 +4,7 @@
 #include "core/clock.hpp"
 #include "core/colour.hpp"
 #include "core/fill_rule.hpp"
+#include "core/input_view.hpp"
 #include "core/law_pair.hpp"
 #include "core/property.hpp"
 #include "core/size.hpp"
@@ -170,7 +171,8 @@ struct StrokeStyle {
     int miter_limit = default_miter_limit; ///< the longest miter, in 1/8 widths, 8 … 255
 };
 
-/// Has a fill or a stroke or both, and at least one key; the times of its keys rise.
+/// Has a fill or a stroke or both, and at least one key, unless it shows an input; the times of its keys
+/// rise.
 struct Object {
     std::optional<std::size_t> fill; ///< index into Scene::palette
     FillRule fill_rule = FillRule::nonzero;
@@ -179,6 +181,7 @@ struct Object {
     std::optional<Skin> skin = {};               ///< then no backbones, and all drawings have as many strokes
     std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
     Clock clock = {};                            ///< of both
+    std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing carries it then
 };
 
 struct Item;
@@ -222,12 +225,21 @@ struct Event {
     Time time;
 };
 
-/// A number that the scene takes from outside, and that keys may go by. Values are in 1/1000.
+/// A drawing that objects show until another is told, and what that one may have.
+struct DrawingInput {
+    std::size_t strokes = 1; ///< at most `points`
+    std::size_t points = 1;  ///< of all strokes together
+    Drawing usual = {};      ///< lines, and no more than that
+};
+
+/// What the scene takes from outside: a number that keys may go by, its values in 1/1000, or a drawing.
 struct Input {
     std::string name;
     std::int32_t least = 0;
     std::int32_t most = 1000; ///< more than `least`
     std::int32_t usual = 0;   ///< within both
+    InputType type = InputType::number;
+    DrawingInput drawing = {}; ///< only of a drawing
 };
 
 struct Scene {

@@ -5,6 +5,7 @@
 #include "host/scene/double_quantity.hpp"
 #include "host/scene/drawing_content.hpp"
 #include "host/scene/drawing_reader.hpp"
+#include "host/scene/input_user.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/node_form.hpp"
@@ -88,6 +89,7 @@ public:
             object.keys, reading_);
         object.backbone_keys = read_skeletons(content.keys, reading_);
         object.clock = properties_.clock.clock();
+        object.live = live_;
         refuse_two_carriers(content.keys);
         auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
                                    content.timed, reading_);
@@ -97,6 +99,8 @@ public:
 private:
     std::vector<Key> read_drawings(DrawingContent& content)
     {
+        if (properties_.live != nullptr)
+            return read_live(*properties_.live, content);
         if (is_placed_symbol(content))
             return take_symbol(*content.drawn.front(), content);
         refuse_doubles(content);
@@ -106,6 +110,44 @@ private:
             report_no_drawing();
         set_default_pivot(keys, properties_.values);
         return keys;
+    }
+
+    /// The drawing is that of the input, and there are no keys of it.
+    std::vector<Key> read_live(const kdl::Value& name, DrawingContent& content)
+    {
+        refuse_doubles(content);
+        refuse_own_drawings(content);
+        live_ = use_input(name, InputType::drawing, reading_);
+        if (live_)
+            set_default_pivot({{.time = {},
+                                .laws = {},
+                                .drawing = reading_.inputs.entries[*live_].input.drawing.usual,
+                                .place = {}}},
+                              properties_.values);
+        return {};
+    }
+
+    void refuse_own_drawings(DrawingContent& content)
+    {
+        for (const kdl::Node* drawn : content.drawn)
+            report_own_drawing(drawn->name_place);
+        for (const Key& key : take_drawings(content.keys))
+            report_own_drawing(key.place);
+        for (ItemKey& key : content.keys)
+            if (const kdl::Node* const skeleton = std::exchange(key.skeleton, nullptr))
+                report_own_drawing(skeleton->name_place);
+        if (properties_.skin != nullptr)
+            report_own_drawing(property_place(node_, "skin"));
+        if (content.weights != nullptr && properties_.skin == nullptr)
+            report_own_drawing(content.weights->name_place);
+        properties_.skin = nullptr;
+        content.weights = nullptr;
+    }
+
+    void report_own_drawing(Place place)
+    {
+        reading_.report.error(place, "this object shows an input, and has no drawing or skeleton of its own",
+                              "put shapes into the input, or remove live=…");
     }
 
     /// A skin needs the drawing itself to stand where the use says.
@@ -184,6 +226,7 @@ private:
     Place place_;
     Reading& reading_;
     ObjectProperties properties_;
+    std::optional<std::size_t> live_ = {}; ///< the input that is shown
 };
 
 }

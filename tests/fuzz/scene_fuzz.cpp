@@ -60,6 +60,9 @@ void check_object(const scene::Object& object, std::size_t colours)
         demand(object.stroke->width >= 1 && object.stroke->width <= kfb::max_width);
         demand(object.stroke->miter_limit >= 8 && object.stroke->miter_limit <= 255);
     }
+    demand(!object.live || (object.keys.empty() && !object.skin && object.backbone_keys.empty()));
+    if (object.live)
+        return;
     check_keys(object.keys);
     for (const scene::Key& key : object.keys)
         for (const scene::Stroke& stroke : key.drawing.strokes)

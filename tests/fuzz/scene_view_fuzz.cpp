@@ -36,12 +36,25 @@ void read_marks(const SceneView& scene)
     }
 }
 
+void read_drawing(PackedDrawing drawing)
+{
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
+        for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
+            drawing.next_segment();
+    demand(drawing.is_sound());
+}
+
 void read_inputs(const SceneView& scene)
 {
     for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
         const InputView input = inputs.next();
+        demand(scene.input(input.name).has_value());
+        if (input.type == InputType::drawing) {
+            read_drawing(scene.drawing(input.drawing.usual));
+            continue;
+        }
         const Time place = input.place_of(input.usual);
-        demand(scene.input(input.name).has_value() && place >= Time{} && place <= whole_input);
+        demand(place >= Time{} && place <= whole_input);
     }
 }
 
@@ -67,14 +80,6 @@ void read_bones(const SceneView& scene)
             demand(cursor.next().at_rest(BoneQuantity::length) > 0);
     }
     demand(all == scene.bone_count());
-}
-
-void read_drawing(PackedDrawing drawing)
-{
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
-        for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
-            drawing.next_segment();
-    demand(drawing.is_sound());
 }
 
 void read_keys(const SceneView& scene, const ObjectView& object)
@@ -132,6 +137,29 @@ void draw_changes(Player& player, PixelFormat format)
     });
 }
 
+/// Draws points from anywhere, now more and now fewer than there may be.
+void scribble(Player& player, std::uint32_t input, std::uint32_t seed)
+{
+    LiveDrawing drawing = player.drawing(input);
+    const std::uint32_t most = player.scene().input(input).drawing.points;
+    drawing.begin();
+    for (std::uint32_t left = seed * 31 % (most + 2); left > 0; --left) {
+        seed = seed * 1664525 + 1013904223;
+        if (seed >> 28 == 0)
+            drawing.begin_stroke();
+        drawing.add({static_cast<std::int16_t>(seed >> 8), static_cast<std::int16_t>(seed >> 16)});
+    }
+    player.show_next_drawing(input);
+}
+
+void put(Player& player, std::uint32_t input, std::uint32_t round)
+{
+    if (player.scene().input(input).type == InputType::drawing)
+        return scribble(player, input, round);
+    player.set_input(input, {static_cast<std::int32_t>((round + input) * 9973 %
+                                                       static_cast<std::uint32_t>(whole_input.ticks + 1))});
+}
+
 /// Any scene that is not refused can be read, and shown at every frame and between them, within the memory it
 /// asks for.
 void play(std::span<const std::byte> bytes)
@@ -147,8 +175,7 @@ void play(std::span<const std::byte> bytes)
     std::size_t drawn = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
         for (std::uint32_t input = 0; input < scene->input_count(); ++input)
-            player->set_input(input,
-                              {static_cast<std::int32_t>((drawn + input) * 9973 % (whole_input.ticks + 1U))});
+            put(*player, input, static_cast<std::uint32_t>(drawn));
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
         if (player->picture().outlines.used_bytes() > most_drawn_bytes)

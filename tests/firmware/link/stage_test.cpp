@@ -1,3 +1,5 @@
+#include "host/drawing_reports.hpp"
+#include "tests/compiled.hpp"
 #include "tests/firmware/link/staged_board.hpp"
 
 #include <doctest/doctest.h>
@@ -251,6 +253,40 @@ TEST_CASE("playing from a slot goes on while the slot is replaced")
     bench.does(Play{.home = Home::slot, .slot = 1});
     bench.board.run_for(100);
     CHECK(is_scene(bench.board.scene_begun(), padded_scene(9007, 7)));
+}
+
+TEST_CASE("drawings are shown in the frame after their last report, whole and nothing else")
+{
+    StagedBench bench;
+    const Scene scene = compiled("kfast 1\ncanvas 64 48 fps=50 frames=9\ninput n\n"
+                                 "input plot kind=drawing points=33 { line 1 1 9 5 }\n"
+                                 "object o stroke=white live=plot { track y input=n { at 0 0; at 1 2 } }\n"
+                                 "object p fill=red { rect 0 0 2 2; key 0 x=0; key 9 x=9 }");
+    bench.upload(StagedBench::for_ram(scene), scene, 7);
+    bench.does(Play{.home = Home::ram});
+    bench.board.run_for(100);
+    const auto state = bench.ask<InputState>(AskInput{.input = 1});
+    CHECK(state.name.view() == "plot");
+    CHECK(state.takes == InputKind::drawing);
+    std::mt19937 random{3};
+    for (std::uint8_t number = 0; number < 40; ++number) {
+        ToldDrawing drawing(1);
+        for (auto points = random() % 34; points > 0; --points) {
+            const auto x = static_cast<std::int16_t>(random() % 300);
+            drawing[0].push_back({x, static_cast<std::int16_t>(random() % 150)});
+        }
+        for (const Report& report : drawing_reports(drawing, 1, number)) {
+            bench.board.pipe.to_device.push_back(report.bytes);
+            bench.board.run_for(static_cast<std::uint32_t>(1 + random() % 7)); // in the midst of frames; each is checked
+        }
+        bench.board.run_for(100);
+        std::erase_if(drawing, [](const auto& stroke) { return stroke.empty(); });
+        CHECK(bench.board.drawing(1) == drawing);
+    }
+    CHECK(bench.refusal(Drawing{.which = 0}) == Verdict{Status::no_drawing});
+    CHECK(bench.refusal(Drawing{.which = 2}) == Verdict{Status::no_such_input, 2});
+    bench.does(Drawing{.which = 1});
+    bench.does(Play{.home = Home::start});
 }
 
 /// Everything at random: whatever comes, every frame is one of a whole scene (StagedBoard), the device

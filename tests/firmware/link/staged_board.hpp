@@ -4,6 +4,7 @@
 #include "firmware/link/stage.hpp"
 #include "firmware/panel_mirror.hpp"
 #include "firmware/run.hpp"
+#include "host/told_drawing.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
@@ -120,12 +121,18 @@ public:
         ++scenes_begun;
         begun_at = now_;
     }
+    void plays(Player* player)
+    {
+        player_ = player;
+        stage_->plays(player);
+    }
     Playhead playhead(const SceneView&) const { return stage_->playhead(); }
     void steer(Playhead& playhead) { stage_->steer(playhead, pins, now_); }
     std::span<const PlacedInput> inputs()
     {
         const auto placed = stage_->inputs();
         placed_.assign(placed.begin(), placed.end());
+        keep_drawings();
         return placed_;
     }
     bool wants_rest() const { return stage_->wants_rest(); }
@@ -144,6 +151,8 @@ public:
     BoardNames names() const { return {"a board", "a panel"}; }
 
     const Scene& scene_begun() const { return shown_; }
+    /// That the last frame showed.
+    const ToldDrawing& drawing(std::uint32_t input) const { return drawings_.at(input); }
 
     BoardSettings settings;
     Scene built_in;
@@ -195,6 +204,15 @@ private:
             life_.pause();
     }
 
+    /// What is shown in the next frame.
+    void keep_drawings()
+    {
+        drawings_.clear();
+        for (std::uint32_t input = 0; input < player_->scene().input_count(); ++input)
+            if (player_->scene().input(input).type == InputType::drawing)
+                drawings_[input] = told_drawing(player_->drawing(input));
+    }
+
     /// Drawn from a copy of the scene as it was when it began.
     std::vector<std::byte> picture_at(Time time)
     {
@@ -206,6 +224,8 @@ private:
         REQUIRE(player);
         for (const auto& [number, place] : placed_)
             player->set_input(number, place);
+        for (const auto& [number, drawing] : drawings_)
+            REQUIRE(player->set_drawing(number, strokes_of(drawing)));
         player->show_moment(time);
         std::vector<std::byte> pixels(small_panel.width * small_panel.height * 2);
         player->draw_rows<PixelFormat::rgb565>(small_panel.height, pixels);
@@ -222,6 +242,8 @@ private:
     std::optional<Conversation> conversation_;
     Scene shown_;
     std::vector<PlacedInput> placed_;
+    std::map<std::uint32_t, ToldDrawing> drawings_;
+    Player* player_ = nullptr;
     TakingTurns life_{[this] { run_stage(*this); }};
 };
 
@@ -229,6 +251,7 @@ static_assert(ChangingBoard<StagedBoard>);
 static_assert(InputBoard<StagedBoard>);
 static_assert(RestingBoard<StagedBoard>);
 static_assert(ListeningBoard<StagedBoard>);
+static_assert(DrawingBoard<StagedBoard>);
 
 /// A computer that asks a staged board, with time going on meanwhile.
 class StagedBench {

@@ -70,8 +70,8 @@ class InputTest(CommandTest):
     def test_info_tells_inputs_and_what_goes_by_them(self):
         facts = json.loads(self.run_kfast("info", "knobs.kfast", "--json", "--tracks").stdout)
         self.assertEqual(facts["inputs"], [
-            {"name": "gaze", "min": -1, "max": 1, "default": 0, "keys": [-1, 1]},
-            {"name": "open", "min": 0, "max": 100, "default": 50, "keys": [0, 100]}])
+            {"name": "gaze", "kind": "number", "min": -1, "max": 1, "default": 0, "keys": [-1, 1]},
+            {"name": "open", "kind": "number", "min": 0, "max": 100, "default": 50, "keys": [0, 100]}])
         self.assertEqual(facts["keys"], [0])
         text = self.run_kfast("info", "knobs.kfast", "--tracks").stdout
         for line in ("  input       open: 0 to 100, usually 50; keys 2, at 0 100\n", "by gaze, constant: -1 -30, 1 30\n"):

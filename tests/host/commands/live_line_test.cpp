@@ -59,4 +59,21 @@ TEST_CASE("mistakes are told with their line")
     CHECK(mistake("\x1b 1").find("'<U+001B>'") != std::string::npos);
 }
 
+TEST_CASE("a line that begins with the name of a drawing is that drawing")
+{
+    const std::vector<LiveInput> mixed{{"gaze", -1000, 1000}, {"my plot", 0, 0, InputType::drawing}};
+    const auto drawing = read_live_drawing("\"my plot\" 1,2 3,4.5 / 5,6 # a comment, 7,8", 1, mixed);
+    REQUIRE(drawing);
+    CHECK(drawing->input == 1);
+    CHECK(drawing->drawing == ToldDrawing{{{16, 32}, {48, 72}}, {{80, 96}}});
+    CHECK(read_live_drawing("\"my plot\"", 1, mixed)->drawing.empty());
+    CHECK_FALSE(read_live_drawing("gaze 1", 1, mixed));
+    CHECK_FALSE(read_live_drawing("plot 1,2", 1, mixed));
+    CHECK_FALSE(read_live_drawing("# my plot", 1, mixed));
+    CHECK_THROWS_WITH(read_live_drawing("\"my plot\" 1,2 3", 7, mixed),
+                      "line 7: \"3\" is no point: write it like 10,20.5, each within -2047 and 2047");
+    CHECK_THROWS_WITH(read_live_line("gaze 1 \"my plot\" 1,2", 7, mixed),
+                      "line 7: 'my plot' is no number: a drawing has a line for itself");
+}
+
 }

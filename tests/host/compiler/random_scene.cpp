@@ -411,6 +411,9 @@ private:
         }
         if (scene_.inputs.empty())
             return;
+        numbers_ = scene_.inputs.size();
+        for (int left = within(-2, 2); left > 0; --left)
+            scene_.inputs.push_back(drawing_input());
         for (scene::Bones& skeleton : scene_.bones)
             for (scene::Bone& bone : skeleton.bones)
                 if (std::ranges::all_of(bone.keys, lie_on_input<scene::TrackKey>))
@@ -418,6 +421,32 @@ private:
         for (scene::Symbol& symbol : scene_.symbols)
             bind(symbol.items);
         bind(scene_.items);
+    }
+
+    scene::Input drawing_input()
+    {
+        scene::Drawing usual = drawing();
+        for (scene::Stroke& stroke : usual.strokes)
+            std::erase_if(stroke.segments, [](const scene::Segment& segment) { return segment.cubic; });
+        const std::size_t points = std::max<std::size_t>(point_count(usual), 1) + random_() % 4;
+        const std::size_t strokes = std::max<std::size_t>(usual.strokes.size(), 1);
+        return {.name = name(),
+                .type = InputType::drawing,
+                .drawing = {.strokes = strokes, .points = points, .usual = std::move(usual)}};
+    }
+
+    void bind(scene::Object& object)
+    {
+        const std::size_t drawings = scene_.inputs.size() - numbers_;
+        if (drawings != 0 && sometimes()) {
+            object.keys.clear();
+            object.skin = {};
+            object.backbone_keys.clear();
+            object.live = numbers_ + random_() % drawings;
+        } else if (object.keys.size() > 1 && lie_on_input(object.keys) &&
+                   lie_on_input(object.backbone_keys)) {
+            object.clock = any_clock();
+        }
     }
 
     void bind(std::vector<scene::Item>& items)
@@ -429,9 +458,7 @@ private:
             if (auto* group = std::get_if<scene::Group>(&item.content))
                 bind(group->items);
             else if (auto* object = std::get_if<scene::Object>(&item.content))
-                if (object->keys.size() > 1 && lie_on_input(object->keys) &&
-                    lie_on_input(object->backbone_keys))
-                    object->clock = any_clock();
+                bind(*object);
         }
     }
 
@@ -441,9 +468,10 @@ private:
         return keys.empty() || keys.back().time <= whole_input;
     }
 
-    Clock any_clock() { return {static_cast<std::uint8_t>(random_() % (scene_.inputs.size() + 1))}; }
+    Clock any_clock() { return {static_cast<std::uint8_t>(random_() % (numbers_ + 1))}; }
 
     std::mt19937& random_;
+    std::size_t numbers_ = 0; ///< inputs that are some; drawings follow
     scene::Scene scene_;
     std::vector<scene::TrackKey> poses_; ///< when bones have keys, until it changes
 };

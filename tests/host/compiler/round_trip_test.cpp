@@ -79,10 +79,22 @@ private:
         for (const scene::Input& input : scene_.inputs) {
             const InputView read = inputs.next();
             CHECK(read.name == input.name);
+            REQUIRE(read.type == input.type);
+            if (input.type == InputType::drawing) {
+                compare_drawing(read.drawing, input.drawing);
+                continue;
+            }
             CHECK(read.least == input.least);
             CHECK(read.most == input.most);
             CHECK(read.usual == input.usual);
         }
+    }
+
+    void compare_drawing(const DrawingInput& read, const scene::DrawingInput& drawing)
+    {
+        CHECK(read.strokes == drawing.strokes);
+        CHECK(read.points == drawing.points);
+        CHECK(unpacked(view_.drawing(read.usual)) == drawing.usual);
     }
 
     void compare_marks()
@@ -155,7 +167,7 @@ private:
         for (const scene::Item& item : items) {
             REQUIRE(!cursor.at_end());
             const ItemView read = cursor.next();
-            REQUIRE(static_cast<std::size_t>(read.kind) == item.content.index());
+            REQUIRE(read.kind == kind_of(item));
             compare_tracks(read.tracks, item);
             if (item.path)
                 compare_path(read.path, *item.path);
@@ -164,7 +176,7 @@ private:
             else if (const auto* use = std::get_if<scene::Use>(&item.content))
                 CHECK(read.symbol == use->symbol);
             else
-                compare_object(read.object, std::get<scene::Object>(item.content));
+                compare_object(read, std::get<scene::Object>(item.content));
         }
         CHECK(cursor.at_end());
     }
@@ -256,8 +268,16 @@ private:
         CHECK(view_.laws(number) == (is_last ? LawPair{} : laws));
     }
 
-    void compare_object(const ObjectView& read, const scene::Object& object)
+    static ItemKind kind_of(const scene::Item& item)
     {
+        const auto* object = std::get_if<scene::Object>(&item.content);
+        return object != nullptr && object->live ? ItemKind::live
+                                                 : static_cast<ItemKind>(item.content.index());
+    }
+
+    void compare_object(const ItemView& item, const scene::Object& object)
+    {
+        const ObjectView& read = item.object;
         const ObjectStyle& style = read.style;
         REQUIRE(style.is_filled == object.fill.has_value());
         REQUIRE(style.is_stroked == object.stroke.has_value());
@@ -272,6 +292,11 @@ private:
             CHECK(style.join == stroke->join);
             if (stroke->join == Join::miter)
                 CHECK(style.miter_limit == stroke->miter_limit);
+        }
+        if (object.live) {
+            CHECK(item.live.kind == LiveKind::drawing);
+            CHECK(item.live.input == *object.live);
+            return;
         }
         REQUIRE(read.carrier == carrier_of(object));
         if (object.skin)

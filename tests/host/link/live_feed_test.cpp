@@ -57,4 +57,18 @@ TEST_CASE("what was put before the end is still sent")
     CHECK_FALSE(feed.take(Milliseconds{60'000}));
 }
 
+TEST_CASE("of the drawings of an input only the newest is sent, and none is lost at the end")
+{
+    LiveFeed feed;
+    const ToldDrawing drawing{{{1, 2}}};
+    feed.put(3, {{{5, 6}}});
+    feed.put(3, drawing);
+    feed.put(1, {});
+    feed.close();
+    CHECK(feed.take(Milliseconds{0}).value().empty());
+    CHECK(feed.take_drawings() == std::map<std::uint8_t, ToldDrawing>{{1, {}}, {3, drawing}});
+    CHECK_FALSE(feed.take(Milliseconds{0}));
+    CHECK(feed.take_drawings().empty());
+}
+
 }
