@@ -9,6 +9,9 @@ set(KFAST_EVERY_ROW
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 
+# What no picture waits for, also in images that are compiled for speed.
+set(KFAST_SELDOM ${KFAST_FIRMWARE_SOURCES})
+
 set(KFAST_DEVICE_OPTIONS
     -ffreestanding -ffunction-sections -fdata-sections
     $<$<COMPILE_LANGUAGE:CXX>:-fno-exceptions>
@@ -43,6 +46,7 @@ function(kfast_device_objects OUT CPU)
     kfast_cpu_options(CPU_OPTIONS ${CPU})
     add_library(${NAME} OBJECT ${KFAST_DEVICE_MEMORY} ${KFAST_FIRMWARE_SOURCES} ${KFAST_CORE_SOURCES})
     set_source_files_properties(${KFAST_EVERY_ROW} PROPERTIES COMPILE_OPTIONS -O2)
+    set_source_files_properties(${KFAST_SELDOM} PROPERTIES COMPILE_OPTIONS -Os)
     set_source_files_properties(${KFAST_DEVICE_MEMORY} PROPERTIES
         COMPILE_OPTIONS "-fno-tree-loop-distribute-patterns;-fno-lto")
     target_compile_options(${NAME} PRIVATE ${CPU_OPTIONS} ${KFAST_DEVICE_OPTIONS})

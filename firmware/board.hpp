@@ -24,6 +24,7 @@ namespace kfast {
 struct FrameReport {
     Time time;
     std::uint32_t skipped = 0; ///< frames left out since the scene began, because their time had passed
+    bool is_late = false;      ///< it had not arrived when the next one was due
 };
 
 /// What a board calls itself on its test card, in the letters of small_font.hpp.
@@ -119,6 +120,17 @@ concept SynchronizedBoard = Board<B> && requires(B& board) {
 template <class B>
 concept ListeningBoard = Board<B> && requires(B& board) {
     { board.listen() } -> std::same_as<void>;
+};
+
+/// A board on which what plays may change: one scene is run after another, and the panel begun once (run_stage()).
+template <class B>
+concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
+    /// Before running() is asked for it. False if there is nothing to draw: the panel shows what it shows.
+    { board.begin() } -> std::same_as<bool>;
+    /// As sleep_until(), but returns as soon as running() is false.
+    { board.linger_until(moment) } -> std::same_as<void>;
+    /// All ends when this is false, and so is running().
+    { board.wants_to_run() } -> std::same_as<bool>;
 };
 
 /// A board that shows a test card when it has no scene: when the first four bytes of its place are all 0xFF, as

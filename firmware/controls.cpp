@@ -24,8 +24,8 @@ Time input_place_at(int level)
 
 }
 
-Controls::Controls(const BoardSettings& settings, const SceneView& scene)
-    : scene_{scene}, start_{settings.clip}, brightness_{settings.panel.brightness}
+Controls::Controls(const BoardSettings& settings, const SceneView& scene, const StoredName& clip)
+    : scene_{scene}, start_{clip}, brightness_{settings.panel.brightness}
 {
     std::ranges::transform(settings.controls, touches_.begin(), [&scene](const Control& control) {
         return Touch{.control = control,
@@ -34,6 +34,21 @@ Controls::Controls(const BoardSettings& settings, const SceneView& scene)
     for (const Touch& touch : touches_)
         if (touch.control.kind == ControlKind::button)
             release(touch); // a knob tells where it stands when it is first read
+}
+
+void Controls::follow(const Controls& before)
+{
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        Touch& touch = touches_[i];
+        const auto input = touch.input;
+        touch = before.touches_[i];
+        touch.input = input;
+        if (touch.control.kind == ControlKind::knob && has_input(touch.control.action))
+            touch.level = untouched;
+        if (touch.control.kind == ControlKind::button && touch.pressed)
+            place_input(touch, whole_input);
+    }
+    brightness_ = before.brightness_;
 }
 
 Stretch Controls::stretch_named(const StoredName& clip) const
@@ -149,13 +164,56 @@ void Controls::place(const Touch& touch, Playhead& playhead)
 
 void Controls::place_input(const Touch& touch, Time place)
 {
-    if (!touch.input)
-        return;
+    if (touch.input)
+        place_input(*touch.input, place);
+}
+
+void Controls::place_input(std::uint32_t number, Time place)
+{
     const auto end = inputs_.begin() + input_count_;
-    const auto found = std::ranges::find(inputs_.begin(), end, *touch.input, &PlacedInput::number);
+    const auto found = std::ranges::find(inputs_.begin(), end, number, &PlacedInput::number);
     if (found == end)
         ++input_count_;
-    *found = {*touch.input, place};
+    *found = {number, place};
+}
+
+void Controls::set_paused(bool paused)
+{
+    paused_ = paused;
+    is_speed_asked_ = true;
+}
+
+void Controls::set_speed(std::int32_t speed)
+{
+    speed_ = speed;
+    is_placed_ = false;
+    is_speed_asked_ = true;
+}
+
+std::int32_t Controls::speed() const
+{
+    if (before_)
+        return Playhead::as_authored;
+    return is_placed_ ? 0 : speed_;
+}
+
+StoredName Controls::clip() const
+{
+    const StoredName& clip = before_ ? clip_ : start_;
+    return scene_.clip(clip.view()) ? clip : StoredName{};
+}
+
+void Controls::obey(Playhead& playhead)
+{
+    if (sought_) {
+        if (before_)
+            go_back(playhead);
+        playhead.seek(*sought_);
+        sought_.reset();
+    }
+    if (is_speed_asked_)
+        apply_speed(playhead);
+    is_speed_asked_ = false;
 }
 
 void Controls::go_back(Playhead& playhead)
@@ -173,13 +231,6 @@ void Controls::go_back_when_finished(Playhead& playhead)
     end_is_shown_ = before_ && playhead.finished();
 }
 
-void Controls::apply_speed(Playhead& playhead) const
-{
-    if (paused_)
-        return playhead.set_speed(0);
-    if (before_)
-        return playhead.set_speed(Playhead::as_authored);
-    playhead.set_speed(is_placed_ ? 0 : speed_);
-}
+void Controls::apply_speed(Playhead& playhead) const { playhead.set_speed(paused_ ? 0 : speed()); }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/kfb_limits.hpp"
 #include "core/playhead.hpp"
 #include "core/scene_view.hpp"
 #include "firmware/board_settings.hpp"
@@ -29,8 +30,9 @@ concept TouchedPins = requires(T& pins, Pin pin) {
 
 // clang-format on
 
-/// What the buttons and knobs of a board do to what is played. A clip that the scene does not have stands for
-/// the whole scene, and for an input that it does not have nothing is done.
+/// What the buttons and knobs of a board do to what is played, and what somebody else may ask for: of two
+/// that want different things, the one that moved last has its way. A clip that the scene does not have
+/// stands for the whole scene, and for an input that it does not have nothing is done.
 class Controls {
 public:
     static constexpr int full_level = 4095;
@@ -39,8 +41,16 @@ public:
     /// What a switch does for so long after it has changed is bouncing.
     static constexpr Microseconds bounce{20'000};
 
-    /// The bytes of `scene` must outlive the controls.
-    Controls(const BoardSettings& settings, const SceneView& scene);
+    /// `clip` is played at first. The bytes of `scene` must outlive the controls.
+    Controls(const BoardSettings& settings, const SceneView& scene, const StoredName& clip);
+    /// With the clip of the settings.
+    Controls(const BoardSettings& settings, const SceneView& scene) : Controls{settings, scene, settings.clip}
+    {
+    }
+
+    /// Another scene was played until now, on the same board: what was touched then has had its way. But an
+    /// input of this scene stands where its control does.
+    void follow(const Controls& before);
 
     /// What is played at first.
     Playhead playhead() const { return playhead_of(start_); }
@@ -50,6 +60,7 @@ public:
     void steer(Playhead& playhead, Pins& pins, Microseconds now)
     {
         go_back_when_finished(playhead);
+        obey(playhead);
         for (Touch& touch : touches_) {
             if (touch.control.kind == ControlKind::button) {
                 if (has_switched(touch, pins.pressed(touch.control.pin), now))
@@ -61,8 +72,24 @@ public:
         }
     }
 
-    /// Where inputs are to stand that controls are for, each once: of several controls for one, as the
-    /// control that moved last has it. Holds until steer() is called again.
+    // What somebody asks for who has no control. It is done by the next steer().
+    void pause() { set_paused(true); }
+    void resume() { set_paused(false); }
+    /// Within ±Playhead::fastest. A button's clip is played as authored all the same.
+    void set_speed(std::int32_t speed);
+    /// Any time of the scene (Playhead::seek). A button's clip ends.
+    void seek(Time time) { sought_ = time; }
+    /// `number` is less than the scene's input_count().
+    void place_input(std::uint32_t number, Time place);
+
+    bool is_paused() const { return paused_; }
+    /// When it is not paused, Q16 of the authored one.
+    std::int32_t speed() const;
+    /// What is played; empty: the whole scene.
+    StoredName clip() const;
+
+    /// Where inputs are to stand that were placed, each once and as it was last placed. Holds until steer()
+    /// or place_input() is called again.
     std::span<const PlacedInput> inputs() const { return std::span{inputs_}.first(input_count_); }
     /// Whether the display is to be off.
     bool wants_rest() const { return wants_rest_; }
@@ -89,6 +116,8 @@ private:
     void press_or_release(const Touch& touch, Playhead& playhead);
     void press(const Touch& touch, Playhead& playhead);
     void release(const Touch& touch) { place_input(touch, {}); }
+    void set_paused(bool paused);
+    void obey(Playhead& playhead);
     void turn(const Touch& touch, Playhead& playhead);
     void play(const StoredName& clip, Playhead& playhead);
     void place(const Touch& touch, Playhead& playhead);
@@ -100,7 +129,7 @@ private:
     SceneView scene_;
     StoredName start_;
     std::array<Touch, BoardSettings::most_controls> touches_;
-    std::array<PlacedInput, BoardSettings::most_controls> inputs_;
+    std::array<PlacedInput, kfb::max_inputs> inputs_;
     std::size_t input_count_ = 0;                ///< of inputs_
     std::optional<Playhead> before_;             ///< what was played before a button's clip
     StoredName clip_;                            ///< of the button that is being played
@@ -108,6 +137,8 @@ private:
     bool is_placed_ = false;                     ///< a knob says where playing stands
     bool end_is_shown_ = false;                  ///< of a button's clip
     bool paused_ = false;
+    bool is_speed_asked_ = false; ///< by somebody without a control, and not yet obeyed
+    std::optional<Time> sought_;  ///< likewise
     bool wants_rest_ = false;
     std::uint8_t brightness_;
 };

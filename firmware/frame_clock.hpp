@@ -17,6 +17,8 @@ public:
     }
 
     constexpr Microseconds due() const { return due_.moment; }
+    /// When the frame after that is due.
+    constexpr Microseconds following() const { return following_.moment; }
 
     /// Moves on to the next frame, or past it to the last one that is due at `now`: late frames are left out.
     /// Returns how far it moved, in frames. A frame must not take longer than 35 minutes.

@@ -79,6 +79,15 @@ void rest(B& board, Playhead& playhead, FrameClock& clock)
     board.panel().wake(pause);
 }
 
+template <Board B>
+void sleep_until_frame(B& board, Microseconds moment)
+{
+    if constexpr (ChangingBoard<B>)
+        board.linger_until(moment);
+    else
+        board.sleep_until(moment);
+}
+
 /// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of
 /// a frame, and of those left out before it, are told before it is drawn.
 template <Board B, class Animation>
@@ -107,11 +116,12 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
         draw_frame(board, player);
         if (std::exchange(is_dark, false))
             light_panel(board);
+        report.is_late = reached(board.now(), clock.following());
         board.frame_shown(report);
 
         frames = clock.advance(board.now());
         report.skipped += frames - 1;
-        board.sleep_until(clock.due());
+        sleep_until_frame(board, clock.due());
     }
 }
 
@@ -145,34 +155,62 @@ template <Board B>
     show_card(board, FaultCard{error, board.panel().size()});
 }
 
+/// Whether anything can be drawn.
+template <Board B>
+bool bands_hold_rows(B& board)
+{
+    return rows_per_band(board.panel(), board.bands()[0].size()) != 0;
+}
+
 /// Says on the panel, if the bands hold a row of it, and to the board why nothing is played.
 template <Board B>
 [[gnu::cold]] void refuse(B& board, Error error)
 {
-    if (rows_per_band(board.panel(), board.bands()[0].size()) != 0) {
-        begin_panel(board);
+    if (bands_hold_rows(board))
         show_why_nothing_plays(board, error);
-    }
     board.fault(error);
 }
 
-/// Plays the board's scene until the board stops running, or reports why it cannot be played: an error of
-/// SceneView::parse, or block_too_small, also when the bands do not hold a row.
+/// Plays the board's scene, on a panel that has begun, until the board stops running, or reports why it
+/// cannot be played: an error of SceneView::parse, or block_too_small, also when the bands do not hold a row.
 template <Board B>
-void run(B& board)
+void run_scene(B& board)
 {
     const auto scene = SceneView::parse(board.scene_bytes());
     if (!scene)
         return refuse(board, scene.error());
-    if (rows_per_band(board.panel(), board.bands()[0].size()) == 0)
+    if (!bands_hold_rows(board))
         return refuse(board, Error::block_too_small);
     auto player = Player::create(*scene, board.panel().size(), Fit::contain, board.block());
     if (!player)
         return refuse(board, player.error());
 
-    begin_panel(board);
     board.scene_started(*scene);
     play(board, *player, playhead_for(board, *scene), {scene->frame_rate(), board.now()});
+}
+
+/// Begins the panel, and runs the board's scene.
+template <Board B>
+void run(B& board)
+{
+    if (bands_hold_rows(board))
+        begin_panel(board);
+    run_scene(board);
+}
+
+/// Begins the panel, and runs whatever the board has to play, one after another, as long as it wants to run.
+template <ChangingBoard B>
+void run_stage(B& board)
+{
+    constexpr Microseconds nap{100'000};
+    if (bands_hold_rows(board))
+        begin_panel(board);
+    while (board.wants_to_run()) {
+        if (board.begin())
+            run_scene(board);
+        while (board.running())
+            board.linger_until(board.now() + nap);
+    }
 }
 
 }

@@ -1,20 +1,73 @@
 #include "boards/pico/computer.hpp"
 
+#include "boards/pico/boot_rom.hpp"
+#include "boards/pico/chip_flash.hpp"
+#include "boards/pico/memory.hpp"
 #include "boards/pico/usb_reports.hpp"
+#include "firmware/link/conversation.hpp"
+#include "firmware/slots/slot_store.hpp"
+
+#include <optional>
 
 namespace kfast::pico {
+namespace {
 
-void Computer::serve()
+constexpr BoardSettings no_settings;
+constexpr ChipFlash chip_flash;
+
+// Too large for the stack.
+constinit std::optional<link::Stage> the_stage;
+constinit std::optional<SlotStore<const ChipFlash>> slots;
+constinit std::optional<link::Conversation<const UsbReports, const ChipFlash>> conversation;
+
+void begin_with(const BoardSettings& settings, std::string_view panel, Size panel_size)
 {
-    while (usb_reports.take())
-        ++dropped_;
+    the_stage.emplace(link::StageFacts{.settings = settings,
+                                       .serial = {usb_reports.serial_number()},
+                                       .board = {"pico"},
+                                       .panel = {panel},
+                                       .panel_size = panel_size,
+                                       .block = memory::player_block(),
+                                       .built_in = memory::scene_region(),
+                                       .is_dimmable = panel_size != Size{},
+                                       .has_boot_loader = true});
+    slots.emplace(chip_flash, rp2040::slot_places);
+    conversation.emplace(usb_reports, *the_stage, *slots);
+    conversation->begin();
 }
 
-void Computer::serve_until(Microseconds moment, const Clock& clock)
+}
+
+void Computer::begin(const BoardSettings& settings) const
+{
+    begin_with(settings, controller_name(settings.panel.controller), settings.panel.size());
+}
+
+void Computer::begin_without_display() const { begin_with(no_settings, {}, {}); }
+
+link::Stage& Computer::stage() const { return *the_stage; }
+
+void Computer::serve() const
+{
+    conversation->serve([this] { return clock_.now(); });
+    if (the_stage->is_to_leave(clock_.now()))
+        boot_rom::become_drive();
+}
+
+void Computer::serve_until(Microseconds moment) const
 {
     serve();
-    while (!reached(clock.now(), moment)) {
-        clock.doze_until(moment);
+    while (!reached(clock_.now(), moment)) {
+        clock_.doze_until(moment);
+        serve();
+    }
+}
+
+void Computer::serve_until_change(Microseconds moment) const
+{
+    serve();
+    while (!the_stage->wants_to_begin() && !reached(clock_.now(), moment)) {
+        clock_.doze_until(moment);
         serve();
     }
 }

@@ -1,25 +1,35 @@
 #pragma once
 
 #include "boards/pico/clock.hpp"
+#include "firmware/board_settings.hpp"
+#include "firmware/link/stage.hpp"
 #include "firmware/microseconds.hpp"
-
-#include <cstdint>
 
 namespace kfast::pico {
 
-/// Whoever is at the other end of the USB cable. Nobody here understands reports yet: they are dropped and
-/// counted.
+/// Whoever is at the other end of the USB cable, and the stage that it speaks of. There is one.
 class Computer {
 public:
-    /// Deals with the reports that have come. The computer has to wait if nobody does for 16 ms.
-    void serve();
-    /// Sleeps, and deals with reports as they come.
-    void serve_until(Microseconds moment, const Clock& clock);
+    /// `clock` must outlive it.
+    explicit Computer(const Clock& clock) : clock_{clock} {}
 
-    std::uint32_t dropped() const { return dropped_; }
+    /// Before anything else. What plays when the board starts is what its stage begins with. `settings` must
+    /// outlive it.
+    void begin(const BoardSettings& settings) const;
+    /// Likewise, of a board that can show nothing.
+    void begin_without_display() const;
+
+    link::Stage& stage() const;
+
+    /// Deals with the reports that have come. The computer has to wait if nobody does for 16 ms.
+    void serve() const;
+    /// Sleeps, and deals with reports as they come.
+    void serve_until(Microseconds moment) const;
+    /// Likewise, but returns as soon as the stage wants to begin something.
+    void serve_until_change(Microseconds moment) const;
 
 private:
-    std::uint32_t dropped_ = 0;
+    const Clock& clock_;
 };
 
 }

@@ -1,8 +1,10 @@
 #include "boards/pico/flash.hpp"
 
+#include "boards/pico/boot_rom.hpp"
 #include "boards/pico/interrupts.hpp"
 #include "boards/pico/register.hpp"
 #include "boards/pico/watchdog.hpp"
+#include "firmware/rp2040_flash.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,27 +12,10 @@
 extern "C" {
 // From the linker script.
 extern const std::uint32_t flash_begin[];
-// Of the boot ROM: addresses in 16 bits.
-extern const volatile std::uint16_t rom_function_table;
-extern const volatile std::uint16_t rom_table_lookup;
 }
 
 namespace kfast::pico::flash {
 namespace {
-
-/// The name of a function of the boot ROM: two letters, the first in the low byte.
-constexpr std::uint32_t named(char first, char second)
-{
-    return static_cast<std::uint32_t>(first) | static_cast<std::uint32_t>(second) << 8;
-}
-
-template <class Function>
-Function* rom_function(std::uint32_t name)
-{
-    using Lookup = std::uint32_t(std::uint32_t table, std::uint32_t name);
-    auto* const look_up = reinterpret_cast<Lookup*>(std::uint32_t{rom_table_lookup});
-    return reinterpret_cast<Function*>(look_up(rom_function_table, name));
-}
 
 /// While it lives flash takes commands and cannot be read: what happens meanwhile is in RAM, as all code of
 /// the image is but the first of start.cpp.
@@ -63,9 +48,9 @@ private:
 
     InterruptsOff guard_;
     std::array<std::uint32_t, 64> boot_block_; // with the code that lets flash be read again
-    Step* connect_ = rom_function<Step>(named('I', 'F'));
-    Step* leave_reading_ = rom_function<Step>(named('E', 'X'));
-    Step* flush_cache_ = rom_function<Step>(named('F', 'C'));
+    Step* connect_ = boot_rom::function<Step>('I', 'F');
+    Step* leave_reading_ = boot_rom::function<Step>('E', 'X');
+    Step* flush_cache_ = boot_rom::function<Step>('F', 'C');
 };
 
 // Of the unit that speaks with the flash chip (SSI); in command mode the boot ROM has set it up for bytes,
@@ -114,7 +99,7 @@ void erase_sector(std::uint32_t offset)
 {
     using Erase =
         void(std::uint32_t offset, std::size_t count, std::uint32_t block_bytes, std::uint32_t block_command);
-    auto* const erase = rom_function<Erase>(named('R', 'E'));
+    auto* const erase = boot_rom::function<Erase>('R', 'E');
     constexpr std::uint32_t block_bytes = 1 << 16;
     constexpr std::uint32_t erase_block = 0xD8;
     const CommandMode mode;
@@ -136,9 +121,14 @@ void program(std::uint32_t offset, std::span<const std::byte> bytes)
 {
     using Program = void(std::uint32_t offset, const std::byte* bytes, std::size_t count);
     expect(offset % page_bytes == 0 && bytes.size() % page_bytes == 0 && lies_in_ram(bytes.data()));
-    auto* const program = rom_function<Program>(named('R', 'P'));
+    auto* const program = boot_rom::function<Program>('R', 'P');
     const CommandMode mode;
     program(offset, bytes.data(), bytes.size());
+}
+
+std::span<const std::byte> contents()
+{
+    return std::as_bytes(std::span{flash_begin, rp2040::flash_bytes / sizeof(std::uint32_t)});
 }
 
 UniqueId unique_id()

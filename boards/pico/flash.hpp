@@ -20,6 +20,9 @@ void erase(std::uint32_t offset, std::size_t count);
 /// page_bytes, or nothing is done and the board stops with a fault.
 void program(std::uint32_t offset, std::span<const std::byte> bytes);
 
+/// All of it.
+std::span<const std::byte> contents();
+
 inline constexpr std::size_t unique_id_bytes = 8;
 using UniqueId = std::array<std::byte, unique_id_bytes>;
 

@@ -28,6 +28,7 @@ public:
         usb_reports.begin();
         if (settings_) // else any pin may be wired to anything
             live_by(*settings_);
+        computer_.begin_without_display();
         blink();
     }
 
@@ -37,7 +38,7 @@ private:
         log.begin(settings.pin(PinRole::log));
         report::begun(settings.panel);
         if (accepts(settings))
-            show_scene(settings);
+            play(settings);
     }
 
     static bool accepts(const BoardSettings& settings)
@@ -50,19 +51,20 @@ private:
         return !mistake && settings.bus == bus_kind;
     }
 
-    void show_scene(const BoardSettings& settings)
+    [[noreturn]] void play(const BoardSettings& settings)
     {
+        computer_.begin(settings);
         Bus bus{settings};
-        auto pause = [this](Microseconds time) { computer_.serve_until(clock_.now() + time, clock_); };
+        auto pause = [this](Microseconds time) { computer_.serve_until(clock_.now() + time); };
         reset_display(settings, pause);
         with_panel(bus, settings.panel, [this, &settings](auto& panel) {
             Board board{panel, settings, clock_, computer_};
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
-                          SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B>);
-            while (board.wants_to_run())
-                run(board);
+                          SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B> && ChangingBoard<B>);
+            run_stage(board);
         });
+        __builtin_unreachable(); // the board wants to run for ever
     }
 
     /// What is left to do when nothing can be shown.
@@ -71,12 +73,12 @@ private:
         constexpr Microseconds half_a_second{500'000};
         while (true) {
             led::toggle();
-            computer_.serve_until(clock_.now() + half_a_second, clock_);
+            computer_.serve_until(clock_.now() + half_a_second);
         }
     }
 
     Clock clock_;
-    Computer computer_;
+    Computer computer_{clock_};
     const std::optional<BoardSettings> settings_ = settings_for(bus_kind);
 };
 

@@ -48,13 +48,6 @@ void frame_shown(FrameReport frame)
     log.write('\n');
 }
 
-void reports_dropped(std::uint32_t count)
-{
-    write_text(log, "USB ");
-    write_decimal(log, count);
-    log.write('\n');
-}
-
 void fault(Error error)
 {
     write_text(log, "ERROR ");

@@ -14,7 +14,6 @@
 ///     SCENE <bytes> <CRC-32>
 ///     EVENT <name>                                            when it is passed, before the frame
 ///     F <time in 1/1024 frame> <frames skipped so far>        when it has arrived
-///     USB <reports dropped so far>
 ///     ERROR <what is wrong>
 ///     FAULT <exception> at <address>                          from start.cpp, before the watchdog resets
 namespace kfast::pico::report {
@@ -23,7 +22,6 @@ void begun(const PanelSettings& panel);
 void scene_started(std::span<const std::byte> scene);
 void event_passed(std::string_view name);
 void frame_shown(FrameReport frame);
-void reports_dropped(std::uint32_t count);
 void fault(Error error);
 /// Stored settings that this image, which is for `bus`, cannot work with.
 void other_bus(BusKind settings, BusKind bus);

@@ -14,7 +14,7 @@ namespace {
 using SerialNumber = std::array<char, 2 * flash::unique_id_bytes>;
 
 constinit usb::HidDevice<UsbController> device;
-constinit SerialNumber serial_number;
+constinit SerialNumber chip_number;
 
 SerialNumber in_hexadecimal(const flash::UniqueId& id)
 {
@@ -31,10 +31,12 @@ SerialNumber in_hexadecimal(const flash::UniqueId& id)
 
 void UsbReports::begin() const
 {
-    serial_number = in_hexadecimal(flash::unique_id());
-    device.begin({"KFAST", "KFAST Pico", {serial_number.data(), serial_number.size()}});
+    chip_number = in_hexadecimal(flash::unique_id());
+    device.begin({"KFAST", "KFAST Pico", serial_number()});
     device.controller().begin();
 }
+
+std::string_view UsbReports::serial_number() const { return {chip_number.data(), chip_number.size()}; }
 
 std::optional<usb::Report> UsbReports::take() const { return device.take(); }
 

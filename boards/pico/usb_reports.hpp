@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace kfast::pico {
 
@@ -13,6 +14,9 @@ class UsbReports {
 public:
     /// Shows the computer that the board is there. Needs start_clocks().
     void begin() const;
+
+    /// Unique to the chip. After begin().
+    std::string_view serial_number() const;
 
     std::optional<usb::Report> take() const;
     bool send(const usb::Report& report) const;

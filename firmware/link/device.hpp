@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/scene_view.hpp"
 #include "core/time.hpp"
 #include "firmware/link/message.hpp"
+#include "firmware/microseconds.hpp"
 #include "firmware/status.hpp"
 
 #include <concepts>
@@ -18,12 +20,13 @@ struct DeviceFacts {
     std::uint32_t ram_bytes = 0;   ///< of the largest scene that can be played from RAM
     StoredText<24> serial{};       ///< unique to the chip
     Names names{};
+    Name start_clip{}; ///< played at the start if the scene has it; empty: all of the scene
 };
 
 /// A scene that was found whole (SceneView::parse), and what of it is to be played.
 struct Programme {
     std::span<const std::byte> scene{}; ///< as long as it plays, its bytes stay as they are
-    Home home = Home::built_in;         ///< not Home::here
+    Home home = Home::built_in;         ///< one of the first three
     std::uint8_t slot = no_slot;
     Name clip{}; ///< one of the scene's; empty: all of it
 };
@@ -33,22 +36,34 @@ struct Programme {
 
 /// What the link asks of a device. All of it returns soon: what takes time begins.
 template <class D>
-concept Device = requires(D& device, const D& same, const Programme& programme, std::uint32_t size, Time time,
-                          std::int32_t speed, std::uint8_t number) {
+concept Device = requires(D& device, const D& same, const Programme& programme, const SceneView& scene,
+                          std::uint32_t size, Time time, std::int32_t speed, std::uint8_t number, Microseconds now) {
     { same.facts() } -> std::same_as<DeviceFacts>;
     { same.playing() } -> std::same_as<Playing>;
     /// Without link_errors, which the link counts.
     { same.statistics() } -> std::same_as<Statistics>;
-    /// The bytes of the scene that plays; none if none does. As long as they are told here, nothing writes to them.
+    /// `number` is less than playing().inputs.
+    { same.input(number) } -> std::same_as<InputState>;
+    /// The bytes of the scene that plays, or shall go on; none if none does. As long as they are told here, nothing
+    /// writes to them.
     { same.played() } -> std::same_as<std::span<const std::byte>>;
     /// Where a UF2 file puts a scene, perhaps with more bytes after it.
     { same.built_in() } -> std::same_as<std::span<const std::byte>>;
 
-    /// From the beginning, as authored, not paused. Fails with block_too_small, and then what played plays on.
-    { device.play(programme) } -> std::same_as<Status>;
-    /// Memory of `size` bytes for a scene, at most ram_bytes, of which nothing is played: what was played from
-    /// there gives way to something else before this returns. It is lent until the next call.
+    /// From the beginning, as authored, not paused; `scene` is that of the programme. Fails with block_too_small or
+    /// unsupported, and then what played plays on.
+    { device.play(programme, scene) } -> std::same_as<Status>;
+    /// Nothing plays, and the display says so.
+    { device.play_nothing() } -> std::same_as<void>;
+    /// Memory of `size` bytes for a scene, 1 … ram_bytes, of which nothing is played. None if what plays has to give
+    /// way first: it does so soon, and this is to be called again. The memory is lent until the next call.
     { device.lend_ram(size) } -> std::same_as<std::span<std::byte>>;
+    /// What lend_ram() has given; none once it is needed for something else.
+    { same.lent_ram() } -> std::same_as<std::span<std::byte>>;
+    /// No scene comes into what is lent: what gave way plays again, if it can.
+    { device.end_loan() } -> std::same_as<void>;
+    /// Whether nothing plays because what gave way cannot play again.
+    { same.is_idle() } -> std::same_as<bool>;
     { device.pause() } -> std::same_as<void>;
     { device.resume() } -> std::same_as<void>;
     /// Any time of the scene (Playhead::seek).
@@ -60,7 +75,7 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     /// `number` is one of playing().inputs, and `time` within 0 … whole_input.
     { device.set_input(std::uint32_t{number}, time) } -> std::same_as<void>;
     /// Soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
-    { device.enter_boot_loader() } -> std::same_as<Status>;
+    { device.enter_boot_loader(now) } -> std::same_as<Status>;
 };
 
 // clang-format on

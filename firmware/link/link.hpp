@@ -8,6 +8,8 @@
 #include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/outcome.hpp"
+#include "firmware/link/repertoire.hpp"
+#include "firmware/link/silence_watch.hpp"
 #include "firmware/link/upload.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/slots/slot_store.hpp"
@@ -17,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace kfast::link {
 
@@ -24,16 +27,21 @@ namespace kfast::link {
 /// answers ready. It needs no order, no completeness and no sense in what comes.
 ///
 /// Nothing waits for the computer to fetch answers. A request that finds no room for its answer is not
-/// carried out; how far an upload has come is told in one report, which is always the newest.
+/// carried out; how far an upload has come is told in one report, which is always the newest. One request
+/// may have to wait for the device, and is answered later.
 template <Device D, Flash F>
 class Link {
 public:
     /// Both must outlive the link. Nobody else begins uploads to `slots`.
-    Link(D& device, SlotStore<F>& slots) : device_{device}, slots_{slots}, upload_{device, slots} {}
+    Link(D& device, SlotStore<F>& slots)
+        : device_{device}, slots_{slots}, upload_{device, slots}, repertoire_{device, slots, upload_}
+    {
+    }
 
     /// A report as it came. Works until flash has taken what is full: up to a sector, or the directory.
     void take(std::span<const std::byte> bytes, Microseconds now)
     {
+        hear(now);
         pass(now);
         Report report;
         std::ranges::copy(bytes.first(std::min(bytes.size(), report_bytes)), report.bytes.begin());
@@ -47,12 +55,43 @@ public:
             take_request(report, now);
     }
 
-    /// Lets time pass: to be called at least every few seconds.
+    /// The computer has spoken. Also to be called when a report has been taken: the computer could not speak
+    /// while it worked.
+    void hear(Microseconds now) { silence_.hear(now); }
+
+    /// Lets time pass: to be called at least every few seconds, and often if silences shall be noticed in
+    /// time.
     void pass(Microseconds now)
     {
         if (const auto tag = upload_.drop_overdue(now))
             tell(report_of(failure(code_of<Data>(), Status::timed_out), *tag));
+        if (const auto request = std::exchange(waiting_, std::nullopt))
+            take_request(*request, now);
+        if (const auto action = silence_.pass(now))
+            carry_out(*action);
+        if (device_.is_idle())
+            repertoire_.return_to_start();
     }
+
+    /// The computer is gone, perhaps for a while.
+    void lose_computer()
+    {
+        if (const auto action = silence_.end())
+            carry_out(*action);
+    }
+
+    /// A computer begins anew: nothing of what was under way is meant for it. Scenes stay where they are.
+    void begin_session()
+    {
+        lose_computer();
+        upload_.abandon();
+        if (std::exchange(waiting_, std::nullopt))
+            device_.end_loan();
+        answers_ = {};
+    }
+
+    /// What plays when the device starts plays (Repertoire).
+    Verdict play_start() { return repertoire_.play_start(); }
 
     /// Whether there is something to fetch.
     bool has_report() const { return !answers_.is_empty() || upload_.has_acknowledgement(); }
@@ -102,6 +141,8 @@ private:
             return take<AskPlaying>(report, now);
         case Kind::statistics:
             return take<AskStatistics>(report, now);
+        case Kind::input:
+            return take<AskInput>(report, now);
         case Kind::begin:
             return take<Begin>(report, now);
         case Kind::commit:
@@ -128,6 +169,8 @@ private:
             return take<Brightness>(report, now);
         case Kind::inputs:
             return take<Inputs>(report, now);
+        case Kind::silence:
+            return take<Silence>(report, now);
         case Kind::boot_loader:
             return take<EnterBootLoader>(report, now);
         case Kind::data:  // needs no answer
@@ -144,7 +187,9 @@ private:
         if (!message)
             return refuse(report, Status::bad_value);
         const auto outcome = carry_out(*message, {report.tag(), now});
-        if (!outcome.verdict.is_ok())
+        if (outcome.is_put_off)
+            waiting_ = report;
+        else if (!outcome.verdict.is_ok())
             fail(report, outcome.verdict);
         else if (wants_answer(report))
             tell(report_of(outcome.answer, report.tag()));
@@ -180,6 +225,22 @@ private:
         return statistics;
     }
 
+    /// no_such_input, or ok.
+    Verdict look_for_input(std::uint32_t number) const
+    {
+        const std::uint8_t known = device_.playing().inputs;
+        return number < known ? Verdict{} : Verdict{Status::no_such_input, known};
+    }
+
+    Outcome<InputState> carry_out(const AskInput& which, Asked)
+    {
+        if (!device_.playing().is_playing)
+            return Status::nothing_plays;
+        if (const Verdict verdict = look_for_input(which.input); !verdict.is_ok())
+            return verdict;
+        return device_.input(which.input);
+    }
+
     Outcome<Begun> carry_out(const Begin& what, Asked asked)
     {
         return upload_.begin(what, asked.tag, asked.now);
@@ -187,17 +248,9 @@ private:
     Deed<Kind::commit> carry_out(const Commit&, Asked asked) { return upload_.commit(asked.tag); }
     Deed<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
 
-    /// no_such_slot, or ok.
-    static Verdict look_for(std::uint8_t slot)
-    {
-        if (slot < SlotDirectory::slot_count)
-            return {};
-        return {Status::no_such_slot, SlotDirectory::slot_count};
-    }
-
     Outcome<SlotContents> carry_out(const AskSlot& which, Asked)
     {
-        if (const Verdict verdict = look_for(which.slot); !verdict.is_ok())
+        if (const Verdict verdict = slot_exists(which.slot); !verdict.is_ok())
             return verdict;
         const SlotEntry& entry = slots_.entry(which.slot);
         return SlotContents{.slot = which.slot,
@@ -208,7 +261,7 @@ private:
     }
     Deed<Kind::erase> carry_out(const EraseSlot& which, Asked)
     {
-        if (const Verdict verdict = look_for(which.slot); !verdict.is_ok())
+        if (const Verdict verdict = slot_exists(which.slot); !verdict.is_ok())
             return verdict;
         upload_.forget_last();
         return slots_.erase(which.slot);
@@ -217,49 +270,26 @@ private:
     {
         if (which.slot == no_slot)
             return slots_.choose(std::nullopt);
-        const Verdict verdict = look_for(which.slot);
+        const Verdict verdict = slot_exists(which.slot);
         return verdict.is_ok() ? Verdict{slots_.choose(which.slot)} : verdict;
     }
 
-    Deed<Kind::play> carry_out(const Play& what, Asked)
+    Deed<Kind::play> carry_out(const Play& what, Asked) { return repertoire_.play(what); }
+
+    void carry_out(SilenceAction action)
     {
-        Programme programme{.home = what.home, .slot = what.slot, .clip = what.clip};
-        if (const Verdict verdict = find_scene(programme); !verdict.is_ok())
-            return verdict;
-        const auto scene = SceneView::parse(programme.scene);
-        if (!scene)
-            return status_of(scene.error());
-        if (!what.clip.view().empty() && !scene->clip(what.clip.view()))
-            return Status::no_such_clip;
-        programme.scene = programme.scene.first(scene->size());
-        return device_.play(programme);
+        switch (action) {
+        case SilenceAction::hold:
+            return device_.pause();
+        case SilenceAction::start:
+            return repertoire_.return_to_start();
+        }
     }
 
-    /// Fills in where the scene lies. Fails with no_such_slot, empty_slot, nothing_in_ram or nothing_plays.
-    Verdict find_scene(Programme& programme)
+    Deed<Kind::silence> carry_out(const Silence& silence, Asked asked)
     {
-        switch (programme.home) {
-        case Home::built_in:
-            programme.slot = no_slot;
-            programme.scene = device_.built_in();
-            return {};
-        case Home::slot:
-            if (const Verdict verdict = look_for(programme.slot); !verdict.is_ok())
-                return verdict;
-            programme.scene = slots_.scene(programme.slot);
-            return programme.scene.empty() ? Status::empty_slot : Status::ok;
-        case Home::ram:
-            programme.slot = no_slot;
-            programme.scene = upload_.ram_scene();
-            return programme.scene.empty() ? Status::nothing_in_ram : Status::ok;
-        case Home::here:
-            break;
-        }
-        const Playing playing = device_.playing();
-        programme.home = playing.home;
-        programme.slot = playing.slot;
-        programme.scene = device_.played();
-        return playing.is_playing ? Status::ok : Status::nothing_plays;
+        silence_.arm(silence, asked.now);
+        return Status::ok;
     }
 
     Deed<Kind::pause> carry_out(const Pause&, Asked)
@@ -300,20 +330,26 @@ private:
         };
         if (!std::ranges::all_of(places, is_place))
             return Status::bad_value;
-        const std::uint8_t known = device_.playing().inputs;
-        if (!std::ranges::all_of(places, [=](const InputPlace& each) { return each.input < known; }))
-            return Verdict{Status::no_such_input, known};
+        for (const InputPlace& each : places)
+            if (const Verdict verdict = look_for_input(each.input); !verdict.is_ok())
+                return verdict;
         for (const InputPlace& each : places)
             device_.set_input(each.input, each.place);
         return Status::ok;
     }
 
-    Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked) { return device_.enter_boot_loader(); }
+    Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)
+    {
+        return device_.enter_boot_loader(asked.now);
+    }
 
     D& device_;
     SlotStore<F>& slots_;
     Upload<D, F> upload_;
+    Repertoire<D, F> repertoire_;
     AnswerQueue answers_;
+    SilenceWatch silence_;
+    std::optional<Report> waiting_; ///< a request that could not be carried out yet
     std::uint32_t errors_ = 0;
 };
 

@@ -23,6 +23,7 @@ enum class Kind : std::uint8_t {
     names = 0x02,
     playing = 0x03,
     statistics = 0x04,
+    input = 0x05,
     begin = 0x10,
     data = 0x11,
     commit = 0x12,
@@ -37,6 +38,7 @@ enum class Kind : std::uint8_t {
     speed = 0x34,
     brightness = 0x35,
     inputs = 0x36,
+    silence = 0x3A,
     boot_loader = 0x3F,
     error = 0x7F, ///< only from the device
 };
@@ -49,9 +51,10 @@ enum class Home : std::uint8_t {
     built_in, ///< where a UF2 file puts it
     slot,
     ram,
-    here, ///< only in Play: where what plays now lies
+    here,  ///< only in Play: where what plays now lies
+    start, ///< only in Play: what plays when the device starts
 };
-constexpr bool is_known(Home home) { return home <= Home::here; }
+constexpr bool is_known(Home home) { return home <= Home::start; }
 
 /// Stands for a slot where there is none.
 inline constexpr std::uint8_t no_slot = 0xFF;
@@ -153,6 +156,36 @@ struct Statistics {
     std::uint32_t link_errors = 0; ///< reports that could not be understood, or had no room for their answer
 
     static constexpr void fields(auto&& io, auto& it) { io(it.frames, it.late, it.skipped, it.link_errors); }
+};
+
+struct AskInput {
+    static constexpr Kind kind = Kind::input;
+    std::uint8_t input = 0; ///< its number in the scene that plays
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input); }
+};
+
+/// What an input of a scene takes.
+enum class InputKind : std::uint8_t { number };
+/// A later device may have more of them.
+constexpr bool is_known(InputKind) { return true; }
+
+/// One input of the scene that plays. Values are in 1/1000.
+struct InputState {
+    static constexpr Kind kind = Kind::input;
+    static constexpr bool answers = true;
+    std::uint8_t input = 0;
+    InputKind takes = InputKind::number;
+    Name name{}; ///< its first 24 bytes, in whole letters
+    std::int32_t least = 0;
+    std::int32_t most = 0;
+    std::int32_t usual = 0; ///< until another is told
+    Time place{};           ///< where it stands: 0 … whole_input
+
+    static constexpr void fields(auto&& io, auto& it)
+    {
+        io(it.input, it.takes, it.name, it.least, it.most, it.usual, it.place);
+    }
 };
 
 /// A scene is going to come. Its tag is that of all that belongs to the upload.
@@ -262,6 +295,21 @@ struct Inputs {
     std::array<InputPlace, most> places{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
+};
+
+/// What a device does when its computer falls silent, or goes.
+enum class SilenceAction : std::uint8_t {
+    hold,  ///< pauses
+    start, ///< plays what plays when it starts
+};
+constexpr bool is_known(SilenceAction action) { return action <= SilenceAction::start; }
+
+struct Silence {
+    static constexpr Kind kind = Kind::silence;
+    std::uint16_t milliseconds = 0; ///< without any report; 0: nothing is done
+    SilenceAction action = SilenceAction::hold;
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.milliseconds, it.action); }
 };
 
 /// Something that was asked for was not done.

@@ -13,10 +13,18 @@ template <Answer A>
 struct Outcome {
     Verdict verdict;
     A answer{};
+    bool is_put_off = false; ///< it is to be asked for once more, soon
 
     constexpr Outcome(const A& given) : answer{given} {}
     constexpr Outcome(Verdict why) : verdict{why} {}
     constexpr Outcome(Status status) : verdict{status} {}
+
+    static constexpr Outcome put_off()
+    {
+        Outcome outcome{Verdict{}};
+        outcome.is_put_off = true;
+        return outcome;
+    }
 };
 
 /// Of a request that is answered by nothing but that it was done, or was not.

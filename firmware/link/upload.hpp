@@ -23,17 +23,21 @@ public:
     Upload(D& device, SlotStore<F>& slots) : device_{device}, slots_{slots} {}
 
     /// Fails with bad_value, no_such_slot, no_room or too_large. An upload that was under way is dropped even
-    /// then, unless this is its own beginning once more.
+    /// then, unless this is its own beginning once more. Put off as long as what plays gives way to it.
     Outcome<Begun> begin(const Begin& what, std::uint8_t tag, Microseconds now)
     {
         if (transfer_.is_begun_by(what, tag))
             return transfer_.begun();
+        const bool leaves_ram = transfer_.is_under_way() && is_for_ram();
         transfer_.forget();
         is_stray_told_ = false;
-        if (what.size == 0 || blocks_of(what.size) > most_blocks)
-            return Status::bad_value;
-        if (const Verdict verdict = make_room(what); !verdict.is_ok())
+        const Verdict verdict = make_room(what);
+        if (leaves_ram && (what.home != Home::ram || !verdict.is_ok()))
+            device_.end_loan();
+        if (!verdict.is_ok())
             return verdict;
+        if (what.home == Home::ram && device_.lent_ram().empty())
+            return Outcome<Begun>::put_off();
         transfer_.begin(what, tag, now);
         return transfer_.begun();
     }
@@ -43,6 +47,8 @@ public:
     {
         if (!transfer_.belongs(tag))
             return Status::no_transfer;
+        if (has_lost_ram())
+            fail(Status::no_transfer);
         with_sink([&](auto& sink) { transfer_.take(data, sink, now); });
         return Status::ok;
     }
@@ -55,10 +61,13 @@ public:
     {
         if (!transfer_.belongs(tag))
             return Status::no_transfer;
+        if (has_lost_ram())
+            fail(Status::no_transfer);
+        const bool was_under_way = transfer_.is_under_way();
         Verdict verdict;
         with_sink([&](auto& sink) { verdict = transfer_.commit(sink); });
-        if (verdict.is_ok() && is_for_ram())
-            ram_scene_ = ram_.bytes();
+        if (is_for_ram() && was_under_way && !transfer_.is_under_way())
+            end_in_ram(verdict.is_ok());
         return verdict;
     }
 
@@ -68,8 +77,17 @@ public:
         if (!transfer_.belongs(tag))
             return Status::no_transfer;
         if (transfer_.is_under_way())
-            transfer_.fail(Status::no_transfer);
+            fail(Status::no_transfer);
         return Status::ok;
+    }
+
+    /// Nobody goes on with what is under way, nor asks about what came last.
+    void abandon()
+    {
+        if (transfer_.is_under_way())
+            fail(Status::no_transfer);
+        transfer_.forget();
+        is_stray_told_ = false;
     }
 
     /// What came last may not be where it was put any more.
@@ -84,12 +102,15 @@ public:
     {
         if (!transfer_.is_overdue(now))
             return std::nullopt;
-        transfer_.fail(Status::timed_out);
+        fail(Status::timed_out);
         return transfer_.tag();
     }
 
     /// The whole scene that lies in RAM, if there is one.
-    std::span<const std::byte> ram_scene() const { return ram_scene_; }
+    std::span<const std::byte> ram_scene() const
+    {
+        return device_.lent_ram().empty() ? std::span<const std::byte>{} : ram_scene_;
+    }
 
     bool has_acknowledgement() const { return transfer_.has_acknowledgement(); }
     /// How far it has come, if that is to be told now.
@@ -102,6 +123,26 @@ public:
 private:
     bool is_for_ram() const { return transfer_.what().home == Home::ram; }
 
+    /// What it is written to is needed for something else.
+    bool has_lost_ram() const
+    {
+        return transfer_.is_under_way() && is_for_ram() && device_.lent_ram().empty();
+    }
+
+    void fail(Status why)
+    {
+        transfer_.fail(why);
+        if (is_for_ram())
+            end_in_ram(false);
+    }
+    void end_in_ram(bool is_whole)
+    {
+        if (is_whole)
+            ram_scene_ = ram_.bytes();
+        else
+            device_.end_loan();
+    }
+
     template <class Do>
     void with_sink(Do&& with)
     {
@@ -113,6 +154,8 @@ private:
 
     Verdict make_room(const Begin& what)
     {
+        if (what.size == 0 || blocks_of(what.size) > most_blocks)
+            return Status::bad_value;
         switch (what.home) {
         case Home::slot:
             if (what.slot >= SlotDirectory::slot_count)
@@ -122,6 +165,7 @@ private:
             return make_room_in_ram(what.size);
         case Home::built_in:
         case Home::here:
+        case Home::start:
             return Status::bad_value;
         }
         return Status::bad_value;

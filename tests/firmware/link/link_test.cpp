@@ -188,6 +188,122 @@ TEST_CASE("an upload that cannot be is refused at its beginning")
     CHECK(bench.refusal(Begin{.home = Home::ram, .size = 20'001}) == Verdict{Status::too_large, 20'000});
 }
 
+TEST_CASE("an input is told by its number")
+{
+    LinkBench bench;
+    CHECK(bench.refusal(AskInput{.input = 0}) == Verdict{Status::nothing_plays});
+    CHECK(bench.does(Play{.home = Home::built_in}));
+    CHECK(bench.refusal(AskInput{.input = 2}) == Verdict{Status::no_such_input, 2});
+    bench.device.inputs[1] = Time{77};
+    const auto input = bench.ask<InputState>(AskInput{.input = 1});
+    CHECK(input.input == 1);
+    CHECK(input.name.view() == "gaze");
+    CHECK(input.place == Time{77});
+}
+
+TEST_CASE("the scene of the start is that of the chosen slot, or the built-in one")
+{
+    LinkBench bench;
+    bench.device.start_clip = {"rise"};
+    const Scene scene = padded_scene(1000, 1);
+    CHECK(bench.upload(LinkBench::begin_for_slot(3, "eyes", scene), scene, tag).is_ok());
+    CHECK(bench.does(Play{.home = Home::start}));
+    CHECK(bench.device.programme.home == Home::built_in);
+    CHECK(bench.device.programme.slot == no_slot);
+    CHECK(bench.device.programme.clip == Name{"rise"});
+
+    CHECK(bench.does(ChooseSlot{.slot = 3}));
+    CHECK(bench.link.play_start().is_ok());
+    CHECK(bench.device.programme.home == Home::slot);
+    CHECK(bench.device.programme.slot == 3);
+    CHECK(bench.device.programme.clip == Name{"rise"});
+    bench.device.start_clip = {"fall"}; // which no scene has
+    CHECK(bench.does(Play{.home = Home::start, .clip = {"rise"}}));
+    CHECK(bench.device.programme.clip == Name{"rise"});
+    CHECK(bench.does(Play{.home = Home::start}));
+    CHECK(bench.device.programme.clip == Name{});
+    CHECK(bench.refusal(Play{.home = Home::start, .clip = {"fall"}}) == Verdict{Status::no_such_clip});
+
+    bench.flash.damage(small_places.pool + bench.slots.entry(3).offset + 40);
+    CHECK(bench.does(Play{.home = Home::start}));
+    CHECK(bench.device.programme.home == Home::built_in);
+    bench.device.built_in_scene.assign(100, std::byte{0xFF});
+    CHECK(bench.refusal(Play{.home = Home::start}) == Verdict{Status::bad_magic});
+    CHECK(bench.device.programme.home == Home::built_in);
+}
+
+TEST_CASE("when the computer falls silent that is done which it asked for, once")
+{
+    for (const auto action : {SilenceAction::hold, SilenceAction::start}) {
+        LinkBench bench;
+        CHECK(bench.does(Silence{.milliseconds = 200, .action = action}));
+        const auto is_done = [&] {
+            return action == SilenceAction::hold ? bench.device.now.is_paused
+                                                 : bench.device.programme.home == Home::built_in &&
+                                                       !bench.device.programme.scene.empty();
+        };
+        for (int report = 0; report < 5; ++report) {
+            bench.wait(199);
+            CHECK_FALSE(is_done());
+            bench.link.take({}, bench.now);
+        }
+        bench.wait(200);
+        CHECK(is_done());
+        bench.device.resume();
+        bench.device.stop();
+        bench.wait(1000);
+        bench.link.lose_computer();
+        CHECK_FALSE(is_done());
+    }
+}
+
+TEST_CASE("what is armed for silence is done at once when the computer goes, and not if it was disarmed")
+{
+    LinkBench bench;
+    bench.link.lose_computer();
+    CHECK(bench.does(Silence{.milliseconds = 60'000}));
+    CHECK(bench.does(Silence{.milliseconds = 0}));
+    bench.link.lose_computer();
+    bench.wait(1000);
+    CHECK_FALSE(bench.device.now.is_paused);
+    CHECK(bench.does(Silence{.milliseconds = 60'000}));
+    bench.link.begin_session();
+    CHECK(bench.device.now.is_paused);
+}
+
+TEST_CASE("without any scene to return to the display says that nothing plays")
+{
+    LinkBench bench;
+    bench.device.built_in_scene.assign(100, std::byte{0xFF});
+    CHECK(bench.does(Silence{.milliseconds = 100, .action = SilenceAction::start}));
+    bench.wait(100);
+    CHECK(bench.device.says_that_nothing_plays);
+}
+
+TEST_CASE("a device that lies idle returns to the start")
+{
+    LinkBench bench;
+    bench.device.is_left_alone = true;
+    bench.wait(1);
+    CHECK(bench.device.programme.home == Home::built_in);
+    CHECK_FALSE(bench.device.programme.scene.empty());
+}
+
+TEST_CASE("a new session has nothing to do with the old one")
+{
+    LinkBench bench;
+    const Scene scene = padded_scene(2000, 1);
+    bench.ask<Begun>(LinkBench::begin_for_ram(scene), tag);
+    bench.send_blocks(scene, tag);
+    bench.send(AskPlaying{}, 5);
+    CHECK(bench.link.has_report());
+    bench.link.begin_session();
+    CHECK_FALSE(bench.link.has_report());
+    CHECK(bench.device.loans_ended == 1);
+    CHECK(bench.refusal(Cancel{}) == Verdict{Status::no_transfer});
+    CHECK(bench.ask<Failure>(Commit{}, tag).status == Status::no_transfer);
+}
+
 TEST_CASE("reports that mean nothing are refused and counted")
 {
     LinkBench bench;
@@ -196,9 +312,9 @@ TEST_CASE("reports that mean nothing are refused and counted")
     for (int kind = 0; kind < 256; ++kind) {
         report.bytes[0] = static_cast<std::byte>(kind);
         report.bytes[1] = std::byte{7};
-        const bool is_known = (kind >= 1 && kind <= 4) || (kind >= 0x10 && kind <= 0x13) ||
+        const bool is_known = (kind >= 1 && kind <= 5) || (kind >= 0x10 && kind <= 0x13) ||
                               (kind >= 0x20 && kind <= 0x22) || (kind >= 0x30 && kind <= 0x36) ||
-                              kind == 0x3F;
+                              kind == 0x3A || kind == 0x3F;
         if (is_known)
             continue;
         ++wrong;

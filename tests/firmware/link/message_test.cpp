@@ -83,6 +83,19 @@ TEST_CASE("messages lie in their reports as the document says")
     Inputs inputs{.count = 2};
     inputs.places = {{{.input = 4, .place = Time{65536}}, {.input = 1, .place = Time{2}}}};
     is_written_as(inputs, {0x36, 0x5A, 2, 4, 0, 0, 1, 0, 1, 2, 0, 0, 0});
+    is_written_as(AskInput{.input = 31}, {0x05, 0x5A, 31});
+    is_written_as(InputState{.input = 3,
+                             .takes = InputKind::number,
+                             .name = {"gaze"},
+                             .least = -1000,
+                             .most = 1'000'000,
+                             .usual = 1,
+                             .place = Time{65536}},
+                  {0x85, 0x5A, 3,    0,    'g',  'a', 'z', 'e', 0, 0, 0, 0, 0, 0,    0,
+                   0,    0,    0,    0,    0,    0,   0,   0,   0, 0, 0, 0, 0, 0x18, 0xFC,
+                   0xFF, 0xFF, 0x40, 0x42, 0x0F, 0,   1,   0,   0, 0, 0, 0, 1, 0});
+    is_written_as(Play{.home = Home::start}, {0x30, 0x5A, 4, 255});
+    is_written_as(Silence{.milliseconds = 0x0102, .action = SilenceAction::start}, {0x3A, 0x5A, 2, 1, 1});
     is_written_as(EnterBootLoader{}, {0x3F, 0x5A});
     is_written_as(Failure{.request = 0x10, .status = Status::no_room, .number = 0x1000, .text = {"no"}},
                   {0xFF, 0x5A, 0x10, 25, 0, 0x10, 0, 0, 'n', 'o'});
@@ -112,8 +125,11 @@ TEST_CASE("a report of another kind, or with a number that means nothing, is no 
     CHECK_FALSE(message_of<Pause>(report_of(Resume{}, 1)));
     CHECK_FALSE(message_of<Begin>(report_of(Begun{}, 1))); // from the other side
     Report report = report_of(Begin{}, 1);
-    report.bytes[2] = std::byte{4};
+    report.bytes[2] = std::byte{5};
     CHECK_FALSE(message_of<Begin>(report));
+    report = report_of(Silence{}, 1);
+    report.bytes[4] = std::byte{2};
+    CHECK_FALSE(message_of<Silence>(report));
     report = report_of(Acknowledgement{}, 1);
     report.bytes[6] = std::byte{2};
     CHECK_FALSE(message_of<Acknowledgement>(report));

@@ -20,7 +20,8 @@ public:
                 .block_bytes = 100'000,
                 .ram_bytes = ram_bytes,
                 .serial = {"E66058388341A22C"},
-                .names = {.firmware = {"0.1.0"}, .board = {"pico"}, .panel = {"st7789"}}};
+                .names = {.firmware = {"0.1.0"}, .board = {"pico"}, .panel = {"st7789"}},
+                .start_clip = start_clip};
     }
     link::Playing playing() const { return now; }
     link::Statistics statistics() const
@@ -30,7 +31,17 @@ public:
     std::span<const std::byte> played() const { return programme.scene; }
     std::span<const std::byte> built_in() const { return built_in_scene; }
 
-    Status play(const link::Programme& next)
+    link::InputState input(std::uint8_t number) const
+    {
+        const auto found = inputs.find(number);
+        return {.input = number,
+                .name = {"gaze"},
+                .least = -1000,
+                .most = 1000,
+                .place = found == inputs.end() ? Time{} : found->second};
+    }
+
+    Status play(const link::Programme& next, const SceneView& scene)
     {
         if (next.scene.size() > largest_that_plays)
             return Status::block_too_small;
@@ -40,19 +51,35 @@ public:
         now.is_playing = true;
         now.home = next.home;
         now.slot = next.slot;
-        now.inputs = static_cast<std::uint8_t>(SceneView::parse(next.scene)->input_count());
+        now.inputs = static_cast<std::uint8_t>(scene.input_count());
         now.clip = next.clip;
         return Status::ok;
+    }
+    void play_nothing()
+    {
+        stop();
+        says_that_nothing_plays = true;
     }
     /// As long as asked for, so that a byte beyond is noticed.
     std::span<std::byte> lend_ram(std::uint32_t size)
     {
+        if (puts_off > 0) {
+            --puts_off;
+            return {};
+        }
         if (programme.home == link::Home::ram)
             stop();
         ram.assign(size, std::byte{0});
         ram.shrink_to_fit();
-        return ram;
+        return lent = ram;
     }
+    std::span<std::byte> lent_ram() const { return lent; }
+    void end_loan()
+    {
+        lent = {};
+        ++loans_ended;
+    }
+    bool is_idle() const { return is_left_alone; }
     void pause() { now.is_paused = true; }
     void resume() { now.is_paused = false; }
     void seek(Time time) { now.moment = time; }
@@ -63,7 +90,7 @@ public:
         return Status::ok;
     }
     void set_input(std::uint32_t number, Time place) { inputs[number] = place; }
-    Status enter_boot_loader()
+    Status enter_boot_loader(Microseconds)
     {
         is_in_boot_loader = true;
         return Status::ok;
@@ -74,6 +101,7 @@ public:
         now = {};
     }
 
+    link::Name start_clip;
     static constexpr std::uint32_t ram_bytes = 20'000;
 
     std::size_t largest_that_plays = 1'000'000;
@@ -84,6 +112,11 @@ public:
     std::vector<std::byte> built_in_scene;
     std::map<std::uint32_t, Time> inputs;
     bool is_in_boot_loader = false;
+    bool says_that_nothing_plays = false;
+    int puts_off = 0; ///< how often lend_ram() is to be called in vain
+    std::span<std::byte> lent;
+    int loans_ended = 0;
+    bool is_left_alone = false;
 };
 
 }

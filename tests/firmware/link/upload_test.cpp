@@ -35,6 +35,61 @@ struct Upload {
 
 }
 
+TEST_CASE("a beginning that the device puts off is answered when it can")
+{
+    LinkBench bench;
+    const Scene scene = padded_scene(2000, 1);
+    bench.device.puts_off = 2;
+    bench.send(LinkBench::begin_for_ram(scene), tag);
+    bench.wait(1);
+    CHECK_FALSE(bench.link.has_report());
+    bench.wait(1);
+    CHECK(bench.fetch<Begun>(tag) == Begun{.next = 0, .window = 64});
+    bench.send_blocks(scene, tag);
+    bench.send(Commit{}, tag);
+    CHECK(bench.last_failure().is_ok());
+    CHECK(bench.does(Play{.home = Home::ram}));
+}
+
+TEST_CASE("memory that is needed for something else ends the upload into it")
+{
+    LinkBench bench;
+    const Scene scene = padded_scene(2000, 1);
+    bench.ask<Begun>(LinkBench::begin_for_ram(scene), tag);
+    bench.send_blocks(scene, tag, 0, 5);
+    bench.device.lent = {};
+    bench.device.ram.clear();
+    bench.device.ram.shrink_to_fit(); // a byte that is written nevertheless is noticed
+    bench.send_blocks(scene, tag, 5);
+    CHECK(bench.ask<Failure>(Commit{}, tag).status == Status::no_transfer);
+    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+
+    CHECK(bench.upload(LinkBench::begin_for_ram(scene), scene, tag).is_ok());
+    bench.device.lent = {};
+    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+}
+
+TEST_CASE("the device hears when nothing will come into its memory")
+{
+    const Scene scene = padded_scene(2000, 1);
+    const auto ended = [&](auto&& end) {
+        LinkBench bench;
+        bench.ask<Begun>(LinkBench::begin_for_ram(scene), tag);
+        end(bench);
+        return bench.device.loans_ended;
+    };
+    CHECK(ended([](LinkBench&) {}) == 0);
+    CHECK(ended([](LinkBench& bench) { bench.send(Cancel{}, tag); }) == 1);
+    CHECK(ended([](LinkBench& bench) { bench.wait(3001); }) == 1);
+    CHECK(ended([&](LinkBench& bench) { bench.send(LinkBench::begin_for_slot(0, "a", scene), 43); }) == 1);
+    CHECK(ended([&](LinkBench& bench) { bench.send(LinkBench::begin_for_ram(scene), 43); }) == 0);
+    CHECK(ended([&](LinkBench& bench) { bench.send(Begin{.home = Home::ram, .size = 999'999}, 43); }) == 1);
+    CHECK(ended([&](LinkBench& bench) { bench.send_blocks(scene, tag), bench.send(Commit{}, tag); }) == 0);
+    Scene damaged = scene;
+    damaged[9] ^= std::byte{1};
+    CHECK(ended([&](LinkBench& bench) { bench.send_blocks(damaged, tag), bench.send(Commit{}, tag); }) == 1);
+}
+
 TEST_CASE("the computer is told after every sixteen blocks, and at the end")
 {
     Upload upload;

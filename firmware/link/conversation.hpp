@@ -1,0 +1,104 @@
+#pragma once
+
+#include "firmware/link/link.hpp"
+#include "firmware/link/report.hpp"
+#include "firmware/link/stage.hpp"
+#include "firmware/microseconds.hpp"
+#include "firmware/slots/slot_store.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace kfast::link {
+
+using ReportBytes = std::array<std::byte, report_bytes>;
+
+// Compound requirements would be torn apart.
+// clang-format off
+
+/// What carries reports, one computer at a time.
+template <class P>
+concept Pipe = requires(P& pipe, const ReportBytes& report) {
+    /// The oldest report that has come and was not taken.
+    { pipe.take() } -> std::same_as<std::optional<ReportBytes>>;
+    /// False if there is no room for it now, or nobody to take it.
+    { pipe.send(report) } -> std::same_as<bool>;
+    /// Whether a computer is there, and awake.
+    { pipe.is_connected() } -> std::same_as<bool>;
+    /// Changes when a computer begins anew. What was on its way before is lost, both ways.
+    { pipe.connections() } -> std::same_as<std::uint32_t>;
+};
+
+// clang-format on
+
+/// Brings the reports of a pipe to a stage and the answers back: all that a board does for the link, besides
+/// drawing what the stage plays.
+template <Pipe P, Flash F>
+class Conversation {
+public:
+    /// All of them must outlive the conversation. Nobody else changes the slots.
+    Conversation(P& pipe, Stage& stage, SlotStore<F>& slots)
+        : pipe_{pipe}, stage_{stage}, link_{stage, slots}, connection_{pipe.connections()}
+    {
+    }
+
+    /// What plays when the device starts plays. To be called before anything is drawn.
+    void begin() { link_.play_start(); }
+
+    /// Deals with what has come, and lets time pass. To be called often: before each part of a picture, and
+    /// while the board waits for anything. `now()` is the time.
+    template <class Now>
+    void serve(Now&& now)
+    {
+        look_at_computer();
+        send_answers();
+        while (!stage_.is_changing()) {
+            const auto report = pipe_.take();
+            if (!report)
+                break;
+            link_.take(*report, now());
+            link_.hear(now());
+            send_answers();
+        }
+        if (!stage_.is_changing())
+            link_.pass(now());
+        send_answers();
+    }
+
+private:
+    void look_at_computer()
+    {
+        const bool is_there = pipe_.is_connected();
+        if (was_there_ && !is_there)
+            link_.lose_computer();
+        was_there_ = is_there;
+        if (pipe_.connections() == connection_)
+            return;
+        connection_ = pipe_.connections();
+        link_.begin_session();
+        unsent_.reset();
+    }
+
+    void send_answers()
+    {
+        while (true) {
+            if (!unsent_)
+                unsent_ = link_.next_report();
+            if (!unsent_ || !pipe_.send(unsent_->bytes))
+                return;
+            unsent_.reset();
+        }
+    }
+
+    P& pipe_;
+    Stage& stage_;
+    Link<Stage, F> link_;
+    std::optional<Report> unsent_; ///< for which the pipe had no room
+    bool was_there_ = false;
+    std::uint32_t connection_;
+};
+
+}

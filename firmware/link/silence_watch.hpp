@@ -1,0 +1,41 @@
+#pragma once
+
+#include "firmware/link/message.hpp"
+#include "firmware/microseconds.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace kfast::link {
+
+/// Knows what is to be done when the computer falls silent, and when. It is done once.
+class SilenceWatch {
+public:
+    /// From `now` on; 0 milliseconds end it.
+    void arm(const Silence& silence, Microseconds now)
+    {
+        silence_ = silence;
+        heard_ = now;
+    }
+    /// The computer has said something.
+    void hear(Microseconds now) { heard_ = now; }
+
+    /// What is to be done now, because nothing was heard for so long.
+    std::optional<SilenceAction> pass(Microseconds now)
+    {
+        const Microseconds patience{std::uint32_t{1000} * silence_.milliseconds};
+        return reached(now, heard_ + patience) ? end() : std::nullopt;
+    }
+    /// What is to be done now, because nothing will be heard any more.
+    std::optional<SilenceAction> end()
+    {
+        const Silence ended = std::exchange(silence_, {});
+        return ended.milliseconds != 0 ? std::optional{ended.action} : std::nullopt;
+    }
+
+private:
+    Silence silence_;
+    Microseconds heard_;
+};
+
+}

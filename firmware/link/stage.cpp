@@ -1,0 +1,303 @@
+#include "firmware/link/stage.hpp"
+
+#include "core/player.hpp"
+#include "firmware/version.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace kfast::link {
+namespace {
+
+constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
+/// As much of a text as a name holds, in whole letters of UTF-8.
+Name beginning_of(std::string_view text)
+{
+    constexpr std::size_t most = std::tuple_size_v<decltype(Name::bytes)>;
+    if (text.size() <= most)
+        return {text};
+    const auto continues_letter = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
+    std::size_t size = most;
+    while (size > 0 && continues_letter(text[size]))
+        --size;
+    return {text.substr(0, size)};
+}
+
+}
+
+Stage::Stage(const StageFacts& facts)
+    : facts_{facts}, now_{built_in_act()}, brightness_{facts.settings.panel.brightness},
+      turned_brightness_{facts.settings.panel.brightness}
+{
+}
+
+Stage::Act Stage::built_in_act() const
+{
+    return {{.scene = facts_.built_in, .home = Home::built_in, .clip = facts_.settings.clip}, std::nullopt};
+}
+
+DeviceFacts Stage::facts() const
+{
+    return {.panel = facts_.panel_size,
+            .block_bytes = static_cast<std::uint32_t>(facts_.block.size()),
+            .ram_bytes = static_cast<std::uint32_t>(facts_.block.size() / 2),
+            .serial = facts_.serial,
+            .names = {.firmware = {version}, .board = facts_.board, .panel = facts_.panel},
+            .start_clip = facts_.settings.clip};
+}
+
+Playing Stage::playing() const
+{
+    if (!now_.scene)
+        return {.brightness = brightness_};
+    return {.is_playing = true,
+            .is_paused = controls_->is_paused(),
+            .home = now_.programme.home,
+            .slot = now_.programme.slot,
+            .brightness = brightness_,
+            .inputs = static_cast<std::uint8_t>(now_.scene->input_count()),
+            .canvas = now_.scene->canvas(),
+            .frame_rate = now_.scene->frame_rate(),
+            .length = now_.scene->length(),
+            .moment = moment_,
+            .speed = controls_->speed(),
+            .clip = controls_->clip()};
+}
+
+InputState Stage::input(std::uint8_t number) const
+{
+    InputCursor inputs = now_.scene->inputs();
+    InputView input = inputs.next();
+    for (int ahead = number; ahead > 0; --ahead)
+        input = inputs.next();
+    return {.input = number,
+            .name = beginning_of(input.name),
+            .least = input.least,
+            .most = input.most,
+            .usual = input.usual,
+            .place = place_of(number, input)};
+}
+
+Time Stage::place_of(std::uint32_t number, const InputView& input) const
+{
+    const auto placed = controls_->inputs();
+    const auto found = std::ranges::find(placed, number, &PlacedInput::number);
+    return found == placed.end() ? input.place_of(input.usual) : found->place;
+}
+
+std::span<const std::byte> Stage::played() const
+{
+    if (now_.scene)
+        return now_.programme.scene;
+    return gave_way_ ? gave_way_->programme.scene : std::span<const std::byte>{};
+}
+
+std::size_t Stage::block_bytes(const SceneView& scene) const
+{
+    return Player::block_bytes(scene, facts_.panel_size);
+}
+
+/// Where they lie in the block; its end if they lie elsewhere.
+std::size_t Stage::offset_in_block(std::span<const std::byte> bytes) const
+{
+    const auto address = [](const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at); };
+    const std::size_t offset = address(bytes.data()) - address(facts_.block.data());
+    return bytes.empty() ? facts_.block.size() : std::min<std::size_t>(offset, facts_.block.size());
+}
+
+Status Stage::play(const Programme& programme, const SceneView& scene)
+{
+    if (!has_display())
+        return Status::unsupported;
+    const std::size_t bytes = block_bytes(scene);
+    if (bytes > offset_in_block(programme.scene)) {
+        if (now_.holds)
+            end_loan();
+        return Status::block_too_small;
+    }
+    if (bytes > offset_in_block(lent_))
+        lent_ = {};
+    gave_way_.reset();
+    change({.programme = programme, .scene = scene});
+    return Status::ok;
+}
+
+void Stage::play_nothing()
+{
+    lent_ = {};
+    gave_way_.reset();
+    change(built_in_act());
+}
+
+std::span<std::byte> Stage::lend_ram(std::uint32_t size)
+{
+    lent_ = {};
+    if (is_changing())
+        return {};
+    lend(size);
+    if (lent_.empty()) {
+        give_way();
+        if (!is_changing())
+            lend(size);
+    }
+    return lent_;
+}
+
+void Stage::lend(std::uint32_t size)
+{
+    if (const auto place = place_in_block(whole_words(size)))
+        lent_ = facts_.block.subspan(*place, size);
+}
+
+/// Where so many bytes lie behind what the player uses, and not on the scene that plays.
+std::optional<std::size_t> Stage::place_in_block(std::size_t bytes) const
+{
+    const std::size_t used = now_.scene ? whole_words(block_bytes(*now_.scene)) : 0;
+    const std::size_t end = facts_.block.size() / 4 * 4;
+    const std::size_t scene_begin = std::min(end, offset_in_block(now_.programme.scene));
+    const std::size_t scene_end = std::min(end, scene_begin + whole_words(now_.programme.scene.size()));
+    for (const auto& [from, to] : {std::pair{std::max(used, scene_end), end}, std::pair{used, scene_begin}})
+        if (from + bytes <= to)
+            return to - bytes;
+    return std::nullopt;
+}
+
+/// What plays from RAM cannot play again: something else will lie there.
+void Stage::give_way()
+{
+    if (now_.programme.home != Home::ram)
+        gave_way_ = now_;
+    change({.programme = {}, .scene = {}, .holds = true});
+}
+
+void Stage::end_loan()
+{
+    lent_ = {};
+    if (next_ && next_->holds) {
+        next_.reset();
+        gave_way_.reset();
+    } else if (now_.holds && gave_way_) {
+        change(*gave_way_);
+        gave_way_.reset();
+    }
+}
+
+void Stage::change(const Act& act)
+{
+    if (is_drawn_)
+        next_ = act;
+    else
+        bring_on(act);
+}
+
+void Stage::bring_on(const Act& act)
+{
+    now_ = act;
+    is_new_ = true;
+    if (now_.scene)
+        set_up_controls();
+}
+
+bool Stage::begin()
+{
+    if (next_)
+        bring_on(*next_);
+    next_.reset();
+    is_new_ = false;
+    is_drawn_ = !now_.holds;
+    return is_drawn_;
+}
+
+std::span<std::byte> Stage::block() const
+{
+    return facts_.block.first(std::min(offset_in_block(now_.programme.scene), offset_in_block(lent_)));
+}
+
+void Stage::scene_started(const SceneView& scene)
+{
+    skipped_of_scene_ = 0;
+    if (now_.scene)
+        return;
+    now_.scene = scene;
+    now_.programme.scene = now_.programme.scene.first(scene.size());
+    set_up_controls();
+}
+
+void Stage::set_up_controls()
+{
+    Controls controls{facts_.settings, *now_.scene, now_.programme.clip};
+    if (controls_)
+        controls.follow(*controls_);
+    controls_ = controls;
+    moment_ = controls_->playhead().moment();
+}
+
+void Stage::steered(const Playhead& playhead)
+{
+    moment_ = playhead.moment();
+    if (controls_->brightness() != turned_brightness_)
+        brightness_ = turned_brightness_ = controls_->brightness();
+}
+
+void Stage::frame_shown(const FrameReport& report)
+{
+    ++frames_;
+    late_ += report.is_late ? 1 : 0;
+    skipped_ += report.skipped - skipped_of_scene_;
+    skipped_of_scene_ = report.skipped;
+}
+
+void Stage::fault()
+{
+    now_.scene.reset();
+    is_drawn_ = false;
+}
+
+void Stage::pause()
+{
+    if (now_.scene)
+        controls_->pause();
+}
+
+void Stage::resume()
+{
+    if (now_.scene)
+        controls_->resume();
+}
+
+void Stage::seek(Time time)
+{
+    if (now_.scene)
+        controls_->seek(time);
+}
+
+void Stage::set_speed(std::int32_t speed)
+{
+    if (now_.scene)
+        controls_->set_speed(speed);
+}
+
+Status Stage::set_brightness(std::uint8_t brightness)
+{
+    if (!facts_.is_dimmable)
+        return Status::unsupported;
+    brightness_ = brightness;
+    return Status::ok;
+}
+
+void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
+
+Status Stage::enter_boot_loader(Microseconds now)
+{
+    constexpr Microseconds time_for_the_answer{100'000};
+    if (!facts_.has_boot_loader)
+        return Status::unsupported;
+    leaves_ = now + time_for_the_answer;
+    return Status::ok;
+}
+
+}

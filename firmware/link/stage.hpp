@@ -1,0 +1,138 @@
+#pragma once
+
+#include "core/playhead.hpp"
+#include "core/result.hpp"
+#include "core/scene_view.hpp"
+#include "firmware/board.hpp"
+#include "firmware/board_settings.hpp"
+#include "firmware/controls.hpp"
+#include "firmware/link/device.hpp"
+#include "firmware/link/message.hpp"
+#include "firmware/microseconds.hpp"
+#include "firmware/placed_input.hpp"
+#include "firmware/status.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast::link {
+
+/// What a board brings along for its stage. What is referred to outlives it.
+struct StageFacts {
+    const BoardSettings& settings;
+    StoredText<24> serial{};               ///< unique to the chip
+    StoredText<24> board{};                ///< its name
+    StoredText<24> panel{};                ///< likewise
+    Size panel_size{};                     ///< empty: there is no display that works
+    std::span<std::byte> block;            ///< lent to the player, aligned to 4
+    std::span<const std::byte> built_in{}; ///< where a scene may lie, perhaps with more bytes behind it
+    bool is_dimmable = false;              ///< the display has a brightness
+    bool has_boot_loader = false;
+};
+
+/// What plays on a board, and what shall play next, as its computer (Link), its buttons and its knobs have
+/// it: what a device is that is the same on every board. The board asks it between frames, and run_stage()
+/// lets what plays change there and nowhere else.
+///
+/// A scene in RAM lies at the end of the player's block, in what the scene that plays does not need. Where it
+/// needs too much, it gives way: the picture holds until the new scene plays. At most half of the block is
+/// lent.
+class Stage {
+public:
+    /// At first the built-in scene plays, whatever it is.
+    explicit Stage(const StageFacts& facts);
+
+    // What Link wants of its device (device.hpp).
+    DeviceFacts facts() const;
+    Playing playing() const;
+    Statistics statistics() const { return {.frames = frames_, .late = late_, .skipped = skipped_}; }
+    InputState input(std::uint8_t number) const;
+    std::span<const std::byte> played() const;
+    std::span<const std::byte> built_in() const { return facts_.built_in; }
+    Status play(const Programme& programme, const SceneView& scene);
+    void play_nothing();
+    std::span<std::byte> lend_ram(std::uint32_t size);
+    std::span<std::byte> lent_ram() const { return lent_; }
+    void end_loan();
+    bool is_idle() const { return now_.holds && lent_.empty() && !is_changing() && !gave_way_; }
+    void pause();
+    void resume();
+    void seek(Time time);
+    void set_speed(std::int32_t speed);
+    Status set_brightness(std::uint8_t brightness);
+    void set_input(std::uint32_t number, Time place);
+    Status enter_boot_loader(Microseconds now);
+
+    /// Whether something else shall play as soon as the frame has come to its end. Until then no reports are
+    /// to be taken.
+    bool is_changing() const { return next_.has_value(); }
+    /// Whether begin() is to be called, between frames.
+    bool wants_to_begin() const { return is_changing() || is_new_; }
+    /// What shall play begins. False if nothing is to be drawn: the picture holds.
+    bool begin();
+
+    // What the run loop asks of a board (firmware/board.hpp), after begin().
+    std::span<const std::byte> scene_bytes() const { return now_.programme.scene; }
+    std::span<std::byte> block() const;
+    void scene_started(const SceneView& scene);
+    Playhead playhead() const { return controls_->playhead(); }
+    template <TouchedPins Pins>
+    void steer(Playhead& playhead, Pins& pins, Microseconds now)
+    {
+        controls_->steer(playhead, pins, now);
+        steered(playhead);
+    }
+    std::span<const PlacedInput> inputs() const { return controls_->inputs(); }
+    bool wants_rest() const { return controls_->wants_rest(); }
+    void frame_shown(const FrameReport& report);
+    void fault();
+
+    /// Of the display, as computer, knobs and settings have it.
+    std::uint8_t brightness() const { return brightness_; }
+    /// Whether the time to leave for the boot loader has come.
+    bool is_to_leave(Microseconds now) const { return leaves_ && reached(now, *leaves_); }
+
+private:
+    struct Act {
+        Programme programme;
+        std::optional<SceneView>
+            scene;          ///< of the programme; none if it is not known yet, or cannot be played
+        bool holds = false; ///< there is no programme, and the picture stays as it is
+    };
+
+    bool has_display() const { return facts_.panel_size.width > 0 && facts_.panel_size.height > 0; }
+    std::size_t block_bytes(const SceneView& scene) const;
+    std::size_t offset_in_block(std::span<const std::byte> bytes) const;
+    std::optional<std::size_t> place_in_block(std::size_t bytes) const;
+    void lend(std::uint32_t size);
+    void give_way();
+    Act built_in_act() const;
+    void change(const Act& act);
+    void bring_on(const Act& act);
+    void set_up_controls();
+    void steered(const Playhead& playhead);
+    Time place_of(std::uint32_t number, const InputView& input) const;
+
+    StageFacts facts_;
+    Act now_;
+    bool is_new_ = true;               ///< what plays now has not begun
+    bool is_drawn_ = false;            ///< frames of it are under way
+    std::optional<Act> next_;          ///< if what plays now is drawn
+    std::optional<Act> gave_way_;      ///< plays again if what it gave way to does not come
+    std::span<std::byte> lent_{};      ///< of the block
+    std::optional<Controls> controls_; ///< of what plays now, or played last
+    Time moment_{};
+    std::uint8_t brightness_;
+    std::uint8_t turned_brightness_; ///< as the controls had it last
+    std::uint32_t frames_ = 0;
+    std::uint32_t late_ = 0;
+    std::uint32_t skipped_ = 0;
+    std::uint32_t skipped_of_scene_ = 0;
+    std::optional<Microseconds> leaves_;
+};
+
+static_assert(Device<Stage>);
+
+}

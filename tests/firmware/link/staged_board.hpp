@@ -1,0 +1,310 @@
+#pragma once
+
+#include "firmware/link/conversation.hpp"
+#include "firmware/link/stage.hpp"
+#include "firmware/panel_mirror.hpp"
+#include "firmware/run.hpp"
+#include "tests/firmware/link/pretend_pipe.hpp"
+#include "tests/firmware/link/taking_turns.hpp"
+#include "tests/firmware/slots/slot_bench.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kfast::test {
+
+inline constexpr Size small_panel{.width = 64, .height = 48};
+
+/// A display whose picture can be looked at.
+class MirroredPanel {
+public:
+    static constexpr PixelFormat format = PixelFormat::rgb565;
+    static constexpr Size granularity{.width = 1, .height = 1};
+    static constexpr int window_bytes = 11;
+
+    Size size() const { return small_panel; }
+    template <class Pause>
+    void begin(Pause&& pause)
+    {
+        ++beginnings;
+        pause(Microseconds{120'000});
+    }
+    void start(Rect area, std::span<const std::byte> pixels) { mirror_.take(area, pixels); }
+    bool busy() const { return false; }
+    void set_brightness(std::uint8_t) {}
+    template <class Pause>
+    void sleep(Pause&&)
+    {
+    }
+    template <class Pause>
+    void wake(Pause&&)
+    {
+    }
+
+    std::span<const std::byte> picture() const { return mirror_.bytes(); }
+
+    int beginnings = 0;
+
+private:
+    PanelMirror<format, small_panel.width, small_panel.height> mirror_;
+};
+
+struct PretendPins {
+    bool pressed(Pin pin) { return closed[pin]; }
+    int level(Pin pin) { return levels[pin]; }
+
+    std::map<Pin, bool> closed;
+    std::map<Pin, int> levels;
+};
+
+/// A board with a stage, and a computer that has its turn whenever the board listens: everything is called in
+/// the order in which a chip does it. Checks each frame against what the scene says, drawn apart from it.
+class StagedBoard {
+public:
+    explicit StagedBoard(const BoardSettings& with = {}, std::size_t block_bytes = 40'000)
+        : settings{with}, block_(block_bytes / 4)
+    {
+        built_in = padded_scene(2000, 0);
+    }
+
+    /// Lets time pass.
+    void run_for(std::uint32_t milliseconds)
+    {
+        end_ = now_ + Microseconds{1000 * milliseconds};
+        if (!stage_)
+            start();
+        life_.step();
+    }
+
+    link::Stage& stage() { return *stage_; }
+
+    // As ChangingBoard has it.
+    MirroredPanel& panel() { return panel_; }
+    Microseconds now() const { return now_; }
+    void sleep_until(Microseconds moment)
+    {
+        do
+            tick();
+        while (!reached(now_, moment));
+    }
+    void linger_until(Microseconds moment)
+    {
+        while (running() && !reached(now_, moment))
+            tick();
+    }
+    void listen() { tick(); }
+    bool wants_to_run() const { return true; }
+    bool running() const { return !stage_->wants_to_begin(); }
+    bool begin()
+    {
+        is_drawing = stage_->begin();
+        return is_drawing;
+    }
+    std::span<const std::byte> scene_bytes() const { return stage_->scene_bytes(); }
+    std::span<std::byte> block() const { return stage_->block(); }
+    std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
+    void scene_started(const SceneView& scene)
+    {
+        stage_->scene_started(scene);
+        const auto bytes = stage_->scene_bytes();
+        shown_.assign(bytes.begin(), bytes.end());
+        ++scenes_begun;
+        begun_at = now_;
+    }
+    Playhead playhead(const SceneView&) const { return stage_->playhead(); }
+    void steer(Playhead& playhead) { stage_->steer(playhead, pins, now_); }
+    std::span<const PlacedInput> inputs()
+    {
+        const auto placed = stage_->inputs();
+        placed_.assign(placed.begin(), placed.end());
+        return placed_;
+    }
+    bool wants_rest() const { return stage_->wants_rest(); }
+    void frame_shown(const FrameReport& report)
+    {
+        stage_->frame_shown(report);
+        CHECK(std::ranges::equal(panel_.picture(), picture_at(report.time)));
+        frames.push_back(report);
+    }
+    void fault(Error error)
+    {
+        stage_->fault();
+        faults.push_back(error);
+        is_drawing = false;
+    }
+    BoardNames names() const { return {"a board", "a panel"}; }
+
+    const Scene& scene_begun() const { return shown_; }
+
+    BoardSettings settings;
+    Scene built_in;
+    PretendFlash flash{small_flash_bytes};
+    Store slots{flash, small_places};
+    PretendPipe pipe;
+    PretendPins pins;
+    /// What the computer does in each millisecond.
+    std::function<void()> computer = [] {};
+    Microseconds flash_time{}; ///< that every operation takes
+    std::vector<FrameReport> frames;
+    std::vector<Error> faults;
+    int scenes_begun = 0;
+    Microseconds begun_at{};
+    bool is_drawing = false;
+
+private:
+    using Conversation = link::Conversation<PretendPipe, PretendFlash>;
+
+    void start()
+    {
+        stage_.emplace(link::StageFacts{.settings = settings,
+                                        .serial = {"E6"},
+                                        .board = {"board"},
+                                        .panel = {"panel"},
+                                        .panel_size = small_panel,
+                                        .block = std::as_writable_bytes(std::span{block_}),
+                                        .built_in = built_in,
+                                        .is_dimmable = true,
+                                        .has_boot_loader = true});
+        conversation_.emplace(pipe, *stage_, slots);
+        conversation_->begin();
+    }
+
+    void tick()
+    {
+        now_ = now_ + Microseconds{1000};
+        computer();
+        const auto before = flash.operations();
+        conversation_->serve([this, before] {
+            return now_ +
+                   Microseconds{flash_time.count * static_cast<std::uint32_t>(flash.operations() - before)};
+        });
+        now_ =
+            now_ + Microseconds{flash_time.count * static_cast<std::uint32_t>(flash.operations() - before)};
+        if (is_drawing && stage_->scene_bytes().size() == shown_.size())
+            CHECK(std::ranges::equal(stage_->scene_bytes(), shown_));
+        if (reached(now_, end_))
+            life_.pause();
+    }
+
+    /// Drawn from a copy of the scene as it was when it began.
+    std::vector<std::byte> picture_at(Time time)
+    {
+        const auto scene = SceneView::parse(shown_);
+        REQUIRE(scene);
+        std::vector<std::uint32_t> block(Player::block_bytes(*scene, small_panel) / 4 + 1);
+        auto player =
+            Player::create(*scene, small_panel, Fit::contain, std::as_writable_bytes(std::span{block}));
+        REQUIRE(player);
+        for (const auto& [number, place] : placed_)
+            player->set_input(number, place);
+        player->show_moment(time);
+        std::vector<std::byte> pixels(small_panel.width * small_panel.height * 2);
+        player->draw_rows<PixelFormat::rgb565>(small_panel.height, pixels);
+        return pixels;
+    }
+
+    MirroredPanel panel_;
+    std::vector<std::uint32_t> block_;
+    std::array<std::vector<std::byte>, 2> bands_{std::vector<std::byte>(8 * 128),
+                                                 std::vector<std::byte>(8 * 128)};
+    Microseconds now_{0xFFF0'0000}; // the clock wraps soon
+    Microseconds end_{};
+    std::optional<link::Stage> stage_;
+    std::optional<Conversation> conversation_;
+    Scene shown_;
+    std::vector<PlacedInput> placed_;
+    TakingTurns life_{[this] { run_stage(*this); }};
+};
+
+static_assert(ChangingBoard<StagedBoard>);
+static_assert(InputBoard<StagedBoard>);
+static_assert(RestingBoard<StagedBoard>);
+static_assert(ListeningBoard<StagedBoard>);
+
+/// A computer that asks a staged board, with time going on meanwhile.
+class StagedBench {
+public:
+    explicit StagedBench(const BoardSettings& settings = {}, std::size_t block_bytes = 40'000)
+        : board{settings, block_bytes}
+    {
+        board.pipe.plug_in();
+        board.pipe.room = 1000;
+    }
+
+    template <class M>
+    void send(const M& message, std::uint8_t tag)
+    {
+        board.pipe.to_device.push_back(link::report_of(message, tag).bytes);
+    }
+    /// The answer, which comes within a frame or two.
+    template <class A, class M>
+    A ask(const M& message, std::uint8_t tag = 9)
+    {
+        send(message, tag);
+        for (int wait = 0; wait < 200; ++wait) {
+            board.run_for(5);
+            for (; !board.pipe.to_computer.empty(); board.pipe.to_computer.pop_front()) {
+                const link::Report report{board.pipe.to_computer.front()};
+                const auto answer = link::message_of<A>(report);
+                if (answer && report.tag() == tag) {
+                    board.pipe.to_computer.pop_front();
+                    return *answer;
+                }
+                REQUIRE_FALSE((report.tag() == tag && link::message_of<link::Failure>(report)));
+            }
+        }
+        REQUIRE(false);
+        return {};
+    }
+    template <class M>
+    void does(const M& message, std::uint8_t tag = 9)
+    {
+        ask<link::Done<M::kind>>(message, tag);
+    }
+    template <class M>
+    Verdict refusal(const M& message, std::uint8_t tag = 9)
+    {
+        const auto failure = ask<link::Failure>(message, tag);
+        return {failure.status, failure.number};
+    }
+    link::Playing playing() { return ask<link::Playing>(link::AskPlaying{}); }
+
+    void begin(const link::Begin& what, std::uint8_t tag) { ask<link::Begun>(what, tag); }
+    void send_blocks(const Scene& scene, std::uint8_t tag)
+    {
+        for (std::size_t number = 0; number < link::blocks_of(static_cast<std::uint32_t>(scene.size()));
+             ++number) {
+            link::Data data{.block = static_cast<std::uint16_t>(number)};
+            const auto rest = std::span{scene}.subspan(number * link::block_bytes);
+            std::ranges::copy(rest.first(std::min(rest.size(), link::block_bytes)), data.bytes.begin());
+            send(data, tag);
+        }
+    }
+    void upload(const link::Begin& what, const Scene& scene, std::uint8_t tag)
+    {
+        begin(what, tag);
+        send_blocks(scene, tag);
+        does(link::Commit{}, tag);
+    }
+    static link::Begin for_ram(const Scene& scene)
+    {
+        return {link::Home::ram, link::no_slot, static_cast<std::uint32_t>(scene.size()), crc_of(scene), {}};
+    }
+    static link::Begin for_slot(std::uint8_t slot, const Scene& scene)
+    {
+        return {link::Home::slot, slot, static_cast<std::uint32_t>(scene.size()), crc_of(scene), {"scene"}};
+    }
+
+    StagedBoard board;
+};
+
+}
