@@ -1,9 +1,12 @@
 #include "host/commands/bone_tracks.hpp"
 #include "host/commands/clock_facts.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/glyph_text.hpp"
 #include "host/commands/item_tracks.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/counted.hpp"
 #include "host/every_item.hpp"
+#include "host/input_text.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/scene_file.hpp"
@@ -56,17 +59,34 @@ std::size_t item_count(const SceneView& scene)
     return count;
 }
 
+Json number_facts(const SceneView& scene, const InputView& input, Clock clock)
+{
+    return {{"name", input.name},
+            {"kind", "number"},
+            {"min", input.least / 1000.0},
+            {"max", input.most / 1000.0},
+            {"default", input.usual / 1000.0},
+            {"keys", keys_of(scene, clock)}};
+}
+
+Json text_facts(const InputView& input)
+{
+    const TextInput& text = input.text;
+    return {{"name", input.name},
+            {"kind", "text"},
+            {"glyphs", glyph_text(text.glyphs)},
+            {"max", text.most},
+            {"default", usual_text(text)}};
+}
+
 Json inputs_of(const SceneView& scene)
 {
     Json inputs = Json::array();
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
         const Clock clock{static_cast<std::uint8_t>(inputs.size() + 1)};
-        inputs.push_back({{"name", input.name},
-                          {"min", input.least / 1000.0},
-                          {"max", input.most / 1000.0},
-                          {"default", input.usual / 1000.0},
-                          {"keys", keys_of(scene, clock)}});
+        inputs.push_back(input.type == InputType::text ? text_facts(input)
+                                                       : number_facts(scene, input, clock));
     }
     return inputs;
 }
@@ -136,11 +156,25 @@ std::string key_text(const Json& keys, const char* at)
     return text.str();
 }
 
+std::string number_text(const Json& input)
+{
+    std::ostringstream text;
+    text << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
+         << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ");
+    return text.str();
+}
+
+std::string words_text(const Json& input)
+{
+    return "a text of up to " + counted(input["max"].get<std::size_t>(), "character") + " of " +
+           kfast::quoted(input["glyphs"].get<std::string>()) + " and spaces, usually " +
+           kfast::quoted(input["default"].get<std::string>());
+}
+
 void print_input(const Json& input)
 {
     std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": "
-              << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
-              << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ") << '\n';
+              << (input["kind"] == "text" ? words_text(input) : number_text(input)) << '\n';
 }
 
 void print_clip(const Json& clip)

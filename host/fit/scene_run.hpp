@@ -6,9 +6,12 @@
 #include "host/fit/target.hpp"
 #include "host/fit/work_log.hpp"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -41,8 +44,9 @@ public:
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
     /// Likewise, while all inputs of the scene go there and back, each faster than the one before: at least
-    /// 64 frames, and three before them in which all inputs leap from end to end. Nothing if it has none;
-    /// they stand as usual afterwards.
+    /// 64 frames, and three before them in which all inputs leap from end to end. Texts change with every
+    /// frame, from as many of the character with most points as there may be to as many of the next one.
+    /// Nothing if it has none; they stand as usual afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
     /// The very end, which the scene shows at last if it plays once; nothing otherwise.
     void visit_end(const VisitFrame& visit);
@@ -54,10 +58,22 @@ public:
 private:
     void draw(Time moment, const VisitFrame& visit);
     void put_inputs(int frame);
+    void put_texts(int frame);
+    void put_usual_inputs();
     void put_inputs_and_draw(Time place, const VisitFrame& visit);
     Time moment_of(int frame, Time offset) const;
 
+    /// What a text of the scene is in turn.
+    struct LongText {
+        std::uint32_t input;
+        std::array<std::string, 2> texts;
+        std::string usual;
+    };
+
+    static std::vector<LongText> long_texts(const SceneView& scene);
+
     const Target& target_;
+    std::vector<LongText> texts_;
     Stretch stretch_;
     int frames_; ///< until the picture comes round again
     int stride_;

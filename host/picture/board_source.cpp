@@ -30,6 +30,7 @@ public:
         return frame_;
     }
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
     Pace pace() const override { return Pace::by_frames; }
 
 private:

@@ -4,6 +4,7 @@
 #include "host/picture/frame.hpp"
 
 #include <cstdint>
+#include <string_view>
 
 namespace kfast {
 
@@ -22,6 +23,8 @@ public:
     virtual const Frame& show(Time moment) = 0;
     /// As Player::set_input().
     virtual void set_input(std::uint32_t number, Time place) = 0;
+    /// As Player::set_text().
+    virtual void set_text(std::uint32_t number, std::string_view text) = 0;
     virtual Pace pace() const { return Pace::smooth; }
 };
 

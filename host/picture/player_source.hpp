@@ -15,6 +15,7 @@ public:
 
     const Frame& show(Time moment) override;
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
