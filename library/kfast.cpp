@@ -50,7 +50,7 @@ constexpr std::array error_texts{
     "bad_panel_size: a side of the panel is not 1 to 4096 pixels long",
     "no_such_clip: the scene has no clip of this name",
     "null_pointer: a pointer is NULL",
-    "no_such_input: the scene has no input of this name",
+    "no_such_input: the scene has no input of this name and kind",
 };
 static_assert(error_texts.size() == KFAST_NO_SUCH_INPUT + 1 && code_of(Error::block_too_small) == 6);
 
@@ -146,6 +146,13 @@ kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t valu
     if (player == nullptr || name == nullptr)
         return KFAST_NULL_POINTER;
     return player->animation.set_input(name, value) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
+}
+
+kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text)
+{
+    if (player == nullptr || name == nullptr || text == nullptr)
+        return KFAST_NULL_POINTER;
+    return player->animation.set_text(name, text) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
 }
 
 kfast_error kfast_show(kfast_player* player, int32_t time)

@@ -26,7 +26,7 @@ typedef enum kfast_error {
     KFAST_BAD_PANEL_SIZE,      /* a side of the panel is not 1 to 4096 pixels long */
     KFAST_NO_SUCH_CLIP,        /* the scene has no clip of this name */
     KFAST_NULL_POINTER,        /* a pointer is NULL: a player that was not made, memory that was not lent */
-    KFAST_NO_SUCH_INPUT        /* the scene has no input of this name */
+    KFAST_NO_SUCH_INPUT        /* the scene has no input of this name, or it is of another kind */
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -56,6 +56,11 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
  * 1/1000 of what the scene counts it in (500 is 0.5), held within the input's range. At first inputs have the
  * usual values that the scene gives them. If there is no such input, nothing changes. */
 kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value);
+
+/* Tells a text that is an input of the scene, in UTF-8, from the next kfast_show() on. Characters that the
+ * scene has no letters for are left out, and so are those beyond the most that the input takes. At first a
+ * text is the usual one. If there is no such input, nothing changes. */
+kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text);
 
 /* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
  * stands for. */
