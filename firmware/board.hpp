@@ -8,6 +8,7 @@
 #include "firmware/microseconds.hpp"
 #include "firmware/panel.hpp"
 #include "firmware/placed_input.hpp"
+#include "firmware/told_texts.hpp"
 
 #include <array>
 #include <concepts>
@@ -99,6 +100,12 @@ concept SteeredBoard = Board<B> && requires(B& board, Playhead& playhead) {
 template <class B>
 concept InputBoard = Board<B> && requires(B& board) {
     { board.inputs() } -> std::convertible_to<std::span<const PlacedInput>>;
+};
+
+/// A board that tells texts that are inputs of the scene. Asked before every frame until there are no more.
+template <class B>
+concept TextBoard = Board<B> && requires(B& board) {
+    { board.next_text() } -> std::same_as<std::optional<ToldText>>;
 };
 
 /// A board that can switch its display off: while it wants to rest, time stands still and nothing is shown.

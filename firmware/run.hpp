@@ -65,6 +65,13 @@ void place_inputs(B& board, Animation& player)
         player.set_input(number, place);
 }
 
+template <TextBoard B, class Animation>
+void tell_texts(B& board, Animation& player)
+{
+    while (const auto told = board.next_text())
+        player.set_text(told->input, told->text.view());
+}
+
 /// Keeps the panel asleep as long as the board wants to rest. What it shows when it wakes is not to be seen.
 template <RestingBoard B>
 void rest(B& board, Playhead& playhead, FrameClock& clock)
@@ -108,6 +115,8 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
             }
         if constexpr (InputBoard<B>)
             place_inputs(board, player);
+        if constexpr (TextBoard<B>)
+            tell_texts(board, player);
         report.time = playhead.moment();
         player.show_moment(report.time);
         if constexpr (RedrawingBoard<B>)

@@ -36,6 +36,7 @@ enum class Status : std::uint8_t {
     timed_out,       ///< no block came for too long; the upload is over
     flash_failed,    ///< flash does not hold what was written to it
     unsupported,     ///< this board cannot do that
+    no_text = 35,    ///< the input takes something else
 };
 
 /// A later device may have more of them.
@@ -111,6 +112,8 @@ constexpr std::string_view status_text(Status status)
         return "flash does not hold what was written to it"sv;
     case Status::unsupported:
         return "this board cannot do that"sv;
+    case Status::no_text:
+        return "this input of the scene is no text"sv;
     }
     return ""sv;
 }

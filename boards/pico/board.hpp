@@ -76,6 +76,7 @@ public:
     }
 
     std::span<const PlacedInput> inputs() const { return stage_.inputs(); }
+    std::optional<ToldText> next_text() { return stage_.next_text(); }
     bool wants_rest() const { return stage_.wants_rest(); }
 
     void wait_for_blank()

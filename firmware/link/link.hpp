@@ -169,6 +169,8 @@ private:
             return take<Brightness>(report, now);
         case Kind::inputs:
             return take<Inputs>(report, now);
+        case Kind::text:
+            return take<Text>(report, now);
         case Kind::silence:
             return take<Silence>(report, now);
         case Kind::boot_loader:
@@ -336,6 +338,15 @@ private:
         for (const InputPlace& each : places)
             device_.set_input(each.input, each.place);
         return Status::ok;
+    }
+
+    Deed<Kind::text> carry_out(const Text& text, Asked)
+    {
+        if (text.length > Text::most)
+            return Status::bad_value;
+        if (const Verdict verdict = look_for_input(text.input); !verdict.is_ok())
+            return verdict;
+        return device_.set_text(text.input, text.view());
     }
 
     Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)

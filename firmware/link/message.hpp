@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/input_view.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
 #include "firmware/link/report.hpp"
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 /// What the reports of the link mean (docs/link.md). Each message is a struct whose fields() names its fields
 /// in the order of their bytes, for writing and reading (fields.hpp).
@@ -38,6 +40,7 @@ enum class Kind : std::uint8_t {
     speed = 0x34,
     brightness = 0x35,
     inputs = 0x36,
+    text = 0x37,
     silence = 0x3A,
     boot_loader = 0x3F,
     error = 0x7F, ///< only from the device
@@ -166,11 +169,15 @@ struct AskInput {
 };
 
 /// What an input of a scene takes.
-enum class InputKind : std::uint8_t { number };
+enum class InputKind : std::uint8_t {
+    number = static_cast<std::uint8_t>(InputType::number),
+    text = static_cast<std::uint8_t>(InputType::text),
+    drawing = static_cast<std::uint8_t>(InputType::drawing),
+};
 /// A later device may have more of them.
 constexpr bool is_known(InputKind) { return true; }
 
-/// One input of the scene that plays. Values are in 1/1000.
+/// One input of the scene that plays. Values are in 1/1000; of a text `most` alone counts, its characters.
 struct InputState {
     static constexpr Kind kind = Kind::input;
     static constexpr bool answers = true;
@@ -295,6 +302,20 @@ struct Inputs {
     std::array<InputPlace, most> places{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
+};
+
+/// What a text among the inputs of the scene that plays is from now on.
+struct Text {
+    static constexpr Kind kind = Kind::text;
+    static constexpr std::size_t most = payload_bytes - 2;
+    std::uint8_t input = 0;              ///< its number in the scene
+    std::uint8_t length = 0;             ///< bytes
+    std::array<std::byte, most> bytes{}; ///< in UTF-8
+
+    /// `length` is at most `most`.
+    std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }
 };
 
 /// What a device does when its computer falls silent, or goes.

@@ -70,14 +70,13 @@ Playing Stage::playing() const
 
 InputState Stage::input(std::uint8_t number) const
 {
-    InputCursor inputs = now_.scene->inputs();
-    InputView input = inputs.next();
-    for (int ahead = number; ahead > 0; --ahead)
-        input = inputs.next();
+    const InputView input = now_.scene->input(number);
+    const bool is_text = input.type == InputType::text;
     return {.input = number,
+            .takes = static_cast<InputKind>(input.type),
             .name = beginning_of(input.name),
             .least = input.least,
-            .most = input.most,
+            .most = is_text ? static_cast<std::int32_t>(input.text.most) : input.most,
             .usual = input.usual,
             .place = place_of(number, input)};
 }
@@ -233,6 +232,7 @@ void Stage::set_up_controls()
     if (controls_)
         controls.follow(*controls_);
     controls_ = controls;
+    texts_.clear();
     moment_ = controls_->playhead().moment();
 }
 
@@ -290,6 +290,14 @@ Status Stage::set_brightness(std::uint8_t brightness)
 }
 
 void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
+
+Status Stage::set_text(std::uint32_t number, std::string_view text)
+{
+    if (now_.scene->input(number).type != InputType::text)
+        return Status::no_text;
+    texts_.tell(number, text);
+    return Status::ok;
+}
 
 Status Stage::enter_boot_loader(Microseconds now)
 {

@@ -11,11 +11,13 @@
 #include "firmware/microseconds.hpp"
 #include "firmware/placed_input.hpp"
 #include "firmware/status.hpp"
+#include "firmware/told_texts.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace kfast::link {
 
@@ -63,6 +65,7 @@ public:
     void set_speed(std::int32_t speed);
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
+    Status set_text(std::uint32_t number, std::string_view text);
     Status enter_boot_loader(Microseconds now);
 
     /// Whether something else shall play as soon as the frame has come to its end. Until then no reports are
@@ -85,6 +88,7 @@ public:
         steered(playhead);
     }
     std::span<const PlacedInput> inputs() const { return controls_->inputs(); }
+    std::optional<ToldText> next_text() { return texts_.next(); }
     bool wants_rest() const { return controls_->wants_rest(); }
     void frame_shown(const FrameReport& report);
     void fault();
@@ -123,6 +127,7 @@ private:
     std::optional<Act> gave_way_;      ///< plays again if what it gave way to does not come
     std::span<std::byte> lent_{};      ///< of the block
     std::optional<Controls> controls_; ///< of what plays now, or played last
+    ToldTexts texts_;                  ///< that what plays now has not been told yet
     Time moment_{};
     std::uint8_t brightness_;
     std::uint8_t turned_brightness_; ///< as the controls had it last

@@ -18,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast::test {
@@ -114,6 +115,7 @@ public:
     std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
     void scene_started(const SceneView& scene)
     {
+        texts_.clear();
         stage_->scene_started(scene);
         const auto bytes = stage_->scene_bytes();
         shown_.assign(bytes.begin(), bytes.end());
@@ -122,6 +124,13 @@ public:
     }
     Playhead playhead(const SceneView&) const { return stage_->playhead(); }
     void steer(Playhead& playhead) { stage_->steer(playhead, pins, now_); }
+    std::optional<ToldText> next_text()
+    {
+        const auto told = stage_->next_text();
+        if (told)
+            texts_[told->input] = told->text.view();
+        return told;
+    }
     std::span<const PlacedInput> inputs()
     {
         const auto placed = stage_->inputs();
@@ -206,6 +215,8 @@ private:
         REQUIRE(player);
         for (const auto& [number, place] : placed_)
             player->set_input(number, place);
+        for (const auto& [number, text] : texts_)
+            player->set_text(number, text);
         player->show_moment(time);
         std::vector<std::byte> pixels(small_panel.width * small_panel.height * 2);
         player->draw_rows<PixelFormat::rgb565>(small_panel.height, pixels);
@@ -222,11 +233,13 @@ private:
     std::optional<Conversation> conversation_;
     Scene shown_;
     std::vector<PlacedInput> placed_;
+    std::map<std::uint32_t, std::string> texts_; ///< of what plays
     TakingTurns life_{[this] { run_stage(*this); }};
 };
 
 static_assert(ChangingBoard<StagedBoard>);
 static_assert(InputBoard<StagedBoard>);
+static_assert(TextBoard<StagedBoard>);
 static_assert(RestingBoard<StagedBoard>);
 static_assert(ListeningBoard<StagedBoard>);
 
