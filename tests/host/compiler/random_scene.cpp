@@ -300,7 +300,9 @@ private:
         object.label = scene::Label{.input = texts_.size(),
                                     .at = point(),
                                     .align = static_cast<Align>(within(0, 2)),
-                                    .spacing = within(-9000, 9000)};
+                                    .spacing = within(-9000, 9000),
+                                    .glyphs = {},
+                                    .kerning = {}};
         for (std::size_t i = 0; i < text.glyphs.size(); ++i)
             object.label->glyphs.push_back({drawing(), within(-9000, 200'000)});
         for (std::size_t i = 0; i < text.glyphs.size(); ++i)
