@@ -2,6 +2,8 @@
 
 #include "core/kfb_limits.hpp"
 
+#include <algorithm>
+
 namespace kfast {
 namespace {
 
@@ -13,6 +15,15 @@ bool is_sound_number(const InputView& input)
            input.usual >= input.least && input.usual <= input.most;
 }
 
+bool is_sound(const TextInput& text)
+{
+    const auto is_glyph = [&text](std::byte glyph) {
+        return std::to_integer<std::uint32_t>(glyph) < text.glyphs.count();
+    };
+    return text.most >= 1 && text.most <= kfb::max_text && text.glyphs.is_sound() &&
+           text.usual.size() <= text.most && std::ranges::all_of(text.usual, is_glyph);
+}
+
 bool is_sound(const InputView& input)
 {
     switch (input.type) {
@@ -22,7 +33,7 @@ bool is_sound(const InputView& input)
         return input.drawing.strokes >= 1 && input.drawing.strokes <= input.drawing.points &&
                input.drawing.points <= kfb::max_live_points;
     case InputType::text:
-        break;
+        return is_sound(input.text);
     }
     return false;
 }

@@ -5,9 +5,23 @@
 #include <algorithm>
 
 namespace kfast {
+namespace {
+
+TextInput take_text(ByteReader& bytes)
+{
+    TextInput text;
+    text.most = bytes.u8();
+    text.glyphs = GlyphSet::take(bytes);
+    text.usual = bytes.take(bytes.u8()).rest();
+    return text;
+}
+
+}
 
 Time InputView::place_of(std::int32_t value) const
 {
+    if (type != InputType::number)
+        return {};
     const std::uint32_t range = static_cast<std::uint32_t>(most) - static_cast<std::uint32_t>(least);
     const auto above =
         static_cast<std::uint32_t>(std::clamp(value, least, most)) - static_cast<std::uint32_t>(least);
@@ -27,13 +41,14 @@ InputView InputCursor::next()
         input.most = bytes_.signed_varint();
         input.usual = bytes_.signed_varint();
         return input;
+    case InputType::text:
+        input.text = take_text(bytes_);
+        return input;
     case InputType::drawing:
         input.drawing.strokes = bytes_.varint();
         input.drawing.points = bytes_.varint();
         input.drawing.usual = bytes_.varint();
         return input;
-    case InputType::text:
-        break;
     }
     bytes_.refuse();
     return input;
@@ -43,7 +58,7 @@ void put_usual_places(InputCursor inputs, std::span<Time> places)
 {
     for (Time& place : places) {
         const InputView input = inputs.next();
-        place = input.type == InputType::number ? input.place_of(input.usual) : Time{};
+        place = input.place_of(input.usual);
     }
 }
 

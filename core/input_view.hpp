@@ -2,7 +2,9 @@
 
 #include "core/byte_reader.hpp"
 #include "core/clock.hpp"
+#include "core/glyph_set.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -11,8 +13,15 @@ namespace kfast {
 
 enum class InputType : std::uint8_t {
     number,  ///< that keys may go by
-    text,    ///< not known yet
+    text,    ///< that labels show
     drawing, ///< that live items show
+};
+
+/// What of an input is a text.
+struct TextInput {
+    std::uint32_t most = 0;           ///< characters
+    GlyphSet glyphs = {};             ///< of the characters that are shown; others are left out
+    std::span<const std::byte> usual; ///< the numbers of its glyphs, until another text is told
 };
 
 /// What a drawing from outside may have, and what it is until one is told.
@@ -27,11 +36,13 @@ struct InputView {
     std::string_view name; ///< UTF-8
     InputType type = InputType::number;
     std::int32_t least = 0;
-    std::int32_t most = 0;  ///< more than `least`
+    std::int32_t most = 0;  ///< more than `least`, of a number
     std::int32_t usual = 0; ///< until another is told
+    TextInput text = {};    ///< only of a text
     DrawingInput drawing{}; ///< only of a drawing
 
-    /// Where the input, a number, stands with `value`, held within its range; rounded to nearest, halves up.
+    /// Where the input stands with `value`, held within its range; rounded to nearest, halves up. 0 unless it
+    /// is a number.
     Time place_of(std::int32_t value) const;
 };
 

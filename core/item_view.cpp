@@ -104,6 +104,11 @@ void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
         item.live.input = bytes.u8();
         item.object.style = take_style(bytes, head);
         return;
+    case LiveKind::label:
+        item.live.input = bytes.u8();
+        item.object.style = take_style(bytes, head);
+        item.live.label = bytes.take(bytes.varint());
+        return;
     }
     item.is_known = false;
 }

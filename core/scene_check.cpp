@@ -3,12 +3,10 @@
 #include "core/backbone_check.hpp"
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
-#include "core/input_check.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
 #include "core/paint_order.hpp"
-#include "core/still.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -80,38 +78,6 @@ bool SceneCheck::check_laws() const
             return false;
     }
     return true;
-}
-
-bool SceneCheck::check_inputs()
-{
-    if (!inputs_are_sound(scene_))
-        return false;
-    InputCursor inputs = scene_.inputs();
-    for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
-        const InputView input = inputs.next();
-        if (input.type == InputType::number)
-            scene_.number_inputs_ |= bit_of_input(number);
-        if (input.type == InputType::drawing && !check_usual(input.drawing))
-            return false;
-    }
-    return true;
-}
-
-/// Lines, and no more than the input may have.
-bool SceneCheck::check_usual(const DrawingInput& input)
-{
-    if (!check_drawing(input.usual))
-        return false;
-    PackedDrawing drawing = scene_.drawing(input.usual);
-    std::uint32_t points = drawing.strokes();
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
-        const std::uint32_t segments = drawing.next_stroke();
-        points += segments;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (drawing.next_segment().kind != Segment::Kind::line)
-                return false;
-    }
-    return drawing.strokes() <= input.strokes && points <= input.points;
 }
 
 bool SceneCheck::check_clips() const
@@ -233,20 +199,6 @@ bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
     const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
     return value >= range.least && value <= range.most &&
            (!is_colour || static_cast<std::size_t>(value) < scene_.palette_size());
-}
-
-bool SceneCheck::check_live(const ItemView& item) const
-{
-    switch (item.live.kind) {
-    case LiveKind::drawing:
-        return check_style(item.object.style) && is_input(item.live.input, InputType::drawing);
-    }
-    return false;
-}
-
-bool SceneCheck::is_input(std::uint32_t number, InputType type) const
-{
-    return number < scene_.input_count() && scene_.input(number).type == type;
 }
 
 bool SceneCheck::check_object(const ObjectView& object)

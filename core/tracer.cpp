@@ -2,6 +2,7 @@
 
 #include "core/blending.hpp"
 #include "core/item_path.hpp"
+#include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
 #include "core/live_strokes.hpp"
 #include "core/opacity.hpp"
@@ -144,6 +145,8 @@ void Tracer::trace_live(const ItemView& item, const ItemState& state, const Cont
     case LiveKind::drawing:
         return trace_drawing(on_panel_.drawings.of(on_panel_.scene, item.live.input), item.object.style,
                              state, context);
+    case LiveKind::label:
+        return trace_label(item, state, context);
     }
 }
 
@@ -156,6 +159,16 @@ void Tracer::trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style,
             did(Work::object);
             trace_live_strokes(drawing, placement, outline);
         });
+}
+
+void Tracer::trace_label(const ItemView& item, const ItemState& state, const Context& context)
+{
+    const SceneView& scene = on_panel_.scene;
+    const LabelTrace label{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
+                           scene.drawings()};
+    add_layers(
+        item.object.style, state, context, [&] { return label.start(); },
+        [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });
 }
 
 /// trace(placement, outline) adds what is painted to an outline.

@@ -6,6 +6,7 @@
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
 #include "core/live_drawings.hpp"
+#include "core/live_texts.hpp"
 #include "core/moment.hpp"
 #include "core/object_outline.hpp"
 #include "core/projection.hpp"
@@ -28,6 +29,7 @@ struct SceneOnPanel {
     std::span<LiveBone> bones; ///< of all skeletons; set up
     std::span<BackboneNode> backbone_nodes;
     LiveDrawings drawings{}; ///< from outside
+    LiveTexts texts{};       ///< likewise
 };
 
 /// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
@@ -64,6 +66,7 @@ private:
     void trace_live(const ItemView& item, const ItemState& state, const Context& context);
     void trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
                        const Context& context);
+    void trace_label(const ItemView& item, const ItemState& state, const Context& context);
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
     void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, Time time,
                        const Affine& placement, ObjectOutline& outline);

@@ -103,10 +103,10 @@ concept InputBoard = Board<B> && requires(B& board) {
     { board.inputs() } -> std::convertible_to<std::span<const PlacedInput>>;
 };
 
-/// A board that is told drawings of the scene while it plays. It knows the player from the moment in which it is ready
-/// until it is over: then it is null.
+/// A board that is told drawings and texts of the scene while it plays. It knows the player from the moment in which it
+/// is ready until it is over: then it is null.
 template <class B>
-concept DrawingBoard = Board<B> && requires(B& board, Player* player) {
+concept ToldBoard = Board<B> && requires(B& board, Player* player) {
     { board.plays(player) } -> std::same_as<void>;
 };
 

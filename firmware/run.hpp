@@ -186,10 +186,10 @@ void run_scene(B& board)
         return refuse(board, player.error());
 
     board.scene_started(*scene);
-    if constexpr (DrawingBoard<B>)
+    if constexpr (ToldBoard<B>)
         board.plays(&*player);
     play(board, *player, playhead_for(board, *scene), {scene->frame_rate(), board.now()});
-    if constexpr (DrawingBoard<B>)
+    if constexpr (ToldBoard<B>)
         board.plays(nullptr);
 }
 

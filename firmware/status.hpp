@@ -39,6 +39,7 @@ enum class Status : std::uint8_t {
     no_drawing,      ///< the input takes something else
     drawing_broken,  ///< a report of it is missing, or came twice; the drawing before stays
     drawing_large,   ///< more strokes or points than the input takes; the drawing before stays
+    no_text,         ///< likewise
 };
 
 /// A later device may have more of them.
@@ -120,6 +121,8 @@ constexpr std::string_view status_text(Status status)
         return "reports of the drawing are missing or repeated"sv;
     case Status::drawing_large:
         return "the drawing has more points than the input takes"sv;
+    case Status::no_text:
+        return "this input of the scene is no text"sv;
     }
     return ""sv;
 }

@@ -165,6 +165,13 @@ kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t valu
     return player->animation.set_input(name, value) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
 }
 
+kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text)
+{
+    if (player == nullptr || name == nullptr || text == nullptr)
+        return KFAST_NULL_POINTER;
+    return player->animation.set_text(name, text) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
+}
+
 kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
                               const uint16_t* stroke_points, size_t strokes)
 {

@@ -58,6 +58,10 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
  * usual values that the scene gives them. If there is no such input, nothing changes. */
 kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value);
 
+/* Tells a text that is an input of the scene, in UTF-8, from the next kfast_show() on. Characters that the
+ * scene has no letters for are left out, and so are those beyond the most that the input takes. At first a
+ * text is the usual one. If there is no such input, nothing changes. */
+kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text);
 /* A point of a drawing, in 1/16 pixel of the objects that show it; y points down. */
 typedef struct kfast_point {
     int16_t x;

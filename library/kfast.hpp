@@ -55,14 +55,22 @@ public:
     void choose_scene() { stretch_ = stretch_of(scene()); }
 
     /// Sets an input of the scene, from the next show() on: to `value` in 1/1000 of what the scene counts it
-    /// in, held within the input's range. At first inputs have their usual values. An input that the scene
-    /// has not changes nothing, and the answer is false.
+    /// in, held within the input's range. At first inputs have their usual values. A number that
+    /// the scene has not among its inputs changes nothing, and the answer is false.
     bool set_input(std::string_view name, std::int32_t value)
     {
-        const auto number = input(name, InputType::number);
-        if (number)
-            player_.set_input(*number, scene().input(*number).place_of(value));
-        return number.has_value();
+        return with_input(name, InputType::number, [&](std::uint32_t number, const InputView& input) {
+            player_.set_input(number, input.place_of(value));
+        });
+    }
+
+    /// Tells a text that is an input of the scene, in UTF-8, from the next show() on. Characters that the
+    /// scene has no letters for are left out, and so are those beyond the most that the input takes.
+    /// Otherwise as set_input().
+    bool set_text(std::string_view name, std::string_view text)
+    {
+        return with_input(name, InputType::text,
+                          [&](std::uint32_t number, const InputView&) { player_.set_text(number, text); });
     }
 
     /// Sets a drawing among the inputs of the scene, from the next show() on: to `strokes`, their points in
@@ -136,6 +144,22 @@ public:
     Size panel() const { return player_.panel(); }
 
 private:
+    /// Calls visit(number, input) for the first input of that name, if it is of this type; whether it is.
+    template <class Visit>
+    bool with_input(std::string_view name, InputType type, Visit visit) const
+    {
+        InputCursor inputs = scene().inputs();
+        for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
+            const InputView input = inputs.next();
+            if (input.name != name)
+                continue;
+            if (input.type == type)
+                visit(number, input);
+            return input.type == type;
+        }
+        return false;
+    }
+
     /// What an area costs besides its pixels: most displays are told its columns and rows in 11 bytes.
     static constexpr int area_bytes = 11;
 

@@ -169,6 +169,8 @@ private:
             return take<Brightness>(report, now);
         case Kind::inputs:
             return take<Inputs>(report, now);
+        case Kind::text:
+            return take<Text>(report, now);
         case Kind::points:
             return take<Points>(report, now);
         case Kind::drawing:
@@ -342,6 +344,15 @@ private:
         return Status::ok;
     }
 
+    Deed<Kind::text> carry_out(const Text& text, Asked)
+    {
+        if (text.length > Text::most)
+            return Status::bad_value;
+        if (const Verdict verdict = look_for_input(text.input); !verdict.is_ok())
+            return verdict;
+        return device_.set_text(text.input, text.view());
+    }
+
     Deed<Kind::points> carry_out(const Points& points, Asked)
     {
         return tell({.which = DrawingNumber::of(points.which),
@@ -358,8 +369,8 @@ private:
     }
     Verdict tell(const DrawingPart& part)
     {
-        const std::uint8_t known = device_.playing().inputs;
-        return part.which.input < known ? Verdict{device_.tell(part)} : Verdict{Status::no_such_input, known};
+        const Verdict verdict = look_for_input(part.which.input);
+        return verdict.is_ok() ? Verdict{device_.tell(part)} : verdict;
     }
 
     Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 
 /// What the reports of the link mean (docs/link.md). Each message is a struct whose fields() names its fields
 /// in the order of their bytes, for writing and reading (fields.hpp).
@@ -42,6 +43,7 @@ enum class Kind : std::uint8_t {
     speed = 0x34,
     brightness = 0x35,
     inputs = 0x36,
+    text = 0x37,
     points = 0x38,
     drawing = 0x39,
     silence = 0x3A,
@@ -172,13 +174,18 @@ struct AskInput {
 };
 
 /// What an input of a scene takes.
-enum class InputKind : std::uint8_t { number, text, drawing };
+enum class InputKind : std::uint8_t {
+    number = static_cast<std::uint8_t>(InputType::number),
+    text = static_cast<std::uint8_t>(InputType::text),
+    drawing = static_cast<std::uint8_t>(InputType::drawing),
+};
 /// A later device may have more of them.
 constexpr bool is_known(InputKind) { return true; }
 constexpr InputKind input_kind(InputType type) { return static_cast<InputKind>(type); }
 static_assert(input_kind(InputType::drawing) == InputKind::drawing);
 
-/// One input of the scene that plays. Values, which only a number has, are in 1/1000.
+/// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `most` alone
+/// counts, its characters.
 struct InputState {
     static constexpr Kind kind = Kind::input;
     static constexpr bool answers = true;
@@ -303,6 +310,20 @@ struct Inputs {
     std::array<InputPlace, most> places{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
+};
+
+/// What a text among the inputs of the scene that plays is from now on.
+struct Text {
+    static constexpr Kind kind = Kind::text;
+    static constexpr std::size_t most = payload_bytes - 2;
+    std::uint8_t input = 0;              ///< its number in the scene
+    std::uint8_t length = 0;             ///< bytes
+    std::array<std::byte, most> bytes{}; ///< in UTF-8
+
+    /// `length` is at most `most`.
+    std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }
 };
 
 /// Whose points they are: a drawing among the inputs of the scene that plays, and a number that tells it from

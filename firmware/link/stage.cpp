@@ -71,16 +71,15 @@ Playing Stage::playing() const
 
 InputState Stage::input(std::uint8_t number) const
 {
-    InputCursor inputs = now_.scene->inputs();
-    InputView input = inputs.next();
-    for (int ahead = number; ahead > 0; --ahead)
-        input = inputs.next();
-    if (input.type != InputType::number)
+    const InputView input = now_.scene->input(number);
+    if (input.type == InputType::drawing)
         return {.input = number, .takes = input_kind(input.type), .name = beginning_of(input.name)};
+    const bool is_text = input.type == InputType::text;
     return {.input = number,
+            .takes = input_kind(input.type),
             .name = beginning_of(input.name),
             .least = input.least,
-            .most = input.most,
+            .most = is_text ? static_cast<std::int32_t>(input.text.most) : input.most,
             .usual = input.usual,
             .place = place_of(number, input)};
 }
@@ -293,6 +292,16 @@ Status Stage::set_brightness(std::uint8_t brightness)
 }
 
 void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
+
+Status Stage::set_text(std::uint32_t number, std::string_view text)
+{
+    if (player_ == nullptr)
+        return Status::nothing_plays;
+    if (now_.scene->input(number).type != InputType::text)
+        return Status::no_text;
+    player_->set_text(number, text);
+    return Status::ok;
+}
 
 Status Stage::tell(const DrawingPart& part)
 {

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace kfast::link {
 
@@ -64,6 +65,7 @@ public:
     void set_speed(std::int32_t speed);
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
+    Status set_text(std::uint32_t number, std::string_view text);
     Status tell(const DrawingPart& part);
     Status enter_boot_loader(Microseconds now);
 

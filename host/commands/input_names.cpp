@@ -5,11 +5,9 @@ namespace kfast {
 std::vector<std::string_view> input_names(const SceneView& scene, InputType type)
 {
     std::vector<std::string_view> names;
-    for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
-        const InputView input = inputs.next();
-        if (input.type == type)
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end();)
+        if (const InputView input = inputs.next(); input.type == type)
             names.push_back(input.name);
-    }
     return names;
 }
 

@@ -8,6 +8,6 @@
 namespace kfast {
 
 /// Of all inputs of a scene that are of this type, in its order. They live as long as the scene's bytes.
-std::vector<std::string_view> input_names(const SceneView& scene, InputType type = InputType::number);
+std::vector<std::string_view> input_names(const SceneView& scene, InputType type);
 
 }

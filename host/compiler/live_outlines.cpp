@@ -72,9 +72,9 @@ private:
         if (state.opacity() == 0)
             return;
         const Space space = item.tracks.at_end() ? outer : outer * state.placement();
-        if (item.kind == ItemKind::live)
+        if (item.kind == ItemKind::live && item.live.kind == LiveKind::drawing)
             add_live(item, state, space);
-        else
+        else if (!item.is_leaf())
             add(on_panel_.scene.items_in(item), space);
     }
 

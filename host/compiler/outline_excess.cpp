@@ -48,10 +48,11 @@ std::uint64_t sum_of(const ByItem& amounts)
 }
 
 /// Corners that close contours are not counted where there is no room.
-OutlineNeed need_at(const SceneView& view, const Moment& moment)
+OutlineNeed need_at(const SceneView& view, const Moment& moment, const InputTexts& texts)
 {
     const CornerTally corners;
     OutlineMeter meter{view, bytes_of_all_corners};
+    put_texts(texts, meter);
     const TracedPicture& picture = meter.picture_at(moment);
     if (!picture.outlines.is_full())
         return {"bytes", "", picture.outlines.used_bytes(), kfb::max_outline_bytes, bytes_by_item(picture)};
@@ -134,9 +135,9 @@ private:
 }
 
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
-                   Diagnostics& diagnostics)
+                   const InputTexts& texts, Diagnostics& diagnostics)
 {
-    const OutlineNeed need = need_at(view, moment);
+    const OutlineNeed need = need_at(view, moment, texts);
     const auto& [path, most] = *std::ranges::max_element(need.by_item, {}, &ByItem::value_type::second);
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
     diagnostics.error(

@@ -34,6 +34,7 @@ public:
     {
         return player_.set_drawing(number, strokes);
     }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
     Pace pace() const override { return Pace::by_frames; }
 
 private:

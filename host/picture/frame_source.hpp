@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace kfast {
 
@@ -26,6 +27,8 @@ public:
     virtual void set_input(std::uint32_t number, Time place) = 0;
     /// As Player::set_drawing().
     virtual bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) = 0;
+    /// As Player::set_text().
+    virtual void set_text(std::uint32_t number, std::string_view text) = 0;
     virtual Pace pace() const { return Pace::smooth; }
 };
 

@@ -19,6 +19,7 @@ public:
     {
         return player_.set_drawing(number, strokes);
     }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4

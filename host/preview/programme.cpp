@@ -15,7 +15,7 @@ std::vector<InputKnob> inputs_of(const SceneView& scene)
     for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
         InputView input = inputs.next();
         const std::string name{std::exchange(input.name, {})};
-        if (input.type == InputType::number)
+        if (input.type != InputType::drawing)
             knobs.push_back({name, number, input, input.usual});
     }
     return knobs;

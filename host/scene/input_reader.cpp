@@ -6,6 +6,7 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/text_input_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
@@ -22,7 +23,20 @@ namespace {
 constexpr NodeForm number_form{input_name, "input NAME min=NUMBER max=NUMBER default=NUMBER", 1, 1};
 constexpr NodeForm drawing_form{input_name, "input NAME kind=drawing points=NUMBER { shapes }", 1, 1, true};
 
-const NodeForm& form_of(InputType type) { return type == InputType::drawing ? drawing_form : number_form; }
+constexpr NodeForm text_form{input_name, "input NAME kind=text glyphs=\"0-9\" max=NUMBER", 1, 1};
+
+const NodeForm& form_of(InputType type)
+{
+    switch (type) {
+    case InputType::number:
+        break;
+    case InputType::text:
+        return text_form;
+    case InputType::drawing:
+        return drawing_form;
+    }
+    return number_form;
+}
 
 struct NumberProperties {
     std::int32_t least = 0;
@@ -74,19 +88,33 @@ InputEntry read_number_input(const kdl::Node& node, Reading& reading)
 
 InputEntry read_entry(const kdl::Node& node, Reading& reading)
 {
-    const InputType type = input_type(node);
-    if (type == InputType::number)
+    InputEntry entry{.input = {.name = {}, .type = input_type(node)}, .place = {}};
+    switch (entry.input.type) {
+    case InputType::number:
         return read_number_input(node, reading);
-    return {.input = {.name = {}, .type = type, .drawing = read_drawing_input(node, reading)}, .place = {}};
+    case InputType::text:
+        entry.input.text = read_text_input(node, reading);
+        break;
+    case InputType::drawing:
+        entry.input.drawing = read_drawing_input(node, reading);
+        break;
+    }
+    return entry;
 }
 
 /// What makes use of such an input.
 std::string remedy_of_unused(const Input& input)
 {
     const std::string name = kdl::string_form(input.name);
-    return input.type == InputType::drawing
-               ? "add live=" + name + " to an object, or remove it"
-               : "add input=" + name + " to a track, an item or a pose, or remove it";
+    switch (input.type) {
+    case InputType::number:
+        break;
+    case InputType::text:
+        return "add 'text input=" + name + " at=\"X,Y\" size=PIXELS' to an object, or remove it";
+    case InputType::drawing:
+        return "add live=" + name + " to an object, or remove it";
+    }
+    return "add input=" + name + " to a track, an item or a pose, or remove it";
 }
 
 }

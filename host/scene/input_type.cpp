@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::array types{
     Word<InputType>{"number", InputType::number},
+    Word<InputType>{"text", InputType::text},
     Word<InputType>{"drawing", InputType::drawing},
 };
 

@@ -12,12 +12,29 @@
 namespace kfast::scene {
 namespace {
 
-std::string_view noun(InputType type) { return type == InputType::drawing ? "a drawing" : "a number"; }
+/// How the inputs of a type are spoken of.
+struct Wording {
+    std::string_view noun;
+    std::string_view declaration; ///< behind the name
+    std::string_view use;
+};
+
+Wording wording(InputType type)
+{
+    switch (type) {
+    case InputType::number:
+        break;
+    case InputType::text:
+        return {"a text", " kind=text glyphs=A-Z max=8", "a text is shown by 'text input=NAME'"};
+    case InputType::drawing:
+        return {"a drawing", " kind=drawing points=100", "live= shows a drawing"};
+    }
+    return {"a number", " min=0 max=1", "keys go by numbers"};
+}
 
 std::string example(std::string_view name, InputType type)
 {
-    const std::string input = "add \"input " + kdl::string_form(name);
-    return input + (type == InputType::drawing ? " kind=drawing points=100" : " min=0 max=1") +
+    return "add \"input " + kdl::string_form(name) + std::string{wording(type).declaration} +
            "\" to the scene";
 }
 
@@ -46,11 +63,11 @@ std::optional<std::size_t> use_input(const kdl::Value& name, InputType type, Rea
     }
     if (entry != nullptr) {
         entry->is_used = true; // by mistake, which is enough to tell
+        const Wording actual = wording(entry->input.type);
         reading.report.error(name.place,
-                             "the input " + quoted(*text) + " is " + std::string{noun(entry->input.type)} +
-                                 ", not " + std::string{noun(type)},
-                             type == InputType::number ? "keys go by numbers; live= shows a drawing"
-                                                       : "input= takes a number");
+                             "the input " + quoted(*text) + " is " + std::string{actual.noun} + ", not " +
+                                 std::string{wording(type).noun},
+                             std::string{wording(type).use} + "; " + std::string{actual.use});
         return std::nullopt;
     }
     const auto known = names(type, inputs);

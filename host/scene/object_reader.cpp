@@ -6,6 +6,7 @@
 #include "host/scene/drawing_content.hpp"
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/input_user.hpp"
+#include "host/scene/label_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/node_form.hpp"
@@ -83,7 +84,25 @@ public:
         Object object{.fill = properties_.fill_colour(),
                       .fill_rule = properties_.fill_rule,
                       .stroke = properties_.stroke_style(),
-                      .keys = read_drawings(content)};
+                      .keys = {}};
+        if (is_placed_label(content))
+            set_label(content, object);
+        else
+            draw(content, object);
+        auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
+                                   content.timed, reading_);
+        return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
+    }
+
+private:
+    bool is_placed_label(const DrawingContent& content) const
+    {
+        return properties_.live == nullptr && content.drawn.size() == 1 && is_label(*content.drawn.front());
+    }
+
+    void draw(DrawingContent& content, Object& object)
+    {
+        object.keys = read_drawings(content);
         object.skin = read_skin(
             {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
             object.keys, reading_);
@@ -91,12 +110,33 @@ public:
         object.clock = properties_.clock.clock();
         object.live = live_;
         refuse_two_carriers(content.keys);
-        auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
-                                   content.timed, reading_);
-        return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
 
-private:
+    void set_label(const DrawingContent& content, Object& object)
+    {
+        refuse_carriers_of_label(content);
+        refuse_doubles(content);
+        object.label = read_label(*content.drawn.front(), reading_);
+        if (object.label)
+            set_default_pivot(object.label->at, properties_.values);
+    }
+
+    void refuse_carriers_of_label(const DrawingContent& content)
+    {
+        constexpr auto remedy = "remove this, or write the words themselves";
+        const auto refuse = [this](Place place, std::string_view carrier) {
+            reading_.report.error(place, "the text of an input has no " + std::string{carrier}, remedy);
+        };
+        for (const std::string_view property : {"skin", "bone"})
+            if (has_property(node_, property))
+                refuse(property_place(node_, property), property);
+        if (content.weights != nullptr)
+            refuse(content.weights->name_place, "weights");
+        const auto key = std::ranges::find_if(content.keys, has_skeleton);
+        if (key != content.keys.end())
+            refuse(key->skeleton->name_place, "skeleton");
+    }
+
     std::vector<Key> read_drawings(DrawingContent& content)
     {
         if (properties_.live != nullptr)

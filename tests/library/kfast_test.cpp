@@ -500,6 +500,37 @@ TEST_CASE("the C++ animation takes drawings by name")
     CHECK(animation->drawing("curve")->stroke(0).size() == 1);
 }
 
+TEST_CASE("a text is what was told last")
+{
+    const std::string label =
+        "kfast 1\ncanvas 24 16\ninput t kind=text glyphs=\"0-9\" max=2 default=\"7\"\ninput n\n"
+        "object o fill=red stroke=white { text input=t at=\"1,14\" size=16; track x input=n { at 0 0; at 1 3 "
+        "} }";
+    const auto seen = [&label](std::string_view text) {
+        Stage stage{label, {width, height}};
+        stage.player.set_text(0, text);
+        return stage.picture<PixelFormat::rgb565>({});
+    };
+    Screen screen{label};
+    const auto shows = [&](std::string_view text) {
+        CHECK(kfast_show(screen.player, 0) == KFAST_OK);
+        screen.draw(2 * width);
+        return screen.pixels() == seen(text);
+    };
+    CHECK(shows("7"));
+    CHECK(kfast_set_text(screen.player, "t", "42") == KFAST_OK);
+    CHECK(shows("42"));
+    CHECK(kfast_set_text(screen.player, "t", "1x99") == KFAST_OK);
+    CHECK(shows("19"));
+    CHECK(kfast_set_text(screen.player, "n", "5") == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_input(screen.player, "t", 1000) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_text(screen.player, "u", "5") == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_text(screen.player, nullptr, "5") == KFAST_NULL_POINTER);
+    CHECK(kfast_set_text(screen.player, "t", nullptr) == KFAST_NULL_POINTER);
+    CHECK(kfast_set_text(nullptr, "t", "5") == KFAST_NULL_POINTER);
+    CHECK(shows("19"));
+}
+
 TEST_CASE("the C++ animation takes inputs by name")
 {
     const Bytes scene = compiled(steered);

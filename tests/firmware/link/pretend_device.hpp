@@ -10,6 +10,8 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast::test {
@@ -94,6 +96,13 @@ public:
         return Status::ok;
     }
     void set_input(std::uint32_t number, Time place) { inputs[number] = place; }
+    Status set_text(std::uint32_t number, std::string_view text)
+    {
+        if (number == no_text)
+            return Status::no_text;
+        texts[number] = text;
+        return Status::ok;
+    }
     Status tell(const link::DrawingPart& part) { return link::tell(*player, part); }
     Status enter_boot_loader(Microseconds)
     {
@@ -111,6 +120,7 @@ public:
 
     link::Name start_clip;
     static constexpr std::uint32_t ram_bytes = 20'000;
+    static constexpr std::uint32_t no_text = 0; ///< number of an input that is none
 
     std::size_t largest_that_plays = 1'000'000;
     link::Playing now;
@@ -119,6 +129,7 @@ public:
     std::vector<std::byte> ram;
     std::vector<std::byte> built_in_scene;
     std::map<std::uint32_t, Time> inputs;
+    std::map<std::uint32_t, std::string> texts;
     bool is_in_boot_loader = false;
     bool says_that_nothing_plays = false;
     int puts_off = 0; ///< how often lend_ram() is to be called in vain

@@ -255,6 +255,44 @@ TEST_CASE("playing from a slot goes on while the slot is replaced")
     CHECK(is_scene(bench.board.scene_begun(), padded_scene(9007, 7)));
 }
 
+TEST_CASE("a text is what the computer told last, until another scene plays")
+{
+    StagedBench bench;
+    bench.board.built_in = compiled(
+        "kfast 1\ncanvas 64 48\ninput gaze\ninput t kind=text glyphs=\"0-9\" max=3 default=\"7\"\n"
+        "object o stroke=white { text input=t at=\"4,40\" size=32; track x input=gaze { at 0 0; at 1 9 } }");
+    bench.board.run_for(200);
+    const auto state = bench.ask<InputState>(AskInput{.input = 1});
+    CHECK(state.takes == InputKind::text);
+    CHECK(state.name.view() == "t");
+    CHECK(state.most == 3);
+    const auto picture = [&bench] {
+        const auto bytes = bench.board.panel().picture();
+        return std::vector(bytes.begin(), bytes.end());
+    };
+    const auto tell = [&bench](std::string_view words) {
+        Text text{.input = 1, .length = static_cast<std::uint8_t>(words.size())};
+        std::ranges::copy(std::as_bytes(std::span{words}), text.bytes.begin());
+        bench.does(text);
+    };
+    const auto usual = picture();
+    tell("12");
+    bench.board.run_for(100);
+    const auto told = picture();
+    CHECK(told != usual);
+    tell("9");
+    tell("7");
+    bench.board.run_for(100);
+    CHECK(picture() == usual);
+    tell("12");
+    bench.board.run_for(100);
+    CHECK(picture() == told);
+    CHECK(bench.refusal(Text{.input = 0}) == Verdict{Status::no_text});
+    bench.does(Play{.home = Home::start});
+    bench.board.run_for(100);
+    CHECK(picture() == usual);
+}
+
 TEST_CASE("drawings are shown in the frame after their last report, whole and nothing else")
 {
     StagedBench bench;

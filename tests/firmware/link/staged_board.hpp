@@ -5,6 +5,7 @@
 #include "firmware/panel_mirror.hpp"
 #include "firmware/run.hpp"
 #include "host/told_drawing.hpp"
+#include "host/text/utf8.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
@@ -19,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast::test {
@@ -132,7 +134,7 @@ public:
     {
         const auto placed = stage_->inputs();
         placed_.assign(placed.begin(), placed.end());
-        keep_drawings();
+        keep_told();
         return placed_;
     }
     bool wants_rest() const { return stage_->wants_rest(); }
@@ -205,12 +207,18 @@ private:
     }
 
     /// What is shown in the next frame.
-    void keep_drawings()
+    void keep_told()
     {
         drawings_.clear();
-        for (std::uint32_t input = 0; input < player_->scene().input_count(); ++input)
-            if (player_->scene().input(input).type == InputType::drawing)
+        texts_.clear();
+        for (std::uint32_t input = 0; input < player_->scene().input_count(); ++input) {
+            const InputView view = player_->scene().input(input);
+            if (view.type == InputType::drawing)
                 drawings_[input] = told_drawing(player_->drawing(input));
+            else if (view.type == InputType::text)
+                for (const std::byte glyph : player_->text(input))
+                    append_utf8(texts_[input], view.text.glyphs.character(std::to_integer<std::uint32_t>(glyph)));
+        }
     }
 
     /// Drawn from a copy of the scene as it was when it began.
@@ -226,6 +234,8 @@ private:
             player->set_input(number, place);
         for (const auto& [number, drawing] : drawings_)
             REQUIRE(player->set_drawing(number, strokes_of(drawing)));
+        for (const auto& [number, text] : texts_)
+            player->set_text(number, text);
         player->show_moment(time);
         std::vector<std::byte> pixels(small_panel.width * small_panel.height * 2);
         player->draw_rows<PixelFormat::rgb565>(small_panel.height, pixels);
@@ -244,6 +254,7 @@ private:
     std::vector<PlacedInput> placed_;
     std::map<std::uint32_t, ToldDrawing> drawings_;
     Player* player_ = nullptr;
+    std::map<std::uint32_t, std::string> texts_;
     TakingTurns life_{[this] { run_stage(*this); }};
 };
 
@@ -251,7 +262,7 @@ static_assert(ChangingBoard<StagedBoard>);
 static_assert(InputBoard<StagedBoard>);
 static_assert(RestingBoard<StagedBoard>);
 static_assert(ListeningBoard<StagedBoard>);
-static_assert(DrawingBoard<StagedBoard>);
+static_assert(ToldBoard<StagedBoard>);
 
 /// A computer that asks a staged board, with time going on meanwhile.
 class StagedBench {

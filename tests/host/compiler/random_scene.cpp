@@ -276,11 +276,41 @@ private:
         }
         if (sometimes())
             object.keys.back().drawing = object.keys.front().drawing;
-        if (!scene_.bones.empty() && sometimes())
+        if (random_() % 8 == 0)
+            show_text(object);
+        else if (!scene_.bones.empty() && sometimes())
             cover_with_skin(object);
         else if (random_() % 8 == 0)
             object.backbone_keys = backbone_keys();
         return object;
+    }
+
+    /// Of an input of its own, the number of which is one of `texts_`.
+    void show_text(scene::Object& object)
+    {
+        if (texts_.size() == most_texts)
+            return;
+        scene::TextInput text{.glyphs = {}, .most = static_cast<std::uint32_t>(within(1, 12)), .usual = {}};
+        char32_t character = U' ';
+        for (int left = within(1, 9); left > 0; --left, character += static_cast<char32_t>(within(1, 3)))
+            text.glyphs += character;
+        for (int left = within(0, static_cast<int>(text.most)); left > 0; --left)
+            text.usual += text.glyphs[random_() % text.glyphs.size()];
+        object.keys.clear();
+        object.label = scene::Label{.input = texts_.size(),
+                                    .at = point(),
+                                    .align = static_cast<Align>(within(0, 2)),
+                                    .spacing = within(-9000, 9000),
+                                    .glyphs = {},
+                                    .kerning = {}};
+        for (std::size_t i = 0; i < text.glyphs.size(); ++i)
+            object.label->glyphs.push_back({drawing(), within(-9000, 200'000)});
+        for (std::size_t i = 0; i < text.glyphs.size(); ++i)
+            if (sometimes())
+                object.label->kerning.push_back({static_cast<std::uint8_t>(i),
+                                                 static_cast<std::uint8_t>(random_() % text.glyphs.size()),
+                                                 within(1, 5000)});
+        texts_.push_back(text);
     }
 
     std::vector<scene::Point> points(int count)
@@ -404,12 +434,15 @@ private:
 
     void make_inputs()
     {
+        for (const scene::TextInput& text : texts_)
+            scene_.inputs.push_back({.name = name(), .type = InputType::text, .text = text});
+        const std::size_t texts = texts_.size();
         for (int left = within(-3, 3); left > 0; --left) {
             const int least = within(-90'000, 90'000);
             const int most = within(least + 1, 100'000);
             scene_.inputs.push_back({name(), least, most, within(least, most)});
         }
-        if (scene_.inputs.empty())
+        if (scene_.inputs.size() == texts)
             return;
         numbers_ = scene_.inputs.size();
         for (int left = within(-2, 2); left > 0; --left)
@@ -469,10 +502,20 @@ private:
     }
 
     Clock any_clock() { return {static_cast<std::uint8_t>(random_() % (numbers_ + 1))}; }
+    /// The time, or a number: these lie behind the texts.
+    Clock any_clock()
+    {
+        const std::size_t numbers = scene_.inputs.size() - texts_.size();
+        const std::size_t clock = random_() % (numbers + 1);
+        return {static_cast<std::uint8_t>(clock == 0 ? 0 : texts_.size() + clock)};
+    }
+
+    static constexpr std::size_t most_texts = 8;
 
     std::mt19937& random_;
     std::size_t numbers_ = 0; ///< inputs that are some; drawings follow
     scene::Scene scene_;
+    std::vector<scene::TextInput> texts_;
     std::vector<scene::TrackKey> poses_; ///< when bones have keys, until it changes
 };
 

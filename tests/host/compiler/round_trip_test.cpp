@@ -1,3 +1,4 @@
+#include "core/label_view.hpp"
 #include "core/player.hpp"
 #include "core/scene_view.hpp"
 #include "host/compiler/backbone_timeline.hpp"
@@ -82,6 +83,8 @@ private:
             REQUIRE(read.type == input.type);
             if (input.type == InputType::drawing) {
                 compare_drawing(read.drawing, input.drawing);
+            } else if (input.type == InputType::text) {
+                compare_text(read.text, input.text);
                 continue;
             }
             CHECK(read.least == input.least);
@@ -95,6 +98,17 @@ private:
         CHECK(read.strokes == drawing.strokes);
         CHECK(read.points == drawing.points);
         CHECK(unpacked(view_.drawing(read.usual)) == drawing.usual);
+    }
+
+    static void compare_text(const TextInput& read, const scene::TextInput& text)
+    {
+        CHECK(read.most == text.most);
+        REQUIRE(read.glyphs.count() == text.glyphs.size());
+        for (std::uint32_t glyph = 0; glyph < read.glyphs.count(); ++glyph)
+            CHECK(read.glyphs.character(glyph) == text.glyphs[glyph]);
+        REQUIRE(read.usual.size() == text.usual.size());
+        for (std::size_t i = 0; i < text.usual.size(); ++i)
+            CHECK(read.glyphs.character(std::to_integer<std::uint32_t>(read.usual[i])) == text.usual[i]);
     }
 
     void compare_marks()
@@ -171,7 +185,9 @@ private:
             compare_tracks(read.tracks, item);
             if (item.path)
                 compare_path(read.path, *item.path);
-            if (const auto* group = std::get_if<scene::Group>(&item.content))
+            if (is_label)
+                compare_label(read, *shown);
+            else if (const auto* group = std::get_if<scene::Group>(&item.content))
                 compare_items(ItemCursor{read.items}, group->items);
             else if (const auto* use = std::get_if<scene::Use>(&item.content))
                 CHECK(read.symbol == use->symbol);
@@ -279,6 +295,42 @@ private:
     {
         const ObjectView& read = item.object;
         const ObjectStyle& style = read.style;
+    void compare_label(const ItemView& read, const scene::Object& object)
+    {
+        compare_style(read.object.style, object);
+        const scene::Label& label = *object.label;
+        REQUIRE(read.live.kind == LiveKind::label);
+        CHECK(read.live.input == label.input);
+        const LabelView stored = LabelView::of(read.live.label);
+        CHECK(stored.align == label.align);
+        CHECK(stored.x == label.at.x);
+        CHECK(stored.y == label.at.y);
+        CHECK(stored.spacing == label.spacing);
+        REQUIRE(stored.glyph_count == label.glyphs.size());
+        for (std::uint32_t glyph = 0; glyph < stored.glyph_count; ++glyph) {
+            CHECK(stored.advances[glyph] == label.glyphs[glyph].advance);
+            CHECK(unpacked(view_.drawing(static_cast<std::uint32_t>(stored.drawings[glyph]))) ==
+                  label.glyphs[glyph].drawing);
+        }
+        REQUIRE(stored.pair_count() == label.kerning.size());
+        for (const scene::Kerning& pair : label.kerning)
+            CHECK(stored.kerning_between(pair.left, pair.right) == pair.by);
+    }
+
+    void compare_object(const ObjectView& read, const scene::Object& object)
+    {
+        compare_style(read.style, object);
+        REQUIRE(read.carrier == carrier_of(object));
+        if (object.skin)
+            CHECK(read.skeleton == object.skin->bones);
+        if (read.carrier == Carrier::backbones)
+            compare_backbones(read, object);
+        else
+            compare_keys(read, object);
+    }
+
+    static void compare_style(const ObjectStyle& style, const scene::Object& object)
+    {
         REQUIRE(style.is_filled == object.fill.has_value());
         REQUIRE(style.is_stroked == object.stroke.has_value());
         if (object.fill) {
