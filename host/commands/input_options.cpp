@@ -1,6 +1,5 @@
 #include "host/commands/input_options.hpp"
 
-#include "host/commands/glyph_text.hpp"
 #include "host/commands/input_value.hpp"
 #include "host/input_text.hpp"
 #include "host/text/glyph.hpp"
@@ -42,17 +41,8 @@ std::int32_t read_number(std::string_view text, const InputView& input)
 
 std::string read_text(std::string_view text, const InputView& input)
 {
-    std::size_t count = 0;
-    for (std::size_t at = 0; at < text.size(); ++count) {
-        const CodePoint point = code_point_at(text, at);
-        if (!point.valid || !input.text.glyphs.glyph(point.value))
-            refuse(std::string{input.name} + " has no " + quoted(text.substr(at, point.length)) +
-                   ": its characters are " + kfast::quoted(glyph_text(input.text.glyphs)) + " and the space");
-        at += point.length;
-    }
-    if (count > input.text.most)
-        refuse("'" + std::string{text} + "' has " + std::to_string(count) + " characters: " +
-               std::string{input.name} + " has " + std::to_string(input.text.most) + " at most");
+    if (const auto mistake = input_text_mistake(text, input.name, input.text.most, input.text.glyphs))
+        refuse(*mistake);
     return std::string{text};
 }
 
@@ -66,7 +56,8 @@ InputValue read_value(std::string_view text, const InputView& input)
     case InputType::drawing:
         break;
     }
-    refuse("'" + std::string{input.name} + "' is a drawing: write --drawing " + std::string{input.name} + "=FILE");
+    refuse("'" + std::string{input.name} + "' is a drawing: write --drawing " + std::string{input.name} +
+           "=FILE");
 }
 
 /// Where the sign between name and value stands. Names and texts may have one as well: behind the longest

@@ -57,18 +57,13 @@ private:
             const auto line = lines.next(unheeded_at_most);
             if (!line)
                 continue;
-            const auto drawing = read_live_drawing(*line, lines.number(), inputs_);
-            const auto places =
-                drawing ? std::vector<link::InputPlace>{} : read_live_line(*line, lines.number(), inputs_);
-            if (!drawing && places.empty())
+            const LiveValues values = read_live_line(*line, lines.number(), inputs_);
+            if (values.empty())
                 continue;
             while (!has_to_end() && !pace.is_due(unheeded_at_most))
                 continue;
             for (LiveFeed& feed : feeds_)
-                if (drawing)
-                    feed.put(drawing->input, drawing->drawing);
-                else
-                    feed.put(places);
+                feed.put(values);
         }
     }
 
