@@ -62,12 +62,14 @@ public:
 
 private:
     void draw(Time moment, const VisitFrame& visit);
-    bool is_drawing(std::uint32_t input) const { return player_.scene().input(input).type == InputType::drawing; }
+    bool is_drawing(std::uint32_t input) const
+    {
+        return player_.scene().input(input).type == InputType::drawing;
+    }
     void put_inputs(int frame);
     void put_usual_inputs();
     void put_drawing(std::uint32_t input, Bustle bustle, int frame);
     void put_texts(int frame);
-    void put_usual_inputs();
     void put_inputs_and_draw(Time place, const VisitFrame& visit);
     Time moment_of(int frame, Time offset) const;
 

@@ -11,9 +11,9 @@ namespace kfast {
 
 /// What inputs of a scene are to be from now on, by their numbers.
 struct LiveValues {
-    std::map<std::uint8_t, Time> places; ///< of numbers: 0 … whole_input
-    std::map<std::uint8_t, std::string> texts;
-    std::map<std::uint8_t, ToldDrawing> drawings;
+    std::map<std::uint8_t, Time> places = {}; ///< of numbers: 0 … whole_input
+    std::map<std::uint8_t, std::string> texts = {};
+    std::map<std::uint8_t, ToldDrawing> drawings = {};
 
     bool empty() const { return places.empty() && texts.empty() && drawings.empty(); }
     /// What is newer takes the place of what is here.

@@ -436,14 +436,11 @@ private:
     {
         for (const scene::TextInput& text : texts_)
             scene_.inputs.push_back({.name = name(), .type = InputType::text, .text = text});
-        const std::size_t texts = texts_.size();
         for (int left = within(-3, 3); left > 0; --left) {
             const int least = within(-90'000, 90'000);
             const int most = within(least + 1, 100'000);
             scene_.inputs.push_back({name(), least, most, within(least, most)});
         }
-        if (scene_.inputs.size() == texts)
-            return;
         numbers_ = scene_.inputs.size();
         for (int left = within(-2, 2); left > 0; --left)
             scene_.inputs.push_back(drawing_input());
@@ -471,7 +468,7 @@ private:
     void bind(scene::Object& object)
     {
         const std::size_t drawings = scene_.inputs.size() - numbers_;
-        if (drawings != 0 && sometimes()) {
+        if (drawings != 0 && !object.label && sometimes()) {
             object.keys.clear();
             object.skin = {};
             object.backbone_keys.clear();
@@ -501,11 +498,10 @@ private:
         return keys.empty() || keys.back().time <= whole_input;
     }
 
-    Clock any_clock() { return {static_cast<std::uint8_t>(random_() % (numbers_ + 1))}; }
     /// The time, or a number: these lie behind the texts.
     Clock any_clock()
     {
-        const std::size_t numbers = scene_.inputs.size() - texts_.size();
+        const std::size_t numbers = numbers_ - texts_.size();
         const std::size_t clock = random_() % (numbers + 1);
         return {static_cast<std::uint8_t>(clock == 0 ? 0 : texts_.size() + clock)};
     }
@@ -513,7 +509,7 @@ private:
     static constexpr std::size_t most_texts = 8;
 
     std::mt19937& random_;
-    std::size_t numbers_ = 0; ///< inputs that are some; drawings follow
+    std::size_t numbers_ = 0; ///< inputs before the drawings: texts, then numbers
     scene::Scene scene_;
     std::vector<scene::TextInput> texts_;
     std::vector<scene::TrackKey> poses_; ///< when bones have keys, until it changes
