@@ -12,7 +12,8 @@ struct SequenceForm {
     char32_t lowest; ///< anything below is an overlong form
 };
 
-constexpr std::array sequence_forms{
+// The type is written out because g++ 12 keeps in RAM what it has deduced.
+constexpr std::array<SequenceForm, 3> sequence_forms{
     SequenceForm{.mask = 0xE0, .lead = 0xC0, .length = 2, .lowest = 0x80},
     SequenceForm{.mask = 0xF0, .lead = 0xE0, .length = 3, .lowest = 0x800},
     SequenceForm{.mask = 0xF8, .lead = 0xF0, .length = 4, .lowest = 0x10000},

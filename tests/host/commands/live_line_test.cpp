@@ -68,7 +68,7 @@ TEST_CASE("a text may stand beside other values")
     CHECK(read("label \"\u00b0\u00b0\u00b0\u00b0\u00b0\"").texts.size() == 1);
     CHECK(mistake("label") == "line 12: 'label' has no value: write it like label \"12:45\"");
     CHECK(mistake("label 123456") == "line 12: '123456' has 6 characters: label has 5 at most");
-    CHECK(mistake("label \xFF") == "line 12: '<FF>' is no UTF-8");
+    CHECK(mistake("label \xFF") == "line 12: '<0xFF>' is no UTF-8");
 }
 
 TEST_CASE("a line that begins with the name of a drawing is that drawing")

@@ -85,11 +85,11 @@ private:
                 compare_drawing(read.drawing, input.drawing);
             } else if (input.type == InputType::text) {
                 compare_text(read.text, input.text);
-                continue;
+            } else {
+                CHECK(read.least == input.least);
+                CHECK(read.most == input.most);
+                CHECK(read.usual == input.usual);
             }
-            CHECK(read.least == input.least);
-            CHECK(read.most == input.most);
-            CHECK(read.usual == input.usual);
         }
     }
 

@@ -81,10 +81,10 @@ TEST_CASE("an object shows an input of the right kind, and has no drawing of its
     CHECK(findings_with("object o fill=red live=a { key 0 x=1 fill=red; key 9 x=2 fill=blue; track y { at 0 "
                         "1; at 9 2 } }")
               .empty());
-    CHECK(findings_with("object o fill=red live=b") ==
-          "5:24 error: unknown input \"b\" (allowed: a)");
-    CHECK(findings_with("object o fill=red live=n") ==
-          "5:24 error: the input \"n\" is a number, not a drawing (input= takes a number)");
+    CHECK(findings_with("object o fill=red live=b") == "5:24 error: unknown input \"b\" (allowed: a)");
+    CHECK(
+        findings_with("object o fill=red live=n") ==
+        "5:24 error: the input \"n\" is a number, not a drawing (live= shows a drawing; keys go by numbers)");
     CHECK(
         findings_with("object o fill=red { rect 0 0 2 2; track x input=a { at 0 0 } }") ==
         "5:49 error: the input \"a\" is a drawing, not a number (keys go by numbers; live= shows a drawing)");
