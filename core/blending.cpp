@@ -21,7 +21,7 @@ bool has_several_layers(const SceneView& scene, const ItemView& item)
 {
     ItemView only = item;
     for (std::uint32_t depth = 0; depth <= kfb::max_depth; ++depth) {
-        if (only.kind == ItemKind::object)
+        if (only.is_leaf())
             return layer_count(only.object.style) > 1;
         ItemCursor items = scene.items_in(only);
         if (items.at_end())

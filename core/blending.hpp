@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// Fills and strokes of an object.
+/// Fills and strokes of an object or a live item.
 constexpr std::uint32_t layer_count(const ObjectStyle& style)
 {
     return (style.is_filled ? 1U : 0U) + (style.is_stroked ? 1U : 0U);

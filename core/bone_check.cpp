@@ -25,8 +25,8 @@ bool is_within(std::int32_t value, ValueRange range) { return value >= range.lea
 /// Of one skeleton.
 class BoneCheck {
 public:
-    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t inputs)
-        : bones_{bones}, laws_{laws}, inputs_{inputs}
+    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t numbers)
+        : bones_{bones}, laws_{laws}, numbers_{numbers}
     {
     }
 
@@ -35,7 +35,7 @@ public:
 private:
     bool is_key(Clock clock, Time before, Time time, std::uint32_t laws) const
     {
-        return time > before && is_key_moment(clock, time, inputs_) && laws <= laws_;
+        return time > before && is_key_moment(clock, time, numbers_) && laws <= laws_;
     }
 
     bool check_common_keys() const
@@ -93,7 +93,7 @@ private:
 
     const BonesView& bones_;
     std::uint32_t laws_;
-    std::uint32_t inputs_;
+    std::uint32_t numbers_; ///< a bit for each input that is one
 };
 
 }
@@ -103,7 +103,7 @@ bool bones_are_sound(const SceneView& scene, std::uint32_t laws)
     std::uint32_t skeletons = 0;
     for (BonesCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
         const BonesView bones = cursor.next();
-        if (cursor.overrun() || bones.count() == 0 || !BoneCheck{bones, laws, scene.input_count()}.passes())
+        if (cursor.overrun() || bones.count() == 0 || !BoneCheck{bones, laws, scene.number_inputs()}.passes())
             return false;
     }
     return skeletons <= kfb::max_bones;

@@ -4,7 +4,8 @@
 
 namespace kfast {
 
-/// Whether the inputs of the scene, which has its sections, are what the format allows.
+/// Whether the inputs of the scene, which has its sections, are what the format allows, but for the drawings
+/// that they refer to.
 bool inputs_are_sound(const SceneView& scene);
 
 }

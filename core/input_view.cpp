@@ -7,12 +7,21 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t number_kind = 0;
+TextInput take_text(ByteReader& bytes)
+{
+    TextInput text;
+    text.most = bytes.u8();
+    text.glyphs = GlyphSet::take(bytes);
+    text.usual = bytes.take(bytes.u8()).rest();
+    return text;
+}
 
 }
 
 Time InputView::place_of(std::int32_t value) const
 {
+    if (type != InputType::number)
+        return {};
     const std::uint32_t range = static_cast<std::uint32_t>(most) - static_cast<std::uint32_t>(least);
     const auto above =
         static_cast<std::uint32_t>(std::clamp(value, least, most)) - static_cast<std::uint32_t>(least);
@@ -23,13 +32,25 @@ Time InputView::place_of(std::int32_t value) const
 InputView InputCursor::next()
 {
     --left_;
-    if (bytes_.u8() != number_kind)
-        bytes_.refuse();
     InputView input;
+    input.type = static_cast<InputType>(bytes_.u8());
     input.name = read_name(bytes_);
-    input.least = bytes_.signed_varint();
-    input.most = bytes_.signed_varint();
-    input.usual = bytes_.signed_varint();
+    switch (input.type) {
+    case InputType::number:
+        input.least = bytes_.signed_varint();
+        input.most = bytes_.signed_varint();
+        input.usual = bytes_.signed_varint();
+        return input;
+    case InputType::text:
+        input.text = take_text(bytes_);
+        return input;
+    case InputType::drawing:
+        input.drawing.strokes = bytes_.varint();
+        input.drawing.points = bytes_.varint();
+        input.drawing.usual = bytes_.varint();
+        return input;
+    }
+    bytes_.refuse();
     return input;
 }
 

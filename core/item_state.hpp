@@ -26,11 +26,11 @@ public:
     std::uint32_t opacity() const;
     /// From the item's own space to that of what it lies in.
     Space placement() const;
-    /// Only of a filled object.
+    /// Only of what is filled.
     Colour fill() const { return fill_; }
-    /// Only of a stroked object.
+    /// Only of what is stroked.
     Colour stroke() const { return stroke_; }
-    /// Of the stroke; only of a stroked object.
+    /// Of the stroke; likewise.
     Fixed width() const;
 
 private:

@@ -17,8 +17,18 @@ constexpr std::uint32_t carried_bit = 1 << 7;
 
 bool is_known(std::uint32_t head, ItemKind kind)
 {
-    const std::uint32_t object_bits = filled_bit | stroked_bit | even_odd_bit | arrivals_bit | carried_bit;
-    return kind <= ItemKind::use && (kind == ItemKind::object || (head & object_bits) == 0);
+    const std::uint32_t style_bits = filled_bit | stroked_bit | even_odd_bit;
+    const std::uint32_t key_bits = arrivals_bit | carried_bit;
+    switch (kind) {
+    case ItemKind::object:
+        return true;
+    case ItemKind::group:
+    case ItemKind::use:
+        return (head & (style_bits | key_bits)) == 0;
+    case ItemKind::live:
+        return (head & key_bits) == 0;
+    }
+    return false;
 }
 
 void take_tracks(ByteReader& bytes, ItemView& item)
@@ -61,23 +71,46 @@ void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
         style.miter_limit = static_cast<int>(bytes.u8());
 }
 
-ObjectView take_object(ByteReader& bytes, std::uint32_t head)
+ObjectStyle take_style(ByteReader& bytes, std::uint32_t head)
 {
-    ObjectView object;
-    ObjectStyle& style = object.style;
+    ObjectStyle style;
     style.is_filled = (head & filled_bit) != 0;
     style.is_stroked = (head & stroked_bit) != 0;
     style.fill_rule = (head & even_odd_bit) != 0 ? FillRule::even_odd : FillRule::nonzero;
-    object.has_arrivals = (head & arrivals_bit) != 0;
     if (style.is_filled)
         style.fill = static_cast<std::uint8_t>(bytes.u8());
     if (style.is_stroked)
         read_stroke_style(bytes, style);
+    return style;
+}
+
+ObjectView take_object(ByteReader& bytes, std::uint32_t head)
+{
+    ObjectView object;
+    object.style = take_style(bytes, head);
+    object.has_arrivals = (head & arrivals_bit) != 0;
     if ((head & carried_bit) != 0)
         read_carrier(bytes, object);
     object.key_bytes = bytes;
     object.take_keys(bytes);
     return object;
+}
+
+/// Behind the kind of what is live.
+void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
+{
+    switch (item.live.kind) {
+    case LiveKind::drawing:
+        item.live.input = bytes.u8();
+        item.object.style = take_style(bytes, head);
+        return;
+    case LiveKind::label:
+        item.live.input = bytes.u8();
+        item.object.style = take_style(bytes, head);
+        item.live.label = bytes.take(bytes.varint());
+        return;
+    }
+    item.is_known = false;
 }
 
 }
@@ -110,14 +143,24 @@ ItemView ItemCursor::next()
     const std::uint32_t head = bytes_.u8();
     item.kind = static_cast<ItemKind>(head & kind_bits);
     item.is_known = is_known(head, item.kind);
+    if (item.kind == ItemKind::live)
+        item.live.kind = static_cast<LiveKind>(bytes_.u8());
     if ((head & tracks_bit) != 0)
         take_tracks(bytes_, item);
-    if (item.kind == ItemKind::object)
+    switch (item.kind) {
+    case ItemKind::object:
         item.object = take_object(bytes_, head);
-    else if (item.kind == ItemKind::group)
+        break;
+    case ItemKind::group:
         item.items = bytes_.take(bytes_.varint());
-    else
+        break;
+    case ItemKind::use:
         item.symbol = bytes_.u8();
+        break;
+    case ItemKind::live:
+        take_live(bytes_, head, item);
+        break;
+    }
     return item;
 }
 

@@ -87,7 +87,20 @@ struct ObjectView {
     KeyCursor take_keys(ByteReader& bytes) const { return {bytes, has_arrivals, carrier == Carrier::bones}; }
 };
 
-enum class ItemKind : std::uint8_t { object, group, use };
+enum class ItemKind : std::uint8_t { object, group, use, live };
+
+/// What a live item shows.
+enum class LiveKind : std::uint8_t {
+    drawing, ///< an input of InputType::drawing, in the item's style
+    label,   ///< one of InputType::text, likewise
+};
+
+/// What a live item is besides its tracks and its style.
+struct LiveView {
+    LiveKind kind = LiveKind::drawing;
+    std::uint32_t input = 0; ///< its number in the scene
+    ByteReader label{};      ///< how the text is laid out, for LabelView; only of a label
+};
 
 /// Something that is painted; borrows the scene's bytes.
 struct ItemView {
@@ -96,9 +109,13 @@ struct ItemView {
     const std::byte* place = nullptr; ///< where it begins in the scene's bytes
     TrackCursor tracks;
     PathView path;            ///< only if there is a track of Property::along
-    ObjectView object;        ///< only of an object
+    ObjectView object;        ///< only of an object; the style also of a live item
+    LiveView live{};          ///< only of a live item
     ByteReader items;         ///< inside; only of a group
     std::uint32_t symbol = 0; ///< only of a use
+
+    /// Whether it is painted itself, instead of items inside of it.
+    bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
 };
 
 /// Reads items that lie beside each other, the lowest first.

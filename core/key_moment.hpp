@@ -8,10 +8,12 @@
 
 namespace kfast {
 
-/// Whether a scene with `inputs` of them may have a key there.
-constexpr bool is_key_moment(Clock clock, Time time, std::uint32_t inputs)
+/// Whether a scene may have a key there, the inputs of which are numbers where `numbers` has their bit.
+constexpr bool is_key_moment(Clock clock, Time time, std::uint32_t numbers)
 {
-    return clock.is_time() ? time.ticks <= kfb::max_time : clock.input <= inputs && time <= whole_input;
+    if (clock.is_time())
+        return time.ticks <= kfb::max_time;
+    return clock.input <= kfb::max_inputs && (numbers >> (clock.input - 1U) & 1U) != 0 && time <= whole_input;
 }
 
 }

@@ -31,8 +31,8 @@ constexpr std::int32_t top(std::uint32_t bits, std::uint32_t count)
 
 }
 
-PackedDrawing::PackedDrawing(std::span<const std::byte> drawings, std::uint32_t offset)
-    : drawings_{drawings}, bytes_{drawings.subspan(offset)}, strokes_{bytes_.varint()}
+PackedDrawing::PackedDrawing(std::span<const std::byte> drawings, std::uint32_t offset, Point origin)
+    : drawings_{drawings}, bytes_{drawings.subspan(offset)}, strokes_{bytes_.varint()}, start_{origin}
 {
 }
 

@@ -14,8 +14,9 @@ namespace kfast {
 /// A key drawing as it lies in a compiled scene (docs/format.md, "Drawings"), read in place.
 class PackedDrawing {
 public:
-    /// `drawings` is a scene's section of drawings, `offset` less than its size.
-    PackedDrawing(std::span<const std::byte> drawings, std::uint32_t offset);
+    /// `drawings` is a scene's section of drawings, `offset` less than its size. The drawing's (0, 0) lies at
+    /// `origin`.
+    PackedDrawing(std::span<const std::byte> drawings, std::uint32_t offset, Point origin = {});
 
     std::uint32_t strokes() const { return strokes_; }
     std::uint32_t next_stroke();

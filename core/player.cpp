@@ -21,20 +21,23 @@ struct BlockPlan {
     std::size_t bones;
     std::size_t nodes;
     std::size_t inputs;
+    std::size_t drawings;
+    std::size_t texts;
     std::size_t backdrops;
 
     BlockPlan(const SceneView& scene, Size panel)
         : outlines{outline_bytes(scene, panel)}, steps{scene.paint_steps() * sizeof(PaintStep)},
           cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)},
           bones{scene.bone_count() * sizeof(LiveBone)}, nodes{scene.backbone_nodes() * sizeof(BackboneNode)},
-          inputs{scene.input_count() * sizeof(Time)}, backdrops{scene.blended_depth() * widest_pixel *
-                                                                static_cast<std::size_t>(panel.width)}
+          inputs{scene.input_count() * sizeof(Time)}, drawings{LiveDrawings::bytes_for(scene)},
+          texts{LiveTexts::bytes_for(scene)}, backdrops{scene.blended_depth() * widest_pixel *
+                                                        static_cast<std::size_t>(panel.width)}
     {
     }
 
     std::size_t size() const
     {
-        return 2 * (outlines + steps) + cells + spans + bones + nodes + inputs + backdrops;
+        return 2 * (outlines + steps) + cells + spans + bones + nodes + inputs + drawings + texts + backdrops;
     }
 
     /// A panel that is larger than the canvas needs curves of more pieces: their number grows with the square
@@ -90,7 +93,7 @@ Camera camera_for(const SceneView& scene, Size panel, const Space& canvas)
 SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
 {
     const Space canvas = canvas_space(scene.canvas(), panel, fit);
-    return {scene, canvas, camera_for(scene, panel, canvas), {}, {}};
+    return {scene, canvas, camera_for(scene, panel, canvas), {}, {}, {}, {}};
 }
 
 std::span<std::int32_t> zeroed(std::span<std::int32_t> cells)
@@ -126,6 +129,8 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
     on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(plan.nodes);
     inputs_ = cutter.cut_as<Time>(plan.inputs);
     put_usual_places(scene.inputs(), inputs_);
+    on_panel_.drawings = {scene, cutter.cut(plan.drawings)};
+    on_panel_.texts = {scene, cutter.cut(plan.texts)};
     backdrops_ = cutter.cut(plan.backdrops);
     set_up_bones(scene, on_panel_.bones);
     trace({});
@@ -165,6 +170,38 @@ void Player::set_input(std::uint32_t number, Time place)
     if (inputs_[number] == held)
         return;
     inputs_[number] = held;
+    note_moved(number);
+}
+
+void Player::set_text(std::uint32_t number, std::string_view text)
+{
+    if (on_panel_.texts.put(scene(), number, text))
+        note_moved(number);
+}
+
+bool Player::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
+{
+    LiveDrawing live = drawing(number);
+    live.begin();
+    for (const LiveStroke& stroke : strokes) {
+        live.begin_stroke();
+        if (!std::ranges::all_of(stroke, [&live](LivePoint point) { return live.add(point); })) {
+            live.begin();
+            return false;
+        }
+    }
+    show_next_drawing(number);
+    return true;
+}
+
+void Player::show_next_drawing(std::uint32_t number)
+{
+    if (drawing(number).show())
+        note_moved(number);
+}
+
+void Player::note_moved(std::uint32_t number)
+{
     moved_since_shown_ |= bit_of_input(number);
     moved_since_coming_ |= bit_of_input(number);
 }

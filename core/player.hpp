@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace kfast {
 
@@ -51,6 +52,22 @@ public:
     /// within 0 … whole_input (InputView::place_of). At first inputs stand at their usual values.
     void set_input(std::uint32_t number, Time place);
     Time input(std::uint32_t number) const { return inputs_[number]; }
+    /// From now on the input `number` of the scene, less than input_count(), is `text`, in UTF-8. Characters
+    /// that have no glyph are left out, and so are those beyond the most that the input takes. At first
+    /// inputs have their usual texts. One that is no text stays as it is.
+    void set_text(std::uint32_t number, std::string_view text);
+    /// The glyphs of the input `number` of the scene, a text, by their numbers.
+    std::span<const std::byte> text(std::uint32_t number) const
+    {
+        return on_panel_.texts.glyphs(scene(), number);
+    }
+    /// From now on the input `number` of the scene, a drawing, is `strokes`, of which none without points
+    /// counts; at first it is the usual one. Whether there is room for them; if not, nothing changes.
+    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes);
+    /// Likewise what has been told to drawing(number).
+    void show_next_drawing(std::uint32_t number);
+    /// For telling a drawing point by point. What is next is shown by show_next_drawing() alone.
+    LiveDrawing drawing(std::uint32_t number) const { return on_panel_.drawings.of(scene(), number); }
 
     /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
     /// `pixels` is aligned to 2 if pixels are 16 bits (a Cortex-M0 faults otherwise). The first call after
@@ -83,6 +100,7 @@ private:
     TracedPicture& coming() { return pictures_[coming_]; }
     TracedPicture& shown() { return pictures_[1 - coming_]; }
     void trace(Time time);
+    void note_moved(std::uint32_t number);
     void begin_changes();
     const Strip& next_whole_rows(int rows);
     template <PixelFormat format>

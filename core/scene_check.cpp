@@ -1,8 +1,8 @@
 #include "core/scene_check.hpp"
 
+#include "core/backbone_check.hpp"
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
-#include "core/input_check.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
@@ -50,48 +50,11 @@ bool is_sound(const Binding& binding, std::uint32_t bones)
     return sound;
 }
 
-/// Of two drawings that have been checked: as many strokes, with the same segments of the same kinds.
-bool is_built_alike(PackedDrawing a, PackedDrawing b)
-{
-    if (a.strokes() != b.strokes())
-        return false;
-    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
-        const std::uint32_t segments = a.next_stroke();
-        if (b.next_stroke() != segments)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (a.next_segment().kind != b.next_segment().kind)
-                return false;
-    }
-    return true;
-}
-
-/// Three strokes of lines for each backbone, with as many points, at least two.
-bool are_backbones(PackedDrawing drawing)
-{
-    std::uint32_t all = 0;
-    std::uint32_t nodes = 0;
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
-        const std::uint32_t segments = drawing.next_stroke();
-        if (stroke % 3 == 0) {
-            nodes = segments;
-            all += segments;
-        }
-        if (segments == 0 || segments != nodes)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (drawing.next_segment().kind != Segment::Kind::line)
-                return false;
-    }
-    return drawing.strokes() != 0 && drawing.strokes() % 3 == 0 &&
-           drawing.strokes() <= 3 * kfb::max_backbones && all <= kfb::max_backbone_segments;
-}
-
 }
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && inputs_are_sound(scene_) && check_clips() && check_events() &&
+    return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
            count_items(scene_.items(), 0, 0);
 }
@@ -182,6 +145,8 @@ bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, 
         return depth < kfb::max_depth && check_items(ItemCursor{item.items}, usable_symbols, depth + 1);
     case ItemKind::use:
         return item.symbol < usable_symbols;
+    case ItemKind::live:
+        return check_live(item);
     }
     return false;
 }
@@ -225,7 +190,7 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) c
 
 bool SceneCheck::is_moment(Clock clock, Time time) const
 {
-    return is_key_moment(clock, time, scene_.input_count());
+    return is_key_moment(clock, time, scene_.number_inputs());
 }
 
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
@@ -387,7 +352,7 @@ bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint
         scene_.paint_steps_ += 2;
         scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
     }
-    if (item.kind == ItemKind::object) {
+    if (item.is_leaf()) {
         scene_.paint_steps_ += layer_count(item.object.style);
         return true;
     }

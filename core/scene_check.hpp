@@ -1,6 +1,10 @@
 #pragma once
 
+#include "core/label_view.hpp"
 #include "core/scene_view.hpp"
+
+#include <cstdint>
+#include <optional>
 
 namespace kfast {
 
@@ -16,6 +20,8 @@ public:
 private:
     bool check_header() const;
     bool check_laws() const;
+    bool check_inputs();
+    bool check_usual(const DrawingInput& input);
     bool check_clips() const;
     bool check_events() const;
     bool check_bones();
@@ -25,6 +31,9 @@ private:
     bool check_tracks(const ItemView& item) const;
     bool check_track(const TrackView& track, const ObjectStyle& style) const;
     bool check_value(const TrackView& track, std::int32_t value) const;
+    bool check_live(const ItemView& item);
+    bool check_label(const LabelView& label, const TextInput& text);
+    std::optional<InputView> input_at(std::uint32_t number) const;
     bool check_object(const ObjectView& object);
     bool check_style(const ObjectStyle& style) const;
     bool check_keys(const ObjectView& object);

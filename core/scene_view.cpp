@@ -140,6 +140,14 @@ ItemCursor SceneView::symbol(std::uint32_t number) const
     return ItemCursor{reader.take(reader.varint())};
 }
 
+InputView SceneView::input(std::uint32_t number) const
+{
+    InputCursor cursor = inputs();
+    for (; number > 0; --number)
+        cursor.next();
+    return cursor.next();
+}
+
 std::optional<std::uint32_t> SceneView::input(std::string_view name) const
 {
     std::uint32_t number = 0;

@@ -66,7 +66,7 @@ public:
     ItemCursor items() const { return ItemCursor{items_}; }
     /// `number` is less than symbol_count().
     ItemCursor symbol(std::uint32_t number) const;
-    /// What lies in a group or in the symbol that is used.
+    /// What lies in a group or in the symbol that is used; not of a leaf.
     ItemCursor items_in(const ItemView& item) const;
     std::uint32_t symbol_count() const { return symbol_count_; }
     /// `offset` is that of a key.
@@ -76,9 +76,13 @@ public:
     SkinReader skin(std::int32_t skin) const;
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
-    /// Numbers that keys may go by.
+    /// What the scene takes from outside.
     InputCursor inputs() const { return {inputs_, input_count_}; }
     std::uint32_t input_count() const { return input_count_; }
+    /// `number` is less than input_count().
+    InputView input(std::uint32_t number) const;
+    /// A bit for each input that is a number, the first in the lowest: keys may go by it.
+    std::uint32_t number_inputs() const { return number_inputs_; }
     /// The number of the input that has this name.
     std::optional<std::uint32_t> input(std::string_view name) const;
     ClipCursor clips() const;
@@ -107,6 +111,7 @@ private:
     std::uint32_t law_count_ = 0;
     std::uint32_t symbol_count_ = 0;
     std::uint32_t input_count_ = 0;
+    std::uint32_t number_inputs_ = 0;
     std::size_t colour_bytes_ = 3; ///< 4 if they have opacities
     std::span<const std::byte> palette_;
     ByteReader laws_;

@@ -2,6 +2,7 @@
 set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/affine.cpp
     ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/backbone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
@@ -12,10 +13,12 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/carried_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/chain_edge.cpp
     ${CMAKE_CURRENT_LIST_DIR}/changed_strips.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/code_point.cpp
     ${CMAKE_CURRENT_LIST_DIR}/coverage_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/covered_span.cpp
     ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
     ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/glyph_set.cpp
     ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
     ${CMAKE_CURRENT_LIST_DIR}/hermite.cpp
     ${CMAKE_CURRENT_LIST_DIR}/input_check.cpp
@@ -23,10 +26,18 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/item_state.cpp
     ${CMAKE_CURRENT_LIST_DIR}/item_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/key_interval.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/label_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/label_layout.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/label_trace.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/label_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/law_pair.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_backbones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_bones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawing_trace.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_drawings.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_texts.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp
     ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
@@ -43,6 +54,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/row_parts.cpp
     ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp

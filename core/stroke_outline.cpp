@@ -103,6 +103,8 @@ std::uint32_t rest_of_turn(Heading a, Heading b, std::int32_t cosine)
 
 }
 
+int most_corners_of_half_turn(Fixed half_width) { return (2 * quarter_turn - 1) / arc_step(half_width, 0); }
+
 /// What two pieces leave between them: where their inner sides end, and how far they turn.
 struct StrokeOutline::Bend {
     Side inner;

@@ -16,6 +16,9 @@ struct Pen {
     int miter_limit = default_miter_limit; ///< in 1/8 widths, 8 … 255
 };
 
+/// How many corners lie between the ends of half a turn of a pen, at most.
+int most_corners_of_half_turn(Fixed half_width);
+
 /// Turns strokes into contours as they are drawn: nothing is stored but the first and the last piece. Both
 /// sides of a stroke grow at once. The winding number is positive wherever the pen has been: what the contour
 /// goes around is the sum of a rectangle for each piece and a wedge for each join.

@@ -2,6 +2,8 @@
 
 #include "core/blending.hpp"
 #include "core/item_path.hpp"
+#include "core/label_trace.hpp"
+#include "core/live_drawing_trace.hpp"
 #include "core/live_strokes.hpp"
 #include "core/opacity.hpp"
 #include "core/paint_order.hpp"
@@ -57,7 +59,7 @@ void Tracer::trace(const ItemView& item, const Context& outer)
 {
     Context context = outer;
     context.path = path_to(item, outer.path, on_panel_.scene);
-    context.is_object = item.kind == ItemKind::object;
+    context.is_leaf = item.is_leaf();
     work_for(context.path);
     did(Work::item);
     if (copy_still(context))
@@ -82,13 +84,15 @@ void Tracer::trace(const ItemView& item, const ItemState& state, const Context& 
 {
     if (item.kind == ItemKind::object)
         return trace_object(item.object, state, context);
+    if (item.kind == ItemKind::live)
+        return trace_live(item, state, context);
     trace(on_panel_.scene.items_in(item), context);
 }
 
 /// Takes over what shows an object that has not moved since the last picture.
 bool Tracer::copy_still(const Context& context)
 {
-    if (last_ == nullptr || !context.is_object)
+    if (last_ == nullptr || !context.is_leaf)
         return false;
     const std::span<const PaintStep> steps = last_->steps();
     const std::size_t furthest = std::min(steps.size(), last_step_ + look_ahead);
@@ -125,21 +129,65 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, cons
     Context context = outer;
     context.still = outer.still & still_of(object, keys, clock);
     picture_.still = picture_.still & context.still;
-    const ObjectStyle& style = object.style;
+    add_layers(
+        object.style, state, context, [&] { return first_point(object, keys.from); },
+        [&](const Affine& placement, ObjectOutline& outline) {
+            trace_strokes(object, keys, time, placement, outline);
+        });
+}
+
+void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)
+{
+    Context context = outer;
+    context.still = outer.still & Still{.inputs = bit_of_input(item.live.input)};
+    picture_.still = picture_.still & context.still;
+    switch (item.live.kind) {
+    case LiveKind::drawing:
+        return trace_drawing(on_panel_.drawings.of(on_panel_.scene, item.live.input), item.object.style,
+                             state, context);
+    case LiveKind::label:
+        return trace_label(item, state, context);
+    }
+}
+
+void Tracer::trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
+                           const Context& context)
+{
+    add_layers(
+        style, state, context, [&] { return start_of(drawing); },
+        [&](const Affine& placement, ObjectOutline& outline) {
+            did(Work::object);
+            trace_live_strokes(drawing, placement, outline);
+        });
+}
+
+void Tracer::trace_label(const ItemView& item, const ItemState& state, const Context& context)
+{
+    const SceneView& scene = on_panel_.scene;
+    const LabelTrace label{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
+                           scene.drawings()};
+    add_layers(
+        item.object.style, state, context, [&] { return label.start(); },
+        [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });
+}
+
+/// trace(placement, outline) adds what is painted to an outline.
+template <class FirstPoint, class Trace>
+void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
+                        FirstPoint first_point, Trace trace)
+{
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
     ObjectOutline outline{picture_.outlines, is_flat ? nullptr : &projection, picture_.coarseness};
-    const auto trace = [&] {
-        trace_strokes(object, keys, time, is_flat ? context.space.plane : Affine{}, outline);
-    };
+    const Affine placement = is_flat ? context.space.plane : Affine{};
+    const auto trace_placed = [&] { trace(placement, outline); };
     if (style.is_filled)
-        add_layer(state.fill(), style.fill_rule, context, trace);
+        add_layer(state.fill(), style.fill_rule, context, trace_placed);
     if (!style.is_stroked)
         return;
-    outline.stroke_with(pen_for(style, state.width(),
-                                is_flat ? context.space.plane.growth()
-                                        : projection.growth_at(first_point(object, keys.from))));
-    add_layer(state.stroke(), FillRule::nonzero, context, trace);
+    outline.stroke_with(pen_for(
+        style, state.width(), is_flat ? context.space.plane.growth() : projection.growth_at(first_point())));
+    add_layer(state.stroke(), FillRule::nonzero, context, trace_placed);
 }
 
 Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys, Clock clock) const

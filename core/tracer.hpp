@@ -5,6 +5,8 @@
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
+#include "core/live_drawings.hpp"
+#include "core/live_texts.hpp"
 #include "core/moment.hpp"
 #include "core/object_outline.hpp"
 #include "core/projection.hpp"
@@ -26,6 +28,8 @@ struct SceneOnPanel {
     Camera camera;
     std::span<LiveBone> bones; ///< of all skeletons; set up
     std::span<BackboneNode> backbone_nodes;
+    LiveDrawings drawings{}; ///< from outside
+    LiveTexts texts{};       ///< likewise
 };
 
 /// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
@@ -49,7 +53,7 @@ private:
         Still still;
         std::uint32_t path = 0;      ///< tells the item apart
         std::uint32_t opacity = 255; ///< of items around a single layer
-        bool is_object = false;
+        bool is_leaf = false;
     };
 
     static constexpr std::uint8_t coarsest = 8;
@@ -59,6 +63,10 @@ private:
     void trace(ItemCursor items, const Context& context);
     void trace(const ItemView& item, const Context& context);
     void trace(const ItemView& item, const ItemState& state, const Context& context);
+    void trace_live(const ItemView& item, const ItemState& state, const Context& context);
+    void trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
+                       const Context& context);
+    void trace_label(const ItemView& item, const ItemState& state, const Context& context);
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
     void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, Time time,
                        const Affine& placement, ObjectOutline& outline);
@@ -69,6 +77,9 @@ private:
     bool copy_still(const Context& context);
     void copy(const PaintStep& step);
     PaintStep& add_step(PaintStep::Kind kind, const Context& context);
+    template <class FirstPoint, class Trace>
+    void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
+                    FirstPoint first_point, Trace trace);
     template <class Trace>
     void add_layer(Colour colour, FillRule rule, const Context& context, Trace trace);
 

@@ -20,6 +20,8 @@
 
 namespace kfast {
 
+class Player;
+
 /// What the run loop tells a board about a frame.
 struct FrameReport {
     Time time;
@@ -99,6 +101,13 @@ concept SteeredBoard = Board<B> && requires(B& board, Playhead& playhead) {
 template <class B>
 concept InputBoard = Board<B> && requires(B& board) {
     { board.inputs() } -> std::convertible_to<std::span<const PlacedInput>>;
+};
+
+/// A board that is told drawings and texts of the scene while it plays. It knows the player from the moment in which it
+/// is ready until it is over: then it is null.
+template <class B>
+concept ToldBoard = Board<B> && requires(B& board, Player* player) {
+    { board.plays(player) } -> std::same_as<void>;
 };
 
 /// A board that can switch its display off: while it wants to rest, time stands still and nothing is shown.

@@ -186,7 +186,11 @@ void run_scene(B& board)
         return refuse(board, player.error());
 
     board.scene_started(*scene);
+    if constexpr (ToldBoard<B>)
+        board.plays(&*player);
     play(board, *player, playhead_for(board, *scene), {scene->frame_rate(), board.now()});
+    if constexpr (ToldBoard<B>)
+        board.plays(nullptr);
 }
 
 /// Begins the panel, and runs the board's scene.

@@ -36,6 +36,10 @@ enum class Status : std::uint8_t {
     timed_out,       ///< no block came for too long; the upload is over
     flash_failed,    ///< flash does not hold what was written to it
     unsupported,     ///< this board cannot do that
+    no_drawing,      ///< the input takes something else
+    drawing_broken,  ///< a report of it is missing, or came twice; the drawing before stays
+    drawing_large,   ///< more strokes or points than the input takes; the drawing before stays
+    no_text,         ///< likewise
 };
 
 /// A later device may have more of them.
@@ -111,6 +115,14 @@ constexpr std::string_view status_text(Status status)
         return "flash does not hold what was written to it"sv;
     case Status::unsupported:
         return "this board cannot do that"sv;
+    case Status::no_drawing:
+        return "this input of the scene is no drawing"sv;
+    case Status::drawing_broken:
+        return "reports of the drawing are missing or repeated"sv;
+    case Status::drawing_large:
+        return "the drawing has more points than the input takes"sv;
+    case Status::no_text:
+        return "this input of the scene is no text"sv;
     }
     return ""sv;
 }

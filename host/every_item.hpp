@@ -28,11 +28,11 @@ void every_item(const SceneView& scene, Visit visit)
     every_item(scene.items(), visit);
 }
 
-/// The objects that the scene stores, those of a symbol counted once.
+/// The objects that the scene stores, live ones too, those of a symbol counted once.
 inline std::size_t object_count(const SceneView& scene)
 {
     std::size_t count = 0;
-    every_item(scene, [&count](const ItemView& item) { count += item.kind == ItemKind::object ? 1 : 0; });
+    every_item(scene, [&count](const ItemView& item) { count += item.is_leaf() ? 1 : 0; });
     return count;
 }
 

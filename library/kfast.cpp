@@ -50,9 +50,10 @@ constexpr std::array error_texts{
     "bad_panel_size: a side of the panel is not 1 to 4096 pixels long",
     "no_such_clip: the scene has no clip of this name",
     "null_pointer: a pointer is NULL",
-    "no_such_input: the scene has no input of this name",
+    "no_such_input: the scene has no input of this name and kind",
+    "drawing_too_large: the input takes fewer strokes or points",
 };
-static_assert(error_texts.size() == KFAST_NO_SUCH_INPUT + 1 && code_of(Error::block_too_small) == 6);
+static_assert(error_texts.size() == KFAST_DRAWING_TOO_LARGE + 1 && code_of(Error::block_too_small) == 6);
 
 /// Bytes of the block before the player, at most: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;
@@ -82,6 +83,22 @@ bool is_panel(Size size)
 {
     const auto is_side = [](int length) { return length >= 1 && length <= Player::max_panel; };
     return is_side(size.width) && is_side(size.height);
+}
+
+/// Whether there was room for all of it.
+bool tell(kfast::LiveDrawing drawing, const kfast_point* points, std::span<const std::uint16_t> strokes)
+{
+    drawing.begin();
+    for (const std::uint16_t count : strokes) {
+        drawing.begin_stroke();
+        for (const kfast_point point : std::span{points, count})
+            if (!drawing.add({point.x, point.y})) {
+                drawing.begin();
+                return false;
+            }
+        points += count;
+    }
+    return true;
 }
 
 template <PixelFormat format>
@@ -146,6 +163,28 @@ kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t valu
     if (player == nullptr || name == nullptr)
         return KFAST_NULL_POINTER;
     return player->animation.set_input(name, value) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
+}
+
+kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text)
+{
+    if (player == nullptr || name == nullptr || text == nullptr)
+        return KFAST_NULL_POINTER;
+    return player->animation.set_text(name, text) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
+}
+
+kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
+                              const uint16_t* stroke_points, size_t strokes)
+{
+    const bool has_strokes = points != nullptr && stroke_points != nullptr;
+    if (player == nullptr || name == nullptr || (strokes != 0 && !has_strokes))
+        return KFAST_NULL_POINTER;
+    const auto drawing = player->animation.drawing(name);
+    if (!drawing)
+        return KFAST_NO_SUCH_INPUT;
+    if (!tell(*drawing, points, {stroke_points, strokes}))
+        return KFAST_DRAWING_TOO_LARGE;
+    player->animation.show_next_drawing(name);
+    return KFAST_OK;
 }
 
 kfast_error kfast_show(kfast_player* player, int32_t time)

@@ -26,7 +26,8 @@ typedef enum kfast_error {
     KFAST_BAD_PANEL_SIZE,      /* a side of the panel is not 1 to 4096 pixels long */
     KFAST_NO_SUCH_CLIP,        /* the scene has no clip of this name */
     KFAST_NULL_POINTER,        /* a pointer is NULL: a player that was not made, memory that was not lent */
-    KFAST_NO_SUCH_INPUT        /* the scene has no input of this name */
+    KFAST_NO_SUCH_INPUT,       /* the scene has no input of this name and kind */
+    KFAST_DRAWING_TOO_LARGE    /* the input takes fewer strokes or points */
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -56,6 +57,23 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
  * 1/1000 of what the scene counts it in (500 is 0.5), held within the input's range. At first inputs have the
  * usual values that the scene gives them. If there is no such input, nothing changes. */
 kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value);
+
+/* Tells a text that is an input of the scene, in UTF-8, from the next kfast_show() on. Characters that the
+ * scene has no letters for are left out, and so are those beyond the most that the input takes. At first a
+ * text is the usual one. If there is no such input, nothing changes. */
+kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text);
+/* A point of a drawing, in 1/16 pixel of the objects that show it; y points down. */
+typedef struct kfast_point {
+    int16_t x;
+    int16_t y;
+} kfast_point;
+
+/* Sets a drawing among the inputs of the scene, such as a curve that is measured, from the next kfast_show() on:
+ * to as many strokes as `strokes`, of stroke_points[0], stroke_points[1], ... points, which lie one after another
+ * in `points`. A stroke is closed if it ends where it begins. All is copied. No strokes are the empty drawing. If
+ * there is no such drawing, or if it takes less, nothing changes. */
+kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
+                              const uint16_t* stroke_points, size_t strokes);
 
 /* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
  * stands for. */

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -54,17 +55,44 @@ public:
     void choose_scene() { stretch_ = stretch_of(scene()); }
 
     /// Sets an input of the scene, from the next show() on: to `value` in 1/1000 of what the scene counts it
-    /// in, held within the input's range. At first inputs have their usual values. An input that the scene
-    /// has not changes nothing, and the answer is false.
+    /// in, held within the input's range. At first inputs have their usual values. A number that
+    /// the scene has not among its inputs changes nothing, and the answer is false.
     bool set_input(std::string_view name, std::int32_t value)
     {
-        InputCursor inputs = scene().inputs();
-        for (std::uint32_t number = 0; !inputs.at_end(); ++number)
-            if (const InputView input = inputs.next(); input.name == name) {
-                player_.set_input(number, input.place_of(value));
-                return true;
-            }
-        return false;
+        return with_input(name, InputType::number, [&](std::uint32_t number, const InputView& input) {
+            player_.set_input(number, input.place_of(value));
+        });
+    }
+
+    /// Tells a text that is an input of the scene, in UTF-8, from the next show() on. Characters that the
+    /// scene has no letters for are left out, and so are those beyond the most that the input takes.
+    /// Otherwise as set_input().
+    bool set_text(std::string_view name, std::string_view text)
+    {
+        return with_input(name, InputType::text,
+                          [&](std::uint32_t number, const InputView&) { player_.set_text(number, text); });
+    }
+
+    /// Sets a drawing among the inputs of the scene, from the next show() on: to `strokes`, their points in
+    /// 1/16 px of the objects that show it. If there is no such drawing, or if it takes fewer strokes or
+    /// points, nothing changes, and the answer is false.
+    bool set_drawing(std::string_view name, std::span<const LiveStroke> strokes)
+    {
+        const auto number = input(name, InputType::drawing);
+        return number && player_.set_drawing(*number, strokes);
+    }
+    /// For telling a drawing point by point; what is next is shown by show_next_drawing(name) alone. None if
+    /// the scene has no such drawing.
+    std::optional<LiveDrawing> drawing(std::string_view name) const
+    {
+        const auto number = input(name, InputType::drawing);
+        return number ? std::optional{player_.drawing(*number)} : std::nullopt;
+    }
+    /// From the next show() on. What the scene has not changes nothing.
+    void show_next_drawing(std::string_view name)
+    {
+        if (const auto number = input(name, InputType::drawing))
+            player_.show_next_drawing(*number);
     }
 
     /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
@@ -116,12 +144,34 @@ public:
     Size panel() const { return player_.panel(); }
 
 private:
+    /// Calls visit(number, input) for the first input of that name, if it is of this type; whether it is.
+    template <class Visit>
+    bool with_input(std::string_view name, InputType type, Visit visit) const
+    {
+        InputCursor inputs = scene().inputs();
+        for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
+            const InputView input = inputs.next();
+            if (input.name != name)
+                continue;
+            if (input.type == type)
+                visit(number, input);
+            return input.type == type;
+        }
+        return false;
+    }
+
     /// What an area costs besides its pixels: most displays are told its columns and rows in 11 bytes.
     static constexpr int area_bytes = 11;
 
     static std::size_t beyond_halfword(const std::byte* at)
     {
         return reinterpret_cast<std::uintptr_t>(at) % 2;
+    }
+
+    std::optional<std::uint32_t> input(std::string_view name, InputType type) const
+    {
+        const auto number = scene().input(name);
+        return number && scene().input(*number).type == type ? number : std::nullopt;
     }
 
     explicit Animation(const Player& player) : player_{player}, stretch_{stretch_of(player.scene())} {}

@@ -62,7 +62,7 @@ private:
             Board board{panel, settings, clock_, computer_};
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
-                          SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B> && ChangingBoard<B>);
+                          SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B> && ChangingBoard<B> && ToldBoard<B>);
             run_stage(board);
         });
         __builtin_unreachable(); // the board wants to run for ever

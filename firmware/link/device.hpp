@@ -2,6 +2,7 @@
 
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
+#include "firmware/link/drawing_part.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/status.hpp"
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace kfast::link {
 
@@ -37,7 +39,8 @@ struct Programme {
 /// What the link asks of a device. All of it returns soon: what takes time begins.
 template <class D>
 concept Device = requires(D& device, const D& same, const Programme& programme, const SceneView& scene,
-                          std::uint32_t size, Time time, std::int32_t speed, std::uint8_t number, Microseconds now) {
+                          const DrawingPart& part, std::string_view text, std::uint32_t size, Time time,
+                          std::int32_t speed, std::uint8_t number, Microseconds now) {
     { same.facts() } -> std::same_as<DeviceFacts>;
     { same.playing() } -> std::same_as<Playing>;
     /// Without link_errors, which the link counts.
@@ -74,6 +77,10 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     { device.set_brightness(number) } -> std::same_as<Status>;
     /// `number` is one of playing().inputs, and `time` within 0 … whole_input.
     { device.set_input(std::uint32_t{number}, time) } -> std::same_as<void>;
+    /// UTF-8. `number` is one of playing().inputs. Fails with no_text where the input is none, and nothing_plays.
+    { device.set_text(std::uint32_t{number}, text) } -> std::same_as<Status>;
+    /// Its input is one of playing().inputs. Tells it to the player that plays: tell() does it (told_drawing.hpp).
+    { device.tell(part) } -> std::same_as<Status>;
     /// Soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
     { device.enter_boot_loader(now) } -> std::same_as<Status>;
 };

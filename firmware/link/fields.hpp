@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/byte_reader.hpp"
+#include "core/live_drawing.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
 #include "firmware/link/report.hpp"
@@ -36,6 +37,11 @@ private:
     constexpr void write(std::uint32_t value) { to_.u32(value); }
     constexpr void write(std::int32_t value) { to_.u32(static_cast<std::uint32_t>(value)); }
     constexpr void write(Time time) { write(time.ticks); }
+    constexpr void write(LivePoint point)
+    {
+        to_.u16(static_cast<std::uint16_t>(point.x));
+        to_.u16(static_cast<std::uint16_t>(point.y));
+    }
     constexpr void write(Size size)
     {
         to_.u16(static_cast<std::uint32_t>(size.width));
@@ -90,6 +96,11 @@ private:
     void read(std::uint32_t& value) { value = from_.u32(); }
     void read(std::int32_t& value) { value = static_cast<std::int32_t>(from_.u32()); }
     void read(Time& time) { read(time.ticks); }
+    void read(LivePoint& point)
+    {
+        point.x = static_cast<std::int16_t>(from_.u16());
+        point.y = static_cast<std::int16_t>(from_.u16());
+    }
     void read(Size& size)
     {
         size.width = static_cast<int>(from_.u16());

@@ -169,6 +169,12 @@ private:
             return take<Brightness>(report, now);
         case Kind::inputs:
             return take<Inputs>(report, now);
+        case Kind::text:
+            return take<Text>(report, now);
+        case Kind::points:
+            return take<Points>(report, now);
+        case Kind::drawing:
+            return take<Drawing>(report, now);
         case Kind::silence:
             return take<Silence>(report, now);
         case Kind::boot_loader:
@@ -336,6 +342,35 @@ private:
         for (const InputPlace& each : places)
             device_.set_input(each.input, each.place);
         return Status::ok;
+    }
+
+    Deed<Kind::text> carry_out(const Text& text, Asked)
+    {
+        if (text.length > Text::most)
+            return Status::bad_value;
+        if (const Verdict verdict = look_for_input(text.input); !verdict.is_ok())
+            return verdict;
+        return device_.set_text(text.input, text.view());
+    }
+
+    Deed<Kind::points> carry_out(const Points& points, Asked)
+    {
+        return tell({.which = DrawingNumber::of(points.which),
+                     .part = points.part,
+                     .count = std::nullopt,
+                     .points = points.points});
+    }
+    Deed<Kind::drawing> carry_out(const Drawing& last, Asked)
+    {
+        return tell({.which = DrawingNumber::of(last.which),
+                     .part = last.part,
+                     .count = last.count,
+                     .points = last.points});
+    }
+    Verdict tell(const DrawingPart& part)
+    {
+        const Verdict verdict = look_for_input(part.which.input);
+        return verdict.is_ok() ? Verdict{device_.tell(part)} : verdict;
     }
 
     Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/input_view.hpp"
+#include "core/kfb_limits.hpp"
+#include "core/live_drawing.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
 #include "firmware/link/report.hpp"
@@ -9,6 +12,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string_view>
 
 /// What the reports of the link mean (docs/link.md). Each message is a struct whose fields() names its fields
 /// in the order of their bytes, for writing and reading (fields.hpp).
@@ -38,6 +43,9 @@ enum class Kind : std::uint8_t {
     speed = 0x34,
     brightness = 0x35,
     inputs = 0x36,
+    text = 0x37,
+    points = 0x38,
+    drawing = 0x39,
     silence = 0x3A,
     boot_loader = 0x3F,
     error = 0x7F, ///< only from the device
@@ -166,11 +174,18 @@ struct AskInput {
 };
 
 /// What an input of a scene takes.
-enum class InputKind : std::uint8_t { number };
+enum class InputKind : std::uint8_t {
+    number = static_cast<std::uint8_t>(InputType::number),
+    text = static_cast<std::uint8_t>(InputType::text),
+    drawing = static_cast<std::uint8_t>(InputType::drawing),
+};
 /// A later device may have more of them.
 constexpr bool is_known(InputKind) { return true; }
+constexpr InputKind input_kind(InputType type) { return static_cast<InputKind>(type); }
+static_assert(input_kind(InputType::drawing) == InputKind::drawing);
 
-/// One input of the scene that plays. Values are in 1/1000.
+/// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `most` alone
+/// counts, its characters.
 struct InputState {
     static constexpr Kind kind = Kind::input;
     static constexpr bool answers = true;
@@ -296,6 +311,73 @@ struct Inputs {
 
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
 };
+
+/// What a text among the inputs of the scene that plays is from now on.
+struct Text {
+    static constexpr Kind kind = Kind::text;
+    static constexpr std::size_t most = payload_bytes - 2;
+    std::uint8_t input = 0;              ///< its number in the scene
+    std::uint8_t length = 0;             ///< bytes
+    std::array<std::byte, most> bytes{}; ///< in UTF-8
+
+    /// `length` is at most `most`.
+    std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }
+};
+
+/// Whose points they are: a drawing among the inputs of the scene that plays, and a number that tells it from
+/// the ones before.
+struct DrawingNumber {
+    static constexpr std::uint8_t count = 8; ///< numbers go round
+
+    std::uint8_t input = 0; ///< below kfb::max_inputs
+    std::uint8_t number = 0;
+
+    static constexpr DrawingNumber of(std::uint8_t code)
+    {
+        return {static_cast<std::uint8_t>(code % kfb::max_inputs),
+                static_cast<std::uint8_t>(code / kfb::max_inputs)};
+    }
+    constexpr std::uint8_t code() const
+    {
+        return static_cast<std::uint8_t>(input + number * kfb::max_inputs);
+    }
+    friend constexpr bool operator==(DrawingNumber, DrawingNumber) = default;
+};
+static_assert(kfb::max_inputs * DrawingNumber::count == 256);
+
+/// In place of a point: the next one begins a stroke.
+inline constexpr LivePoint pen_up{std::numeric_limits<std::int16_t>::min(), 0};
+
+/// Of a drawing, in their order: part 0 begins it.
+struct Points {
+    static constexpr Kind kind = Kind::points;
+    static constexpr std::size_t most = 15;
+    std::uint8_t which = 0; ///< DrawingNumber
+    std::uint8_t part = 0;  ///< how many come before, modulo 256
+    std::array<LivePoint, most> points{};
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.points); }
+};
+
+/// The last points of a drawing, which is to be shown.
+struct Drawing {
+    static constexpr Kind kind = Kind::drawing;
+    static constexpr std::size_t most = 14;
+    std::uint8_t which = 0;  ///< DrawingNumber
+    std::uint8_t part = 0;   ///< how many come before, modulo 256
+    std::uint16_t count = 0; ///< of all points of the drawing and of what stands in place of one
+    std::array<LivePoint, most> points{};
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.count, it.points); }
+};
+
+/// How many reports a drawing with so many points, and what stands in place of one, takes.
+constexpr std::size_t reports_of_drawing(std::size_t count)
+{
+    return count <= Drawing::most ? 1 : 1 + (count - Drawing::most + Points::most - 1) / Points::most;
+}
 
 /// What a device does when its computer falls silent, or goes.
 enum class SilenceAction : std::uint8_t {

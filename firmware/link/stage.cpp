@@ -1,5 +1,7 @@
 #include "firmware/link/stage.hpp"
 
+#include "firmware/link/told_drawing.hpp"
+
 #include "core/player.hpp"
 #include "firmware/version.hpp"
 
@@ -69,14 +71,15 @@ Playing Stage::playing() const
 
 InputState Stage::input(std::uint8_t number) const
 {
-    InputCursor inputs = now_.scene->inputs();
-    InputView input = inputs.next();
-    for (int ahead = number; ahead > 0; --ahead)
-        input = inputs.next();
+    const InputView input = now_.scene->input(number);
+    if (input.type == InputType::drawing)
+        return {.input = number, .takes = input_kind(input.type), .name = beginning_of(input.name)};
+    const bool is_text = input.type == InputType::text;
     return {.input = number,
+            .takes = input_kind(input.type),
             .name = beginning_of(input.name),
             .least = input.least,
-            .most = input.most,
+            .most = is_text ? static_cast<std::int32_t>(input.text.most) : input.most,
             .usual = input.usual,
             .place = place_of(number, input)};
 }
@@ -293,6 +296,21 @@ Status Stage::set_brightness(std::uint8_t brightness)
 }
 
 void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
+
+Status Stage::set_text(std::uint32_t number, std::string_view text)
+{
+    if (player_ == nullptr)
+        return Status::nothing_plays;
+    if (now_.scene->input(number).type != InputType::text)
+        return Status::no_text;
+    player_->set_text(number, text);
+    return Status::ok;
+}
+
+Status Stage::tell(const DrawingPart& part)
+{
+    return player_ == nullptr ? Status::nothing_plays : link::tell(*player_, part);
+}
 
 Status Stage::enter_boot_loader(Microseconds now)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/player.hpp"
 #include "core/playhead.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace kfast::link {
 
@@ -63,6 +65,8 @@ public:
     void set_speed(std::int32_t speed);
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
+    Status set_text(std::uint32_t number, std::string_view text);
+    Status tell(const DrawingPart& part);
     Status enter_boot_loader(Microseconds now);
 
     /// Whether something else shall play as soon as the frame has come to its end. Until then no reports are
@@ -77,6 +81,8 @@ public:
     std::span<const std::byte> scene_bytes() const { return now_.programme.scene; }
     std::span<std::byte> block() const;
     void scene_started(const SceneView& scene);
+    /// Null when it is over.
+    void plays(Player* player) { player_ = player; }
     Playhead playhead() const { return controls_->playhead(); }
     template <TouchedPins Pins>
     void steer(Playhead& playhead, Pins& pins, Microseconds now)
@@ -123,6 +129,7 @@ private:
     std::optional<Act> gave_way_;      ///< plays again if what it gave way to does not come
     std::span<std::byte> lent_{};      ///< of the block
     std::optional<Controls> controls_; ///< of what plays now, or played last
+    Player* player_ = nullptr;         ///< likewise, as long as it draws
     Time moment_{};
     std::uint8_t brightness_;
     std::uint8_t turned_brightness_; ///< as the controls had it last

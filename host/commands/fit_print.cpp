@@ -1,6 +1,7 @@
 #include "host/commands/fit_print.hpp"
 
 #include "host/commands/json_text.hpp"
+#include "host/counted.hpp"
 #include "host/fit/wording.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/text/glyph.hpp"
@@ -70,6 +71,15 @@ Json outline_facts(const FitReport& report)
 /// null where nothing sets a limit: no frame of a still scene sends anything.
 Json rate(double seconds) { return seconds > 0 ? Json(1 / seconds) : Json(nullptr); }
 
+Json link_facts(const std::vector<LinkUpdate>& updates)
+{
+    Json facts = Json::array();
+    for (const LinkUpdate& update : updates)
+        facts.push_back(
+            {{"what", update.what}, {"reports", update.reports}, {"per_second", update.most_per_second()}});
+    return facts;
+}
+
 Json facts_of(const FitFacts& facts)
 {
     const auto& [file, scene, target, report] = facts;
@@ -85,13 +95,15 @@ Json facts_of(const FitFacts& facts)
             {"first_picture", frame_facts(report.speed.first)},
             {"median", frame_facts(report.speed.median())},
             {"worst", worst_facts(report)},
+            {"noise", report.speed.noise ? frame_facts(*report.speed.noise) : Json(nullptr)},
             {"largest_outlines", outline_facts(report)},
             {"fps",
              {{"wanted", report.wanted_rate},
               {"cpu_median", rate(report.speed.by_cpu.median)},
               {"cpu_worst", rate(report.speed.by_cpu.worst)},
               {"bus_median", rate(report.speed.by_bus.median)},
-              {"bus_worst", rate(report.speed.by_bus.worst)}}}};
+              {"bus_worst", rate(report.speed.by_bus.worst)}}},
+            {"link", link_facts(report.link)}};
 }
 
 std::string line(const std::string& name, const std::string& text)
@@ -116,6 +128,12 @@ std::string limits_text(const Limits& limits)
 {
     return limits.worst > 0 ? rate_text(1 / limits.median) + ", at worst " + rate_text(1 / limits.worst)
                             : "nothing to do";
+}
+
+std::string link_text(const LinkUpdate& update)
+{
+    return visible(update.what) + ": " + counted(update.reports, "report") + ", up to " +
+           std::to_string(static_cast<int>(update.most_per_second())) + " times a second";
 }
 
 std::string heaviest_text(const FitReport& report)
@@ -145,8 +163,12 @@ std::string fit_text(const FitFacts& facts)
     text += line("median", time_text(speed.median()));
     text += line("worst", time_text(speed.worst()));
     text += line("", "frame " + frame_text(speed.worst().moment) + heaviest_text(report));
+    if (speed.noise)
+        text += line("noise", time_text(*speed.noise));
     text += line("by CPU", limits_text(speed.by_cpu));
     text += line("by bus", limits_text(speed.by_bus));
+    for (const LinkUpdate& update : report.link)
+        text += line("link", link_text(update));
     for (const std::string& note : report.notes)
         text += line("note", note);
     return text + line("fits", report.fits() ? "yes" : "no");

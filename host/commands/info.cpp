@@ -1,10 +1,13 @@
 #include "host/commands/bone_tracks.hpp"
 #include "host/commands/clock_facts.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/glyph_text.hpp"
 #include "host/commands/item_tracks.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/counted.hpp"
 #include "host/every_item.hpp"
+#include "host/input_text.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/scene_file.hpp"
@@ -57,17 +60,54 @@ std::size_t item_count(const SceneView& scene)
     return count;
 }
 
+Json number_facts(const SceneView& scene, const InputView& input, Clock clock)
+{
+    return {{"name", input.name},
+            {"kind", "number"},
+            {"min", input.least / 1000.0},
+            {"max", input.most / 1000.0},
+            {"default", input.usual / 1000.0},
+            {"keys", keys_of(scene, clock)}};
+}
+
+Json text_facts(const InputView& input)
+{
+    const TextInput& text = input.text;
+    return {{"name", input.name},
+            {"kind", "text"},
+            {"glyphs", glyph_text(text.glyphs)},
+            {"max", text.most},
+            {"default", usual_text(text)}};
+}
+
+Json drawing_facts(const InputView& input)
+{
+    return {{"name", input.name},
+            {"kind", "drawing"},
+            {"strokes", input.drawing.strokes},
+            {"points", input.drawing.points}};
+}
+
+Json input_facts(const SceneView& scene, const InputView& input, Clock clock)
+{
+    switch (input.type) {
+    case InputType::number:
+        return number_facts(scene, input, clock);
+    case InputType::text:
+        return text_facts(input);
+    case InputType::drawing:
+        return drawing_facts(input);
+    }
+    return {};
+}
+
 Json inputs_of(const SceneView& scene)
 {
     Json inputs = Json::array();
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
         const Clock clock{static_cast<std::uint8_t>(inputs.size() + 1)};
-        inputs.push_back({{"name", input.name},
-                          {"min", input.least / 1000.0},
-                          {"max", input.most / 1000.0},
-                          {"default", input.usual / 1000.0},
-                          {"keys", keys_of(scene, clock)}});
+        inputs.push_back(input_facts(scene, input, clock));
     }
     return inputs;
 }
@@ -137,11 +177,37 @@ std::string key_text(const Json& keys, const char* at)
     return text.str();
 }
 
+std::string number_text(const Json& input)
+{
+    std::ostringstream text;
+    text << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
+         << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ");
+    return text.str();
+}
+
+std::string words_text(const Json& input)
+{
+    return "a text of up to " + counted(input["max"].get<std::size_t>(), "character") + " of " +
+           kfast::quoted(input["glyphs"].get<std::string>()) + " and spaces, usually " +
+           kfast::quoted(input["default"].get<std::string>());
+}
+
+std::string drawing_text(const Json& input)
+{
+    return "a drawing, at most " + counted(input["points"].get<std::size_t>(), "point") + " in " +
+           counted(input["strokes"].get<std::size_t>(), "stroke");
+}
+
+std::string input_text(const Json& input)
+{
+    if (input["kind"] == "number")
+        return number_text(input);
+    return input["kind"] == "text" ? words_text(input) : drawing_text(input);
+}
+
 void print_input(const Json& input)
 {
-    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": "
-              << input["min"].get<double>() << " to " << input["max"].get<double>() << ", usually "
-              << input["default"].get<double>() << "; keys " << key_text(input["keys"], ", at ") << '\n';
+    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": " << input_text(input) << '\n';
 }
 
 void print_clip(const Json& clip)

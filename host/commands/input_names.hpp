@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// Of all inputs that a scene has, in its order. They live as long as the scene's bytes.
-std::vector<std::string_view> input_names(const SceneView& scene);
+/// Of all inputs of a scene that are of this type, in its order. They live as long as the scene's bytes.
+std::vector<std::string_view> input_names(const SceneView& scene, InputType type);
 
 }

@@ -1,6 +1,8 @@
 #include "host/commands/input_options.hpp"
 
 #include "host/commands/input_value.hpp"
+#include "host/input_text.hpp"
+#include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
@@ -22,12 +24,14 @@ std::vector<InputView> inputs_of(const SceneView& scene)
 [[noreturn]] void refuse_name(std::string_view name, const std::vector<InputView>& inputs)
 {
     std::vector<std::string_view> names;
-    std::ranges::transform(inputs, std::back_inserter(names), &InputView::name);
+    for (const InputView& input : inputs)
+        if (input.type != InputType::drawing)
+            names.push_back(input.name);
     refuse("there is no input '" + std::string{name} +
            "': " + (names.empty() ? "the scene has none: leave out --input" : suggestion(name, names)));
 }
 
-std::int32_t read_value(std::string_view text, const InputView& input)
+std::int32_t read_number(std::string_view text, const InputView& input)
 {
     const auto value = read_input_value(text, input);
     if (!value)
@@ -35,21 +39,61 @@ std::int32_t read_value(std::string_view text, const InputView& input)
     return *value;
 }
 
+std::string read_text(std::string_view text, const InputView& input)
+{
+    if (const auto mistake = input_text_mistake(text, input.name, input.text.most, input.text.glyphs))
+        refuse(*mistake);
+    return std::string{text};
+}
+
+InputValue read_value(std::string_view text, const InputView& input)
+{
+    switch (input.type) {
+    case InputType::number:
+        return {.number = read_number(text, input)};
+    case InputType::text:
+        return {.text = read_text(text, input)};
+    case InputType::drawing:
+        break;
+    }
+    refuse("'" + std::string{input.name} + "' is a drawing: write --drawing " + std::string{input.name} +
+           "=FILE");
+}
+
+/// Where the sign between name and value stands. Names and texts may have one as well: behind the longest
+/// name that there is, else the last one.
+std::size_t end_of_name(std::string_view text, const std::vector<InputView>& inputs)
+{
+    std::size_t end = std::string_view::npos;
+    for (const InputView& input : inputs)
+        if (text.starts_with(input.name) && text.substr(input.name.size()).starts_with('=') &&
+            (end == std::string_view::npos || input.name.size() > end))
+            end = input.name.size();
+    return end != std::string_view::npos ? end : text.rfind('=');
+}
+
+InputValue usual_value(const InputView& input)
+{
+    if (input.type == InputType::text)
+        return {.text = usual_text(input.text)};
+    return {.number = input.usual};
+}
+
 }
 
 void declare_input_options(CLI::App& app, InputOptions& options)
 {
-    app.add_option("--input", options.texts, "Where an input of the scene stands; may be repeated")
+    app.add_option("--input", options.texts, "What an input of the scene is; may be repeated")
         ->type_name("NAME=VALUE");
 }
 
-std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const SceneView& scene)
+std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene)
 {
     const std::vector<InputView> inputs = inputs_of(scene);
-    std::vector<std::int32_t> values;
-    std::ranges::transform(inputs, std::back_inserter(values), &InputView::usual);
+    std::vector<InputValue> values;
+    std::ranges::transform(inputs, std::back_inserter(values), usual_value);
     for (const std::string_view text : options.texts) {
-        const std::size_t sign = text.rfind('='); // names may have one
+        const std::size_t sign = end_of_name(text, inputs);
         if (sign == std::string_view::npos)
             refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
         const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);
@@ -60,11 +104,16 @@ std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const Scene
     return values;
 }
 
-void put_inputs(const std::vector<std::int32_t>& values, const SceneView& scene, FrameSource& source)
+void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, FrameSource& source)
 {
     std::uint32_t number = 0;
-    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number)
-        source.set_input(number, inputs.next().place_of(values[number]));
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        if (input.type == InputType::text)
+            source.set_text(number, values[number].text);
+        else if (input.type == InputType::number)
+            source.set_input(number, input.place_of(values[number].number));
+    }
 }
 
 }

@@ -10,19 +10,25 @@
 
 namespace kfast {
 
-/// Where inputs of a scene stand, as chosen by --input NAME=VALUE.
+/// What numbers and texts among the inputs of a scene are, as chosen by --input NAME=VALUE.
 struct InputOptions {
     std::vector<std::string> texts; ///< as they are written
+};
+
+/// What one input is.
+struct InputValue {
+    std::int32_t number = 0; ///< in 1/1000
+    std::string text = {};   ///< only of a text; UTF-8
 };
 
 /// Adds the option to `app`. `options` must outlive its parsing.
 void declare_input_options(CLI::App& app, InputOptions& options);
 
-/// The value of each input of the scene, in 1/1000: as chosen, else the usual one. Throws
-/// CLI::ValidationError for an input that the scene has not, and for a value that is not within its range.
-std::vector<std::int32_t> chosen_inputs(const InputOptions& options, const SceneView& scene);
+/// The value of each input of the scene: as chosen, else the usual one; of a drawing, nothing. Throws
+/// CLI::ValidationError for an input that the scene has not, and for a value that it does not take.
+std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene);
 
 /// Puts them into `source`.
-void put_inputs(const std::vector<std::int32_t>& values, const SceneView& scene, FrameSource& source);
+void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, FrameSource& source);
 
 }

@@ -1,5 +1,6 @@
 #include "host/commands/input_value.hpp"
 
+#include "host/commands/glyph_text.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
@@ -22,6 +23,25 @@ std::string input_value_mistake(std::string_view text, const InputView& input)
 {
     return "'" + visible(text) + "' is no value of " + visible(input.name) + ": it goes from " +
            scene::text_of(input.least / 1000.0) + " to " + scene::text_of(input.most / 1000.0);
+}
+
+std::optional<std::string> input_text_mistake(std::string_view text, std::string_view name, std::size_t most,
+                                              const std::optional<GlyphSet>& glyphs)
+{
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < text.size(); ++count) {
+        const CodePoint point = code_point_at(text, at);
+        if (!point.valid)
+            return "'" + visible(text) + "' is no UTF-8";
+        if (glyphs && !glyphs->glyph(point.value))
+            return visible(name) + " has no " + kfast::quoted(text.substr(at, point.length)) +
+                   ": its characters are " + kfast::quoted(glyph_text(*glyphs)) + " and the space";
+        at += point.length;
+    }
+    if (count <= most)
+        return std::nullopt;
+    return "'" + visible(text) + "' has " + std::to_string(count) + " characters: " + visible(name) +
+           " has " + std::to_string(most) + " at most";
 }
 
 }

@@ -22,6 +22,8 @@ const char* name_of(ItemKind kind)
         return "group ";
     case ItemKind::use:
         return "use ";
+    case ItemKind::live:
+        return "object ";
     }
     return "";
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 
 namespace kfast {
@@ -45,12 +46,22 @@ struct Options {
     DeviceOptions device;
 };
 
+LiveInput live_input(const InputView& input)
+{
+    LiveInput live{std::string{input.name}, input.type, input.least, input.most};
+    if (input.type == InputType::text) {
+        live.most = static_cast<std::int32_t>(input.text.most);
+        live.glyphs = input.text.glyphs;
+    }
+    return live;
+}
+
 std::vector<LiveInput> inputs_of(const SceneView& scene)
 {
     std::vector<LiveInput> inputs;
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
-        inputs.push_back({std::string{input.name}, input.least, input.most});
+        inputs.push_back(live_input(input));
     }
     return inputs;
 }
@@ -63,9 +74,11 @@ std::vector<LiveInput> inputs_of(RemoteDevice& device)
     std::vector<LiveInput> inputs;
     for (std::uint8_t number = 0; number < count; ++number) {
         const auto input = session.ask<link::InputState>(link::AskInput{number});
-        if (input.least >= input.most)
+        const bool is_number = input.takes == link::InputKind::number;
+        if (is_number && input.least >= input.most)
             throw Failure{device.name() + ": tells an input without values: try again", ExitStatus::refused};
-        inputs.push_back({std::string{input.name.view()}, input.least, input.most});
+        inputs.push_back(
+            {std::string{input.name.view()}, static_cast<InputType>(input.takes), input.least, input.most});
     }
     return inputs;
 }
@@ -75,7 +88,7 @@ std::vector<LiveInput> common_inputs(std::span<RemoteDevice> devices)
     std::vector<std::vector<LiveInput>> inputs(devices.size());
     on_each(devices, [&](RemoteDevice& device, std::size_t index) { inputs[index] = inputs_of(device); });
     for (const auto& others : inputs)
-        if (others != inputs.front())
+        if (!std::ranges::equal(others, inputs.front(), std::mem_fn(&LiveInput::is_like)))
             throw Failure{
                 "the devices play scenes with different inputs: name the scene that all are to play",
                 ExitStatus::wrong_usage};

@@ -57,13 +57,13 @@ private:
             const auto line = lines.next(unheeded_at_most);
             if (!line)
                 continue;
-            const auto places = read_live_line(*line, lines.number(), inputs_);
-            if (places.empty())
+            const LiveValues values = read_live_line(*line, lines.number(), inputs_);
+            if (values.empty())
                 continue;
             while (!has_to_end() && !pace.is_due(unheeded_at_most))
                 continue;
             for (LiveFeed& feed : feeds_)
-                feed.put(places);
+                feed.put(values);
         }
     }
 

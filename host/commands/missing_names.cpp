@@ -5,6 +5,7 @@
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
@@ -43,10 +44,17 @@ std::string missing_clip(std::string_view name, const SceneView& scene)
            ", the whole scene will play in its place: " + remedy(name, "clip", clip_names(scene));
 }
 
+bool has_number(const SceneView& scene, std::string_view input)
+{
+    const auto number = scene.input(input);
+    return number && (scene.number_inputs() >> *number & 1U) != 0;
+}
+
 std::string missing_input(std::string_view name, const SceneView& scene)
 {
-    return "there is no input " + quoted(name) +
-           ", its button or knob will do nothing: " + remedy(name, "input", input_names(scene));
+    return "there is no " + std::string{scene.input(name) ? "number among the inputs called " : "input "} +
+           quoted(name) + ", its button or knob will do nothing: " +
+           remedy(name, "input", input_names(scene, InputType::number));
 }
 
 }
@@ -58,7 +66,7 @@ std::vector<std::string> missing_names(const BoardSettings& settings, const Scen
         if (!scene.clip(name))
             found.push_back(missing_clip(name, scene));
     for (const std::string_view name : names_of_controls(settings, has_input))
-        if (!scene.input(name))
+        if (!has_number(scene, name))
             found.push_back(missing_input(name, scene));
     return found;
 }

@@ -127,6 +127,7 @@ void declare_picture_options(CLI::App& app, PictureOptions& options)
     add_fit(app, options)->excludes(app.get_option("--panel"));
     add_format(app, options)->excludes(app.get_option("--panel"));
     declare_input_options(app, options.inputs);
+    declare_drawing_options(app, options.drawings);
 }
 
 Size panel_size(const PictureOptions& options, const SceneView& scene)
@@ -138,6 +139,7 @@ std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const Sc
 {
     auto source = open_at_rest(options, scene);
     put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, *source);
+    put_drawings(options.drawings, scene.view, *source);
     return source;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/player.hpp"
+#include "host/commands/drawing_options.hpp"
 #include "host/commands/input_options.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/panel_choice.hpp"
@@ -12,13 +13,14 @@
 
 namespace kfast {
 
-/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel, and where its inputs stand.
+/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel, and what its inputs are told.
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene
     Fit fit = Fit::contain;
     PixelFormat format = PixelFormat::rgb565;
     const PanelChoice* panel = nullptr; ///< instead of size, fit and format: it is driven as on a board
     InputOptions inputs = {};
+    DrawingOptions drawings = {};
 };
 
 /// Adds these options to `app`. `options` must outlive its parsing.

@@ -38,13 +38,15 @@ std::vector<PreviewKey> read_script(const std::string& text)
 }
 
 Programme chosen_programme(const PlayOptions& options, const SceneView& scene,
-                           const std::vector<std::int32_t>& inputs)
+                           const std::vector<InputValue>& inputs)
 {
     Programme programme = programme_of(scene);
     programme.speed = chosen_timeline(options, scene).speed;
     const auto first = std::ranges::find(programme.parts, options.clip.value_or(""), &Part::name);
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-        programme.inputs[i].value = inputs[i];
+    for (InputKnob& input : programme.inputs) {
+        input.value = inputs[input.number].number;
+        input.text = inputs[input.number].text;
+    }
     programme.first = static_cast<std::size_t>(first - programme.parts.begin());
     return programme;
 }

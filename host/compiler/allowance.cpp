@@ -88,6 +88,16 @@ bool may_be_transparent(const scene::Item& item)
     });
 }
 
+/// Of the drawings of inputs, each counting as one more: far less than the format holds.
+std::uint64_t points_of_inputs(const scene::Scene& scene)
+{
+    std::uint64_t points = 0;
+    for (const scene::Input& input : scene.inputs)
+        if (input.type == InputType::drawing)
+            points += point_count(input.drawing.usual) + 1;
+    return points;
+}
+
 const std::vector<scene::Item>& items_in(const scene::Scene& scene, const scene::Item& item)
 {
     if (const auto* use = std::get_if<scene::Use>(&item.content))
@@ -145,7 +155,7 @@ void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, 
     const auto one = [](const scene::Item&) { return std::uint64_t{1}; };
     const auto steps_of = [&scene](const scene::Item& item) { return paint_steps_of(scene, item); };
     check({"points in all keys together", "draw it with fewer points, or with fewer keys",
-           kfb::max_key_points, stored_needs(scene, points_of)},
+           kfb::max_key_points - points_of_inputs(scene), stored_needs(scene, points_of)},
           scene, diagnostics);
     check({"items", "use symbols less often, or such that have fewer items", kfb::max_items,
            needs_with_uses(scene, one)},

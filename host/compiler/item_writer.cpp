@@ -4,27 +4,54 @@
 #include "host/compiler/backbone_writer.hpp"
 #include "host/compiler/carrier.hpp"
 #include "host/compiler/key_writer.hpp"
+#include "host/compiler/label_writer.hpp"
 #include "host/compiler/path_writer.hpp"
 #include "host/compiler/skinned_keys.hpp"
 #include "host/compiler/track_writer.hpp"
+
+#include <cstddef>
+#include <optional>
 
 namespace kfast {
 namespace {
 
 std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
 
-std::uint32_t flags_of(const scene::Object& object)
+/// What of an item comes from outside.
+struct Live {
+    LiveKind kind;
+    std::size_t input; ///< index into Scene::inputs
+};
+
+std::optional<Live> live_of(const scene::Item& item)
+{
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    if (object != nullptr && object->live)
+        return Live{LiveKind::drawing, *object->live};
+    if (object != nullptr && object->label)
+        return Live{LiveKind::label, object->label->input};
+    return std::nullopt;
+}
+
+std::uint32_t style_flags_of(const scene::Object& object)
 {
     return flag(object.fill.has_value(), 3) | flag(object.stroke.has_value(), 4) |
-           flag(object.fill && object.fill_rule == FillRule::even_odd, 5) | flag(has_arrivals(object), 6) |
-           flag(carrier_of(object) != Carrier::none, 7);
+           flag(object.fill && object.fill_rule == FillRule::even_odd, 5);
+}
+
+std::uint32_t key_flags_of(const scene::Object& object)
+{
+    return flag(has_arrivals(object), 6) | flag(carrier_of(object) != Carrier::none, 7);
 }
 
 std::uint32_t head_of(const scene::Item& item, bool has_tracks)
 {
-    const auto kind = static_cast<std::uint32_t>(item.content.index());
     const auto* object = std::get_if<scene::Object>(&item.content);
-    return kind | flag(has_tracks, 2) | (object != nullptr ? flags_of(*object) : 0);
+    const bool is_live = live_of(item).has_value();
+    const auto kind = is_live ? ItemKind::live : static_cast<ItemKind>(item.content.index());
+    return static_cast<std::uint32_t>(kind) | flag(has_tracks, 2) |
+           (object != nullptr ? style_flags_of(*object) : 0) |
+           (object != nullptr && !is_live ? key_flags_of(*object) : 0);
 }
 
 void write_stroke_style(const scene::StrokeStyle& style, ByteWriter& bytes)
@@ -34,6 +61,14 @@ void write_stroke_style(const scene::StrokeStyle& style, ByteWriter& bytes)
     bytes.u8(static_cast<std::uint32_t>(style.cap) | static_cast<std::uint32_t>(style.join) << 2);
     if (style.join == Join::miter)
         bytes.u8(static_cast<std::uint32_t>(style.miter_limit));
+}
+
+void write_style(const scene::Object& object, ByteWriter& bytes)
+{
+    if (object.fill)
+        bytes.u8(static_cast<std::uint32_t>(*object.fill));
+    if (object.stroke)
+        write_stroke_style(*object.stroke, bytes);
 }
 
 }
@@ -47,10 +82,17 @@ void ItemWriter::write(const std::vector<scene::Item>& items, ByteWriter& bytes)
 void ItemWriter::write_item(const scene::Item& item, ByteWriter& bytes)
 {
     const std::vector<std::byte> tracks = packed_tracks(item, laws_);
+    const auto* object = std::get_if<scene::Object>(&item.content);
     bytes.u8(head_of(item, !tracks.empty()));
+    const auto live = live_of(item);
+    if (live)
+        bytes.u8(static_cast<std::uint32_t>(live->kind));
     bytes.append(tracks);
     write_path(item, drawings_, bytes, diagnostics_);
-    if (const auto* object = std::get_if<scene::Object>(&item.content)) {
+    if (live) {
+        bytes.u8(static_cast<std::uint32_t>(live->input));
+        write_live(*object, bytes);
+    } else if (object != nullptr) {
         write_object(*object, bytes);
     } else if (const auto* group = std::get_if<scene::Group>(&item.content)) {
         ByteWriter items;
@@ -75,15 +117,25 @@ void ItemWriter::write_carrier(const scene::Object& object, std::uint32_t unit_b
     }
 }
 
+/// Behind the number of the input.
+void ItemWriter::write_live(const scene::Object& object, ByteWriter& bytes)
+{
+    points_[&object] = 0; // those of a drawing are the input's
+    write_style(object, bytes);
+    if (!object.label)
+        return;
+    points_[&object] = label_points(*object.label);
+    ByteWriter label;
+    write_label(*object.label, drawings_, label);
+    bytes.block(label.bytes());
+}
+
 void ItemWriter::write_object(const scene::Object& object, ByteWriter& bytes)
 {
     const PackedKeys keys = object.skin ? packed_skinned_keys(object, laws_, drawings_, diagnostics_)
                                         : packed_keys(object, laws_, drawings_, diagnostics_);
     points_[&object] = keys.points + backbone_points(object);
-    if (object.fill)
-        bytes.u8(static_cast<std::uint32_t>(*object.fill));
-    if (object.stroke)
-        write_stroke_style(*object.stroke, bytes);
+    write_style(object, bytes);
     write_carrier(object, keys.unit_bits, bytes);
     bytes.append(keys.bytes);
 }

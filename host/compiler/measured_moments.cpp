@@ -1,5 +1,6 @@
 #include "host/compiler/measured_moments.hpp"
 
+#include "core/still.hpp"
 #include "host/every_item.hpp"
 
 #include <algorithm>
@@ -88,9 +89,11 @@ public:
     explicit InputPlaces(const SceneView& scene) : usual_(scene.input_count())
     {
         put_usual_places(scene.inputs(), usual_);
-        for (std::size_t i = 0; i < usual_.size(); ++i)
-            telling_.push_back(moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
-                                          whole_input.ticks / even_places));
+        for (std::uint32_t i = 0; i < usual_.size(); ++i)
+            telling_.push_back((scene.number_inputs() & bit_of_input(i)) != 0
+                                   ? moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
+                                                whole_input.ticks / even_places)
+                                   : std::vector<Time>{usual_[i]});
     }
 
     const std::vector<Time>& usual() const { return usual_; }
@@ -157,7 +160,7 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
     std::vector<MeasuredMoment> moments;
     for (const Time time : times)
         moments.push_back({time, places.usual()});
-    if (!places.usual().empty())
+    if (scene.number_inputs() != 0)
         add_with_inputs(times, places, moments);
     return moments;
 }

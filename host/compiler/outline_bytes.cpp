@@ -2,6 +2,7 @@
 
 #include "core/kfb_limits.hpp"
 #include "host/compiler/header.hpp"
+#include "host/compiler/largest_texts.hpp"
 #include "host/compiler/measured_moments.hpp"
 #include "host/compiler/outline_excess.hpp"
 #include "host/compiler/outline_meter.hpp"
@@ -27,14 +28,25 @@ std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const sc
     set_outline_bytes(file, kfb::max_outline_bytes);
     const auto view = SceneView::parse(file);
     OutlineMeter meter{*view, kfb::max_outline_bytes};
+    const std::vector<MeasuredMoment> moments = measured_moments(*view);
     std::size_t most = 0;
-    for (const MeasuredMoment& measured : measured_moments(*view)) {
-        const OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
-        if (outlines.is_full()) {
-            report_excess(scene, *view, measured.moment(), diagnostics);
-            return std::nullopt;
+    for (const InputTexts& texts : largest_texts(*view, moments, meter)) {
+        put_texts(texts, meter);
+        for (const MeasuredMoment& measured : moments) {
+            const OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
+            if (outlines.is_full()) {
+                report_excess(scene, *view, measured.moment(), texts, diagnostics);
+                return std::nullopt;
+            }
+            const OutlineAmount live = meter.live_outlines_at(measured.moment());
+            const std::size_t bytes = outlines.used_bytes() + live.bytes();
+            if (bytes > kfb::max_outline_bytes ||
+                outlines.mark().first_corner + live.corners > OutlineStore::most_corners) {
+                report_live_excess(scene, measured.moment(), outlines.used_bytes(), live, diagnostics);
+                return std::nullopt;
+            }
+            most = std::max(most, bytes);
         }
-        most = std::max(most, outlines.used_bytes());
     }
     return with_reserve(most);
 }

@@ -15,7 +15,8 @@ namespace kfast {
 /// picture finds no room with the coarsest curves either, that is an error at the largest object, and nothing
 /// is returned.
 ///
-/// Found by playing the scene (host/compiler/measured_moments.hpp) and adding an eighth: a moment between two
+/// Found by playing the scene (host/compiler/measured_moments.hpp), with the worst that live drawings may be
+/// told (host/compiler/live_outlines.hpp), and adding an eighth: a moment between two
 /// of these may halve a few curves once more. A player whose picture finds no room all the same draws it with
 /// coarser curves.
 std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,

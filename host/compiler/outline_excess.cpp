@@ -48,16 +48,54 @@ std::uint64_t sum_of(const ByItem& amounts)
 }
 
 /// Corners that close contours are not counted where there is no room.
-OutlineNeed need_at(const SceneView& view, const Moment& moment)
+OutlineNeed need_at(const SceneView& view, const Moment& moment, const InputTexts& texts)
 {
     const CornerTally corners;
     OutlineMeter meter{view, bytes_of_all_corners};
+    put_texts(texts, meter);
     const TracedPicture& picture = meter.picture_at(moment);
     if (!picture.outlines.is_full())
         return {"bytes", "", picture.outlines.used_bytes(), kfb::max_outline_bytes, bytes_by_item(picture)};
     const ByItem by_item = corners.by_item();
     return {"corners", "at least ", sum_of(by_item), OutlineStore::most_corners, by_item};
 }
+
+/// The live object that may have most points.
+class LargestLive {
+public:
+    explicit LargestLive(const scene::Scene& scene) : scene_{scene}
+    {
+        for (const scene::Symbol& symbol : scene.symbols)
+            add(symbol.items);
+        add(scene.items);
+    }
+
+    /// Only of a scene that has one.
+    const scene::Item& item() const { return *largest_; }
+
+private:
+    void add(const std::vector<scene::Item>& items)
+    {
+        for (const scene::Item& item : items) {
+            if (const auto* group = std::get_if<scene::Group>(&item.content))
+                add(group->items);
+            const auto* object = std::get_if<scene::Object>(&item.content);
+            if (object != nullptr && object->live)
+                add(item, scene_.inputs[*object->live].drawing.points);
+        }
+    }
+
+    void add(const scene::Item& item, std::size_t points)
+    {
+        if (points > points_)
+            largest_ = &item;
+        points_ = std::max(points_, points);
+    }
+
+    const scene::Scene& scene_;
+    const scene::Item* largest_ = nullptr;
+    std::size_t points_ = 0;
+};
 
 /// Finds an object of a scene by its path (core/item_path.hpp).
 class ObjectSearch {
@@ -97,9 +135,9 @@ private:
 }
 
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
-                   Diagnostics& diagnostics)
+                   const InputTexts& texts, Diagnostics& diagnostics)
 {
-    const OutlineNeed need = need_at(view, moment);
+    const OutlineNeed need = need_at(view, moment, texts);
     const auto& [path, most] = *std::ranges::max_element(need.by_item, {}, &ByItem::value_type::second);
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
     diagnostics.error(
@@ -108,6 +146,18 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Momen
             std::to_string(need.amount) + " " + need.unit + ", " + std::to_string(need.amount - need.limit) +
             " more than the format holds; object \"" + item.name + "\" alone needs " + std::to_string(most),
         "draw it with fewer points, or show less at a time");
+}
+
+void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes,
+                        const OutlineAmount& live, Diagnostics& diagnostics)
+{
+    diagnostics.error(LargestLive{scene}.item().place,
+                      "what is told from outside may need " + std::to_string(live.corners) + " corners and " +
+                          std::to_string(live.bytes()) + " bytes of outlines at frame " +
+                          scene::text_of(moment.time()) + ", everything else needs " + std::to_string(bytes) +
+                          " bytes; the format holds " + std::to_string(OutlineStore::most_corners) +
+                          " corners and " + std::to_string(kfb::max_outline_bytes) + " bytes",
+                      "let the input have fewer points, or use join=bevel");
 }
 
 }

@@ -3,14 +3,21 @@
 #include "core/moment.hpp"
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
+#include "host/compiler/largest_texts.hpp"
+#include "host/compiler/live_outlines.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 
 namespace kfast {
 
-/// Reports that the outlines at `moment` do not fit what the format allows, at the object that has most of
-/// them. `view` is `scene` compiled.
+/// Reports that the outlines at `moment`, with these texts, do not fit what the format allows, at the object
+/// that has most of them. `view` is `scene` compiled.
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
-                   Diagnostics& diagnostics);
+                   const InputTexts& texts, Diagnostics& diagnostics);
+
+/// Likewise where the worst that live drawings may be told, `live`, comes to `bytes` of others; at the one
+/// that may have most points.
+void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes,
+                        const OutlineAmount& live, Diagnostics& diagnostics);
 
 }

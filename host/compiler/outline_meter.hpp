@@ -6,9 +6,11 @@
 #include "core/scene_view.hpp"
 #include "core/traced_picture.hpp"
 #include "core/tracer.hpp"
+#include "host/compiler/live_outlines.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
@@ -20,8 +22,12 @@ public:
     /// `bytes` for the outlines of a picture, a multiple of 4; `scene` must outlive it.
     OutlineMeter(const SceneView& scene, std::size_t bytes);
 
-    /// Valid until the next call.
+    /// From the next picture on, the input `number` is `text` (Player::set_text).
+    void put_text(std::uint32_t number, std::string_view text);
+    /// With nothing in the drawings that are told from outside. Valid until the next call.
     const TracedPicture& picture_at(const Moment& moment);
+    /// What these add at most, whatever is told.
+    OutlineAmount live_outlines_at(const Moment& moment) const;
 
 private:
     std::uint32_t take_inputs(const Moment& moment);
@@ -31,7 +37,10 @@ private:
     std::vector<PaintStep> steps_;
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
-    std::vector<Time> inputs_; ///< of the picture; at first all at 0
+    std::vector<Time> inputs_;            ///< of the picture; at first all at 0
+    std::vector<std::uint32_t> drawings_; // words, likewise
+    std::vector<std::byte> texts_;
+    std::uint32_t told_ = 0; ///< a bit for each input whose text is another than in the picture
     SceneOnPanel on_panel_;
     TracedPicture picture_;
 };

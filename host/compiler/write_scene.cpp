@@ -46,7 +46,7 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     ByteWriter bones;
     ByteWriter symbols;
     ByteWriter items;
-    write_inputs(scene.inputs, inputs);
+    write_inputs(scene.inputs, drawings, inputs);
     write_marks(scene, marks);
     write_bones(scene.bones, laws, bones);
     write_symbols(scene, writer, symbols);

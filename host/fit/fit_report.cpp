@@ -101,6 +101,16 @@ void note_stride(const FitReport& report, std::vector<std::string>& notes)
                         " was looked at");
 }
 
+/// Where a computer cannot tell an input anew for every frame.
+void note_link(const FitReport& report, std::vector<std::string>& notes)
+{
+    for (const LinkUpdate& update : report.link)
+        if (update.most_per_second() * slack < report.wanted_rate)
+            notes.push_back("telling " + update.what + " takes " + counted(update.reports, "report") +
+                            ", so that " + rate_text(update.most_per_second()) + " can be told by USB, not " +
+                            rate_text(report.wanted_rate));
+}
+
 void judge(const Target& target, FitReport& report)
 {
     check_flash(report, target, report.reasons);
@@ -111,6 +121,7 @@ void judge(const Target& target, FitReport& report)
     note_late_frames(report, report.notes);
     note_bus(target, report.notes);
     note_stride(report, report.notes);
+    note_link(report, report.notes);
 }
 
 }
@@ -121,6 +132,7 @@ FitReport fit_report(const FitWish& wish)
     report.flash = flash_need(wish.scene, wish.target);
     report.ram = ram_need(wish.scene, wish.target);
     report.speed = measured_speed(wish.scene, wish.target, wish.fit);
+    report.link = link_need(wish.scene);
     report.wanted_rate =
         wish.frames_per_second != 0 ? wish.frames_per_second : wish.scene.frame_rate() / 1000.0;
     const ItemLabels labels{wish.scene, wish.item_names};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/fit/link_need.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/speed.hpp"
 #include "host/fit/target.hpp"
@@ -24,6 +25,7 @@ struct FitReport {
     FlashNeed flash;
     RamNeed ram;
     Speed speed;
+    std::vector<LinkUpdate> link;     ///< what telling its inputs takes, if it has some
     double wanted_rate = 0;           ///< frames per second
     std::string heaviest_object;      ///< of the dearest frame
     std::string largest_object;       ///< of the frame with the largest outlines

@@ -14,7 +14,7 @@ ItemLabels::ItemLabels(const SceneView& scene, std::span<const std::string> name
             name = names.front();
             names = names.subspan(1);
         }
-        if (item.kind != ItemKind::object)
+        if (!item.is_leaf())
             return;
         ++objects;
         if (name.empty())
@@ -31,7 +31,7 @@ void ItemLabels::add(ItemCursor items, const Outer& outer)
         const std::string& name = names_.at(item.place);
         if (!name.empty())
             inner.label += (inner.label.empty() ? "" : "/") + name;
-        if (item.kind == ItemKind::object)
+        if (item.is_leaf())
             labels_[inner.path] = inner.label;
         else
             add(scene_.items_in(item), inner);

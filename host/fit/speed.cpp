@@ -18,6 +18,8 @@ public:
 
     void take_first(const FrameWork& frame) { speed_.first = cost_of(frame); }
 
+    void take_noise(const FrameWork& frame) { speed_.noise = cost_of(frame); }
+
     void take(const FrameWork& frame)
     {
         const FrameCost cost = cost_of(frame);
@@ -80,6 +82,7 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit)
         run.visit_turn(offset, [&](const FrameWork& frame) { meter.take(frame); });
     run.visit_turn_with_inputs([&](const FrameWork& frame) { meter.take(frame); });
     run.visit_end([&](const FrameWork& frame) { meter.take(frame); });
+    run.visit_noise([&](const FrameWork& frame) { meter.take_noise(frame); });
     speed.overfull = run.overfull();
     speed.stride = run.stride();
     std::ranges::stable_sort(speed.frames, {}, &FrameCost::seconds);

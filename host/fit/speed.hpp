@@ -43,6 +43,7 @@ struct Limits {
 struct Speed {
     std::vector<FrameCost> frames;           ///< the cheapest first
     FrameCost first;                         ///< at the beginning: the whole panel
+    std::optional<FrameCost> noise;          ///< with noise in all drawings among the inputs (Bustle)
     HeaviestItem heaviest;                   ///< of the dearest frame
     LargestOutlines outlines;                ///< of the picture that has most
     std::optional<LargestOutlines> overfull; ///< of the first picture that is not complete for want of room

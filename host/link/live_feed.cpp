@@ -1,28 +1,14 @@
 #include "host/link/live_feed.hpp"
 
+#include <utility>
+
 namespace kfast {
-namespace {
 
-std::vector<link::Inputs> reports_of(const std::map<std::uint8_t, Time>& places)
-{
-    std::vector<link::Inputs> reports;
-    for (const auto& [input, place] : places) {
-        if (reports.empty() || reports.back().count == link::Inputs::most)
-            reports.emplace_back();
-        link::Inputs& report = reports.back();
-        report.places[report.count++] = {input, place};
-    }
-    return reports;
-}
-
-}
-
-void LiveFeed::put(std::span<const link::InputPlace> places)
+void LiveFeed::put(const LiveValues& values)
 {
     {
         const std::lock_guard lock{mutex_};
-        for (const link::InputPlace& place : places)
-            places_[place.input] = place.place;
+        values_.take(values);
     }
     changed_.notify_one();
 }
@@ -36,15 +22,13 @@ void LiveFeed::close()
     changed_.notify_one();
 }
 
-std::optional<std::vector<link::Inputs>> LiveFeed::take(Milliseconds patience)
+std::optional<LiveValues> LiveFeed::take(Milliseconds patience)
 {
     std::unique_lock lock{mutex_};
-    changed_.wait_for(lock, patience, [&] { return is_closed_ || !places_.empty(); });
-    if (is_closed_ && places_.empty())
+    changed_.wait_for(lock, patience, [&] { return is_closed_ || !values_.empty(); });
+    if (is_closed_ && values_.empty())
         return std::nullopt;
-    auto reports = reports_of(places_);
-    places_.clear();
-    return reports;
+    return std::exchange(values_, {});
 }
 
 }

@@ -1,14 +1,11 @@
 #pragma once
 
-#include "firmware/link/message.hpp"
+#include "host/link/live_values.hpp"
 #include "host/link/report_pipe.hpp"
 
 #include <condition_variable>
-#include <map>
 #include <mutex>
 #include <optional>
-#include <span>
-#include <vector>
 
 namespace kfast {
 
@@ -16,18 +13,18 @@ namespace kfast {
 /// them. What has not been sent yet is replaced by what is newer.
 class LiveFeed {
 public:
-    /// Values that belong together: they are sent together, as far as a report has room.
-    void put(std::span<const link::InputPlace> places);
+    /// They belong together.
+    void put(const LiveValues& values);
     /// Nothing more will come.
     void close();
 
-    /// What is new, for which it waits so long; nothing once all has been sent and nothing more will come.
-    std::optional<std::vector<link::Inputs>> take(Milliseconds patience);
+    /// What is new, for which it waits so long; nothing once all has been taken and nothing more will come.
+    std::optional<LiveValues> take(Milliseconds patience);
 
 private:
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::map<std::uint8_t, Time> places_;
+    LiveValues values_;
     bool is_closed_ = false;
 };
 

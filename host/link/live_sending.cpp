@@ -1,8 +1,15 @@
 #include "host/link/live_sending.hpp"
 
+#include "core/kfb_limits.hpp"
+#include "host/drawing_reports.hpp"
 #include "host/link/interruption.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace kfast {
 namespace {
@@ -10,21 +17,64 @@ namespace {
 /// So often failures and interruptions are looked for.
 constexpr Milliseconds unheeded_at_most{100};
 
+/// The values of a line are in one report, as far as it has room.
+std::vector<link::Inputs> reports_of(const std::map<std::uint8_t, Time>& places)
+{
+    std::vector<link::Inputs> reports;
+    for (const auto& [input, place] : places) {
+        if (reports.empty() || reports.back().count == link::Inputs::most)
+            reports.emplace_back();
+        link::Inputs& report = reports.back();
+        report.places[report.count++] = {input, place};
+    }
+    return reports;
+}
+
+/// `text` has no more bytes than a report.
+link::Text report_of(std::uint8_t input, std::string_view text)
+{
+    link::Text report{.input = input, .length = static_cast<std::uint8_t>(text.size())};
+    std::ranges::copy(std::as_bytes(std::span{text}), report.bytes.begin());
+    return report;
+}
+
+class LiveSending {
+public:
+    explicit LiveSending(Session& session) : session_{session} {}
+
+    void send(const LiveValues& values)
+    {
+        for (const link::Inputs& report : reports_of(values.places))
+            session_.tell(report);
+        for (const auto& [input, text] : values.texts)
+            session_.tell(report_of(input, text));
+        for (const auto& [input, drawing] : values.drawings)
+            for (const link::Report& report : drawing_reports(drawing, input, numbers_.at(input)++))
+                session_.send(report);
+    }
+    /// So that the device knows that somebody is there.
+    void send_nothing() { session_.tell(link::Inputs{}); }
+
+private:
+    Session& session_;
+    std::array<std::uint8_t, kfb::max_inputs> numbers_{}; ///< of the next drawing of each input
+};
+
 }
 
 void send_live(Session& session, LiveFeed& feed, Milliseconds keep_alive)
 {
     Milliseconds told = session.now();
-    while (const auto reports = feed.take(std::min(keep_alive, unheeded_at_most))) {
+    LiveSending sending{session};
+    while (const auto values = feed.take(std::min(keep_alive, unheeded_at_most))) {
         heed_interruption();
-        for (const link::Inputs& report : *reports)
-            session.tell(report);
-        if (!reports->empty()) {
+        const bool is_time = session.now() - told >= keep_alive;
+        if (!values->empty())
+            sending.send(*values);
+        else if (is_time)
+            sending.send_nothing();
+        if (!values->empty() || is_time)
             told = session.now();
-        } else if (session.now() - told >= keep_alive) {
-            session.tell(link::Inputs{});
-            told = session.now();
-        }
         session.tell_failures();
     }
     session.ask<link::Playing>(link::AskPlaying{}); // what failed of the last values is told before

@@ -30,6 +30,11 @@ public:
         return frame_;
     }
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
+    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
+    {
+        return player_.set_drawing(number, strokes);
+    }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
     Pace pace() const override { return Pace::by_frames; }
 
 private:

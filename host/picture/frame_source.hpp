@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/live_drawing.hpp"
 #include "core/time.hpp"
 #include "host/picture/frame.hpp"
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 namespace kfast {
 
@@ -22,6 +25,10 @@ public:
     virtual const Frame& show(Time moment) = 0;
     /// As Player::set_input().
     virtual void set_input(std::uint32_t number, Time place) = 0;
+    /// As Player::set_drawing().
+    virtual bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) = 0;
+    /// As Player::set_text().
+    virtual void set_text(std::uint32_t number, std::string_view text) = 0;
     virtual Pace pace() const { return Pace::smooth; }
 };
 

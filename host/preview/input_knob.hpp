@@ -8,11 +8,15 @@
 
 namespace kfast {
 
-/// An input of a scene, turned by keys. Values are in 1/1000.
+/// An input of a scene that is no drawing; if it is a number, keys turn it. Values are in 1/1000.
 struct InputKnob {
     std::string name;
-    InputView range; ///< without its name
+    std::uint32_t number = 0; ///< of the input
+    InputView range;          ///< without its name
     std::int32_t value = 0;
+    std::string text = {}; ///< only of a text
+
+    bool can_turn() const { return range.type == InputType::number; }
 
     /// By a twentieth of its range for each step.
     void turn(int steps)

@@ -151,8 +151,13 @@ void Playback::toggle_playing(Seconds now)
 
 void Playback::choose_next_input()
 {
-    if (!programme_.inputs.empty())
-        input_ = input_ ? (*input_ + 1) % programme_.inputs.size() : 0;
+    const std::size_t count = programme_.inputs.size();
+    std::size_t next = input_ ? *input_ + 1 : 0;
+    for (std::size_t tried = 0; tried < count; ++tried, ++next)
+        if (programme_.inputs[next % count].can_turn()) {
+            input_ = next % count;
+            return;
+        }
 }
 
 void Playback::turn_input(int steps)
@@ -221,9 +226,11 @@ void Playback::step_key(int direction)
 
 const Frame& show(FrameSource& source, const Playback& playback)
 {
-    std::uint32_t number = 0;
     for (const InputKnob& input : playback.inputs())
-        source.set_input(number++, input.place());
+        if (input.range.type == InputType::text)
+            source.set_text(input.number, input.text);
+        else
+            source.set_input(input.number, input.place());
     return source.show(playback.time());
 }
 

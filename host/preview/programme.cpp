@@ -11,10 +11,12 @@ namespace {
 std::vector<InputKnob> inputs_of(const SceneView& scene)
 {
     std::vector<InputKnob> knobs;
-    for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
+    std::uint32_t number = 0;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
         InputView input = inputs.next();
         const std::string name{std::exchange(input.name, {})};
-        knobs.push_back({name, input, input.usual});
+        if (input.type != InputType::drawing)
+            knobs.push_back({name, number, input, input.usual});
     }
     return knobs;
 }

@@ -21,7 +21,7 @@ struct Programme {
     std::vector<Part> parts;                    ///< the whole scene, then its clips
     std::vector<Time> keys;                     ///< in order
     EventCursor events;                         ///< looks into the scene's bytes
-    std::vector<InputKnob> inputs = {};         ///< all of the scene
+    std::vector<InputKnob> inputs = {};         ///< all numbers of the scene
     std::size_t first = 0;                      ///< the part to begin with
     std::int32_t speed = Playhead::as_authored; ///< not 0
 };

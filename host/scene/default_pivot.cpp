@@ -13,7 +13,7 @@ public:
         low_ = std::min(low_, value);
         high_ = std::max(high_, value);
     }
-    int centre() const { return (low_ + high_ + 1) >> 1; }
+    std::int16_t centre() const { return static_cast<std::int16_t>((low_ + high_ + 1) >> 1); }
 
 private:
     int low_ = std::numeric_limits<int>::max();
@@ -51,10 +51,15 @@ void set_default_pivot(const std::vector<Key>& keys, ItemValues& values)
     if (first == keys.end())
         return;
     const Centre centre = centre_of(first->drawing);
+    set_default_pivot({centre.x.centre(), centre.y.centre()}, values);
+}
+
+void set_default_pivot(Point pivot, ItemValues& values)
+{
     auto& x = values[Property::pivot_x];
     auto& y = values[Property::pivot_y];
-    x = x.value_or(centre.x.centre());
-    y = y.value_or(centre.y.centre());
+    x = x.value_or(pivot.x);
+    y = y.value_or(pivot.y);
 }
 
 }

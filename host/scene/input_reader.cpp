@@ -1,9 +1,12 @@
 #include "host/scene/input_reader.hpp"
 
 #include "host/kdl/canonical.hpp"
+#include "host/scene/drawing_input_reader.hpp"
+#include "host/scene/input_type.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/text_input_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
@@ -12,20 +15,37 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace kfast::scene {
 namespace {
 
-constexpr NodeForm input_form{input_name, "input NAME min=NUMBER max=NUMBER default=NUMBER", 1, 1};
+constexpr NodeForm number_form{input_name, "input NAME min=NUMBER max=NUMBER default=NUMBER", 1, 1};
+constexpr NodeForm drawing_form{input_name, "input NAME kind=drawing points=NUMBER { shapes }", 1, 1, true};
 
-struct InputProperties {
+constexpr NodeForm text_form{input_name, "input NAME kind=text glyphs=\"0-9\" max=NUMBER", 1, 1};
+
+const NodeForm& form_of(InputType type)
+{
+    switch (type) {
+    case InputType::number:
+        break;
+    case InputType::text:
+        return text_form;
+    case InputType::drawing:
+        return drawing_form;
+    }
+    return number_form;
+}
+
+struct NumberProperties {
     std::int32_t least = 0;
     std::int32_t most = 1000;
     std::optional<std::int32_t> usual;
 };
 
-template <auto InputProperties::*value>
-bool read_value(const kdl::Value& written, InputProperties& input, Reading& reading)
+template <auto NumberProperties::*value>
+bool read_value(const kdl::Value& written, NumberProperties& input, Reading& reading)
 {
     const auto number = read_number(written, input_values, reading);
     if (number)
@@ -33,13 +53,14 @@ bool read_value(const kdl::Value& written, InputProperties& input, Reading& read
     return number.has_value();
 }
 
-constexpr std::array input_rules{
-    PropertyRule<InputProperties>{"min", read_value<&InputProperties::least>},
-    PropertyRule<InputProperties>{"max", read_value<&InputProperties::most>},
-    PropertyRule<InputProperties>{"default", read_value<&InputProperties::usual>},
+constexpr std::array number_rules{
+    PropertyRule<NumberProperties>{"kind", check_own_type<NumberProperties>},
+    PropertyRule<NumberProperties>{"min", read_value<&NumberProperties::least>},
+    PropertyRule<NumberProperties>{"max", read_value<&NumberProperties::most>},
+    PropertyRule<NumberProperties>{"default", read_value<&NumberProperties::usual>},
 };
 
-bool check_range(const kdl::Node& node, const InputProperties& input, Reading& reading)
+bool check_range(const kdl::Node& node, const NumberProperties& input, Reading& reading)
 {
     if (input.most <= input.least)
         return reading.report.error(property_place(node, has_property(node, "max") ? "max" : "min"),
@@ -51,15 +72,58 @@ bool check_range(const kdl::Node& node, const InputProperties& input, Reading& r
     return true;
 }
 
+InputEntry read_number_input(const kdl::Node& node, Reading& reading)
+{
+    NumberProperties properties;
+    if (read_properties(node, number_rules, properties, reading))
+        check_range(node, properties, reading);
+    const bool has_range = properties.most > properties.least;
+    InputEntry entry{.input = {.name = {}, .least = properties.least, .most = properties.most},
+                     .place = {},
+                     .is_range_known = has_range};
+    entry.input.usual =
+        properties.usual.value_or(has_range ? std::clamp(0, properties.least, properties.most) : 0);
+    return entry;
+}
+
+InputEntry read_entry(const kdl::Node& node, Reading& reading)
+{
+    InputEntry entry{.input = {.name = {}, .type = input_type(node)}, .place = {}};
+    switch (entry.input.type) {
+    case InputType::number:
+        return read_number_input(node, reading);
+    case InputType::text:
+        entry.input.text = read_text_input(node, reading);
+        break;
+    case InputType::drawing:
+        entry.input.drawing = read_drawing_input(node, reading);
+        break;
+    }
+    return entry;
+}
+
+/// What makes use of such an input.
+std::string remedy_of_unused(const Input& input)
+{
+    const std::string name = kdl::string_form(input.name);
+    switch (input.type) {
+    case InputType::number:
+        break;
+    case InputType::text:
+        return "add 'text input=" + name + " at=\"X,Y\" size=PIXELS' to an object, or remove it";
+    case InputType::drawing:
+        return "add live=" + name + " to an object, or remove it";
+    }
+    return "add input=" + name + " to a track, an item or a pose, or remove it";
+}
+
 }
 
 void add_input(const kdl::Node& node, Reading& reading)
 {
-    if (!fits(node, input_form, reading))
+    if (!fits(node, form_of(input_type(node)), reading))
         return;
-    InputProperties properties;
-    if (read_properties(node, input_rules, properties, reading))
-        check_range(node, properties, reading);
+    InputEntry entry = read_entry(node, reading);
     const kdl::Value& value = node.arguments.front();
     const auto name = read_name(value, reading);
     const Place place = span(node.name_place, value.place);
@@ -71,20 +135,21 @@ void add_input(const kdl::Node& node, Reading& reading)
     }
     if (reading.inputs.entries.size() == most_inputs)
         reading.report.error(place, "a scene has at most " + std::to_string(most_inputs) + " inputs");
-    Input input{.name = std::string{*name}, .least = properties.least, .most = properties.most};
-    const bool has_range = input.most > input.least;
-    input.usual = properties.usual.value_or(has_range ? std::clamp(0, input.least, input.most) : 0);
     // One that is wrong is kept, so that what names it is not wrong as well.
-    reading.inputs.entries.push_back({.input = input, .place = place, .is_range_known = has_range});
+    entry.input.name = *name;
+    entry.place = place;
+    reading.inputs.entries.push_back(std::move(entry));
 }
 
 void warn_of_unused_inputs(Reading& reading)
 {
     for (const InputEntry& entry : reading.inputs.entries)
         if (!entry.is_used)
-            reading.report.warning(entry.place, "the input " + quoted(entry.input.name) + " moves nothing",
-                                   "add input=" + kdl::string_form(entry.input.name) +
-                                       " to a track, an item or a pose, or remove it");
+            reading.report.warning(entry.place,
+                                   "the input " + quoted(entry.input.name) +
+                                       (entry.input.type == InputType::number ? " moves" : " shows") +
+                                       " nothing",
+                                   remedy_of_unused(entry.input));
 }
 
 }

@@ -1,14 +1,11 @@
 #include "host/scene/key_clock.hpp"
 
-#include "host/kdl/canonical.hpp"
+#include "host/scene/input_user.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
-#include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace kfast::scene {
 
@@ -32,22 +29,8 @@ std::string_view KeyClock::grain() const
 
 std::optional<KeyClock> read_key_clock(const kdl::Value& value, Reading& reading)
 {
-    const auto name = read_name(value, reading);
-    if (!name)
-        return std::nullopt;
-    InputTable& inputs = reading.inputs;
-    if (InputEntry* const entry = inputs.find(*name)) {
-        entry->is_used = true;
-        return KeyClock{inputs, static_cast<std::size_t>(entry - inputs.entries.data())};
-    }
-    std::vector<std::string_view> known;
-    for (const InputEntry& entry : inputs.entries)
-        known.push_back(entry.input.name);
-    reading.report.error(value.place, "unknown input " + quoted(*name),
-                         known.empty()
-                             ? "add \"input " + kdl::string_form(*name) + " min=0 max=1\" to the scene"
-                             : suggestion(*name, known));
-    return std::nullopt;
+    const auto number = use_input(value, InputType::number, reading);
+    return number ? std::optional{KeyClock{reading.inputs, *number}} : std::nullopt;
 }
 
 void warn_of_idle_input(const kdl::Node& node, bool has_keys, Reading& reading)

@@ -18,6 +18,7 @@ inline constexpr std::size_t most_ordered_items = kfb::max_ordered_items; ///< b
 inline constexpr std::size_t most_symbols = kfb::max_symbols;             ///< of items, in use
 inline constexpr std::size_t most_clips = kfb::max_clips;
 inline constexpr std::size_t most_inputs = kfb::max_inputs;
+inline constexpr int most_live_points = kfb::max_live_points; ///< of a drawing from outside
 inline constexpr std::size_t most_backbones = kfb::max_backbones;
 inline constexpr std::size_t most_backbone_segments = kfb::max_backbone_segments; ///< of a skeleton
 inline constexpr std::size_t longest_name = kfb::max_name_bytes;

@@ -4,6 +4,8 @@
 #include "core/clock.hpp"
 #include "core/colour.hpp"
 #include "core/fill_rule.hpp"
+#include "core/input_view.hpp"
+#include "core/label_view.hpp"
 #include "core/law_pair.hpp"
 #include "core/property.hpp"
 #include "core/size.hpp"
@@ -170,7 +172,33 @@ struct StrokeStyle {
     int miter_limit = default_miter_limit; ///< the longest miter, in 1/8 widths, 8 … 255
 };
 
-/// Has a fill or a stroke or both, and at least one key; the times of its keys rise.
+/// A character of a label: its drawing, and how far from its beginning the next one begins.
+struct LabelGlyph {
+    Drawing drawing;
+    std::int32_t advance = 0; ///< in 1/4096 px
+};
+
+/// What is added between two glyphs of a label, in 1/4096 px.
+struct Kerning {
+    std::uint8_t left = 0;
+    std::uint8_t right = 0;
+    std::int32_t by = 0;
+};
+
+using kfast::Align;
+
+/// The text of an input, laid out on one line.
+struct Label {
+    std::size_t input = 0; ///< index into Scene::inputs
+    Point at;              ///< on the baseline, where `align` says
+    Align align = Align::left;
+    std::int32_t spacing = 0;       ///< added between glyphs, in 1/4096 px
+    std::vector<LabelGlyph> glyphs; ///< of each character of the input, in their order
+    std::vector<Kerning> kerning;   ///< in the order of their glyphs, of the left ones first; none is 0
+};
+
+/// Has a fill or a stroke or both, and at least one key, unless it shows an input; the times of its keys
+/// rise.
 struct Object {
     std::optional<std::size_t> fill; ///< index into Scene::palette
     FillRule fill_rule = FillRule::nonzero;
@@ -179,6 +207,8 @@ struct Object {
     std::optional<Skin> skin = {};               ///< then no backbones, and all drawings have as many strokes
     std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
     Clock clock = {};                            ///< of both
+    std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing carries it then
+    std::optional<Label> label = {};      ///< likewise: a text
 };
 
 struct Item;
@@ -222,12 +252,30 @@ struct Event {
     Time time;
 };
 
-/// A number that the scene takes from outside, and that keys may go by. Values are in 1/1000.
+/// What of an input is a text.
+struct TextInput {
+    std::u32string glyphs;  ///< the characters that it may have, in the order of their code points
+    std::uint32_t most = 1; ///< characters
+    std::u32string usual;   ///< of these glyphs
+};
+
+/// A drawing that objects show until another is told, and what that one may have.
+struct DrawingInput {
+    std::size_t strokes = 1; ///< at most `points`
+    std::size_t points = 1;  ///< of all strokes together
+    Drawing usual = {};      ///< lines, and no more than that
+};
+
+/// What the scene takes from outside: a number that keys may go by, its values in 1/1000, or a text or a
+/// drawing.
 struct Input {
     std::string name;
     std::int32_t least = 0;
     std::int32_t most = 1000; ///< more than `least`
     std::int32_t usual = 0;   ///< within both
+    InputType type = InputType::number;
+    TextInput text = {};       ///< only of a text
+    DrawingInput drawing = {}; ///< only of a drawing
 };
 
 struct Scene {

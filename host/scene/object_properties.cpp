@@ -85,7 +85,8 @@ constexpr std::array skin_rules{
 
 constexpr auto object_rules =
     joined(style_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
-           std::array{PropertyRule<Target>{"input", read_own_clock<Target>}});
+           std::array{PropertyRule<Target>{"input", read_own_clock<Target>},
+                      PropertyRule<Target>{"live", keep_name<&Target::live>}});
 
 }
 

@@ -19,6 +19,7 @@ struct ObjectProperties {
     const kdl::Value* skin = nullptr; ///< the name of a skeleton
     const kdl::Value* bone = nullptr; ///< the name of the bone that alone carries the object
     bool turns_changes = false;       ///< see Skin
+    const kdl::Value* live = nullptr; ///< the name of the input that is shown instead of drawings
 
     std::optional<std::size_t> fill_colour() const;
     std::optional<StrokeStyle> stroke_style() const;

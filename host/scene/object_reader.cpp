@@ -5,6 +5,8 @@
 #include "host/scene/double_quantity.hpp"
 #include "host/scene/drawing_content.hpp"
 #include "host/scene/drawing_reader.hpp"
+#include "host/scene/input_user.hpp"
+#include "host/scene/label_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/node_form.hpp"
@@ -82,21 +84,63 @@ public:
         Object object{.fill = properties_.fill_colour(),
                       .fill_rule = properties_.fill_rule,
                       .stroke = properties_.stroke_style(),
-                      .keys = read_drawings(content)};
-        object.skin = read_skin(
-            {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
-            object.keys, reading_);
-        object.backbone_keys = read_skeletons(content.keys, reading_);
-        object.clock = properties_.clock.clock();
-        refuse_two_carriers(content.keys);
+                      .keys = {}};
+        if (is_placed_label(content))
+            set_label(content, object);
+        else
+            draw(content, object);
         auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
                                    content.timed, reading_);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
 
 private:
+    bool is_placed_label(const DrawingContent& content) const
+    {
+        return properties_.live == nullptr && content.drawn.size() == 1 && is_label(*content.drawn.front());
+    }
+
+    void draw(DrawingContent& content, Object& object)
+    {
+        object.keys = read_drawings(content);
+        object.skin = read_skin(
+            {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
+            object.keys, reading_);
+        object.backbone_keys = read_skeletons(content.keys, reading_);
+        object.clock = properties_.clock.clock();
+        object.live = live_;
+        refuse_two_carriers(content.keys);
+    }
+
+    void set_label(const DrawingContent& content, Object& object)
+    {
+        refuse_carriers_of_label(content);
+        refuse_doubles(content);
+        object.label = read_label(*content.drawn.front(), reading_);
+        if (object.label)
+            set_default_pivot(object.label->at, properties_.values);
+    }
+
+    void refuse_carriers_of_label(const DrawingContent& content)
+    {
+        constexpr auto remedy = "remove this, or write the words themselves";
+        const auto refuse = [this](Place place, std::string_view carrier) {
+            reading_.report.error(place, "the text of an input has no " + std::string{carrier}, remedy);
+        };
+        for (const std::string_view property : {"skin", "bone"})
+            if (has_property(node_, property))
+                refuse(property_place(node_, property), property);
+        if (content.weights != nullptr)
+            refuse(content.weights->name_place, "weights");
+        const auto key = std::ranges::find_if(content.keys, has_skeleton);
+        if (key != content.keys.end())
+            refuse(key->skeleton->name_place, "skeleton");
+    }
+
     std::vector<Key> read_drawings(DrawingContent& content)
     {
+        if (properties_.live != nullptr)
+            return read_live(*properties_.live, content);
         if (is_placed_symbol(content))
             return take_symbol(*content.drawn.front(), content);
         refuse_doubles(content);
@@ -106,6 +150,44 @@ private:
             report_no_drawing();
         set_default_pivot(keys, properties_.values);
         return keys;
+    }
+
+    /// The drawing is that of the input, and there are no keys of it.
+    std::vector<Key> read_live(const kdl::Value& name, DrawingContent& content)
+    {
+        refuse_doubles(content);
+        refuse_own_drawings(content);
+        live_ = use_input(name, InputType::drawing, reading_);
+        if (live_)
+            set_default_pivot({{.time = {},
+                                .laws = {},
+                                .drawing = reading_.inputs.entries[*live_].input.drawing.usual,
+                                .place = {}}},
+                              properties_.values);
+        return {};
+    }
+
+    void refuse_own_drawings(DrawingContent& content)
+    {
+        for (const kdl::Node* drawn : content.drawn)
+            report_own_drawing(drawn->name_place);
+        for (const Key& key : take_drawings(content.keys))
+            report_own_drawing(key.place);
+        for (ItemKey& key : content.keys)
+            if (const kdl::Node* const skeleton = std::exchange(key.skeleton, nullptr))
+                report_own_drawing(skeleton->name_place);
+        if (properties_.skin != nullptr)
+            report_own_drawing(property_place(node_, "skin"));
+        if (content.weights != nullptr && properties_.skin == nullptr)
+            report_own_drawing(content.weights->name_place);
+        properties_.skin = nullptr;
+        content.weights = nullptr;
+    }
+
+    void report_own_drawing(Place place)
+    {
+        reading_.report.error(place, "this object shows an input, and has no drawing or skeleton of its own",
+                              "put shapes into the input, or remove live=…");
     }
 
     /// A skin needs the drawing itself to stand where the use says.
@@ -184,6 +266,7 @@ private:
     Place place_;
     Reading& reading_;
     ObjectProperties properties_;
+    std::optional<std::size_t> live_ = {}; ///< the input that is shown
 };
 
 }

@@ -86,7 +86,7 @@ constexpr std::array shapes{
     Shape{{"star", "star CX CY points=NUMBER r=RADIUS inner=RADIUS turn=DEGREES", 2, 2}, read_star},
     Shape{{"line", "line X Y X Y …", 4, NodeForm::any_number}, read_line},
     Shape{{"curve", "curve X Y X Y … closed=#true", 4, NodeForm::any_number}, read_curve},
-    Shape{{"text", "text \"WORDS\" at=\"X,Y\" size=PIXELS font=FONT", 1, 1}, read_text_shape},
+    Shape{{"text", "text \"WORDS\" at=\"X,Y\" size=PIXELS font=FONT", 0, 1}, read_text_shape},
 };
 
 constexpr auto names = [] {

@@ -10,8 +10,6 @@
 
 namespace kfast::scene {
 
-enum class Align { left, center, right };
-
 /// How a text is set. All lengths in pixels.
 struct TextStyle {
     Font* font = nullptr;

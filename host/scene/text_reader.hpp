@@ -9,7 +9,7 @@
 
 namespace kfast::scene {
 
-/// As read_shape(), for the node text, whose form has been checked.
+/// As read_shape(), for the node text, whose form has been checked but for its words.
 std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_left, Reading& reading);
 
 }

@@ -94,6 +94,12 @@ std::optional<Meaning> read_word(const kdl::Value& value, const std::array<Word<
 /// once, repeat or ping-pong.
 std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading);
 
+/// Where a part of the text of `value` stands in the source; where that is not known, the whole value.
+inline Place place_in_text(const kdl::Value& value, Place part)
+{
+    return value.text_offset ? Place{*value.text_offset + part.offset, part.length} : value.place;
+}
+
 /// Passes on a finding inside the text of `value` at its place in the source; where that is not known (the
 /// text has escapes or several lines), at the whole value with the place in words, in the text that `what`
 /// names.

@@ -148,7 +148,9 @@ TEST_CASE("bits that only objects have are known in objects alone")
     CHECK(is_known(0xFC));
     CHECK(is_known(0x05));
     CHECK(is_known(0x06));
-    CHECK_FALSE(is_known(0x03));
+    CHECK(is_known(0x03));
+    CHECK_FALSE(is_known(0x43));
+    CHECK_FALSE(is_known(0x83));
     for (const int bit : {0x08, 0x10, 0x20, 0x40, 0x80}) {
         CHECK(is_known(bit));
         CHECK_FALSE(is_known(1 | bit));

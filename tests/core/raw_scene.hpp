@@ -159,7 +159,8 @@ inline Bytes input_bytes(std::string_view name, std::int32_t least = 0, std::int
                          std::int32_t usual = 0)
 {
     ByteWriter writer;
-    write_inputs({{std::string{name}, least, most, usual}}, writer);
+    DrawingPool none;
+    write_inputs({{std::string{name}, least, most, usual}}, none, writer);
     return writer.bytes();
 }
 

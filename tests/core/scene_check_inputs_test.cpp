@@ -2,6 +2,7 @@
 
 #include "tests/core/acceptance.hpp"
 #include "tests/core/raw_bones.hpp"
+#include "tests/core/raw_drawing.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,6 +23,25 @@ RawScene with_inputs(std::uint32_t count, const Bytes& inputs)
 bool takes_input(std::int32_t least, std::int32_t most, std::int32_t usual)
 {
     return is_accepted(with_inputs(1, input_bytes("a", least, most, usual)));
+}
+
+/// A drawing, its usual one at the offset.
+Bytes drawing_input(std::uint32_t strokes, std::uint32_t points, std::uint32_t usual)
+{
+    return joined({bytes({2, 1, 'd'}), varint(strokes), varint(points), varint(usual)});
+}
+
+bool takes_drawing(std::uint32_t strokes, std::uint32_t points, std::uint32_t usual)
+{
+    return is_accepted(with_inputs(1, drawing_input(strokes, points, usual)));
+}
+
+/// A scene with a number and a drawing that has these items.
+bool takes_live(const Bytes& items)
+{
+    RawScene scene = with_inputs(2, joined({input_bytes("a"), drawing_input(2, 9, 0)}));
+    scene.items = items;
+    return is_accepted(scene);
 }
 
 /// Two inputs, and a track by one with these keys.
@@ -91,6 +111,55 @@ TEST_CASE("so do keys of drawings, and of bones")
     CHECK(takes_bones(1, 65536));
     CHECK_FALSE(takes_bones(2, 65536));
     CHECK_FALSE(takes_bones(1, 65537));
+}
+
+TEST_CASE("a drawing input has room for its usual drawing, which consists of lines")
+{
+    CHECK(takes_drawing(1, 3, 0)); // the triangle
+    CHECK(takes_drawing(4096, 4096, 10));
+    CHECK(takes_drawing(1, 1, 10));
+    CHECK_FALSE(takes_drawing(1, 2, 0));
+    CHECK_FALSE(takes_drawing(0, 4, 10));
+    CHECK_FALSE(takes_drawing(1, 0, 10));
+    CHECK_FALSE(takes_drawing(5, 4, 10));
+    CHECK_FALSE(takes_drawing(1, 4097, 10));
+    CHECK_FALSE(takes_drawing(1, 4, 11));
+    CHECK_FALSE(takes_drawing(1, 4, 5000));
+    RawScene scene = with_inputs(1, drawing_input(1, 9, 0));
+    const scene::Segment curve{.cubic = true, .c1 = {16, 16}, .c2 = {32, 16}, .to = {48, 0}};
+    scene.drawings = packed({{{.from = {}, .segments = {curve}}}});
+    scene.items = Bytes{};
+    CHECK_FALSE(is_accepted(scene));
+}
+
+TEST_CASE("a live item shows a drawing, in a style")
+{
+    const Bytes filled = bytes({0x0B, 0, 1, 1});
+    CHECK(takes_live(filled));
+    CHECK(takes_live(bytes({0x33, 0, 1, 1, 16, 5}))); // stroked, the bit of a fill rule is harmless
+    CHECK(takes_live(group(filled)));
+    CHECK(takes_live(joined({bytes({0x0F, 0, 1}), fixed_track(Property::fill, 2), bytes({1, 1})})));
+    CHECK_FALSE(takes_live(joined({bytes({0x0F, 0, 1}), fixed_track(Property::width, 2), bytes({1, 1})})));
+    CHECK_FALSE(takes_live(bytes({0x0B, 0, 0, 1}))); // a number
+    CHECK_FALSE(takes_live(bytes({0x0B, 0, 2, 1}))); // no input at all
+    CHECK_FALSE(takes_live(bytes({0x0B, 9, 1, 1}))); // nothing that can be live
+    CHECK_FALSE(takes_live(bytes({0x0B, 0, 1, 9}))); // no such colour
+    CHECK_FALSE(takes_live(bytes({0x03, 0, 1})));    // neither fill nor stroke
+    CHECK_FALSE(takes_live(bytes({0x4B, 0, 1, 1})));
+    CHECK_FALSE(takes_live(bytes({0x8B, 0, 1, 1})));
+    CHECK_FALSE(takes_live(bytes({0x0B, 0, 1})));
+    CHECK_FALSE(takes_live(bytes({0x0B})));
+}
+
+TEST_CASE("keys go by numbers alone")
+{
+    RawScene scene = with_inputs(2, joined({input_bytes("a"), drawing_input(1, 9, 10)}));
+    const auto takes_clock = [&scene](Clock clock) {
+        scene.items = tracked(1, joined({bytes({0}), track_keys({{{0}, 0, 1}, {{9}, 0, 2}}, 0, clock)}));
+        return is_accepted(scene);
+    };
+    CHECK(takes_clock({1}));
+    CHECK_FALSE(takes_clock({2}));
 }
 
 }

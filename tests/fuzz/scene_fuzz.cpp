@@ -51,7 +51,19 @@ void check_keys(const std::vector<Key>& keys)
                                [](const Key& key) { return is_valid(key.laws.x) && is_valid(key.laws.y); }));
 }
 
-void check_object(const scene::Object& object, std::size_t colours)
+void check_label(const scene::Label& label, const std::vector<scene::Input>& inputs)
+{
+    demand(label.input < inputs.size() && inputs[label.input].type == InputType::text);
+    const scene::TextInput& text = inputs[label.input].text;
+    demand(label.glyphs.size() == text.glyphs.size() && text.usual.size() <= text.most);
+    for (const scene::LabelGlyph& glyph : label.glyphs) {
+        demand(std::abs(glyph.advance) <= kfb::max_text_width / static_cast<std::int32_t>(text.most));
+        for (const scene::Stroke& stroke : glyph.drawing.strokes)
+            check_stroke(stroke);
+    }
+}
+
+void check_object(const scene::Object& object, std::size_t colours, const std::vector<scene::Input>& inputs)
 {
     demand(object.fill || object.stroke);
     demand(!object.fill || *object.fill < colours);
@@ -60,6 +72,11 @@ void check_object(const scene::Object& object, std::size_t colours)
         demand(object.stroke->width >= 1 && object.stroke->width <= kfb::max_width);
         demand(object.stroke->miter_limit >= 8 && object.stroke->miter_limit <= 255);
     }
+    demand(!object.live || (object.keys.empty() && !object.skin && object.backbone_keys.empty()));
+    if (object.live)
+        return;
+    if (object.label)
+        return check_label(*object.label, inputs);
     check_keys(object.keys);
     for (const scene::Key& key : object.keys)
         for (const scene::Stroke& stroke : key.drawing.strokes)
@@ -95,7 +112,7 @@ std::size_t check_items(const scene::Scene& scene, const std::vector<scene::Item
     for (const scene::Item& item : items) {
         check_tracks(item, scene.palette.size());
         if (const auto* const object = std::get_if<scene::Object>(&item.content))
-            check_object(*object, scene.palette.size());
+            check_object(*object, scene.palette.size(), scene.inputs);
         else if (const auto* const group = std::get_if<scene::Group>(&item.content))
             count += check_items(scene, group->items, known, depth + 1);
         else {

@@ -1,9 +1,12 @@
 #include "core/crc32.hpp"
+#include "core/label_view.hpp"
 #include "core/player.hpp"
 #include "host/every_item.hpp"
+#include "host/text/utf8.hpp"
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace kfast {
@@ -36,12 +39,34 @@ void read_marks(const SceneView& scene)
     }
 }
 
+void read_drawing(PackedDrawing drawing)
+{
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
+        for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
+            drawing.next_segment();
+    demand(drawing.is_sound());
+}
+
+void read_text(const TextInput& text)
+{
+    for (std::uint32_t glyph = 0; glyph < text.glyphs.count(); ++glyph)
+        demand(text.glyphs.glyph(text.glyphs.character(glyph)) == glyph);
+    demand(text.usual.size() <= text.most);
+}
+
 void read_inputs(const SceneView& scene)
 {
     for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
         const InputView input = inputs.next();
+        demand(scene.input(input.name).has_value());
+        if (input.type == InputType::drawing) {
+            read_drawing(scene.drawing(input.drawing.usual));
+            continue;
+        }
         const Time place = input.place_of(input.usual);
         demand(scene.input(input.name).has_value() && place >= Time{} && place <= whole_input);
+        if (input.type == InputType::text)
+            read_text(input.text);
     }
 }
 
@@ -69,14 +94,6 @@ void read_bones(const SceneView& scene)
     demand(all == scene.bone_count());
 }
 
-void read_drawing(PackedDrawing drawing)
-{
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
-        for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
-            drawing.next_segment();
-    demand(drawing.is_sound());
-}
-
 void read_keys(const SceneView& scene, const ObjectView& object)
 {
     for (KeyCursor keys = object.keys(); !keys.at_end();) {
@@ -99,6 +116,12 @@ void read_backbones(const SceneView& scene, const BackbonesView& backbones)
     }
 }
 
+void read_label(const SceneView& scene, const LabelView& label)
+{
+    for (std::uint32_t glyph = 0; glyph < label.glyph_count; ++glyph)
+        read_drawing(scene.drawing(static_cast<std::uint32_t>(label.drawings[glyph])));
+}
+
 /// Everything that a scene stores, items that are hidden or used nowhere too.
 void read(const SceneView& scene)
 {
@@ -111,6 +134,8 @@ void read(const SceneView& scene)
             read_drawing(scene.drawing(item.path.drawing));
         if (item.kind == ItemKind::object)
             read_keys(scene, item.object);
+        if (item.kind == ItemKind::live && item.live.kind == LiveKind::label)
+            read_label(scene, LabelView::of(item.live.label));
         if (item.object.carrier == Carrier::backbones)
             read_backbones(scene, item.object.backbones);
     });
@@ -132,6 +157,48 @@ void draw_changes(Player& player, PixelFormat format)
     });
 }
 
+/// Draws points from anywhere, now more and now fewer than there may be.
+void scribble(Player& player, std::uint32_t input, std::uint32_t seed)
+{
+    LiveDrawing drawing = player.drawing(input);
+    const std::uint32_t most = player.scene().input(input).drawing.points;
+    drawing.begin();
+    for (std::uint32_t left = seed * 31 % (most + 2); left > 0; --left) {
+        seed = seed * 1664525 + 1013904223;
+        if (seed >> 28 == 0)
+            drawing.begin_stroke();
+        drawing.add({static_cast<std::int16_t>(seed >> 8), static_cast<std::int16_t>(seed >> 16)});
+    }
+    player.show_next_drawing(input);
+}
+
+void put(Player& player, std::uint32_t input, std::uint32_t round)
+{
+    if (player.scene().input(input).type == InputType::drawing)
+        return scribble(player, input, round);
+    player.set_input(input, {static_cast<std::int32_t>((round + input) * 9973 %
+                                                       static_cast<std::uint32_t>(whole_input.ticks + 1))});
+}
+
+/// Tells all texts something else each time, longer than any may be.
+void tell_texts(const SceneView& scene, Player& player, std::size_t round)
+{
+    std::uint32_t number = 0;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        if (input.type != InputType::text)
+            continue;
+        std::string words;
+        for (std::size_t i = 0; i < 70; ++i) {
+            const auto glyph =
+                static_cast<std::uint32_t>((round * 31 + i * (round % 3)) % input.text.glyphs.count());
+            if (const char32_t character = input.text.glyphs.character(glyph); is_scalar_value(character))
+                append_utf8(words, character);
+        }
+        player.set_text(number, round % 4 == 3 ? "" : words);
+    }
+}
+
 /// Any scene that is not refused can be read, and shown at every frame and between them, within the memory it
 /// asks for.
 void play(std::span<const std::byte> bytes)
@@ -147,8 +214,7 @@ void play(std::span<const std::byte> bytes)
     std::size_t drawn = 0;
     for (Time time; time <= scene->length(); time.ticks += step) {
         for (std::uint32_t input = 0; input < scene->input_count(); ++input)
-            player->set_input(input,
-                              {static_cast<std::int32_t>((drawn + input) * 9973 % (whole_input.ticks + 1U))});
+            put(*player, input, static_cast<std::uint32_t>(drawn));
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
         if (player->picture().outlines.used_bytes() > most_drawn_bytes)

@@ -271,6 +271,38 @@ TEST_CASE("an input is seen from the next show() on, and draws only what it move
     CHECK(screen.pixels() == picture(steered, {65536}, {}));
 }
 
+TEST_CASE("a drawing shows what it is set to, stroke by stroke, and its usual strokes before")
+{
+    constexpr std::string_view begin = "kfast 1\ncanvas 30 20\n";
+    const std::string plot = std::string{begin} +
+                             "input n\ninput curve kind=drawing points=5 strokes=2 { line 1 1 9 9 }\n" +
+                             "object o stroke=lime live=curve { track x input=n { at 0 0; at 1 9 } }";
+    Screen screen{plot};
+    const auto shows = [&](const std::string& shapes) {
+        CHECK(kfast_show(screen.player, 0) == KFAST_OK);
+        screen.draw(2 * width);
+        return screen.pixels() ==
+               Stage{std::string{begin} + "object o stroke=lime { " + shapes + " }", {width, height}}.picture(
+                   {});
+    };
+    CHECK(shows("line 1 1 9 9"));
+    const kfast_point points[] = {{16, 16}, {160, 32}, {24, 80}, {16, 240}, {320, 240}};
+    const std::uint16_t counts[] = {3, 2, 1};
+    CHECK(kfast_set_drawing(screen.player, "curve", points, counts, 2) == KFAST_OK);
+    CHECK(shows("line 1 1 10 2 1.5 5; line 1 15 20 15"));
+    CHECK(kfast_set_drawing(screen.player, "curve", points, counts, 3) == KFAST_DRAWING_TOO_LARGE);
+    CHECK(kfast_set_drawing(screen.player, "curse", points, counts, 2) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_drawing(screen.player, "n", points, counts, 2) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_input(screen.player, "curve", 1) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_drawing(nullptr, "curve", points, counts, 2) == KFAST_NULL_POINTER);
+    CHECK(kfast_set_drawing(screen.player, nullptr, points, counts, 2) == KFAST_NULL_POINTER);
+    CHECK(kfast_set_drawing(screen.player, "curve", nullptr, counts, 2) == KFAST_NULL_POINTER);
+    CHECK(kfast_set_drawing(screen.player, "curve", points, nullptr, 2) == KFAST_NULL_POINTER);
+    CHECK(shows("line 1 1 10 2 1.5 5; line 1 15 20 15"));
+    CHECK(kfast_set_drawing(screen.player, "curve", nullptr, nullptr, 0) == KFAST_OK);
+    CHECK(shows("empty"));
+}
+
 TEST_CASE("milliseconds become frames, for 49 days")
 {
     Screen screen{moving};
@@ -420,6 +452,7 @@ TEST_CASE("every error has a text that begins with its name")
     CHECK(std::string{kfast_error_text(KFAST_BLOCK_TOO_SMALL)}.starts_with("block_too_small: "));
     CHECK(std::string{kfast_error_text(KFAST_BUFFER_TOO_SMALL)}.starts_with("buffer_too_small: "));
     CHECK(std::string{kfast_error_text(KFAST_NO_SUCH_CLIP)}.starts_with("no_such_clip: "));
+    CHECK(std::string{kfast_error_text(KFAST_DRAWING_TOO_LARGE)}.starts_with("drawing_too_large: "));
     CHECK(std::string{kfast_error_text(KFAST_NO_SUCH_INPUT)}.starts_with("no_such_input: "));
     CHECK(std::string{kfast_error_text(KFAST_NULL_POINTER)}.starts_with("null_pointer: "));
     CHECK(std::string{kfast_error_text(static_cast<kfast_error>(15))} == "unknown");
@@ -446,6 +479,56 @@ TEST_CASE("the C++ animation draws the same")
         pixels.assign(part.begin(), part.end());
     }));
     CHECK(pixels == picture(moving, Time::frame(5)));
+}
+
+TEST_CASE("the C++ animation takes drawings by name")
+{
+    const Bytes scene =
+        compiled("kfast 1\ncanvas 30 20\ninput curve kind=drawing points=3\nobject o stroke=lime live=curve");
+    Bytes block(*Animation::block_bytes(scene, {width, height}));
+    auto animation = Animation::create(scene, {width, height}, block);
+    REQUIRE(animation);
+    const std::vector<LivePoint> points{{16, 16}, {160, 32}, {24, 80}};
+    const std::array<LiveStroke, 2> strokes{points, points};
+    CHECK(animation->set_drawing("curve", std::span{strokes}.first(1)));
+    CHECK_FALSE(animation->set_drawing("curve", strokes));
+    CHECK_FALSE(animation->set_drawing("curse", std::span{strokes}.first(1)));
+    CHECK_FALSE(animation->drawing("curse"));
+    CHECK(animation->drawing("curve")->stroke(0).size() == 3);
+    animation->drawing("curve")->add({1, 2});
+    animation->show_next_drawing("curve");
+    CHECK(animation->drawing("curve")->stroke(0).size() == 1);
+}
+
+TEST_CASE("a text is what was told last")
+{
+    const std::string label =
+        "kfast 1\ncanvas 24 16\ninput t kind=text glyphs=\"0-9\" max=2 default=\"7\"\ninput n\n"
+        "object o fill=red stroke=white { text input=t at=\"1,14\" size=16; track x input=n { at 0 0; at 1 3 "
+        "} }";
+    const auto seen = [&label](std::string_view text) {
+        Stage stage{label, {width, height}};
+        stage.player.set_text(0, text);
+        return stage.picture<PixelFormat::rgb565>({});
+    };
+    Screen screen{label};
+    const auto shows = [&](std::string_view text) {
+        CHECK(kfast_show(screen.player, 0) == KFAST_OK);
+        screen.draw(2 * width);
+        return screen.pixels() == seen(text);
+    };
+    CHECK(shows("7"));
+    CHECK(kfast_set_text(screen.player, "t", "42") == KFAST_OK);
+    CHECK(shows("42"));
+    CHECK(kfast_set_text(screen.player, "t", "1x99") == KFAST_OK);
+    CHECK(shows("19"));
+    CHECK(kfast_set_text(screen.player, "n", "5") == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_input(screen.player, "t", 1000) == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_text(screen.player, "u", "5") == KFAST_NO_SUCH_INPUT);
+    CHECK(kfast_set_text(screen.player, nullptr, "5") == KFAST_NULL_POINTER);
+    CHECK(kfast_set_text(screen.player, "t", nullptr) == KFAST_NULL_POINTER);
+    CHECK(kfast_set_text(nullptr, "t", "5") == KFAST_NULL_POINTER);
+    CHECK(shows("19"));
 }
 
 TEST_CASE("the C++ animation takes inputs by name")

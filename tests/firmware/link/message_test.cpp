@@ -83,6 +83,10 @@ TEST_CASE("messages lie in their reports as the document says")
     Inputs inputs{.count = 2};
     inputs.places = {{{.input = 4, .place = Time{65536}}, {.input = 1, .place = Time{2}}}};
     is_written_as(inputs, {0x36, 0x5A, 2, 4, 0, 0, 1, 0, 1, 2, 0, 0, 0});
+    Text text{.input = 3, .length = 2};
+    text.bytes[0] = std::byte{'5'};
+    text.bytes[1] = std::byte{'%'};
+    is_written_as(text, {0x37, 0x5A, 3, 2, '5', '%'});
     is_written_as(AskInput{.input = 31}, {0x05, 0x5A, 31});
     is_written_as(InputState{.input = 3,
                              .takes = InputKind::number,
@@ -154,6 +158,7 @@ TEST_CASE("every status has a text that a report has room for")
     CHECK(status_text(static_cast<Status>(7)).empty());
     CHECK(status_of(Error::block_too_small) == Status::block_too_small);
     CHECK(static_cast<int>(Status::unsupported) == 31); // as the document counts them
+    CHECK(static_cast<int>(Status::no_text) == 35);
 }
 
 }

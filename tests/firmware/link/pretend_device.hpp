@@ -2,11 +2,16 @@
 
 #include "core/scene_view.hpp"
 #include "firmware/link/device.hpp"
+#include "firmware/link/told_drawing.hpp"
+#include "host/told_drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast::test {
@@ -53,6 +58,7 @@ public:
         now.slot = next.slot;
         now.inputs = static_cast<std::uint8_t>(scene.input_count());
         now.clip = next.clip;
+        begin_player();
         return Status::ok;
     }
     void play_nothing()
@@ -90,6 +96,14 @@ public:
         return Status::ok;
     }
     void set_input(std::uint32_t number, Time place) { inputs[number] = place; }
+    Status set_text(std::uint32_t number, std::string_view text)
+    {
+        if (number == no_text)
+            return Status::no_text;
+        texts[number] = text;
+        return Status::ok;
+    }
+    Status tell(const link::DrawingPart& part) { return link::tell(*player, part); }
     Status enter_boot_loader(Microseconds)
     {
         is_in_boot_loader = true;
@@ -101,8 +115,12 @@ public:
         now = {};
     }
 
+    /// What an input shows.
+    ToldDrawing drawing(std::uint32_t input) const { return told_drawing(player->drawing(input)); }
+
     link::Name start_clip;
     static constexpr std::uint32_t ram_bytes = 20'000;
+    static constexpr std::uint32_t no_text = 0; ///< number of an input that is none
 
     std::size_t largest_that_plays = 1'000'000;
     link::Playing now;
@@ -111,12 +129,28 @@ public:
     std::vector<std::byte> ram;
     std::vector<std::byte> built_in_scene;
     std::map<std::uint32_t, Time> inputs;
+    std::map<std::uint32_t, std::string> texts;
     bool is_in_boot_loader = false;
     bool says_that_nothing_plays = false;
     int puts_off = 0; ///< how often lend_ram() is to be called in vain
     std::span<std::byte> lent;
     int loans_ended = 0;
     bool is_left_alone = false;
+
+private:
+    /// Of a copy of the scene: that of the programme may be gone when it is told something.
+    void begin_player()
+    {
+        const SceneView scene = *SceneView::parse(shown);
+        block.assign((Player::block_bytes(scene, player_panel) + 3) / 4, 0);
+        player.emplace(
+            *Player::create(scene, player_panel, Fit::contain, std::as_writable_bytes(std::span{block})));
+    }
+
+    static constexpr Size player_panel{24, 17};
+
+    std::vector<std::uint32_t> block; // words, for the player asks for an alignment of 4
+    std::optional<Player> player;
 };
 
 }

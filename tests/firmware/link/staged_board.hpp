@@ -4,6 +4,8 @@
 #include "firmware/link/stage.hpp"
 #include "firmware/panel_mirror.hpp"
 #include "firmware/run.hpp"
+#include "host/told_drawing.hpp"
+#include "host/text/utf8.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
@@ -18,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast::test {
@@ -120,12 +123,18 @@ public:
         ++scenes_begun;
         begun_at = now_;
     }
+    void plays(Player* player)
+    {
+        player_ = player;
+        stage_->plays(player);
+    }
     Playhead playhead(const SceneView&) const { return stage_->playhead(); }
     void steer(Playhead& playhead) { stage_->steer(playhead, pins, now_); }
     std::span<const PlacedInput> inputs()
     {
         const auto placed = stage_->inputs();
         placed_.assign(placed.begin(), placed.end());
+        keep_told();
         return placed_;
     }
     bool wants_rest() const { return stage_->wants_rest(); }
@@ -144,6 +153,8 @@ public:
     BoardNames names() const { return {"a board", "a panel"}; }
 
     const Scene& scene_begun() const { return shown_; }
+    /// That the last frame showed.
+    const ToldDrawing& drawing(std::uint32_t input) const { return drawings_.at(input); }
 
     BoardSettings settings;
     Scene built_in;
@@ -195,6 +206,21 @@ private:
             life_.pause();
     }
 
+    /// What is shown in the next frame.
+    void keep_told()
+    {
+        drawings_.clear();
+        texts_.clear();
+        for (std::uint32_t input = 0; input < player_->scene().input_count(); ++input) {
+            const InputView view = player_->scene().input(input);
+            if (view.type == InputType::drawing)
+                drawings_[input] = told_drawing(player_->drawing(input));
+            else if (view.type == InputType::text)
+                for (const std::byte glyph : player_->text(input))
+                    append_utf8(texts_[input], view.text.glyphs.character(std::to_integer<std::uint32_t>(glyph)));
+        }
+    }
+
     /// Drawn from a copy of the scene as it was when it began.
     std::vector<std::byte> picture_at(Time time)
     {
@@ -206,6 +232,10 @@ private:
         REQUIRE(player);
         for (const auto& [number, place] : placed_)
             player->set_input(number, place);
+        for (const auto& [number, drawing] : drawings_)
+            REQUIRE(player->set_drawing(number, strokes_of(drawing)));
+        for (const auto& [number, text] : texts_)
+            player->set_text(number, text);
         player->show_moment(time);
         std::vector<std::byte> pixels(small_panel.width * small_panel.height * 2);
         player->draw_rows<PixelFormat::rgb565>(small_panel.height, pixels);
@@ -222,6 +252,9 @@ private:
     std::optional<Conversation> conversation_;
     Scene shown_;
     std::vector<PlacedInput> placed_;
+    std::map<std::uint32_t, ToldDrawing> drawings_;
+    Player* player_ = nullptr;
+    std::map<std::uint32_t, std::string> texts_;
     TakingTurns life_{[this] { run_stage(*this); }};
 };
 
@@ -229,6 +262,7 @@ static_assert(ChangingBoard<StagedBoard>);
 static_assert(InputBoard<StagedBoard>);
 static_assert(RestingBoard<StagedBoard>);
 static_assert(ListeningBoard<StagedBoard>);
+static_assert(ToldBoard<StagedBoard>);
 
 /// A computer that asks a staged board, with time going on meanwhile.
 class StagedBench {

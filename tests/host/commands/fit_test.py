@@ -31,6 +31,14 @@ object comb fill=red {{{{ path "M 0 40 {COMB} L 60 40 Z" }}}}
 object square fill=white {{{{ {{keys}} }}}}
 """
 
+NUMBERS = "\n".join(f"input n{i}; object dot{i} fill=red {{{{ rect 0 0 2 2; track x input=n{i} {{{{ at 0 0 }}}} }}}}" for i in range(13))
+PLOT = f"""kfast 1
+canvas 60 40 fps=2 frames=8
+{NUMBERS}
+input plot kind=drawing points={{points}} strokes=2 {{{{ line 5 20 55 20 }}}}
+object trace stroke=lime join=bevel live=plot
+"""
+
 ZIGZAG = " ".join(f"{2 * (i % 118 if i // 118 % 2 == 0 else 117 - i % 118)} {2 * (i // 118) + i % 2}"
                   for i in range(10_000))
 MANY_POINTS = f"""kfast 1
@@ -156,6 +164,25 @@ class FitTest(CommandTest):
     def test_late_frames_and_hasty_buses_are_noted(self):
         report = self.report("repeat.kfast", *self.board(panel="st7735 60 40"))
         self.assertIn("st7735 allows 15.15 MHz on its bus; here it runs at 40 MHz", " ".join(report["notes"]))
+
+    def test_live_drawings_are_played_and_told_within_the_link(self):
+        (self.folder / "plot.kfast").write_text(PLOT.format(points=200))
+        report = self.report("plot.kfast", *self.board())
+        self.assertEqual(report["link"], [{"what": "13 numbers", "reports": 2, "per_second": 500},
+                                          {"what": "plot, 200 points in 2 strokes", "reports": 14, "per_second": 1000 / 14}])
+        self.assertGreater(report["worst"]["instructions"], 3 * report["first_picture"]["instructions"])
+        self.assertGreater(report["noise"]["instructions"], report["worst"]["instructions"])
+        self.assertEqual(report["worst"]["object"], "trace")
+        self.assertEqual(report["notes"], [])
+        self.assertIn("  link        plot, 200 points in 2 strokes: 14 reports, up to 71 times a second\n",
+                      self.run_kfast("fit", "plot.kfast", *self.board()).stdout)
+        (self.folder / "plot.kfast").write_text(PLOT.format(points=600))
+        report = self.report("plot.kfast", *self.board(ram=600), "--fps", "25", status=1)
+        self.assertIn("telling plot, 600 points in 2 strokes takes 41 reports, so that 24.3 fps can be told by USB, not 25 fps",
+                      report["notes"])
+        (self.folder / "still.kfast").write_text(NAMED)
+        report = self.report("still.kfast", *self.board())
+        self.assertEqual((report["link"], report["noise"]), ([], None))
 
     def test_for_people(self):
         told = self.run_kfast("fit", "repeat.kfast", *self.board()).stdout

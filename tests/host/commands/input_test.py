@@ -5,6 +5,13 @@ import unittest
 
 from command_case import CommandTest
 
+LABEL = """kfast 1
+canvas 64 32 frames=3
+input t kind=text glyphs="0-9:=A-Z-" max=5 default="12:30"
+input n
+object o stroke=white { text input=t at="2,24" size=16; track x input=n { at 0 0; at 1 9 } }
+"""
+
 SCENE = """kfast 1
 canvas 64 64 fps=30 frames=3 loop=once
 input gaze min=-1 max=1
@@ -70,8 +77,8 @@ class InputTest(CommandTest):
     def test_info_tells_inputs_and_what_goes_by_them(self):
         facts = json.loads(self.run_kfast("info", "knobs.kfast", "--json", "--tracks").stdout)
         self.assertEqual(facts["inputs"], [
-            {"name": "gaze", "min": -1, "max": 1, "default": 0, "keys": [-1, 1]},
-            {"name": "open", "min": 0, "max": 100, "default": 50, "keys": [0, 100]}])
+            {"name": "gaze", "kind": "number", "min": -1, "max": 1, "default": 0, "keys": [-1, 1]},
+            {"name": "open", "kind": "number", "min": 0, "max": 100, "default": 50, "keys": [0, 100]}])
         self.assertEqual(facts["keys"], [0])
         text = self.run_kfast("info", "knobs.kfast", "--tracks").stdout
         for line in ("  input       open: 0 to 100, usually 50; keys 2, at 0 100\n", "by gaze, constant: -1 -30, 1 30\n"):
@@ -87,6 +94,40 @@ class InputTest(CommandTest):
             self.assertIn(message, result.stderr)
         result = self.run_kfast("hash", "repeat.kfast", "--input", "gaze=1", status=2)
         self.assertIn("the scene has none: leave out --input", result.stderr)
+
+    def write_labels(self):
+        (self.folder / "label.kfast").write_text(LABEL)
+
+    def test_a_text_is_told_on_the_command_line(self):
+        self.write_labels()
+        (self.folder / "written.kfast").write_text(
+            'kfast 1\ncanvas 64 32 frames=3\nobject o stroke=white { text "A=B-7" at="2,24" size=16 }\n')
+        self.assertEqual(self.hashes("label.kfast", "--input", "t=A=B-7"), self.hashes("written.kfast"))
+        self.assertNotEqual(self.hashes("label.kfast"), self.hashes("written.kfast"))
+        self.assertEqual(self.hashes("label.kfast"), self.hashes("label.kfast", "--input", "t=12:30"))
+        self.assertEqual(self.hashes("label.kfast", "--input", "t="), self.hashes("label.kfast", "--input", "t=  "))
+        inputs = ["--input", "t=99:59", "--input", "n=0.5"]
+        self.assertEqual(self.hashes("label.kfast", *inputs, "--panel", "ssd0323"),
+                         self.hashes("label.kfast", *inputs, "--size", "128x64", "--format", "grey4"))
+        told = self.run_kfast("preview", "label.kfast", "--headless", "--keys", "i +", "--input", "t=7").stdout
+        self.assertIn("  n 0.05  ", told)
+
+    def test_info_tells_texts(self):
+        self.write_labels()
+        facts = json.loads(self.run_kfast("info", "label.kfast", "--json").stdout)
+        self.assertEqual(facts["inputs"][0],
+                         {"name": "t", "kind": "text", "glyphs": "0-9:=A-Z-", "max": 5, "default": "12:30"})
+        self.assertEqual(facts["objects"], 1)
+        self.assertIn('  input       t: a text of up to 5 characters of "0-9:=A-Z-" and spaces, usually "12:30"\n',
+                      self.run_kfast("info", "label.kfast").stdout)
+
+    def test_wrong_texts(self):
+        self.write_labels()
+        for argument, message in (("t=1.2", 't has no ".": its characters are "0-9:=A-Z-" and the space'),
+                                  ("t=123456", "'123456' has 6 characters: t has 5 at most"),
+                                  ("t", "'t' has no value")):
+            result = self.run_kfast("hash", "label.kfast", "--input", argument, status=2)
+            self.assertIn(message, result.stderr)
 
 
 if __name__ == "__main__":

@@ -5,14 +5,17 @@
 
 namespace kfast::test {
 
-using link::InputPlace;
-
 namespace {
 
 const std::vector<LiveInput> inputs{
-    {"gaze", -1000, 1000}, {"left lid", 0, 100'000}, {"a\"b\\", 0, 1000}, {"#1", 0, 1000}};
+    {"gaze", InputType::number, -1000, 1000}, {"left lid", InputType::number, 0, 100'000},
+    {"a\"b\\", InputType::number, 0, 1000},   {"#1", InputType::number, 0, 1000},
+    {"my plot", InputType::drawing},          {"label", InputType::text, 0, 5}};
 
-std::vector<InputPlace> read(std::string_view line) { return read_live_line(line, 1, inputs); }
+using Places = std::map<std::uint8_t, Time>;
+
+LiveValues read(std::string_view line) { return read_live_line(line, 1, inputs); }
+Places places(std::string_view line) { return read(line).places; }
 
 std::string mistake(std::string_view line)
 {
@@ -29,20 +32,18 @@ std::string mistake(std::string_view line)
 
 TEST_CASE("a line has names of inputs and values in the inputs' own units")
 {
-    CHECK(read("gaze 0") == std::vector{InputPlace{0, Time{32768}}});
-    CHECK(read("gaze -1") == std::vector{InputPlace{0, Time{0}}});
-    CHECK(read("\t gaze  +1 \r") == std::vector{InputPlace{0, Time{65536}}});
-    CHECK(read("gaze 0.5 \"left lid\" 25") ==
-          std::vector{InputPlace{0, Time{49152}}, InputPlace{1, Time{16384}}});
-    CHECK(read("\"a\\\"b\\\\\" 1 \"#1\" 0") ==
-          std::vector{InputPlace{2, Time{65536}}, InputPlace{3, Time{0}}});
+    CHECK(places("gaze 0") == Places{{0, Time{32768}}});
+    CHECK(places("gaze -1") == Places{{0, Time{0}}});
+    CHECK(places("\t gaze  +1 \r") == Places{{0, Time{65536}}});
+    CHECK(places("gaze 0.5 \"left lid\" 25") == Places{{0, Time{49152}}, {1, Time{16384}}});
+    CHECK(places("\"a\\\"b\\\\\" 1 \"#1\" 0") == Places{{2, Time{65536}}, {3, Time{0}}});
 }
 
 TEST_CASE("empty lines and comments say nothing")
 {
     for (const std::string_view line : {"", "  ", "# gaze 1", "\t#", "\r"})
         CHECK(read(line).empty());
-    CHECK(read("gaze 1 # to the right").size() == 1);
+    CHECK(places("gaze 1 # to the right").size() == 1);
 }
 
 TEST_CASE("mistakes are told with their line")
@@ -57,6 +58,28 @@ TEST_CASE("mistakes are told with their line")
     CHECK(mistake("\"left lid 1").find("line 12: a \" is missing") == 0);
     CHECK(mistake("\"left lid\\").find("line 12: a \" is missing") == 0);
     CHECK(mistake("\x1b 1").find("'<U+001B>'") != std::string::npos);
+}
+
+TEST_CASE("a text may stand beside other values")
+{
+    CHECK(read("label 12:45 gaze 1") == LiveValues{.places = {{0, Time{65536}}}, .texts = {{5, "12:45"}}});
+    CHECK(read("label \"\"") == LiveValues{.texts = {{5, ""}}});
+    CHECK(read("label \"a # b\"") == LiveValues{.texts = {{5, "a # b"}}});
+    CHECK(read("label \"\u00b0\u00b0\u00b0\u00b0\u00b0\"").texts.size() == 1);
+    CHECK(mistake("label") == "line 12: 'label' has no value: write it like label \"12:45\"");
+    CHECK(mistake("label 123456") == "line 12: '123456' has 6 characters: label has 5 at most");
+    CHECK(mistake("label \xFF") == "line 12: '<0xFF>' is no UTF-8");
+}
+
+TEST_CASE("a line that begins with the name of a drawing is that drawing")
+{
+    CHECK(read("\"my plot\" 1,2 3,4.5 / 5,6 # a comment, 7,8") ==
+          LiveValues{.drawings = {{4, {{{16, 32}, {48, 72}}, {{80, 96}}}}}});
+    CHECK(read("\"my plot\"") == LiveValues{.drawings = {{4, {}}}});
+    CHECK(mistake("\"my plot\" 1,2 3") ==
+          "line 12: \"3\" is no point: write it like 10,20.5, each within -2047 and 2047");
+    CHECK(mistake("gaze 1 \"my plot\" 1,2") ==
+          "line 12: 'my plot' is a drawing, which has a line for itself");
 }
 
 }

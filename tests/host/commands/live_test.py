@@ -43,6 +43,23 @@ class LiveTest(DeviceTest):
         self.assertEqual([report[2] for report in board.reports(PLAY)], [RAM])
         self.assertEqual(board.reports(SILENCE, PAUSE), [])
 
+    def test_a_drawing_goes_in_as_many_reports_as_it_needs(self):
+        (self.folder / "plot.kfast").write_text(
+            "kfast 1\ncanvas 64 64\ninput n\ninput plot kind=drawing points=40 strokes=2\n"
+            "object o stroke=lime live=plot { track x input=n { at 0 0; at 1 9 } }\n")
+        board = self.board()
+        points = " ".join(f"{at},{at / 2}" for at in range(15))
+        self.live(f"n 1\nplot {points} / 60,-3\nplot\n", "plot.kfast", "--rate", 5)
+        full, *last = board.reports(0x38, 0x39)
+        self.assertEqual((full[0], full[2:4]), (0x38, bytes([1, 0])))
+        self.assertEqual(full[4:], b"".join((16 * at).to_bytes(2, "little") + (8 * at).to_bytes(2, "little") for at in range(15)))
+        self.assertEqual(last[0][:6], bytes([0x39, 0, 1, 1, 17, 0]))
+        self.assertEqual(last[0][6:14], bytes([0, 0x80, 0, 0]) + (960).to_bytes(2, "little") + (0x10000 - 48).to_bytes(2, "little"))
+        self.assertEqual(last[1][:6], bytes([0x39, 0, 33, 0, 0, 0]))
+        self.assertEqual(len(last), 2)
+        self.live("plot 1,1\n")
+        self.assertIn("line 1: \"1\" is no point", self.live("plot 1\n", status=1).stderr)
+
     def test_without_a_scene_the_device_is_asked_for_its_inputs(self):
         board = self.board()
         self.ask("play", "knobs.kfast")

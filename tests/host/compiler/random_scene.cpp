@@ -276,11 +276,41 @@ private:
         }
         if (sometimes())
             object.keys.back().drawing = object.keys.front().drawing;
-        if (!scene_.bones.empty() && sometimes())
+        if (random_() % 8 == 0)
+            show_text(object);
+        else if (!scene_.bones.empty() && sometimes())
             cover_with_skin(object);
         else if (random_() % 8 == 0)
             object.backbone_keys = backbone_keys();
         return object;
+    }
+
+    /// Of an input of its own, the number of which is one of `texts_`.
+    void show_text(scene::Object& object)
+    {
+        if (texts_.size() == most_texts)
+            return;
+        scene::TextInput text{.glyphs = {}, .most = static_cast<std::uint32_t>(within(1, 12)), .usual = {}};
+        char32_t character = U' ';
+        for (int left = within(1, 9); left > 0; --left, character += static_cast<char32_t>(within(1, 3)))
+            text.glyphs += character;
+        for (int left = within(0, static_cast<int>(text.most)); left > 0; --left)
+            text.usual += text.glyphs[random_() % text.glyphs.size()];
+        object.keys.clear();
+        object.label = scene::Label{.input = texts_.size(),
+                                    .at = point(),
+                                    .align = static_cast<Align>(within(0, 2)),
+                                    .spacing = within(-9000, 9000),
+                                    .glyphs = {},
+                                    .kerning = {}};
+        for (std::size_t i = 0; i < text.glyphs.size(); ++i)
+            object.label->glyphs.push_back({drawing(), within(-9000, 200'000)});
+        for (std::size_t i = 0; i < text.glyphs.size(); ++i)
+            if (sometimes())
+                object.label->kerning.push_back({static_cast<std::uint8_t>(i),
+                                                 static_cast<std::uint8_t>(random_() % text.glyphs.size()),
+                                                 within(1, 5000)});
+        texts_.push_back(text);
     }
 
     std::vector<scene::Point> points(int count)
@@ -404,13 +434,16 @@ private:
 
     void make_inputs()
     {
+        for (const scene::TextInput& text : texts_)
+            scene_.inputs.push_back({.name = name(), .type = InputType::text, .text = text});
         for (int left = within(-3, 3); left > 0; --left) {
             const int least = within(-90'000, 90'000);
             const int most = within(least + 1, 100'000);
             scene_.inputs.push_back({name(), least, most, within(least, most)});
         }
-        if (scene_.inputs.empty())
-            return;
+        numbers_ = scene_.inputs.size();
+        for (int left = within(-2, 2); left > 0; --left)
+            scene_.inputs.push_back(drawing_input());
         for (scene::Bones& skeleton : scene_.bones)
             for (scene::Bone& bone : skeleton.bones)
                 if (std::ranges::all_of(bone.keys, lie_on_input<scene::TrackKey>))
@@ -418,6 +451,32 @@ private:
         for (scene::Symbol& symbol : scene_.symbols)
             bind(symbol.items);
         bind(scene_.items);
+    }
+
+    scene::Input drawing_input()
+    {
+        scene::Drawing usual = drawing();
+        for (scene::Stroke& stroke : usual.strokes)
+            std::erase_if(stroke.segments, [](const scene::Segment& segment) { return segment.cubic; });
+        const std::size_t points = std::max<std::size_t>(point_count(usual), 1) + random_() % 4;
+        const std::size_t strokes = std::max<std::size_t>(usual.strokes.size(), 1);
+        return {.name = name(),
+                .type = InputType::drawing,
+                .drawing = {.strokes = strokes, .points = points, .usual = std::move(usual)}};
+    }
+
+    void bind(scene::Object& object)
+    {
+        const std::size_t drawings = scene_.inputs.size() - numbers_;
+        if (drawings != 0 && !object.label && sometimes()) {
+            object.keys.clear();
+            object.skin = {};
+            object.backbone_keys.clear();
+            object.live = numbers_ + random_() % drawings;
+        } else if (object.keys.size() > 1 && lie_on_input(object.keys) &&
+                   lie_on_input(object.backbone_keys)) {
+            object.clock = any_clock();
+        }
     }
 
     void bind(std::vector<scene::Item>& items)
@@ -429,9 +488,7 @@ private:
             if (auto* group = std::get_if<scene::Group>(&item.content))
                 bind(group->items);
             else if (auto* object = std::get_if<scene::Object>(&item.content))
-                if (object->keys.size() > 1 && lie_on_input(object->keys) &&
-                    lie_on_input(object->backbone_keys))
-                    object->clock = any_clock();
+                bind(*object);
         }
     }
 
@@ -441,10 +498,20 @@ private:
         return keys.empty() || keys.back().time <= whole_input;
     }
 
-    Clock any_clock() { return {static_cast<std::uint8_t>(random_() % (scene_.inputs.size() + 1))}; }
+    /// The time, or a number: these lie behind the texts.
+    Clock any_clock()
+    {
+        const std::size_t numbers = numbers_ - texts_.size();
+        const std::size_t clock = random_() % (numbers + 1);
+        return {static_cast<std::uint8_t>(clock == 0 ? 0 : texts_.size() + clock)};
+    }
+
+    static constexpr std::size_t most_texts = 8;
 
     std::mt19937& random_;
+    std::size_t numbers_ = 0; ///< inputs before the drawings: texts, then numbers
     scene::Scene scene_;
+    std::vector<scene::TextInput> texts_;
     std::vector<scene::TrackKey> poses_; ///< when bones have keys, until it changes
 };
 

@@ -1,3 +1,4 @@
+#include "core/label_view.hpp"
 #include "core/player.hpp"
 #include "core/scene_view.hpp"
 #include "host/compiler/backbone_timeline.hpp"
@@ -79,10 +80,35 @@ private:
         for (const scene::Input& input : scene_.inputs) {
             const InputView read = inputs.next();
             CHECK(read.name == input.name);
-            CHECK(read.least == input.least);
-            CHECK(read.most == input.most);
-            CHECK(read.usual == input.usual);
+            REQUIRE(read.type == input.type);
+            if (input.type == InputType::drawing) {
+                compare_drawing(read.drawing, input.drawing);
+            } else if (input.type == InputType::text) {
+                compare_text(read.text, input.text);
+            } else {
+                CHECK(read.least == input.least);
+                CHECK(read.most == input.most);
+                CHECK(read.usual == input.usual);
+            }
         }
+    }
+
+    void compare_drawing(const DrawingInput& read, const scene::DrawingInput& drawing)
+    {
+        CHECK(read.strokes == drawing.strokes);
+        CHECK(read.points == drawing.points);
+        CHECK(unpacked(view_.drawing(read.usual)) == drawing.usual);
+    }
+
+    static void compare_text(const TextInput& read, const scene::TextInput& text)
+    {
+        CHECK(read.most == text.most);
+        REQUIRE(read.glyphs.count() == text.glyphs.size());
+        for (std::uint32_t glyph = 0; glyph < read.glyphs.count(); ++glyph)
+            CHECK(read.glyphs.character(glyph) == text.glyphs[glyph]);
+        REQUIRE(read.usual.size() == text.usual.size());
+        for (std::size_t i = 0; i < text.usual.size(); ++i)
+            CHECK(read.glyphs.character(std::to_integer<std::uint32_t>(read.usual[i])) == text.usual[i]);
     }
 
     void compare_marks()
@@ -155,7 +181,7 @@ private:
         for (const scene::Item& item : items) {
             REQUIRE(!cursor.at_end());
             const ItemView read = cursor.next();
-            REQUIRE(static_cast<std::size_t>(read.kind) == item.content.index());
+            REQUIRE(read.kind == kind_of(item));
             compare_tracks(read.tracks, item);
             if (item.path)
                 compare_path(read.path, *item.path);
@@ -164,7 +190,7 @@ private:
             else if (const auto* use = std::get_if<scene::Use>(&item.content))
                 CHECK(read.symbol == use->symbol);
             else
-                compare_object(read.object, std::get<scene::Object>(item.content));
+                compare_shown(read, std::get<scene::Object>(item.content));
         }
         CHECK(cursor.at_end());
     }
@@ -256,9 +282,67 @@ private:
         CHECK(view_.laws(number) == (is_last ? LawPair{} : laws));
     }
 
+    static ItemKind kind_of(const scene::Item& item)
+    {
+        const auto* object = std::get_if<scene::Object>(&item.content);
+        return object != nullptr && (object->live || object->label)
+                   ? ItemKind::live
+                   : static_cast<ItemKind>(item.content.index());
+    }
+
+    void compare_shown(const ItemView& read, const scene::Object& object)
+    {
+        if (object.label)
+            compare_label(read, object);
+        else if (object.live)
+            compare_live_drawing(read, object);
+        else
+            compare_object(read.object, object);
+    }
+
+    void compare_live_drawing(const ItemView& read, const scene::Object& object)
+    {
+        compare_style(read.object.style, object);
+        CHECK(read.live.kind == LiveKind::drawing);
+        CHECK(read.live.input == *object.live);
+    }
+
+    void compare_label(const ItemView& read, const scene::Object& object)
+    {
+        compare_style(read.object.style, object);
+        const scene::Label& label = *object.label;
+        REQUIRE(read.live.kind == LiveKind::label);
+        CHECK(read.live.input == label.input);
+        const LabelView stored = LabelView::of(read.live.label);
+        CHECK(stored.align == label.align);
+        CHECK(stored.x == label.at.x);
+        CHECK(stored.y == label.at.y);
+        CHECK(stored.spacing == label.spacing);
+        REQUIRE(stored.glyph_count == label.glyphs.size());
+        for (std::uint32_t glyph = 0; glyph < stored.glyph_count; ++glyph) {
+            CHECK(stored.advances[glyph] == label.glyphs[glyph].advance);
+            CHECK(unpacked(view_.drawing(static_cast<std::uint32_t>(stored.drawings[glyph]))) ==
+                  label.glyphs[glyph].drawing);
+        }
+        REQUIRE(stored.pair_count() == label.kerning.size());
+        for (const scene::Kerning& pair : label.kerning)
+            CHECK(stored.kerning_between(pair.left, pair.right) == pair.by);
+    }
+
     void compare_object(const ObjectView& read, const scene::Object& object)
     {
-        const ObjectStyle& style = read.style;
+        compare_style(read.style, object);
+        REQUIRE(read.carrier == carrier_of(object));
+        if (object.skin)
+            CHECK(read.skeleton == object.skin->bones);
+        if (read.carrier == Carrier::backbones)
+            compare_backbones(read, object);
+        else
+            compare_keys(read, object);
+    }
+
+    static void compare_style(const ObjectStyle& style, const scene::Object& object)
+    {
         REQUIRE(style.is_filled == object.fill.has_value());
         REQUIRE(style.is_stroked == object.stroke.has_value());
         if (object.fill) {
@@ -273,13 +357,6 @@ private:
             if (stroke->join == Join::miter)
                 CHECK(style.miter_limit == stroke->miter_limit);
         }
-        REQUIRE(read.carrier == carrier_of(object));
-        if (object.skin)
-            CHECK(read.skeleton == object.skin->bones);
-        if (read.carrier == Carrier::backbones)
-            compare_backbones(read, object);
-        else
-            compare_keys(read, object);
     }
 
     void compare_keys(const ObjectView& read, const scene::Object& object)

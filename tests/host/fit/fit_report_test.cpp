@@ -72,6 +72,24 @@ TEST_CASE("a scene is looked at with its inputs moving, too")
     }
 }
 
+TEST_CASE("texts are looked at full of the letters that cost most, all of them changing")
+{
+    const auto frames_of = [](const std::string& glyphs, int most) {
+        const auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput t kind=text glyphs=\"" +
+                                          glyphs + "\" max=" + std::to_string(most) +
+                                          "\nobject a stroke=red { text input=t at=\"2,30\" size=20 }\n");
+        return report_of(bytes).speed;
+    };
+    const Speed few = frames_of("18", 1);
+    const Speed many = frames_of("18", 5);
+    const Speed plain = frames_of("1l", 5);
+    CHECK(few.frames.size() == 2 * 10 + 3 + 64);
+    CHECK(many.worst().instructions > 3 * few.worst().instructions);
+    CHECK(many.worst().instructions > 1.5 * plain.worst().instructions);
+    CHECK(many.frames.front().instructions < many.worst().instructions / 4); // at rest
+    CHECK(many.outlines.bytes > 3 * few.outlines.bytes);
+}
+
 TEST_CASE("the stack has no less than its bound")
 {
     const auto bytes = test::compiled("kfast 1\ncanvas 60 40\nobject a fill=red { rect 0 0 2 2 }\n");

@@ -4,57 +4,35 @@
 
 namespace kfast::test {
 
-using link::InputPlace;
-
 namespace {
 
 constexpr Milliseconds at_once{0};
 
-std::vector<InputPlace> places(std::uint8_t first, std::uint8_t count, std::int32_t place)
-{
-    std::vector<InputPlace> all;
-    for (std::uint8_t input = first; input < first + count; ++input)
-        all.push_back({input, Time{place}});
-    return all;
 }
 
-}
-
-TEST_CASE("the newest value of each input is what is sent")
+TEST_CASE("the newest value of each input is what is taken")
 {
     LiveFeed feed;
-    feed.put(places(0, 3, 1));
-    feed.put(places(1, 1, 2));
-    feed.put(places(1, 1, 3));
-    const auto reports = feed.take(at_once);
-    REQUIRE(reports);
-    REQUIRE(reports->size() == 1);
-    const link::Inputs& report = reports->front();
-    CHECK(report.count == 3);
-    CHECK(report.places[0] == InputPlace{0, Time{1}});
-    CHECK(report.places[1] == InputPlace{1, Time{3}});
-    CHECK(report.places[2] == InputPlace{2, Time{1}});
+    feed.put({.places = {{0, Time{1}}, {1, Time{1}}}, .texts = {{2, "old"}}, .drawings = {{3, {{{5, 6}}}}}});
+    feed.put({.places = {{1, Time{2}}}});
+    feed.put({.places = {{1, Time{3}}}, .texts = {{2, "new"}, {4, "other"}}});
+    feed.put({.drawings = {{3, {{{1, 2}}}}, {5, {}}}});
+    CHECK(feed.take(at_once) == LiveValues{.places = {{0, Time{1}}, {1, Time{3}}},
+                                           .texts = {{2, "new"}, {4, "other"}},
+                                           .drawings = {{3, {{{1, 2}}}}, {5, {}}}});
     CHECK(feed.take(at_once)->empty());
 }
 
-TEST_CASE("more values than a report holds go into several")
+TEST_CASE("what was put before the end is still taken")
 {
-    LiveFeed feed;
-    feed.put(places(0, 30, 7));
-    const auto reports = feed.take(at_once);
-    REQUIRE(reports->size() == 3);
-    CHECK((*reports)[0].count == 12);
-    CHECK((*reports)[2].count == 6);
-    CHECK((*reports)[2].places[5] == InputPlace{29, Time{7}});
-}
-
-TEST_CASE("what was put before the end is still sent")
-{
-    LiveFeed feed;
-    feed.put(places(0, 1, 7));
-    feed.close();
-    CHECK(feed.take(at_once)->size() == 1);
-    CHECK_FALSE(feed.take(Milliseconds{60'000}));
+    for (const LiveValues& last : {LiveValues{.places = {{0, Time{7}}}}, LiveValues{.texts = {{0, ""}}},
+                                   LiveValues{.drawings = {{0, {}}}}}) {
+        LiveFeed feed;
+        feed.put(last);
+        feed.close();
+        CHECK(feed.take(at_once) == last);
+        CHECK_FALSE(feed.take(Milliseconds{60'000}));
+    }
 }
 
 }

@@ -4,8 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-
 namespace kfast::test {
 
 using namespace link;
@@ -27,7 +25,7 @@ TEST_CASE("live values arrive, and what was put last is sent before the end")
     DevicePipe pipe{device};
     Session session{pipe, {}};
     LiveFeed feed;
-    feed.put(std::array{InputPlace{0, Time{7}}, InputPlace{1, Time{9}}});
+    feed.put({.places = {{0, Time{7}}, {1, Time{9}}}});
     feed.close();
     send_live(session, feed, keep_alive);
     CHECK(device.device.inputs.at(0) == Time{7});
@@ -42,7 +40,7 @@ TEST_CASE("a device that has no such input any more says so, even of the last va
         pipe.answers_every = answers_every;
         Session session{pipe, {}};
         LiveFeed feed;
-        feed.put(std::array{InputPlace{2, Time{7}}});
+        feed.put({.places = {{2, Time{7}}}});
         feed.close();
         CHECK_THROWS_AS(send_live(session, feed, keep_alive), Refusal);
     }

@@ -62,7 +62,11 @@ public:
         for (std::uint8_t before = 0; before < number; ++before)
             cursor.next();
         const InputView input = cursor.next();
-        return {.input = number, .name = {input.name}, .least = input.least, .most = input.most};
+        return {.input = number,
+                .takes = link::input_kind(input.type),
+                .name = {input.name},
+                .least = input.least,
+                .most = input.most};
     }
 
 private:

@@ -14,6 +14,8 @@ public:
     PaintedSource(Size size, Paint paint) : paint_{std::move(paint)}, frame_{PixelFormat::rgb565, size, {}} {}
 
     void set_input(std::uint32_t, Time) override {}
+    void set_text(std::uint32_t, std::string_view) override {}
+    bool set_drawing(std::uint32_t, std::span<const LiveStroke>) override { return true; }
     const Frame& show(Time time) override
     {
         frame_.pixels.clear();

@@ -1,0 +1,42 @@
+#include "core/backbone_check.hpp"
+
+#include "core/kfb_limits.hpp"
+
+namespace kfast {
+
+bool is_built_alike(PackedDrawing a, PackedDrawing b)
+{
+    if (a.strokes() != b.strokes())
+        return false;
+    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
+        const std::uint32_t segments = a.next_stroke();
+        if (b.next_stroke() != segments)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (a.next_segment().kind != b.next_segment().kind)
+                return false;
+    }
+    return true;
+}
+
+bool are_backbones(PackedDrawing drawing)
+{
+    std::uint32_t all = 0;
+    std::uint32_t nodes = 0;
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        if (stroke % 3 == 0) {
+            nodes = segments;
+            all += segments;
+        }
+        if (segments == 0 || segments != nodes)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (drawing.next_segment().kind != Segment::Kind::line)
+                return false;
+    }
+    return drawing.strokes() != 0 && drawing.strokes() % 3 == 0 &&
+           drawing.strokes() <= 3 * kfb::max_backbones && all <= kfb::max_backbone_segments;
+}
+
+}

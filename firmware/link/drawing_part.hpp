@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/live_drawing.hpp"
+#include "firmware/link/message.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast::link {
+
+/// What one report says of a drawing.
+struct DrawingPart {
+    DrawingNumber which{};
+    std::uint8_t part = 0;                ///< how many come before, modulo 256
+    std::optional<std::uint16_t> count{}; ///< of the whole drawing; only with the last part
+    std::span<const LivePoint> points{};  ///< also pen_up; of the last part, with what is no part of it
+};
+
+}

@@ -1,0 +1,68 @@
+#include "host/commands/drawing_options.hpp"
+
+#include "host/commands/input_names.hpp"
+#include "host/counted.hpp"
+#include "host/drawing_text.hpp"
+#include "host/input_file.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+constexpr InputKind drawing_file{"drawing", "a text with points",
+                                 "a drawing begins with a point, like 10,20"};
+
+[[noreturn]] void refuse(const std::string& message) { throw CLI::ValidationError("--drawing", message); }
+
+std::uint32_t drawing_input(std::string_view name, const SceneView& scene)
+{
+    const auto number = scene.input(name);
+    if (number && scene.input(*number).type == InputType::drawing)
+        return *number;
+    const auto known = input_names(scene, InputType::drawing);
+    refuse("there is no drawing '" + std::string{name} + "' among the inputs: " +
+           (known.empty() ? "the scene has none: leave out --drawing" : suggestion(name, known)));
+}
+
+ToldDrawing drawing_in(const std::string& file)
+{
+    auto read = read_drawing(read_input(file, drawing_file));
+    if (const auto* const mistake = std::get_if<std::string>(&read))
+        refuse(file + ": " + *mistake);
+    return std::get<ToldDrawing>(std::move(read));
+}
+
+[[noreturn]] void refuse_size(const std::string& file, const InputView& input)
+{
+    refuse(file + ": the input '" + std::string{input.name} + "' takes at most " +
+           counted(input.drawing.points, "point") + " in " + counted(input.drawing.strokes, "stroke"));
+}
+
+}
+
+void declare_drawing_options(CLI::App& app, DrawingOptions& options)
+{
+    app.add_option("--drawing", options.texts,
+                   "What a drawing among the inputs is told: a text like \"10,20 30,40 / 50,60\"; may be "
+                   "repeated")
+        ->type_name("NAME=FILE");
+}
+
+void put_drawings(const DrawingOptions& options, const SceneView& scene, FrameSource& source)
+{
+    for (const std::string& text : options.texts) {
+        const std::size_t sign = text.find('=');
+        if (sign == std::string::npos)
+            refuse("'" + text + "' has no file: write it like plot=points.txt");
+        const std::uint32_t number = drawing_input(std::string_view{text}.substr(0, sign), scene);
+        const std::string file = text.substr(sign + 1);
+        if (!source.set_drawing(number, strokes_of(drawing_in(file))))
+            refuse_size(file, scene.input(number));
+    }
+}
+
+}

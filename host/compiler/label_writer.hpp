@@ -1,0 +1,17 @@
+#pragma once
+
+#include "host/compiler/byte_writer.hpp"
+#include "host/compiler/drawing_pool.hpp"
+#include "host/scene/model.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Appends a label (docs/format.md, "Labels"), whose drawings go to `drawings`.
+void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& bytes);
+
+/// The points of its drawings as the format counts them: each drawing has one more.
+std::uint64_t label_points(const scene::Label& label);
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/input_view.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/reading.hpp"
+
+namespace kfast::scene {
+
+/// What the property `kind` of an input says; a number if there is none, or if it is wrong.
+InputType input_type(const kdl::Node& node);
+
+/// Whether the value of such a property is good; reports it if not.
+bool check_input_type(const kdl::Value& value, Reading& reading);
+
+/// For the table of properties of an input.
+template <class Target>
+bool check_own_type(const kdl::Value& value, Target&, Reading& reading)
+{
+    return check_input_type(value, reading);
+}
+
+}

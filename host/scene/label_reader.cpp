@@ -1,0 +1,168 @@
+#include "host/scene/label_reader.hpp"
+
+#include "core/kfb_limits.hpp"
+#include "host/scene/coordinate.hpp"
+#include "host/scene/drawing_reader.hpp"
+#include "host/scene/input_user.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/text_properties.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm label_form{"text", "text input=NAME at=\"X,Y\" size=PIXELS font=FONT"};
+
+/// What `pixels` are in the unit of advances, rounded to nearest, halves away from zero. What is more than a
+/// label may be wide stays more.
+std::int32_t in_advance_units(double pixels)
+{
+    constexpr double most = 2.0 * kfb::max_text_width / kfb::advance_one;
+    return static_cast<std::int32_t>(std::lround(std::clamp(pixels, -most, most) * kfb::advance_one));
+}
+
+/// Makes the glyphs of a label from the letters of its font.
+class GlyphMaker {
+public:
+    GlyphMaker(const kdl::Node& node, const TextProperties& properties, Reading& reading)
+        : node_{node}, properties_{properties}, reading_{reading}
+    {
+        style_.at = {};
+        style_.align = Align::left;
+    }
+
+    /// Nothing if it cannot be drawn, which is reported.
+    std::optional<LabelGlyph> glyph(char32_t character, std::string_view input)
+    {
+        const Letter* const letter = style_.font->letter(character);
+        std::string text;
+        append_utf8(text, character);
+        if (letter == nullptr) {
+            report_missing(text, input);
+            return std::nullopt;
+        }
+        LabelGlyph glyph{.drawing = {}, .advance = in_advance_units(scale() * letter->advance)};
+        const auto outlines = set_text(text, style_, most_points);
+        if (!outlines) {
+            reading_.report.error(node_.name_place, too_many_points());
+            return std::nullopt;
+        }
+        for (const Outline& outline : *outlines)
+            if (!add(outline, glyph.drawing))
+                return std::nullopt;
+        return glyph;
+    }
+
+    std::vector<Kerning> kerning(const std::u32string& characters) const
+    {
+        std::vector<Kerning> all;
+        for (std::size_t left = 0; left < characters.size(); ++left)
+            for (std::size_t right = 0; right < characters.size(); ++right) {
+                const double by = scale() * style_.font->kerning(characters[left], characters[right]);
+                if (const std::int32_t units = in_advance_units(by); units != 0)
+                    all.push_back({static_cast<std::uint8_t>(left), static_cast<std::uint8_t>(right), units});
+            }
+        return all;
+    }
+
+private:
+    double scale() const { return style_.size / style_.font->units_per_em(); }
+
+    void report_missing(const std::string& character, std::string_view input)
+    {
+        reading_.report.error(property_place(node_, "font"),
+                              "the font " + quoted(properties_.font) + " has no " + in_words(character) +
+                                  ", which the input " + quoted(input) + " may have",
+                              other_font(properties_));
+    }
+
+    bool add(const Outline& outline, Drawing& drawing)
+    {
+        if (!in_range(outline))
+            return reading_.report.error(node_.name_place, "a letter of this text is more than 2047 px large",
+                                         "lower size=");
+        if (!take_points(outline.curves.size() + 1, node_.name_place, reading_))
+            return false;
+        drawing.strokes.push_back(quantized(outline));
+        return true;
+    }
+
+    const kdl::Node& node_;
+    const TextProperties& properties_;
+    TextStyle style_ = properties_.style;
+    Reading& reading_;
+};
+
+/// As the core bounds it, in the unit of advances.
+std::int64_t widest_step(const Label& label)
+{
+    std::int64_t advance = 0;
+    for (const LabelGlyph& glyph : label.glyphs)
+        advance = std::max<std::int64_t>(advance, std::abs(glyph.advance));
+    std::int64_t kerning = 0;
+    for (const Kerning& pair : label.kerning)
+        kerning = std::max<std::int64_t>(kerning, std::abs(pair.by));
+    return advance + kerning + std::abs(std::int64_t{label.spacing});
+}
+
+bool has_room(const Label& label, const TextInput& input, const kdl::Node& node, Reading& reading)
+{
+    return widest_step(label) * input.most <= kfb::max_text_width ||
+           reading.report.error(node.name_place,
+                                "a text of " + std::to_string(input.most) +
+                                    " characters may be more than 4095 px wide here",
+                                "lower size=, or max= of the input");
+}
+
+}
+
+bool is_label(const kdl::Node& node) { return node.name == label_form.name && has_property(node, "input"); }
+
+void report_label_among_shapes(const kdl::Node& node, Reading& reading)
+{
+    reading.report.error(property_place(node, "input"),
+                         "the text of an input is all that an object draws, and not in a key",
+                         "give it an object of its own: object NAME fill=COLOUR { text input=… }");
+}
+
+std::optional<Label> read_label(const kdl::Node& node, Reading& reading)
+{
+    if (!fits(node, label_form, reading))
+        return std::nullopt;
+    const auto properties = read_text_properties(node, TextKind::label, reading);
+    if (!properties)
+        return std::nullopt;
+    const auto input = use_input(*properties->input, InputType::text, reading);
+    if (!input)
+        return std::nullopt;
+    const Input& shown = reading.inputs.entries[*input].input;
+    const TextStyle& style = properties->style;
+    Label label{.input = *input,
+                .at = {to_sixteenths(style.at.x), to_sixteenths(style.at.y)},
+                .align = style.align,
+                .spacing = in_advance_units(style.spacing),
+                .glyphs = {},
+                .kerning = {}};
+    GlyphMaker maker{node, *properties, reading};
+    for (const char32_t character : shown.text.glyphs) {
+        auto glyph = maker.glyph(character, shown.name);
+        if (!glyph || !take_points(1, node.name_place, reading))
+            return std::nullopt;
+        label.glyphs.push_back(std::move(*glyph));
+    }
+    label.kerning = maker.kerning(shown.text.glyphs);
+    if (!has_room(label, shown.text, node, reading))
+        return std::nullopt;
+    return label;
+}
+
+}

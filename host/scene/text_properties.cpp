@@ -1,0 +1,102 @@
+#include "host/scene/text_properties.hpp"
+
+#include "host/scene/font_reader.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/spot_reader.hpp"
+#include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace kfast::scene {
+namespace {
+
+using Properties = TextProperties;
+
+constexpr std::array alignments{Word<Align>{"left", Align::left}, Word<Align>{"center", Align::center},
+                                Word<Align>{"right", Align::right}};
+constexpr Range sizes{1.0 / 16, extents.high};
+constexpr Range spacings{-extents.high, extents.high};
+constexpr double usual_leading = 1.2; ///< sizes
+constexpr std::string_view usual_font = "hershey-sans";
+
+bool read_at(const kdl::Value& value, Properties& properties, Reading& reading)
+{
+    return assign(read_spot(value, reading), properties.style.at);
+}
+
+bool read_size(const kdl::Value& value, Properties& properties, Reading& reading)
+{
+    return assign(read_number(value, sizes, reading), properties.style.size);
+}
+
+bool read_font(const kdl::Value& value, Properties& properties, Reading& reading)
+{
+    properties.style.font = read_font(value, reading);
+    if (properties.style.font != nullptr)
+        properties.font = *value.string();
+    return properties.style.font != nullptr;
+}
+
+bool read_align(const kdl::Value& value, Properties& properties, Reading& reading)
+{
+    return assign(read_word(value, alignments, reading), properties.style.align);
+}
+
+bool read_spacing(const kdl::Value& value, Properties& properties, Reading& reading)
+{
+    return assign(read_number(value, spacings, reading), properties.style.spacing);
+}
+
+bool read_leading(const kdl::Value& value, Properties& properties, Reading& reading)
+{
+    return assign(read_number(value, extents, reading), properties.leading);
+}
+
+bool keep_input(const kdl::Value& value, Properties& properties, Reading&)
+{
+    properties.input = &value;
+    return true;
+}
+
+constexpr std::array line_rules{
+    PropertyRule<Properties>{"at", read_at, true},     PropertyRule<Properties>{"size", read_size, true},
+    PropertyRule<Properties>{"font", read_font},       PropertyRule<Properties>{"align", read_align},
+    PropertyRule<Properties>{"spacing", read_spacing},
+};
+constexpr auto fixed_rules =
+    joined(line_rules, std::array{PropertyRule<Properties>{"leading", read_leading}});
+constexpr auto label_rules = joined(line_rules, std::array{PropertyRule<Properties>{"input", keep_input}});
+
+}
+
+std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKind kind, Reading& reading)
+{
+    Properties properties{.style = {}, .font = std::string{usual_font}, .leading = {}};
+    const bool good = kind == TextKind::fixed ? read_properties(node, fixed_rules, properties, reading)
+                                              : read_properties(node, label_rules, properties, reading);
+    if (!good)
+        return std::nullopt;
+    TextStyle& style = properties.style;
+    if (style.font == nullptr)
+        style.font = &reading.fonts.font(properties.font);
+    style.leading = properties.leading.value_or(usual_leading * style.size);
+    return properties;
+}
+
+std::string in_words(std::string_view character)
+{
+    std::array<char, 16> code{};
+    std::snprintf(code.data(), code.size(), " (U+%04X)",
+                  static_cast<unsigned>(code_point_at(character, 0).value));
+    return quoted(character) + code.data();
+}
+
+std::string other_font(const TextProperties& properties)
+{
+    return properties.font.starts_with("hershey-") ? "it has those of ASCII; name a font file for others"
+                                                   : "name another font";
+}
+
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/reading.hpp"
+#include "host/scene/text_layout.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kfast::scene {
+
+/// What the properties of a text give.
+struct TextProperties {
+    TextStyle style;
+    std::string font;
+    std::optional<double> leading;
+    const kdl::Value* input = nullptr; ///< the name of one
+};
+
+enum class TextKind : std::uint8_t {
+    fixed, ///< its words are written
+    label, ///< its words are those of an input, on one line
+};
+
+/// Nothing when they are wrong, which is reported.
+std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKind kind, Reading& reading);
+
+/// A character as a reader and as Unicode names it, for it may be one that is not seen: "\"ß\" (U+00DF)".
+std::string in_words(std::string_view character);
+
+/// What to do when the font lacks a character.
+std::string other_font(const TextProperties& properties);
+
+}

@@ -1,0 +1,229 @@
+#include "core/player.hpp"
+
+#include "host/told_drawing.hpp"
+#include "tests/core/panel_memory.hpp"
+#include "tests/core/stage.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <random>
+#include <string>
+
+/// Players of scenes that show drawings from outside.
+namespace kfast::test {
+namespace {
+
+constexpr Size canvas{60, 40};
+
+const std::string two_plots = R"(
+kfast 1
+canvas 60 40 frames=30
+input plot kind=drawing points=40 strokes=4 { line 5 20 20 5 35 30 55 20 }
+input shape kind=drawing points=8 { polygon 10 10 30 12 20 30 }
+input dim
+object back fill="#203040" { rect 3 3 40 20; key 0 x=0; key 29 x=10 }
+object still fill=silver { circle 50 8 r=5 }
+object area fill="#00ff0080" stroke=red width=1.5 join=round live=shape rule=even-odd
+symbol s { object line stroke=lime width=2 cap=round join=round live=plot }
+group one x=2 { track opacity input=dim { at 0 1; at 1 0.3 }
+    use s; object dots stroke=white width=3 cap=square live=plot y=6 rotate=10 }
+use s rotate-y=40 x=5 scale=0.7
+)";
+
+ToldDrawing random_drawing(std::size_t most_strokes, std::size_t most_points, int reach, std::mt19937& random)
+{
+    ToldDrawing drawing(1 + random() % most_strokes);
+    const auto coordinate = [&] {
+        const auto range = static_cast<std::uint32_t>(2 * reach + 1);
+        return static_cast<std::int16_t>(static_cast<int>(random() % range) - reach);
+    };
+    for (std::size_t points = random() % (most_points + 1); points > 0; --points) {
+        const std::int16_t x = coordinate();
+        drawing[random() % drawing.size()].push_back({x, coordinate()});
+    }
+    if (random() % 3 == 0 && !drawing[0].empty())
+        drawing[0].back() = drawing[0].front();
+    return drawing;
+}
+
+bool tell(Stage& stage, std::uint32_t input, const ToldDrawing& drawing)
+{
+    return stage.player.set_drawing(input, strokes_of(drawing));
+}
+
+std::string polyline(const ToldDrawing& drawing)
+{
+    std::string shapes;
+    for (const auto& stroke : drawing) {
+        shapes += "path \"";
+        for (std::size_t i = 0; i < stroke.size(); ++i)
+            shapes += (i == 0 ? "M " : "L ") + std::to_string(stroke[i].x / 16.0) + " " +
+                      std::to_string(stroke[i].y / 16.0) + " ";
+        shapes += "\"; ";
+    }
+    return shapes;
+}
+
+}
+
+TEST_CASE("a live drawing looks as the same drawing does in an object")
+{
+    std::mt19937 random{1};
+    for (const std::string style :
+         {"fill=red", "stroke=red width=3", "stroke=red width=5 join=round cap=round",
+          "fill=blue stroke=red rotate=30", "fill=red rule=even-odd rotate-x=50 z=20",
+          "stroke=red width=3 cap=square join=bevel rotate-y=60"})
+        for (int round = 0; round < 8; ++round) {
+            ToldDrawing drawing = random_drawing(2, 20, 60 * 16, random);
+            std::erase_if(drawing, [](const auto& stroke) { return stroke.size() < 2; });
+            if (drawing.empty())
+                continue;
+            const std::string begin = "kfast 1\ncanvas 60 40\n";
+            const std::string place = " pivot-x=30 pivot-y=20 ";
+            Stage live{begin + "input i kind=drawing points=40 strokes=2\nobject o " + style + place +
+                           "live=i",
+                       canvas};
+            Stage still{begin + "object o " + style + place + "{ " + polyline(drawing) + "}", canvas};
+            CHECK(tell(live, 0, drawing));
+            REQUIRE(live.picture({}) == still.picture({}));
+        }
+}
+
+TEST_CASE("the usual drawing is shown until another is told")
+{
+    Stage live{"kfast 1\ncanvas 60 40\ninput i kind=drawing points=9 strokes=2 { line 5 5 40 30; polygon 9 9 "
+               "30 9 9 30 }\n"
+               "object o stroke=red width=3 live=i rotate=20",
+               canvas};
+    Stage still{"kfast 1\ncanvas 60 40\nobject o stroke=red width=3 rotate=20 { line 5 5 40 30; polygon 9 9 "
+                "30 9 9 30 }",
+                canvas};
+    const Bytes usual = still.picture({});
+    CHECK(live.picture({}) == usual);
+    CHECK(tell(live, 0, {}));
+    CHECK(live.picture({}) != usual);
+    CHECK(tell(live, 0, {{{80, 80}, {640, 480}}, {{144, 144}, {480, 144}, {144, 480}, {144, 144}}}));
+    CHECK(live.picture({}) == usual);
+}
+
+TEST_CASE("a drawing that finds no room changes nothing")
+{
+    Stage stage{two_plots, canvas};
+    const Bytes picture = stage.picture({});
+    CHECK_FALSE(tell(stage, 1, {{{0, 0}}, {{1, 1}}}));
+    CHECK_FALSE(tell(stage, 1, {std::vector<LivePoint>(9)}));
+    CHECK(stage.picture({}) == picture);
+    stage.player.show_next_drawing(1);
+    CHECK(stage.player.drawing(1).strokes() == 0);
+    CHECK(tell(stage, 1, {std::vector<LivePoint>(8)}));
+}
+
+TEST_CASE("the panel shows what a full redraw would, whatever is told and whenever")
+{
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        std::mt19937 random{seed};
+        Stage stage{two_plots, canvas};
+        PanelMemory<PixelFormat::rgb565> memory{canvas};
+        Time time;
+        for (int round = 0; round < 50; ++round) {
+            if (random() % 2 == 0)
+                time = {static_cast<std::int32_t>(random() % (30 * 1024))};
+            const int reach = random() % 4 == 0 ? 32767 : 1000;
+            if (random() % 2 == 0)
+                CHECK(tell(stage, 0, random_drawing(4, 40, reach, random)));
+            if (random() % 3 == 0)
+                CHECK(tell(stage, 1, random_drawing(1, 8, reach, random)));
+            if (random() % 4 == 0)
+                stage.player.set_input(2, {static_cast<std::int32_t>(random() % 65537)});
+            stage.player.show(time);
+            if (random() % 5 == 0)
+                continue; // never drawn
+            const ToldDrawing first = told_drawing(stage.player.drawing(0));
+            const ToldDrawing second = told_drawing(stage.player.drawing(1));
+            if (random() % 3 == 0)
+                CHECK(tell(stage, 0, random_drawing(4, 40, reach, random))); // too late for this picture
+            bring_up_to_date(stage, memory, 5);
+            Stage fresh{two_plots, canvas};
+            CHECK(tell(fresh, 0, first));
+            CHECK(tell(fresh, 1, second));
+            fresh.player.set_input(2, stage.player.input(2));
+            REQUIRE(memory.bytes() == fresh.picture(time));
+        }
+    }
+}
+
+TEST_CASE("a drawing that nobody changes sends nothing, and one that is told point by point neither until it "
+          "is shown")
+{
+    Stage stage{two_plots, canvas};
+    PanelMemory<PixelFormat::rgb565> memory{canvas};
+    const auto areas = [&] {
+        stage.player.show({});
+        return bring_up_to_date(stage, memory, 40).areas;
+    };
+    areas();
+    const ToldDrawing drawing{{{100, 100}, {300, 200}}};
+    CHECK(tell(stage, 0, drawing));
+    CHECK(areas() > 0);
+    CHECK(tell(stage, 0, drawing));
+    CHECK(areas() == 0);
+    LiveDrawing next = stage.player.drawing(0);
+    next.add({400, 400});
+    next.add({300, 400});
+    CHECK(areas() == 0);
+    stage.player.show_next_drawing(0);
+    CHECK(areas() > 0);
+}
+
+TEST_CASE("what stands still is not traced again when a drawing moves")
+{
+    Stage stage{two_plots, canvas};
+    stage.picture({});
+    CHECK(stage.player.picture().still.inputs == 0b111);
+    const auto& steps = stage.player.picture().steps();
+    CHECK(std::ranges::any_of(steps, [](const PaintStep& step) { return step.still.inputs == 0; }));
+    CHECK(std::ranges::any_of(steps, [](const PaintStep& step) { return step.still.inputs == 0b010; }));
+    CHECK(std::ranges::any_of(steps, [](const PaintStep& step) { return step.still.inputs == 0b101; }));
+}
+
+TEST_CASE("a player of live drawings writes to its block alone, whatever they are told")
+{
+    constexpr std::size_t guard = 64;
+    constexpr std::byte mark{0xA5};
+    const Bytes file = compiled(two_plots);
+    const SceneView scene = *SceneView::parse(file);
+    const std::size_t size = Player::block_bytes(scene, canvas);
+    Bytes memory(size + 2 * guard, mark);
+    auto player = Player::create(scene, canvas, Fit::cover, std::span{memory}.subspan(guard, size));
+    REQUIRE(player);
+    Bytes pixels(row_bytes(PixelFormat::rgb565, canvas.width) * static_cast<std::size_t>(canvas.height));
+    std::mt19937 random{5};
+    for (int frame = 0; frame < 60; ++frame) {
+        player->set_drawing(0, strokes_of(random_drawing(6, 60, 32767, random)));
+        player->set_drawing(1, strokes_of(random_drawing(2, 12, 900, random)));
+        player->show(Time::frame(frame));
+        player->draw_rows<PixelFormat::rgb565>(canvas.height, pixels);
+    }
+    const auto is_untouched = [](std::span<const std::byte> part) {
+        return std::ranges::all_of(part, [](std::byte byte) { return byte == mark; });
+    };
+    CHECK(is_untouched(std::span{memory}.first(guard)));
+    CHECK(is_untouched(std::span{memory}.last(guard)));
+}
+
+TEST_CASE("a block has room for both drawings of each input")
+{
+    const auto block_bytes = [](const std::string& input) {
+        const Bytes file =
+            compiled("kfast 1\ncanvas 60 40\n" + input + "\nobject o fill=red visible=#false live=i\n" +
+                     "object p fill=red { rect 1 1 2 2 }");
+        return Player::block_bytes(*SceneView::parse(file), canvas);
+    };
+    CHECK(block_bytes("input i kind=drawing points=100") - block_bytes("input i kind=drawing points=1") ==
+          2 * 99 * 4);
+    CHECK(block_bytes("input i kind=drawing points=100 strokes=9") -
+              block_bytes("input i kind=drawing points=100") ==
+          2 * 4 * 4);
+}
+
+}

@@ -1,0 +1,196 @@
+#include "core/player.hpp"
+
+#include "tests/core/panel_memory.hpp"
+#include "tests/core/stage.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <random>
+#include <string>
+#include <vector>
+
+/// Players of scenes with texts from outside.
+namespace kfast::test {
+namespace {
+
+constexpr Size canvas{120, 60};
+
+std::string with_text(const std::string& glyphs, int most, const std::string& object)
+{
+    return "kfast 1\ncanvas 120 60 frames=20\ninput t kind=text glyphs=\"" + glyphs +
+           "\" max=" + std::to_string(most) + "\n" + object;
+}
+
+/// The same object around a label, and around a text that is written.
+struct Frame {
+    std::string before;
+    std::string after;
+};
+
+/// In the bundled fonts in even sizes, all points lie on 1/16 px.
+const std::vector<Frame> frames{
+    {"object o fill=red stroke=white width=1.5 { text ", " at=\"3,40\" size=32 }"},
+    {"object o stroke=white width=2 cap=round { text ", " at=\"60,40\" size=14 align=center }"},
+    {"object o stroke=white { text ", " at=\"117,40\" size=22 align=right spacing=-1.25 }"},
+    {"object o fill=red rule=even-odd { text ", " at=\"5,40\" size=18 font=hershey-gothic }"},
+    {"group rotate=-20 opacity=0.5 { object o stroke=aqua width=3 scale=0.7 rotate=11 pivot-x=40 "
+     "pivot-y=30 { text ",
+     " at=\"10,50\" size=24; key 0 x=0; key 20 x=9 } }"},
+    {"object o stroke=lime width=2 rotate-y=40 rotate-x=20 pivot-x=60 pivot-y=30 { text ",
+     " at=\"60,44\" size=30 align=center }"},
+    {"symbol s { object o stroke=red { text ", " at=\"4,9\" size=10 } }\nuse s 9 20 { key 0 scale=2 }"},
+};
+
+}
+
+TEST_CASE("a label has the same bits as a text that is written")
+{
+    for (const Frame& frame : frames) {
+        CAPTURE(frame.before);
+        Stage label{with_text("0-9A-Za-z:%,-", 12, frame.before + "input=t" + frame.after), canvas};
+        for (const std::string text : {"12:30", "W,i", "  -7 %", "AVAToy", "x"}) {
+            Stage fixed{"kfast 1\ncanvas 120 60 frames=20\n" + frame.before + '"' + text + '"' + frame.after,
+                        canvas};
+            label.player.set_text(0, text);
+            for (const int time : {0, 7})
+                REQUIRE(label.picture(Time::frame(time)) == fixed.picture(Time::frame(time)));
+        }
+    }
+}
+
+TEST_CASE("a label shows its usual text until another is told")
+{
+    const std::string object = "object o stroke=red { text input=t at=\"9,40\" size=32 }";
+    Stage usual{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\n" + object, canvas};
+    Stage empty{with_text("ab", 3, object), canvas};
+    CHECK(usual.picture({}) != empty.picture({}));
+    empty.player.set_text(0, "ab");
+    CHECK(usual.picture({}) == empty.picture({}));
+    usual.player.set_text(0, "");
+    empty.player.set_text(0, "  ");
+    CHECK(usual.picture({}) == empty.picture({}));
+}
+
+TEST_CASE("what has no glyph and what is too long is left out")
+{
+    const std::string text = with_text("ab", 3, "object o stroke=red { text input=t at=\"9,40\" size=20 }");
+    Stage stage{text, canvas};
+    Stage clean{text, canvas};
+    const auto shows = [&](std::string_view told, std::string_view seen) {
+        stage.player.set_text(0, told);
+        clean.player.set_text(0, seen);
+        return stage.picture({}) == clean.picture({});
+    };
+    CHECK(shows("abab", "aba"));
+    CHECK(shows("xa\nyb\xC3\xA4z", "ab"));
+    CHECK(shows("\xFF"
+                "a\xC3",
+                "a"));
+    CHECK(shows(std::string_view{"a\0b", 3}, "ab"));
+    CHECK(shows("xxxxxxxxxxxxb", "b"));
+    CHECK_FALSE(shows("ab", "ba"));
+    CHECK_FALSE(shows("a", ""));
+}
+
+TEST_CASE("a text that stays costs nothing, and one that changes sends what changed")
+{
+    Stage stage{with_text("0-9", 8,
+                          "object still fill=blue { rect 0 0 20 9 }\n"
+                          "object o stroke=white { text input=t at=\"4,40\" size=20 }"),
+                canvas};
+    PanelMemory<PixelFormat::rgb565> memory{canvas};
+    stage.player.set_text(0, "12345678");
+    stage.player.show({});
+    bring_up_to_date(stage, memory, 40);
+    stage.player.set_text(0, "12345678");
+    stage.player.show(Time::frame(3));
+    CHECK(bring_up_to_date(stage, memory, 40).areas == 0);
+    stage.player.set_text(0, "12345679");
+    stage.player.show(Time::frame(3));
+    const auto sent = bring_up_to_date(stage, memory, 40);
+    CHECK(sent.areas > 0);
+    CHECK(sent.bytes < 20 * 20 * 2); // one digit
+}
+
+TEST_CASE("the panel shows what a full redraw would, however texts and time move")
+{
+    const std::string scene =
+        "kfast 1\ncanvas 120 60 frames=20\n"
+        "input a kind=text glyphs=\"0-9\" max=4 default=\"17\"\ninput n\n"
+        "input b kind=text glyphs=\"a-z\" max=9\n"
+        "object one stroke=white width=2 { text input=a at=\"60,30\" size=20 align=center }\n"
+        "group { track x input=n { at 0 0; at 1 30 }\n"
+        "object two fill=\"#00ff0080\" stroke=red { text input=b at=\"4,50\" size=12 } }\n"
+        "object three stroke=aqua { text input=a at=\"4,20\" size=9; key 0 y=0; key 20 y=30 }";
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        std::mt19937 random{seed};
+        Stage stage{scene, canvas};
+        PanelMemory<PixelFormat::rgb565> memory{canvas};
+        std::string a = "17";
+        std::string b;
+        for (int round = 0; round < 40; ++round) {
+            const Time time{static_cast<std::int32_t>(random() % (20 * 1024))};
+            if (random() % 2 == 0)
+                a = std::to_string(random() % 20'000);
+            if (random() % 2 == 0)
+                b = std::string(random() % 12, static_cast<char>('a' + random() % 26));
+            stage.player.set_text(0, a);
+            stage.player.set_text(2, b);
+            stage.player.set_input(1, {static_cast<std::int32_t>(random() % 65537)});
+            stage.player.show(time);
+            if (random() % 5 == 0)
+                continue; // never drawn
+            bring_up_to_date(stage, memory, 5);
+            Stage fresh{scene, canvas};
+            fresh.player.set_text(0, a);
+            fresh.player.set_text(2, b);
+            fresh.player.set_input(1, stage.player.input(1));
+            REQUIRE(memory.bytes() == fresh.picture(time));
+        }
+    }
+}
+
+TEST_CASE("an input that is no text stays what it is, and so does a text that a place is told")
+{
+    Stage stage{
+        "kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\ninput n default=1\n"
+        "object o stroke=red { text input=t at=\"9,40\" size=32; track x input=n { at 0 0; at 1 9 } }",
+        canvas};
+    const Bytes picture = stage.picture({});
+    stage.player.set_text(1, "a");
+    stage.player.set_input(0, whole_input);
+    CHECK(stage.picture({}) == picture);
+    CHECK(stage.player.input(1) == whole_input);
+}
+
+TEST_CASE("outlines have room for any text")
+{
+    const std::vector<std::string> objects{
+        "object o stroke=white width=1 { text input=t at=\"2,20\" size=9 }",
+        "object o fill=red stroke=white width=3 cap=round join=round { text input=t at=\"60,40\" size=30 "
+        "align=center font=hershey-gothic; key 0 scale=0.1; key 20 scale=3 }",
+        "object o stroke=white rotate-y=60 { text input=t at=\"60,40\" size=12 align=right; key 0 "
+        "visible=#false; "
+        "key 19.9 visible=#true }",
+        "object a stroke=red { text input=t at=\"2,20\" size=9 }\nobject b stroke=red width=2 { text input=t "
+        "at=\"2,40\" size=11 font=hershey-script }",
+    };
+    std::mt19937 random{7};
+    for (const std::string& object : objects) {
+        CAPTURE(object);
+        Stage stage{with_text("!-~", 20, object), canvas};
+        for (int round = 0; round < 95 + 100; ++round) {
+            std::string text;
+            for (int i = 0; i < 20; ++i)
+                text += static_cast<char>(round < 94 ? '!' + round : '!' + static_cast<int>(random() % 94));
+            stage.player.set_text(0, text);
+            for (const int ticks : {0, 5000, 20'450, 20'479}) {
+                stage.player.show_moment({ticks});
+                REQUIRE_FALSE(stage.player.picture().outlines.is_full());
+                REQUIRE(stage.player.picture().coarseness == 0);
+            }
+        }
+    }
+}
+
+}
