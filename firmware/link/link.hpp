@@ -65,6 +65,7 @@ public:
     {
         if (const auto tag = upload_.drop_overdue(now))
             tell(report_of(failure(code_of<Data>(), Status::timed_out), *tag));
+        upload_.drop_unplayed(now);
         if (const auto request = std::exchange(waiting_, std::nullopt))
             take_request(*request, now);
         if (const auto action = silence_.pass(now))
@@ -251,7 +252,7 @@ private:
     {
         return upload_.begin(what, asked.tag, asked.now);
     }
-    Deed<Kind::commit> carry_out(const Commit&, Asked asked) { return upload_.commit(asked.tag); }
+    Deed<Kind::commit> carry_out(const Commit&, Asked asked) { return upload_.commit(asked.tag, asked.now); }
     Deed<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
 
     Outcome<SlotContents> carry_out(const AskSlot& which, Asked)

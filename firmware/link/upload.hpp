@@ -57,7 +57,7 @@ public:
 
     /// Fails with no_transfer, incomplete, bad_checksum, flash_failed or an error of SceneView::parse, or
     /// with why the upload was dropped.
-    Verdict commit(std::uint8_t tag)
+    Verdict commit(std::uint8_t tag, Microseconds now)
     {
         if (!transfer_.belongs(tag))
             return Status::no_transfer;
@@ -68,16 +68,20 @@ public:
         with_sink([&](auto& sink) { verdict = transfer_.commit(sink); });
         if (is_for_ram() && was_under_way && !transfer_.is_under_way())
             end_in_ram(verdict.is_ok());
+        if (is_for_ram() && verdict.is_ok() && was_under_way)
+            committed_ = now;
         return verdict;
     }
 
-    /// Fails with no_transfer. What was committed stays.
+    /// Fails with no_transfer. What was committed stays in its slot; in RAM it stays only if it plays.
     Status cancel(std::uint8_t tag)
     {
         if (!transfer_.belongs(tag))
             return Status::no_transfer;
         if (transfer_.is_under_way())
             fail(Status::no_transfer);
+        else if (is_for_ram())
+            end_in_ram(false);
         return Status::ok;
     }
 
@@ -86,6 +90,8 @@ public:
     {
         if (transfer_.is_under_way())
             fail(Status::no_transfer);
+        else if (is_for_ram() && !device_.playing().is_playing)
+            end_in_ram(false);
         transfer_.forget();
         is_stray_told_ = false;
     }
@@ -104,6 +110,16 @@ public:
             return std::nullopt;
         fail(Status::timed_out);
         return transfer_.tag();
+    }
+
+    /// What gave way to a scene in RAM does not wait for ever that somebody plays it.
+    void drop_unplayed(Microseconds now)
+    {
+        if (!committed_ || !reached(now, *committed_ + Transfer::patience))
+            return;
+        committed_.reset();
+        if (!device_.playing().is_playing)
+            end_in_ram(false);
     }
 
     /// The whole scene that lies in RAM, if there is one.
@@ -174,6 +190,7 @@ private:
         if (const std::uint32_t most = device_.facts().ram_bytes; size > most)
             return {Status::too_large, most};
         ram_scene_ = {};
+        committed_.reset();
         ram_ = RamSink{device_.lend_ram(size)};
         return {};
     }
@@ -183,6 +200,7 @@ private:
     Transfer transfer_;
     RamSink ram_;
     std::span<const std::byte> ram_scene_;
+    std::optional<Microseconds> committed_; ///< when it came into RAM, as long as it may not have been played
     bool is_stray_told_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
 #include "host/commands/live_stream.hpp"
+#include "host/commands/number_range.hpp"
 #include "host/commands/playing_text.hpp"
 #include "host/commands/sent_scene.hpp"
 #include "host/failure.hpp"
@@ -11,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <fcntl.h>
 #include <functional>
 #include <optional>
+#include <unistd.h>
 
 namespace kfast {
 namespace {
@@ -101,8 +104,8 @@ std::vector<LiveInput> begin(const Options& options, std::span<RemoteDevice> dev
 {
     if (!scene)
         return common_inputs(devices);
-    send_into_ram(*scene, devices, options.device);
-    on_each(devices, [](RemoteDevice& device, std::size_t) { play_from_ram(device, {}); });
+    const SentScene in_ram{*scene, devices, options.device};
+    on_each(devices, [&](RemoteDevice&, std::size_t index) { in_ram.play(index, {}); });
     return inputs_of(scene->view);
 }
 
@@ -113,8 +116,16 @@ void require_inputs(std::span<const LiveInput> inputs)
                       "that has some"};
 }
 
+/// Otherwise what is opened next would be taken for it.
+void require_standard_input()
+{
+    if (::fcntl(STDIN_FILENO, F_GETFD) < 0)
+        throw Failure{"standard input is closed: live values are read from there"};
+}
+
 void live(const Options& options)
 {
+    require_standard_input();
     std::optional<SceneFile> scene;
     if (!options.file.empty()) {
         scene.emplace(load_scene(options.file));
@@ -139,7 +150,7 @@ void declare(CLI::App& app)
                    "A scene text (.kfast) or compiled scene (.kfb) to play from RAM (default: what plays)");
     app.add_option("--rate", options->manner.rate, "So many lines a second (default: as they come)")
         ->type_name("NUMBER")
-        ->check(CLI::Range(0.01, fastest));
+        ->check(number_within(0.01, fastest));
     app.add_option_function<std::string>(
            "--on-silence",
            [options](const std::string& text) { options->manner.afterwards = read_afterwards(text); },
@@ -149,7 +160,7 @@ void declare(CLI::App& app)
     app.add_option("--silence", options->silence,
                    "Seconds after which a device takes this computer for gone (default: 1)")
         ->type_name("SECONDS")
-        ->check(CLI::Range(shortest_silence, longest_silence));
+        ->check(number_within(shortest_silence, longest_silence));
     declare_device_options(app, options->device);
     app.callback([options] { live(*options); });
 }

@@ -42,10 +42,10 @@ link::Home home_of(const Options& options)
     return options.start ? link::Home::start : link::Home::here;
 }
 
-void send(const Options& options, std::span<RemoteDevice> devices, const SceneFile& scene)
+SentScene sent(const Options& options, std::span<RemoteDevice> devices, const SceneFile& scene)
 {
     static_cast<void>(chosen_timeline(options.play, scene.view)); // a clip that it has not is refused here
-    send_into_ram(scene, devices, options.device);
+    return {scene, devices, options.device};
 }
 
 void play(const Options& options)
@@ -56,11 +56,12 @@ void play(const Options& options)
     if (!options.file.empty())
         scene.emplace(load_scene(options.file));
     OpenDevices devices{options.device};
+    std::optional<SentScene> in_ram;
     if (scene)
-        send(options, devices.all(), *scene);
-    on_each(devices.all(), [&](RemoteDevice& device, std::size_t) {
-        if (scene)
-            play_from_ram(device, what.clip);
+        in_ram = sent(options, devices.all(), *scene);
+    on_each(devices.all(), [&](RemoteDevice& device, std::size_t index) {
+        if (in_ram)
+            in_ram->play(index, what.clip);
         else
             device.session().order(what, patience_to_begin);
         if (options.play.speed != Playhead::as_authored)

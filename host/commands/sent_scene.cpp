@@ -5,45 +5,43 @@
 #include "host/link/on_each.hpp"
 #include "host/link/scene_upload.hpp"
 
-#include <atomic>
-#include <deque>
+#include <cstdint>
 
 namespace kfast {
 namespace {
 
-/// Otherwise nothing might play there.
-void return_to_start(RemoteDevice& device)
+/// What gave way to the scene plays again.
+void take_back(RemoteDevice& device, std::uint8_t tag)
 {
-    Session& session = device.session();
-    session.take_leave(link::report_of(link::Play{.home = link::Home::start}, session.new_tag()));
+    device.session().take_leave(link::report_of(link::Cancel{}, tag));
 }
 
 }
 
-void send_into_ram(const SceneFile& scene, std::span<RemoteDevice> devices, const DeviceOptions& options)
+SentScene::SentScene(const SceneFile& scene, std::span<RemoteDevice> devices, const DeviceOptions& options)
+    : devices_{devices}, tags_(devices.size())
 {
     const link::Begin begin = begin_in_ram(scene.bytes);
-    std::deque<std::atomic<bool>> have_it(devices.size());
     try {
         ProgressBar bar{scene.bytes.size(), devices.size(), shown_progress(options)};
         on_each(devices, [&](RemoteDevice& device, std::size_t index) {
-            upload_scene(device.session(), begin, scene.bytes, bar.of_device(index));
-            have_it[index] = true;
+            tags_[index] = upload_scene(device.session(), begin, scene.bytes, bar.of_device(index));
         });
     } catch (const Failure&) {
         for (std::size_t index = 0; index < devices.size(); ++index)
-            if (have_it[index])
-                return_to_start(devices[index]);
+            if (tags_[index])
+                take_back(devices[index], *tags_[index]);
         throw;
     }
 }
 
-void play_from_ram(RemoteDevice& device, const link::Name& clip)
+void SentScene::play(std::size_t index, const link::Name& clip) const
 {
+    RemoteDevice& device = devices_[index];
     try {
         device.session().order(link::Play{.home = link::Home::ram, .clip = clip}, patience_to_begin);
     } catch (const Failure&) {
-        return_to_start(device);
+        take_back(device, *tags_[index]);
         throw;
     }
 }

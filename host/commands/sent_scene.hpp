@@ -1,20 +1,32 @@
 #pragma once
 
+#include "firmware/link/message.hpp"
 #include "host/commands/device_options.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/scene_file.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace kfast {
 
-/// Sends a scene into the RAM of all devices, with a progress bar if the options allow it. It does not play
-/// yet, and what played before may have given way to it. Throws what upload_scene() throws; then devices that
-/// have the scene already are returned to that of their start.
-void send_into_ram(const SceneFile& scene, std::span<RemoteDevice> devices, const DeviceOptions& options);
+/// A scene that has come into the RAM of all devices. What played before may have given way to it.
+class SentScene {
+public:
+    /// Sends it, with a progress bar if the options allow it. Throws what upload_scene() throws; then it is
+    /// taken back from the devices that have it already, and they play what they played before.
+    SentScene(const SceneFile& scene, std::span<RemoteDevice> devices, const DeviceOptions& options);
 
-/// Plays it, or only one of its clips. Throws what Session throws, and Refusal; a device is returned to the
-/// scene of its start even then.
-void play_from_ram(RemoteDevice& device, const link::Name& clip);
+    /// Plays it on a device, or only one of its clips. Throws what Session throws, and Refusal; then it is
+    /// taken back.
+    void play(std::size_t device, const link::Name& clip) const;
+
+private:
+    std::span<RemoteDevice> devices_;
+    std::vector<std::optional<std::uint8_t>> tags_; ///< of the uploads
+};
 
 }

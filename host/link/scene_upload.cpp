@@ -49,6 +49,7 @@ public:
         for (int round = 1; !is_committed(round == most_rounds); ++round)
             send_blocks();
     }
+    std::uint8_t tag() const { return tag_; }
     void cancel() { session_.take_leave(link::report_of(link::Cancel{}, tag_)); }
 
 private:
@@ -167,13 +168,14 @@ link::Begin begin_in_ram(std::span<const std::byte> scene)
     return begin;
 }
 
-void upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                  const TellProgress& tell)
+std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
+                          const TellProgress& tell)
 {
     for (int attempt = 1;; ++attempt) {
         SceneUpload upload{session, begin, scene, tell};
         try {
-            return upload.run();
+            upload.run();
+            return upload.tag();
         } catch (const Interrupted&) {
             upload.cancel();
             throw;

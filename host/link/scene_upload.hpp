@@ -21,8 +21,8 @@ link::Begin begin_in_ram(std::span<const std::byte> scene);
 /// is missing, begins anew when the device has dropped the upload or found it damaged. If it is interrupted,
 /// the device is told so. `begin` is for these bytes.
 ///
-/// Throws what Session throws, and Refusal.
-void upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                  const TellProgress& tell);
+/// Returns the tag of the upload, by which it can be cancelled. Throws what Session throws, and Refusal.
+std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
+                          const TellProgress& tell);
 
 }

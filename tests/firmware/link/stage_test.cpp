@@ -77,7 +77,10 @@ TEST_CASE("a board without a scene shows a card, and can be talked to")
     CHECK(bench.board.faults == std::vector{Error::bad_magic});
     CHECK_FALSE(bench.playing().is_playing);
     CHECK(bench.refusal(AskInput{}) == Verdict{Status::nothing_plays});
-    CHECK(bench.refusal(Play{.home = Home::start}) == Verdict{Status::bad_magic});
+    CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::no_scene});
+    bench.does(Play{.home = Home::start});
+    bench.board.run_for(100);
+    CHECK_FALSE(bench.playing().is_playing);
     bench.does(Pause{});
     bench.does(Seek{});
     const Scene scene = padded_scene(2000, 1);
@@ -87,7 +90,7 @@ TEST_CASE("a board without a scene shows a card, and can be talked to")
     CHECK(bench.playing().home == Home::ram);
     bench.does(Silence{.milliseconds = 100, .action = SilenceAction::start});
     bench.board.run_for(200);
-    CHECK(bench.board.faults.size() == 2);
+    CHECK(bench.board.faults.size() == 3);
 }
 
 TEST_CASE("a scene in RAM plays within a tenth of a second, on a panel that is not begun again")
@@ -195,6 +198,48 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
         CHECK(bench.playing().slot == 5);
         CHECK(is_scene(bench.board.scene_begun(), scene));
     }
+}
+
+TEST_CASE("what gave way to a scene in RAM that nobody plays, plays again")
+{
+    const Scene scene = padded_scene(4000, 1);
+    const std::array<std::function<void(StagedBench&)>, 4> ways{
+        [](StagedBench& bench) { bench.does(Cancel{}, tag); },
+        [](StagedBench& bench) { bench.board.pipe.plug_in(); },
+        [](StagedBench& bench) { bench.board.run_for(4'000); },
+        [](StagedBench& bench) {
+            CHECK(bench.refusal(Play{.home = Home::ram, .clip = {"none"}}) == Verdict{Status::no_such_clip});
+            bench.does(Cancel{}, tag);
+        },
+    };
+    for (const auto& go_away : ways) {
+        StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
+        REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
+        bench.does(Play{.home = Home::slot, .slot = 5});
+        bench.board.run_for(100);
+        const Scene small = padded_scene(1100, 2);
+        bench.upload(StagedBench::for_ram(small), small, tag);
+        bench.board.run_for(1'000);
+        CHECK_FALSE(bench.playing().is_playing);
+        go_away(bench);
+        bench.board.run_for(100);
+        CHECK(bench.playing().slot == 5);
+        CHECK(is_scene(bench.board.scene_begun(), scene));
+    }
+}
+
+TEST_CASE("a scene in RAM that plays stays when its upload is cancelled, and after a while")
+{
+    StagedBench bench;
+    const Scene scene = padded_scene(2000, 1);
+    play_from_ram(bench, scene);
+    bench.does(Cancel{}, tag);
+    bench.board.run_for(5'000);
+    CHECK(bench.playing().home == Home::ram);
+    CHECK(is_scene(bench.board.scene_begun(), scene));
+    bench.does(Play{.home = Home::here});
+    bench.board.run_for(100);
+    CHECK(bench.playing().home == Home::ram);
 }
 
 TEST_CASE("a scene from flash that gave way is not written over, whatever becomes of its slot")
@@ -315,7 +360,8 @@ TEST_CASE("drawings are shown in the frame after their last report, whole and no
         }
         for (const Report& report : drawing_reports(drawing, 1, number)) {
             bench.board.pipe.to_device.push_back(report.bytes);
-            bench.board.run_for(static_cast<std::uint32_t>(1 + random() % 7)); // in the midst of frames; each is checked
+            bench.board.run_for(
+                static_cast<std::uint32_t>(1 + random() % 7)); // in the midst of frames; each is checked
         }
         bench.board.run_for(100);
         std::erase_if(drawing, [](const auto& stroke) { return stroke.empty(); });
