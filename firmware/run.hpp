@@ -2,6 +2,7 @@
 
 #include "core/player.hpp"
 #include "core/playhead.hpp"
+#include "firmware/blank.hpp"
 #include "firmware/board.hpp"
 #include "firmware/fault_card.hpp"
 #include "firmware/frame_clock.hpp"
@@ -133,16 +134,6 @@ Playhead playhead_for(B& board, const SceneView& scene)
         return board.playhead(scene);
     else
         return Playhead{scene};
-}
-
-/// Whether nothing has ever been written where a scene is to lie.
-inline bool is_blank(std::span<const std::byte> place)
-{
-    if (place.size() < 4)
-        return place.empty();
-    const auto beginning = place.first(4);
-    return std::ranges::all_of(beginning, [&](std::byte byte) { return byte == place[0]; }) &&
-           (place[0] == std::byte{0xFF} || place[0] == std::byte{0});
 }
 
 /// Happens once at most, and is compiled for size.

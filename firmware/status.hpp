@@ -40,6 +40,7 @@ enum class Status : std::uint8_t {
     drawing_broken,  ///< a report of it is missing, or came twice; the drawing before stays
     drawing_large,   ///< more strokes or points than the input takes; the drawing before stays
     no_text,         ///< likewise
+    no_scene,        ///< nothing was ever written where the scene is to lie
 };
 
 /// A later device may have more of them.
@@ -123,6 +124,8 @@ constexpr std::string_view status_text(Status status)
         return "the drawing has more points than the input takes"sv;
     case Status::no_text:
         return "this input of the scene is no text"sv;
+    case Status::no_scene:
+        return "no scene lies there"sv;
     }
     return ""sv;
 }

@@ -4,6 +4,7 @@
 #include "boards/pico/chip_flash.hpp"
 #include "boards/pico/memory.hpp"
 #include "boards/pico/usb_reports.hpp"
+#include "boards/pico/watchdog.hpp"
 #include "firmware/link/conversation.hpp"
 #include "firmware/slots/slot_store.hpp"
 
@@ -49,6 +50,7 @@ link::Stage& Computer::stage() const { return *the_stage; }
 
 void Computer::serve() const
 {
+    watchdog::feed(); // looking at large scenes takes long
     conversation->serve([this] { return clock_.now(); });
     if (the_stage->is_to_leave(clock_.now()))
         boot_rom::become_drive();

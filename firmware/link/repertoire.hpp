@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene_view.hpp"
+#include "firmware/blank.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/upload.hpp"
@@ -35,7 +36,7 @@ public:
     Verdict play(const Play& what)
     {
         if (what.home == Home::start)
-            return play_start(what.clip);
+            return play_start_or_nothing(what.clip);
         Programme programme{.home = what.home, .slot = what.slot, .clip = what.clip};
         if (const Verdict verdict = find_scene(programme); !verdict.is_ok())
             return verdict;
@@ -64,8 +65,20 @@ public:
     }
 
 private:
+    /// A device that has no scene for its start plays nothing then.
+    Verdict play_start_or_nothing(const Name& clip)
+    {
+        const Verdict verdict = play_start(clip);
+        if (verdict != Verdict{Status::no_scene})
+            return verdict;
+        device_.play_nothing();
+        return {};
+    }
+
     Verdict play_at_start(Programme programme)
     {
+        if (is_blank(programme.scene))
+            return Status::no_scene;
         const auto scene = SceneView::parse(programme.scene);
         if (!scene)
             return status_of(scene.error());
@@ -90,7 +103,7 @@ private:
         case Home::built_in:
             programme.slot = no_slot;
             programme.scene = device_.built_in();
-            return {};
+            return is_blank(programme.scene) ? Status::no_scene : Status::ok;
         case Home::slot:
             if (const Verdict verdict = slot_exists(programme.slot); !verdict.is_ok())
                 return verdict;

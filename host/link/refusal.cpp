@@ -34,7 +34,8 @@ std::string remedy_of(const link::Failure& told)
     case Status::too_large:
         return "it holds " + number + " bytes: upload it to a slot ('kfast upload'), or shorten the scene";
     case Status::block_too_small:
-        return "'kfast fit' tells how much the scene needs";
+        return "'kfast fit' tells how much the scene needs; in RAM it lies in the same memory itself, so "
+               "'kfast upload --play' may do";
     case Status::unsupported_version:
     case Status::unknown_kind:
         return "update the firmware of the device, or use the kfast that belongs to it";
@@ -51,7 +52,10 @@ std::string remedy_of(const link::Failure& told)
     case Status::nothing_in_ram:
         return "send one with 'kfast play SCENE'";
     case Status::nothing_plays:
-        return "play one with 'kfast play'";
+        return "play one with 'kfast play SCENE'";
+    case Status::no_scene:
+        return "'kfast upload SCENE --choose' brings one for the start, 'kfast uf2 pack --scene' a built-in "
+               "one";
     case Status::no_such_clip:
         return "'kfast info SCENE' lists them";
     case Status::no_such_input:

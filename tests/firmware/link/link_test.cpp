@@ -99,6 +99,8 @@ TEST_CASE("the built-in scene plays when asked for, if it is one")
     CHECK(bench.does(Play{.home = Home::built_in}));
     CHECK(bench.device.shown.size() == SceneView::parse(bench.device.built_in_scene)->size());
     bench.device.built_in_scene.assign(100, std::byte{0xFF});
+    CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::no_scene});
+    bench.device.built_in_scene.assign(100, std::byte{0x5A});
     CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::bad_magic});
     bench.device.built_in_scene = padded_scene(2000, 2);
     bench.device.largest_that_plays = 10;
@@ -253,9 +255,12 @@ TEST_CASE("the scene of the start is that of the chosen slot, or the built-in on
     bench.flash.damage(small_places.pool + bench.slots.entry(3).offset + 40);
     CHECK(bench.does(Play{.home = Home::start}));
     CHECK(bench.device.programme.home == Home::built_in);
-    bench.device.built_in_scene.assign(100, std::byte{0xFF});
+    bench.device.built_in_scene[0] ^= std::byte{1};
     CHECK(bench.refusal(Play{.home = Home::start}) == Verdict{Status::bad_magic});
-    CHECK(bench.device.programme.home == Home::built_in);
+    CHECK(bench.device.now.is_playing);
+    bench.device.built_in_scene.assign(100, std::byte{0xFF});
+    CHECK(bench.does(Play{.home = Home::start}));
+    CHECK_FALSE(bench.device.now.is_playing);
 }
 
 TEST_CASE("when the computer falls silent that is done which it asked for, once")
@@ -339,7 +344,8 @@ TEST_CASE("reports that mean nothing are refused and counted")
         report.bytes[0] = static_cast<std::byte>(kind);
         report.bytes[1] = std::byte{7};
         const bool is_known = (kind >= 1 && kind <= 5) || (kind >= 0x10 && kind <= 0x13) ||
-                              (kind >= 0x20 && kind <= 0x22) || (kind >= 0x30 && kind <= 0x3A) || kind == 0x3F;
+                              (kind >= 0x20 && kind <= 0x22) || (kind >= 0x30 && kind <= 0x3A) ||
+                              kind == 0x3F;
         if (is_known)
             continue;
         ++wrong;
