@@ -1,5 +1,6 @@
 #include "host/commands/device_options.hpp"
 
+#include "host/commands/number_range.hpp"
 #include "host/link/device_choice.hpp"
 #include "host/link/hid_pipe.hpp"
 
@@ -21,7 +22,7 @@ void declare_device_options(CLI::App& app, DeviceOptions& options)
         ->allow_extra_args(false);
     app.add_option("--timeout", options.timeout, "Seconds to wait for a device that is silent (default: 10)")
         ->type_name("SECONDS")
-        ->check(CLI::Range(shortest_timeout, longest_timeout));
+        ->check(number_within(shortest_timeout, longest_timeout));
     CLI::Option* const json = app.add_flag("--json", options.json, "For programs: a JSON array");
     app.add_flag("--quiet", options.quiet, "Print nothing but errors")->excludes(json);
 }

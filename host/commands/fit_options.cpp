@@ -1,5 +1,6 @@
 #include "host/commands/fit_options.hpp"
 
+#include "host/commands/number_range.hpp"
 #include "host/failure.hpp"
 #include "host/fit/board_choice.hpp"
 
@@ -31,7 +32,7 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
     app.add_option("--fps", options.frames_per_second,
                    "Frames per second to be reached (default: the scene's)")
         ->type_name("NUMBER")
-        ->check(CLI::Range(1.0, fastest))
+        ->check(number_within(1, fastest))
         ->needs(board);
     return board;
 }

@@ -30,6 +30,8 @@ std::string chosen_name(const Options& options)
 {
     if (!options.name)
         return std::string{stored_name(std::filesystem::path{options.file}.stem().string())};
+    if (options.name->empty())
+        throw CLI::ValidationError("--name", "is empty: leave it out, or name the scene");
     if (stored_name(*options.name) != *options.name)
         throw CLI::ValidationError("--name", "'" + visible(*options.name) +
                                                  "' is too long: a device keeps 24 bytes of a name");

@@ -4,6 +4,7 @@
 #include "host/link/refusal.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -127,7 +128,9 @@ std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t
 
 void give_up(Milliseconds waited)
 {
-    throw Failure{"the device has not answered for " + std::to_string(waited.count() / 1000) +
+    std::ostringstream seconds;
+    seconds << static_cast<double>(waited.count()) / 1000;
+    throw Failure{"the device has not answered for " + seconds.str() +
                       " seconds: unplug it, plug it in again, and ask once more; or wait longer, with "
                       "--timeout",
                   ExitStatus::timed_out};

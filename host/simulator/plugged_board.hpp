@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t lent_bytes = 96 * 1024;
+    static constexpr std::size_t lent_bytes = 88 * 1024;
     static constexpr int band_rows = 24;
     static constexpr std::string_view board_name = "Simulator";
 

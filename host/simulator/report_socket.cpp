@@ -8,6 +8,7 @@
 #include <poll.h>
 #include <string>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 #include <utility>
@@ -72,10 +73,12 @@ int listening_socket(const std::filesystem::path& path)
     remove_left_over(path);
     const int made = new_socket(path);
     constexpr int backlog = 8;
-    if (::bind(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-        ::listen(made, backlog) == 0)
-        return made;
+    const mode_t usual = ::umask(S_IRWXG | S_IRWXO); // nobody else talks to it
+    const bool is_bound = ::bind(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     const int why = errno;
+    ::umask(usual);
+    if (is_bound && ::listen(made, backlog) == 0)
+        return made;
     ::close(made);
     if (why == EADDRINUSE && is_plug(path) && is_answered(path))
         fail(path, "a simulated board runs there already: name another socket with --socket");

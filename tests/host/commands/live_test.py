@@ -173,6 +173,15 @@ class LiveTest(DeviceTest):
         self.live("", "knobs.kfast", "--on-silence", "explode", status=2)
         self.live("", "knobs.kfast", "--rate", "0", status=2)
         self.live("", "knobs.kfast", "--silence", "100", status=2)
+        for option in ("--rate", "--silence"):
+            self.live("", "knobs.kfast", option, "nan", status=2)
+
+    def test_a_closed_input_is_no_input(self):
+        self.board()
+        closed = subprocess.run(f"exec '{KFAST}' live knobs.kfast {' '.join(map(str, self.device))} <&-", shell=True,
+                                cwd=self.folder, stderr=subprocess.PIPE, text=True, timeout=120)
+        self.assertEqual(closed.returncode, 1)
+        self.assertIn("standard input is closed", closed.stderr)
 
     def test_unplugged(self):
         board = self.board("A", "--unplugged-after", 40)
