@@ -22,22 +22,23 @@ struct BlockPlan {
     std::size_t nodes;
     std::size_t inputs;
     std::size_t drawings;
-    std::size_t texts;
     std::size_t backdrops;
+    std::size_t texts;
 
     BlockPlan(const SceneView& scene, Size panel)
         : outlines{outline_bytes(scene, panel)}, steps{scene.paint_steps() * sizeof(PaintStep)},
-          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)},
-          bones{scene.bone_count() * sizeof(LiveBone)}, nodes{scene.backbone_nodes() * sizeof(BackboneNode)},
-          inputs{scene.input_count() * sizeof(Time)}, drawings{LiveDrawings::bytes_for(scene)},
-          texts{LiveTexts::bytes_for(scene)}, backdrops{scene.blended_depth() * widest_pixel *
-                                                        static_cast<std::size_t>(panel.width)}
+          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)}, bones{scene.bone_count() *
+                                                                                   sizeof(LiveBone)},
+          nodes{scene.backbone_nodes() * sizeof(BackboneNode)}, inputs{scene.input_count() * sizeof(Time)},
+          drawings{LiveDrawings::bytes_for(scene)}, backdrops{scene.blended_depth() * widest_pixel *
+                                                              static_cast<std::size_t>(panel.width)},
+          texts{LiveTexts::bytes_for(scene)}
     {
     }
 
     std::size_t size() const
     {
-        return 2 * (outlines + steps) + cells + spans + bones + nodes + inputs + drawings + texts + backdrops;
+        return 2 * (outlines + steps) + cells + spans + bones + nodes + inputs + drawings + backdrops + texts;
     }
 
     /// A panel that is larger than the canvas needs curves of more pieces: their number grows with the square
@@ -130,8 +131,8 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
     inputs_ = cutter.cut_as<Time>(plan.inputs);
     put_usual_places(scene.inputs(), inputs_);
     on_panel_.drawings = {scene, cutter.cut(plan.drawings)};
-    on_panel_.texts = {scene, cutter.cut(plan.texts)};
     backdrops_ = cutter.cut(plan.backdrops);
+    on_panel_.texts = {scene, cutter.cut(plan.texts)}; // last, for it has any number of bytes
     set_up_bones(scene, on_panel_.bones);
     trace({});
 }

@@ -175,14 +175,16 @@ struct AskInput {
 
 /// What an input of a scene takes.
 enum class InputKind : std::uint8_t {
-    number = static_cast<std::uint8_t>(InputType::number),
-    text = static_cast<std::uint8_t>(InputType::text),
-    drawing = static_cast<std::uint8_t>(InputType::drawing),
+    number = 0,
+    text = 1,
+    drawing = 2,
 };
 /// A later device may have more of them.
 constexpr bool is_known(InputKind) { return true; }
 constexpr InputKind input_kind(InputType type) { return static_cast<InputKind>(type); }
-static_assert(input_kind(InputType::drawing) == InputKind::drawing);
+static_assert(input_kind(InputType::number) == InputKind::number &&
+              input_kind(InputType::text) == InputKind::text &&
+              input_kind(InputType::drawing) == InputKind::drawing);
 
 /// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `most` alone
 /// counts, its characters.

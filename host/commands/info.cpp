@@ -207,7 +207,8 @@ std::string input_text(const Json& input)
 
 void print_input(const Json& input)
 {
-    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": " << input_text(input) << '\n';
+    std::cout << "  input       " << visible(input["name"].get<std::string>()) << ": " << input_text(input)
+              << '\n';
 }
 
 void print_clip(const Json& clip)

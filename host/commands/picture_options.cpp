@@ -84,7 +84,6 @@ CLI::Option* add_size(CLI::App& app, PictureOptions& options)
                [&options](const std::string& text) { options.size = read_size(text); });
 }
 
-
 CLI::Option* add_format(CLI::App& app, PictureOptions& options)
 {
     return add(app, "--format", "NAME", "Pixels: " + names_of(format_names()) + " (default: rgb565)",

@@ -134,7 +134,7 @@ void SceneRun::put_inputs_and_draw(Time place, const VisitFrame& visit)
     for (std::uint32_t input = 0; input < player_.scene().input_count(); ++input)
         if (is_drawing(input))
             put_drawing(input, Bustle::waves, place.ticks);
-        else
+        else if (is_number(input))
             player_.set_input(input, place);
     put_texts(place == Time{} ? 0 : 1);
     draw(moment_of(0, {}), visit);
@@ -150,6 +150,8 @@ void SceneRun::put_inputs(int frame)
             put_drawing(input, Bustle::waves, frame);
             continue;
         }
+        if (!is_number(input))
+            continue;
         const auto way = static_cast<std::int32_t>(frame * step * (input + 1) % there_and_back);
         player_.set_input(input, {std::min(way, there_and_back - way)});
     }

@@ -62,10 +62,9 @@ public:
 
 private:
     void draw(Time moment, const VisitFrame& visit);
-    bool is_drawing(std::uint32_t input) const
-    {
-        return player_.scene().input(input).type == InputType::drawing;
-    }
+    bool is(InputType type, std::uint32_t input) const { return player_.scene().input(input).type == type; }
+    bool is_drawing(std::uint32_t input) const { return is(InputType::drawing, input); }
+    bool is_number(std::uint32_t input) const { return is(InputType::number, input); }
     void put_inputs(int frame);
     void put_usual_inputs();
     void put_drawing(std::uint32_t input, Bustle bustle, int frame);

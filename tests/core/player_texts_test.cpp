@@ -33,6 +33,7 @@ const std::vector<Frame> frames{
     {"object o stroke=white width=2 cap=round { text ", " at=\"60,40\" size=14 align=center }"},
     {"object o stroke=white { text ", " at=\"117,40\" size=22 align=right spacing=-1.25 }"},
     {"object o fill=red rule=even-odd { text ", " at=\"5,40\" size=18 font=hershey-gothic }"},
+    {"object o fill=red stroke=white width=2 opacity=0.6 { text ", " at=\"6,40\" size=18 }"}, // blended
     {"group rotate=-20 opacity=0.5 { object o stroke=aqua width=3 scale=0.7 rotate=11 pivot-x=40 "
      "pivot-y=30 { text ",
      " at=\"10,50\" size=24; key 0 x=0; key 20 x=9 } }"},

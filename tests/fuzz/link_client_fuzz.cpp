@@ -109,7 +109,7 @@ void upload(RemoteDevice& device, bool is_for_ram)
 void send_values(RemoteDevice& device)
 {
     LiveFeed feed;
-    feed.put(std::array{link::InputPlace{0, Time{7}}});
+    feed.put({.places = {{0, Time{7}}}, .texts = {{1, "12:45"}}, .drawings = {{2, {{{1, 2}, {3, 4}}}}}});
     feed.close();
     send_live(device.session(), feed, Milliseconds{300});
 }

@@ -215,6 +215,7 @@ void play(std::span<const std::byte> bytes)
     for (Time time; time <= scene->length(); time.ticks += step) {
         for (std::uint32_t input = 0; input < scene->input_count(); ++input)
             put(*player, input, static_cast<std::uint32_t>(drawn));
+        tell_texts(*scene, *player, drawn);
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
         if (player->picture().outlines.used_bytes() > most_drawn_bytes)

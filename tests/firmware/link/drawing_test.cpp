@@ -68,7 +68,7 @@ TEST_CASE("a drawing comes in as many reports as its points need, and in no more
     CHECK(reports(2, 29) == 3); // a pen that is lifted takes the place of a point
     CHECK(reports(1, 200) == 14);
     CHECK(drawing_reports({}, 1, 0).size() == 1);
-    for (const std::size_t count : {0, 1, 14, 15, 29, 30, 200, 4000})
+    for (const std::size_t count : {0U, 1U, 14U, 15U, 29U, 30U, 200U, 4000U})
         CHECK(reports_of_drawing(count) == drawing_reports(some_drawing(1, count, 1), 1, 0).size());
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a drawing is shown when its last report has come, without a word in r
     PlotBench bench;
     CHECK(bench.device.drawing(1) == usual);
     std::uint8_t number = 0;
-    for (const std::size_t points : {200, 3, 15, 14, 29, 30, 199, 1}) {
+    for (const std::size_t points : {200U, 3U, 15U, 14U, 29U, 30U, 199U, 1U}) {
         const ToldDrawing drawing = some_drawing(points == 199 ? 3 : 1, points, 2);
         const ToldDrawing before = bench.device.drawing(1);
         auto reports = drawing_reports(drawing, 1, number++);

@@ -360,8 +360,8 @@ TEST_CASE("drawings are shown in the frame after their last report, whole and no
         }
         for (const Report& report : drawing_reports(drawing, 1, number)) {
             bench.board.pipe.to_device.push_back(report.bytes);
-            bench.board.run_for(
-                static_cast<std::uint32_t>(1 + random() % 7)); // in the midst of frames; each is checked
+            // in the midst of frames; each is checked
+            bench.board.run_for(static_cast<std::uint32_t>(1 + random() % 7));
         }
         bench.board.run_for(100);
         std::erase_if(drawing, [](const auto& stroke) { return stroke.empty(); });

@@ -4,8 +4,8 @@
 #include "firmware/link/stage.hpp"
 #include "firmware/panel_mirror.hpp"
 #include "firmware/run.hpp"
-#include "host/told_drawing.hpp"
 #include "host/text/utf8.hpp"
+#include "host/told_drawing.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
@@ -217,7 +217,8 @@ private:
                 drawings_[input] = told_drawing(player_->drawing(input));
             else if (view.type == InputType::text)
                 for (const std::byte glyph : player_->text(input))
-                    append_utf8(texts_[input], view.text.glyphs.character(std::to_integer<std::uint32_t>(glyph)));
+                    append_utf8(texts_[input],
+                                view.text.glyphs.character(std::to_integer<std::uint32_t>(glyph)));
         }
     }
 
