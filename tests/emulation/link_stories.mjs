@@ -176,7 +176,7 @@ function garbage(host, { first }, wired) {
 function card(host, { first }, wired) {
     host.wait(2000);
     assert.ok(!host.playing().plays);
-    assert.equal(host.ask(kind.play, [home.builtIn, 255, ...text('')]).error, 2);
+    assert.equal(host.ask(kind.play, [home.builtIn, 255, ...text('')]).error, 36);
     host.upload(home.ram, 255, first);
     host.play(home.ram);
     waitForFrames(host, wired, 4);
