@@ -286,7 +286,7 @@ TEST_CASE("a drawing shows what it is set to, stroke by stroke, and its usual st
                    {});
     };
     CHECK(shows("line 1 1 9 9"));
-    const kfast_point points[] = {{16, 16}, {160, 32}, {24, 80}, {16, 240}, {320, 240}};
+    const kfast_point points[] = {{16, 16}, {160, 32}, {24, 80}, {16, 240}, {320, 240}, {0, 0}};
     const std::uint16_t counts[] = {3, 2, 1};
     CHECK(kfast_set_drawing(screen.player, "curve", points, counts, 2) == KFAST_OK);
     CHECK(shows("line 1 1 10 2 1.5 5; line 1 15 20 15"));
