@@ -55,7 +55,7 @@ void declare_drawing_options(CLI::App& app, DrawingOptions& options)
 void put_drawings(const DrawingOptions& options, const SceneView& scene, FrameSource& source)
 {
     for (const std::string& text : options.texts) {
-        const std::size_t sign = text.find('=');
+        const std::size_t sign = end_of_input_name(text, scene);
         if (sign == std::string::npos)
             refuse("'" + text + "' has no file: write it like plot=points.txt");
         const std::uint32_t number = drawing_input(std::string_view{text}.substr(0, sign), scene);

@@ -1,5 +1,6 @@
 #include "host/commands/input_options.hpp"
 
+#include "host/commands/input_names.hpp"
 #include "host/commands/input_value.hpp"
 #include "host/input_text.hpp"
 #include "host/text/glyph.hpp"
@@ -60,18 +61,6 @@ InputValue read_value(std::string_view text, const InputView& input)
            "=FILE");
 }
 
-/// Where the sign between name and value stands. Names and texts may have one as well: behind the longest
-/// name that there is, else the last one.
-std::size_t end_of_name(std::string_view text, const std::vector<InputView>& inputs)
-{
-    std::size_t end = std::string_view::npos;
-    for (const InputView& input : inputs)
-        if (text.starts_with(input.name) && text.substr(input.name.size()).starts_with('=') &&
-            (end == std::string_view::npos || input.name.size() > end))
-            end = input.name.size();
-    return end != std::string_view::npos ? end : text.rfind('=');
-}
-
 InputValue usual_value(const InputView& input)
 {
     if (input.type == InputType::text)
@@ -93,7 +82,7 @@ std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneVi
     std::vector<InputValue> values;
     std::ranges::transform(inputs, std::back_inserter(values), usual_value);
     for (const std::string_view text : options.texts) {
-        const std::size_t sign = end_of_name(text, inputs);
+        const std::size_t sign = end_of_input_name(text, scene);
         if (sign == std::string_view::npos)
             refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
         const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);

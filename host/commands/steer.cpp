@@ -117,25 +117,28 @@ void declare_plain(CLI::App& app)
     app.callback([options] { act(*options); });
 }
 
-void declare_seek(CLI::App& app)
+/// One that takes a text.
+template <void (*act)(const Options&)>
+void declare_taking(CLI::App& app, const char* name, const char* help)
 {
     const auto options = with_devices(app);
-    app.add_option("MOMENT", options->text, "A frame like 12.5, or a time like 1.5s or 500ms")->required();
-    app.callback([options] { seek(*options); });
+    app.add_option(name, options->text, help)->required();
+    app.callback([options] { act(*options); });
+}
+
+void declare_seek(CLI::App& app)
+{
+    declare_taking<seek>(app, "MOMENT", "A frame like 12.5, or a time like 1.5s or 500ms");
 }
 
 void declare_speed(CLI::App& app)
 {
-    const auto options = with_devices(app);
-    app.add_option("FACTOR", options->text, "So many times as fast: 0.5, 2, or -1 for backwards")->required();
-    app.callback([options] { set_speed(*options); });
+    declare_taking<set_speed>(app, "FACTOR", "So many times as fast: 0.5, 2, or -1 for backwards");
 }
 
 void declare_brightness(CLI::App& app)
 {
-    const auto options = with_devices(app);
-    app.add_option("BRIGHTNESS", options->text, "0 to 255, or a share like 40%")->required();
-    app.callback([options] { set_brightness(*options); });
+    declare_taking<set_brightness>(app, "BRIGHTNESS", "0 to 255, or a share like 40%");
 }
 
 }

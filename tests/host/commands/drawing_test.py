@@ -36,6 +36,14 @@ class DrawingTest(CommandTest):
         (self.folder / "still.kfast").write_text(STILL.format(shapes=shapes))
         return self.hashes("still.kfast")
 
+    def test_names_may_have_the_sign_that_ends_them(self):
+        (self.folder / "sign.kfast").write_text(SCENE.replace("plot", '"x=y"'))
+        (self.folder / "a=b.txt").write_text("1,1 60,60")
+        drawn = [self.run_kfast("hash", scene, "--drawing", f"{name}=a=b.txt").stdout
+                 for scene, name in (("sign.kfast", "x=y"), ("plot.kfast", "plot"))]
+        self.assertEqual(drawn[0], drawn[1])
+        self.assertNotEqual(drawn[1], self.run_kfast("hash", "plot.kfast").stdout)
+
     def test_a_scene_shows_what_it_is_told(self):
         self.assertEqual(self.hashes("plot.kfast"), self.expected("line 4 32 60 32"))
         for text, shapes in (("4,10 30,50.5 60,12", "line 4 10 30 50.5 60 12"),
