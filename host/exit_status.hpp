@@ -16,6 +16,8 @@ enum class ExitStatus : int {
     no_room = 7,
     refused = 8,
     timed_out = 9,
+    not_verified = 10,
+    wrong_chip = 11,
     interrupted = 130, ///< as shells count SIGINT
 };
 
@@ -36,6 +38,8 @@ inline constexpr std::array exit_meanings{
     ExitMeaning{ExitStatus::no_room, "a device has no room for the scene"},
     ExitMeaning{ExitStatus::refused, "a device refused something else"},
     ExitMeaning{ExitStatus::timed_out, "a device did not answer"},
+    ExitMeaning{ExitStatus::not_verified, "what was written reads back differently"},
+    ExitMeaning{ExitStatus::wrong_chip, "a board has another chip than the firmware is for"},
     ExitMeaning{ExitStatus::interrupted, "interrupted by Ctrl-C"},
 };
 

@@ -35,7 +35,7 @@ Bytes as_text(const BoardSettings& settings)
 
 Bytes as_uf2(const BoardSettings& settings)
 {
-    const std::array regions{Uf2Region{pico_flash::settings, config::settings_sector(settings)}};
+    const std::array regions{FlashRegion{pico_flash::settings, config::settings_sector(settings)}};
     return uf2_of(regions);
 }
 

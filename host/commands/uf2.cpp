@@ -29,7 +29,7 @@ struct Options {
 
 /// What the file is to hold, and that in words.
 struct Contents {
-    std::vector<Uf2Region> regions;
+    std::vector<FlashRegion> regions;
     std::string words;
 
     void add(std::uint32_t address, std::vector<std::byte> bytes, const std::string& what)

@@ -87,7 +87,7 @@ bool begins_with(Bytes bytes, std::string_view magic)
     return bytes.size() >= wanted.size() && std::ranges::equal(bytes.first(wanted.size()), wanted);
 }
 
-std::vector<Uf2Region> uf2_regions(const std::string& name, Bytes file)
+std::vector<FlashRegion> uf2_regions(const std::string& name, Bytes file)
 {
     try {
         return regions_of(file);
@@ -100,7 +100,7 @@ std::vector<Uf2Region> uf2_regions(const std::string& name, Bytes file)
 /// What a UF2 file writes from the place of the settings on; empty if it leaves them alone.
 std::vector<std::byte> settings_in_uf2(const std::string& name, Bytes file)
 {
-    for (const Uf2Region& region : uf2_regions(name, file)) {
+    for (const FlashRegion& region : uf2_regions(name, file)) {
         const std::size_t offset = pico_flash::settings - region.address;
         if (region.address <= pico_flash::settings && offset < region.bytes.size())
             return {region.bytes.begin() + static_cast<std::ptrdiff_t>(offset), region.bytes.end()};

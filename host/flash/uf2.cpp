@@ -51,7 +51,7 @@ Sector& add_sector(Sectors& sectors, std::uint32_t address)
     return place->second;
 }
 
-void add_region(Sectors& sectors, const Uf2Region& region)
+void add_region(Sectors& sectors, const FlashRegion& region)
 {
     const std::uint64_t end = std::uint64_t{region.address} + region.bytes.size();
     if (end > end_of_addresses)
@@ -96,7 +96,7 @@ class FileReader {
 public:
     FileReader(std::span<const std::byte> file, std::uint32_t family) : file_{file}, family_{family} {}
 
-    std::vector<Uf2Region> regions()
+    std::vector<FlashRegion> regions()
     {
         if (file_.empty() || file_.size() % block_bytes != 0)
             throw std::invalid_argument{"a UF2 file is made of blocks of 512 bytes; this one has " +
@@ -151,9 +151,9 @@ private:
         expect(number == number_, "it calls itself block " + std::to_string(number));
     }
 
-    std::vector<Uf2Region> joined() const
+    std::vector<FlashRegion> joined() const
     {
-        std::vector<Uf2Region> regions;
+        std::vector<FlashRegion> regions;
         for (const auto& [address, payload] : payloads_) {
             if (regions.empty() || regions.back().address + regions.back().bytes.size() != address)
                 regions.push_back({address, {}});
@@ -170,10 +170,10 @@ private:
 
 }
 
-std::vector<std::byte> uf2_of(std::span<const Uf2Region> regions, std::uint32_t family)
+std::vector<std::byte> uf2_of(std::span<const FlashRegion> regions, std::uint32_t family)
 {
     Sectors sectors;
-    for (const Uf2Region& region : regions)
+    for (const FlashRegion& region : regions)
         add_region(sectors, region);
     constexpr std::size_t blocks_per_sector = sector_bytes / payload_bytes;
     Numbering numbering{0, static_cast<std::uint32_t>(sectors.size() * blocks_per_sector), family};
@@ -183,7 +183,7 @@ std::vector<std::byte> uf2_of(std::span<const Uf2Region> regions, std::uint32_t 
     return file.bytes();
 }
 
-std::vector<Uf2Region> regions_of(std::span<const std::byte> file, std::uint32_t family)
+std::vector<FlashRegion> regions_of(std::span<const std::byte> file, std::uint32_t family)
 {
     return FileReader{file, family}.regions();
 }

@@ -34,7 +34,7 @@ try {
     }
     const std::string image = kfast::read_input(arguments[1], image_input);
     const auto bytes = std::as_bytes(std::span{image});
-    const std::array regions{kfast::Uf2Region{address_in(arguments[2]), {bytes.begin(), bytes.end()}}};
+    const std::array regions{kfast::FlashRegion{address_in(arguments[2]), {bytes.begin(), bytes.end()}}};
     kfast::write_file(arguments[3], kfast::uf2_of(regions));
     return 0;
 } catch (const std::exception& error) {

@@ -16,12 +16,12 @@ namespace {
 constexpr std::uint32_t flash = 0x1000'0000;
 constexpr std::byte unwritten{0xFF};
 
-Uf2Region region(std::uint32_t address, std::size_t count, std::byte value)
+FlashRegion region(std::uint32_t address, std::size_t count, std::byte value)
 {
     return {address, std::vector<std::byte>(count, value)};
 }
 
-std::vector<std::byte> file_of(std::initializer_list<Uf2Region> regions)
+std::vector<std::byte> file_of(std::initializer_list<FlashRegion> regions)
 {
     return uf2_of(std::span{regions});
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "host/flash/boot_loader.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// The chips whose boot loaders are known.
+enum class BootChip : std::uint8_t { rp2040, rp2350 };
+
+/// A board whose boot loader waits at USB.
+struct BootBoard {
+    BootChip chip = BootChip::rp2040;
+    std::string port;   ///< where it is plugged in, as Linux calls it: "1-2.3". Told by no board itself
+    std::string serial; ///< of the boot loader: the same for all RP2040; empty if it may not be opened
+
+    friend bool operator==(const BootBoard&, const BootBoard&) = default;
+};
+
+/// Those that are plugged in, in the order of their ports. Needs no permission.
+std::vector<BootBoard> boards_in_boot_loader();
+
+/// Throws Failure with no_permission, no_device (it is gone), wrong_chip or refused (somebody else has it).
+std::unique_ptr<BootLoader> open_boot_loader(const BootBoard& board);
+
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "host/flash/flash_region.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace kfast {
+
+/// What is to lie in flash: whole sectors of 4 KiB in the order of their addresses, padded with 0xFF. Sectors
+/// that no region touches stay as they are.
+class FlashImage {
+public:
+    static constexpr std::size_t sector_bytes = 4096; ///< that are erased at once
+
+    struct Sector {
+        std::uint32_t address = 0; ///< a multiple of sector_bytes
+        std::array<std::byte, sector_bytes> bytes{};
+    };
+
+    /// Throws std::invalid_argument when a sector belongs to two regions or a region ends beyond 32 bits.
+    explicit FlashImage(std::span<const FlashRegion> regions);
+
+    std::span<const Sector> sectors() const { return sectors_; }
+
+private:
+    std::vector<Sector> sectors_;
+};
+
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "host/flash/flash_image.hpp"
+#include "host/flash/flashing.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// A mounted drive of a boot loader. It takes UF2 files and tells nothing of what lies in flash.
+struct Uf2Drive {
+    std::filesystem::path folder;
+    std::string board; ///< Board-ID of its INFO_UF2.TXT: "RPI-RP2"
+};
+
+/// Those that are mounted: what has an INFO_UF2.TXT.
+std::vector<Uf2Drive> uf2_drives();
+
+/// The drive whose folder that is. Throws Failure with no_device if it is none, with wrong_chip if it is not
+/// that of an RP2040.
+Uf2Drive uf2_drive_at(const std::filesystem::path& folder);
+
+/// Copies `image` to the drive in such an order that a board on which it was broken off starts nothing. The
+/// board restarts by itself then; nothing is verified.
+///
+/// Throws Failure with unplugged, and Interrupted.
+void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const TellFlashing& tell);
+
+}
