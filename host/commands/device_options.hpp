@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/remote_device.hpp"
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 #include "host/commands/line_source.hpp"
 #include "host/commands/pace.hpp"
 #include "host/failure.hpp"
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/live_sending.hpp"
 #include "host/link/on_each.hpp"
 

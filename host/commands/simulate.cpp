@@ -1,7 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/config/config_input.hpp"
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/sim_socket.hpp"
 #include "host/picture/png.hpp"
 #include "host/preview/board_watcher.hpp"

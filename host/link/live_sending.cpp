@@ -2,7 +2,7 @@
 
 #include "core/kfb_limits.hpp"
 #include "host/drawing_reports.hpp"
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 
 #include <algorithm>
 #include <array>

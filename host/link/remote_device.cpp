@@ -1,8 +1,8 @@
 #include "host/link/remote_device.hpp"
 
 #include "host/failure.hpp"
+#include "host/interruption.hpp"
 #include "host/link/hid_pipe.hpp"
-#include "host/link/interruption.hpp"
 #include "host/link/socket_pipe.hpp"
 #include "host/text/glyph.hpp"
 

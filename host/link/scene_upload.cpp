@@ -1,7 +1,7 @@
 #include "host/link/scene_upload.hpp"
 
 #include "core/crc32.hpp"
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
 
 #include <algorithm>

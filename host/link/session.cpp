@@ -1,6 +1,6 @@
 #include "host/link/session.hpp"
 
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
 
 #include <algorithm>

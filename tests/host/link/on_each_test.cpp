@@ -1,4 +1,4 @@
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/on_each.hpp"
 #include "tests/host/link/scripted_pipe.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
 #include "host/link/scene_upload.hpp"
 #include "tests/host/link/device_pipe.hpp"

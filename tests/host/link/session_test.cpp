@@ -1,4 +1,4 @@
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/link/session.hpp"

@@ -1,4 +1,4 @@
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 
 #include <array>
 #include <atomic>
