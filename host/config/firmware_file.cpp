@@ -66,8 +66,9 @@ std::vector<std::byte> load_firmware(const std::filesystem::path& path)
     constexpr std::size_t room = pico_flash::settings - pico_flash::begin;
     if (bytes.size() > room)
         throw Failure(path.string() + ": " + std::to_string(bytes.size()) + " bytes, " +
-                      std::to_string(bytes.size() - room) +
-                      " more than lie before the settings at 0x1003F000");
+                          std::to_string(bytes.size() - room) +
+                          " more than lie before the settings at 0x1003F000",
+                      ExitStatus::no_room);
     require_whole(bytes, path.string());
     return {bytes.begin(), bytes.end()};
 }
