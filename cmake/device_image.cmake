@@ -75,8 +75,12 @@ function(kfast_flash_files NAME)
     cmake_parse_arguments(PARSE_ARGV 1 FLASH "" "ADDRESS" "")
     set(IMAGE ${PROJECT_BINARY_DIR}/${NAME})
     kfast_native_program(uf2
-        SOURCES host/flash/uf2_main.cpp host/flash/uf2.cpp host/atomic_file.cpp host/input_file.cpp
-        HEADERS host/flash/uf2.hpp host/compiler/byte_writer.hpp core/byte_reader.hpp)
+        SOURCES
+            host/flash/uf2_main.cpp host/flash/uf2.cpp host/flash/flash_image.cpp host/atomic_file.cpp
+            host/input_file.cpp
+        HEADERS
+            host/flash/uf2.hpp host/flash/flash_image.hpp host/flash/flash_region.hpp host/flash/hex_text.hpp
+            host/compiler/byte_writer.hpp core/byte_reader.hpp)
     add_custom_command(
         OUTPUT ${IMAGE}.bin ${IMAGE}.uf2
         COMMAND ${CMAKE_OBJCOPY} -O binary ${IMAGE}.elf ${IMAGE}.bin

@@ -17,10 +17,11 @@ public:
     BootLoader(const BootLoader&) = delete;
     BootLoader& operator=(const BootLoader&) = delete;
 
-    /// Of whole sectors, as all that follows.
+    /// Of whole pages of 256 bytes.
     virtual void read(std::uint32_t address, std::span<std::byte> bytes) = 0;
+    /// Of whole sectors of 4 KiB.
     virtual void erase(std::uint32_t address, std::size_t bytes) = 0;
-    /// Of what is erased.
+    /// Of whole pages that are erased; in the order of their addresses.
     virtual void write(std::uint32_t address, std::span<const std::byte> bytes) = 0;
     /// Starts what lies in flash. The boot loader is gone then.
     virtual void restart() = 0;

@@ -15,6 +15,7 @@ namespace kfast {
 class FlashImage {
 public:
     static constexpr std::size_t sector_bytes = 4096; ///< that are erased at once
+    static constexpr std::size_t page_bytes = 256;    ///< that are written at once
 
     struct Sector {
         std::uint32_t address = 0; ///< a multiple of sector_bytes

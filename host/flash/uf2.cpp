@@ -2,10 +2,10 @@
 
 #include "core/byte_reader.hpp"
 #include "host/compiler/byte_writer.hpp"
+#include "host/flash/flash_image.hpp"
+#include "host/flash/hex_text.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -23,50 +23,6 @@ constexpr std::uint32_t names_family = 0x2000;
 constexpr std::size_t block_bytes = 512;
 constexpr std::size_t payload_room = 476;
 constexpr std::size_t payload_bytes = 256;
-constexpr std::size_t sector_bytes = 4096;
-constexpr std::uint64_t end_of_addresses = std::uint64_t{1} << 32;
-
-using Sector = std::array<std::byte, sector_bytes>;
-using Sectors = std::map<std::uint32_t, Sector>; ///< by address
-
-std::string hex(std::uint64_t value)
-{
-    std::array<char, 20> text{};
-    std::snprintf(text.data(), text.size(), "0x%08llx", static_cast<unsigned long long>(value));
-    return text.data();
-}
-
-std::uint32_t sector_of(std::uint64_t address)
-{
-    return static_cast<std::uint32_t>(address - address % sector_bytes);
-}
-
-Sector& add_sector(Sectors& sectors, std::uint32_t address)
-{
-    const auto [place, is_new] = sectors.try_emplace(address);
-    if (!is_new)
-        throw std::invalid_argument{"two regions lie in the sector of 4096 bytes at " + hex(address) +
-                                    ", which can be written once only"};
-    place->second.fill(std::byte{0xFF});
-    return place->second;
-}
-
-void add_region(Sectors& sectors, const FlashRegion& region)
-{
-    const std::uint64_t end = std::uint64_t{region.address} + region.bytes.size();
-    if (end > end_of_addresses)
-        throw std::invalid_argument{"the region at " + hex(region.address) + " ends at " + hex(end) +
-                                    ", beyond the last address of 32 bits"};
-    std::span<const std::byte> rest{region.bytes};
-    for (std::uint64_t address = region.address; address < end; address = end - rest.size()) {
-        const std::size_t offset = address % sector_bytes;
-        const auto part = rest.first(std::min(sector_bytes - offset, rest.size()));
-        std::ranges::copy(part, add_sector(sectors, sector_of(address)).begin() +
-                                    static_cast<std::ptrdiff_t>(offset));
-        rest = rest.subspan(part.size());
-    }
-}
-
 struct Numbering {
     std::uint32_t number = 0;
     std::uint32_t count = 0;
@@ -85,11 +41,11 @@ void write_block(ByteWriter& file, Numbering numbering, std::uint32_t address,
     file.u32(last_magic);
 }
 
-void write_sector(ByteWriter& file, Numbering& numbering, std::uint32_t address, const Sector& sector)
+void write_sector(ByteWriter& file, Numbering& numbering, const FlashImage::Sector& sector)
 {
-    for (std::size_t offset = 0; offset < sector_bytes; offset += payload_bytes, ++numbering.number)
-        write_block(file, numbering, address + static_cast<std::uint32_t>(offset),
-                    std::span{sector}.subspan(offset, payload_bytes));
+    for (std::size_t offset = 0; offset < sector.bytes.size(); offset += payload_bytes, ++numbering.number)
+        write_block(file, numbering, sector.address + static_cast<std::uint32_t>(offset),
+                    std::span{sector.bytes}.subspan(offset, payload_bytes));
 }
 
 class FileReader {
@@ -127,9 +83,10 @@ private:
         const std::uint32_t number = reader.u32();
         expect_number(number, reader.u32());
         const std::uint32_t family = reader.u32();
-        expect(family == family_, "it is for the chip family " + hex(family) + ", not " + hex(family_));
+        expect(family == family_,
+               "it is for the chip family " + hex_text(family) + ", not " + hex_text(family_));
         expect(payloads_.try_emplace(address, reader.rest().first(payload_bytes)).second,
-               "another block has written to " + hex(address) + " before");
+               "another block has written to " + hex_text(address) + " before");
     }
 
     void expect_flags(std::uint32_t flags) const
@@ -141,7 +98,7 @@ private:
     void expect_payload(std::uint32_t address, std::uint32_t bytes) const
     {
         expect(bytes == payload_bytes, "it carries " + std::to_string(bytes) + " bytes where 256 are usual");
-        expect(address % payload_bytes == 0, "its address " + hex(address) + " is no multiple of 256");
+        expect(address % payload_bytes == 0, "its address " + hex_text(address) + " is no multiple of 256");
     }
 
     void expect_number(std::uint32_t number, std::uint32_t count) const
@@ -172,14 +129,12 @@ private:
 
 std::vector<std::byte> uf2_of(std::span<const FlashRegion> regions, std::uint32_t family)
 {
-    Sectors sectors;
-    for (const FlashRegion& region : regions)
-        add_region(sectors, region);
-    constexpr std::size_t blocks_per_sector = sector_bytes / payload_bytes;
-    Numbering numbering{0, static_cast<std::uint32_t>(sectors.size() * blocks_per_sector), family};
+    const FlashImage image{regions};
+    constexpr std::size_t blocks_per_sector = FlashImage::sector_bytes / payload_bytes;
+    Numbering numbering{0, static_cast<std::uint32_t>(image.sectors().size() * blocks_per_sector), family};
     ByteWriter file;
-    for (const auto& [address, sector] : sectors)
-        write_sector(file, numbering, address, sector);
+    for (const FlashImage::Sector& sector : image.sectors())
+        write_sector(file, numbering, sector);
     return file.bytes();
 }
 
