@@ -58,7 +58,7 @@ void require_fit(const std::string& file, const fit::Target& target, const fit::
     if (report.fits())
         return;
     std::string text = file + ": does not fit " + target.name;
-    for (const std::string& reason : report.reasons)
+    for (const std::string& reason : report.reasons())
         text += "\n  " + reason;
     throw Failure(text);
 }
