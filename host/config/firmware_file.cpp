@@ -17,14 +17,6 @@ namespace {
 constexpr InputKind firmware_input{"firmware", "a .bin file", "build it again"};
 constexpr std::size_t boot_code_bytes = 252;
 
-bool begins_with_boot_block(std::span<const std::byte> bytes)
-{
-    if (bytes.size() < BootBlock{}.size())
-        return false;
-    return std::ranges::equal(with_boot_checksum(bytes.first(boot_code_bytes)),
-                              bytes.first(BootBlock{}.size()));
-}
-
 /// The bus that it is for, as it says itself, whether there is such a bus or not.
 std::optional<std::size_t> bus_number(std::span<const std::byte> image)
 {
@@ -53,6 +45,14 @@ void require_whole(std::span<const std::byte> image, const std::string& name)
                       ": it was cut off, or an older KFAST built it; copy or build it again");
 }
 
+}
+
+bool begins_with_boot_block(std::span<const std::byte> bytes)
+{
+    if (bytes.size() < BootBlock{}.size())
+        return false;
+    return std::ranges::equal(with_boot_checksum(bytes.first(boot_code_bytes)),
+                              bytes.first(BootBlock{}.size()));
 }
 
 std::vector<std::byte> load_firmware(const std::filesystem::path& path)
