@@ -198,12 +198,11 @@ std::size_t BootRom::ask(std::uint8_t request, std::span<std::byte> answer)
     return answer.size();
 }
 
-/// That of the standard requests, which do not end what the ROM is at.
-void BootRom::clear_halts()
+/// Which does not end what the ROM is at.
+void BootRom::clear_halt(bool in)
 {
     step();
-    out_is_halted_ = false;
-    in_is_halted_ = false;
+    (in ? in_is_halted_ : out_is_halted_) = false;
 }
 
 }

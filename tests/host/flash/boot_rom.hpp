@@ -25,7 +25,9 @@ public:
     std::size_t receive(std::span<std::byte> bytes);
     void tell(std::uint8_t request);
     std::size_t ask(std::uint8_t request, std::span<std::byte> answer);
-    void clear_halts();
+    /// Standard requests to an endpoint.
+    bool is_halted(bool in) const { return in ? in_is_halted_ : out_is_halted_; }
+    void clear_halt(bool in);
 
     /// Transfers, and within them sectors that are erased and pages that are written.
     std::size_t steps = 0;
@@ -77,7 +79,11 @@ public:
     {
         return rom_.ask(request, answer);
     }
-    void clear_halts() override { rom_.clear_halts(); }
+    void clear_halts() override
+    {
+        rom_.clear_halt(false);
+        rom_.clear_halt(true);
+    }
 
 private:
     BootRom& rom_;
