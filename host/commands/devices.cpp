@@ -5,8 +5,8 @@
 #include "host/failure.hpp"
 #include "host/link/device_choice.hpp"
 #include "host/link/hid_pipe.hpp"
-#include "host/link/udev_rule.hpp"
 #include "host/text/glyph.hpp"
+#include "host/udev/udev_rule.hpp"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -125,7 +125,7 @@ void declare(CLI::App& app)
     const auto options = std::make_shared<Options>();
     declare_device_options(app, options->device);
     app.add_flag("--udev-rule", options->udev_rule,
-                 "Print the rule by which users may open devices: " + std::string{udev_command})
+                 "Print the rules by which users may open devices, which 'kfast install-udev' installs")
         ->excludes("--device")
         ->excludes("--json");
     app.callback([options] { run(*options); });

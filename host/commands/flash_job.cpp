@@ -255,11 +255,12 @@ FlashOutcome FlashJob::run_on(const Uf2Drive& drive)
         throw Failure{"a drive does not tell what lies in flash: --verify-only needs a board that may be "
                       "opened by USB",
                       ExitStatus::wrong_usage};
-    FlashOutcome outcome = untouched();
-    outcome.drive = drive.folder.string();
+    const FlashContents contents = plan_.contents_for(std::nullopt);
+    const FlashImage image{contents.regions};
+    FlashOutcome outcome{
+        .contents = contents.words, .sectors = image.sectors().size(), .drive = drive.folder.string()};
     if (order_.purpose == FlashPurpose::dry_run)
         return outcome;
-    const FlashImage image{plan_.contents_for(std::nullopt).regions};
     remember_devices();
     with_advice(half_flashed, [&] { bench_.copy_to_drive(drive, image, tell_); });
     outcome.written = outcome.sectors;

@@ -25,12 +25,12 @@ struct FlashOrder {
 
 /// What has become of flash.
 struct FlashOutcome {
-    std::string contents; ///< in words
-    std::string port;     ///< of the boot loader; empty: none was used
-    std::string drive;    ///< the folder; empty: none was used
-    std::size_t sectors = 0;
+    std::string contents;    ///< in words
+    std::size_t sectors = 0; ///< of these
+    std::string port = {};   ///< of the boot loader; empty: none was used
+    std::string drive = {};  ///< the folder; empty: none was used
     /// Addresses of sectors that held something else; nothing if that is not known.
-    std::optional<std::vector<std::uint32_t>> differing;
+    std::optional<std::vector<std::uint32_t>> differing = std::nullopt;
     std::size_t written = 0; ///< sectors
     bool verified = false;
     bool restarted = false;

@@ -1,9 +1,9 @@
 #include "host/link/hid_pipe.hpp"
 
 #include "firmware/usb/usb_id.hpp"
-#include "host/link/udev_rule.hpp"
 #include "host/link/unplugged.hpp"
 #include "host/text/utf8.hpp"
+#include "host/udev/not_allowed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -95,9 +95,7 @@ std::unique_ptr<ReportPipe> open_hid_pipe(const DeviceAddress& address)
         return std::make_unique<HidPipe>(device);
     const std::string reason = utf8(::hid_error(nullptr));
     if (is_forbidden(address.path))
-        throw Failure{"you may not open " + address.path + ". A rule of udev allows it:\n  " +
-                          std::string{udev_command} + "\nThen unplug the device and plug it in again",
-                      ExitStatus::no_permission};
+        throw not_allowed(address.path, "hidraw");
     throw Failure{"cannot be opened at " + address.path + ": " + reason + ": unplug it and plug it in again",
                   ExitStatus::no_device};
 }

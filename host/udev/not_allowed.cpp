@@ -1,0 +1,26 @@
+#include "host/udev/not_allowed.hpp"
+
+#include "host/udev/udev_rule.hpp"
+
+namespace kfast {
+namespace {
+
+std::string_view line_with(std::string_view text, std::string_view mark)
+{
+    const std::size_t place = text.find(mark);
+    const std::size_t begin = text.rfind('\n', place) + 1;
+    return text.substr(begin, text.find('\n', place) - begin);
+}
+
+}
+
+Failure not_allowed(const std::string& path, std::string_view mark)
+{
+    return Failure{"you may not open " + path + ". A rule of udev allows it:\n  " +
+                       std::string{udev_command} + "\nputs it into /etc/udev/rules.d:\n  " +
+                       std::string{line_with(udev_rule, mark)} +
+                       "\nThen unplug the device and plug it in again",
+                   ExitStatus::no_permission};
+}
+
+}

@@ -1,0 +1,260 @@
+#include "tests/host/flash/pretend_libusb.hpp"
+
+#include "host/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <libusb-1.0/libusb.h>
+#include <memory>
+#include <span>
+#include <utility>
+
+using namespace kfast;
+using namespace kfast::test;
+
+struct libusb_context {
+    std::vector<PluggedIn> seen; ///< when it was begun: nothing that comes later
+};
+
+struct libusb_device {
+    PluggedIn facts;
+    int users = 1;
+};
+
+struct libusb_device_handle {
+    libusb_device* device;
+    int claimed = -1;
+};
+
+namespace {
+
+constexpr std::uint8_t out_endpoint = 0x03;
+constexpr std::uint8_t in_endpoint = 0x84;
+
+int picoboot_interface(const libusb_device_handle& handle) { return handle.device->facts.has_drive ? 1 : 0; }
+
+libusb_endpoint_descriptor bulk(std::uint8_t address)
+{
+    libusb_endpoint_descriptor endpoint{};
+    endpoint.bEndpointAddress = address;
+    endpoint.bmAttributes = LIBUSB_TRANSFER_TYPE_BULK;
+    return endpoint;
+}
+
+/// The configuration of a boot loader, with all that it points to.
+struct Configuration {
+    explicit Configuration(const PluggedIn& facts)
+    {
+        if (facts.has_drive)
+            add(LIBUSB_CLASS_MASS_STORAGE, drive);
+        if (facts.has_picoboot)
+            add(LIBUSB_CLASS_VENDOR_SPEC, picoboot);
+        for (std::size_t at = 0; at < count; ++at)
+            interfaces[at] = {&settings[at], 1};
+        descriptor.bNumInterfaces = static_cast<std::uint8_t>(count);
+        descriptor.interface = interfaces.data();
+    }
+
+    void add(std::uint8_t kind, const std::array<libusb_endpoint_descriptor, 2>& endpoints)
+    {
+        libusb_interface_descriptor& setting = settings[count];
+        setting.bInterfaceNumber = static_cast<std::uint8_t>(count++);
+        setting.bInterfaceClass = kind;
+        setting.bNumEndpoints = 2;
+        setting.endpoint = endpoints.data();
+    }
+
+    libusb_config_descriptor descriptor{};
+    std::array<libusb_interface, 2> interfaces{};
+    std::array<libusb_interface_descriptor, 2> settings{};
+    std::array<libusb_endpoint_descriptor, 2> drive{bulk(0x81), bulk(0x02)};
+    std::array<libusb_endpoint_descriptor, 2> picoboot{bulk(out_endpoint), bulk(in_endpoint)};
+    std::size_t count = 0;
+};
+
+/// What the action returns, or the error that it throws.
+int told(const auto& action)
+{
+    try {
+        return static_cast<int>(action());
+    } catch (const UsbStall&) {
+        return LIBUSB_ERROR_PIPE;
+    } catch (const Failure& failure) {
+        return failure.status() == ExitStatus::timed_out ? LIBUSB_ERROR_TIMEOUT : LIBUSB_ERROR_NO_DEVICE;
+    }
+}
+
+std::span<std::byte> bytes_at(unsigned char* data, std::size_t count)
+{
+    return {reinterpret_cast<std::byte*>(data), count};
+}
+
+}
+
+extern "C" {
+
+int libusb_init(libusb_context** context)
+{
+    *context = new libusb_context{plugged_in};
+    ++libusb_things_in_use;
+    return LIBUSB_SUCCESS;
+}
+
+void libusb_exit(libusb_context* context)
+{
+    delete context;
+    --libusb_things_in_use;
+}
+
+ssize_t libusb_get_device_list(libusb_context* context, libusb_device*** list)
+{
+    const std::size_t count = context->seen.size();
+    *list = new libusb_device* [count + 1] {};
+    for (std::size_t at = 0; at < count; ++at)
+        (*list)[at] = new libusb_device{context->seen[at]};
+    libusb_things_in_use += static_cast<int>(count) + 1;
+    return static_cast<ssize_t>(count);
+}
+
+libusb_device* libusb_ref_device(libusb_device* device)
+{
+    ++device->users;
+    return device;
+}
+
+void libusb_unref_device(libusb_device* device)
+{
+    if (--device->users > 0)
+        return;
+    delete device;
+    --libusb_things_in_use;
+}
+
+void libusb_free_device_list(libusb_device** list, int unref_devices)
+{
+    for (libusb_device** device = list; unref_devices != 0 && *device != nullptr; ++device)
+        libusb_unref_device(*device);
+    delete[] list;
+    --libusb_things_in_use;
+}
+
+int libusb_get_device_descriptor(libusb_device* device, libusb_device_descriptor* descriptor)
+{
+    descriptor->idVendor = device->facts.vendor;
+    descriptor->idProduct = device->facts.product;
+    descriptor->iSerialNumber = 3;
+    return LIBUSB_SUCCESS;
+}
+
+std::uint8_t libusb_get_bus_number(libusb_device* device) { return device->facts.bus; }
+std::uint8_t libusb_get_device_address(libusb_device* device) { return device->facts.address; }
+
+int libusb_get_port_numbers(libusb_device* device, std::uint8_t* ports, int room)
+{
+    const auto& all = device->facts.ports;
+    if (static_cast<int>(all.size()) > room)
+        return LIBUSB_ERROR_OVERFLOW;
+    std::ranges::copy(all, ports);
+    return static_cast<int>(all.size());
+}
+
+int libusb_get_active_config_descriptor(libusb_device* device, libusb_config_descriptor** config)
+{
+    auto* const configuration = new Configuration{device->facts};
+    ++libusb_things_in_use;
+    *config = &configuration->descriptor;
+    return LIBUSB_SUCCESS;
+}
+
+void libusb_free_config_descriptor(libusb_config_descriptor* config)
+{
+    delete reinterpret_cast<Configuration*>(config); // its first member
+    --libusb_things_in_use;
+}
+
+int libusb_open(libusb_device* device, libusb_device_handle** handle)
+{
+    if (device->facts.open_error != 0)
+        return device->facts.open_error;
+    *handle = new libusb_device_handle{libusb_ref_device(device)};
+    ++libusb_things_in_use;
+    return LIBUSB_SUCCESS;
+}
+
+void libusb_close(libusb_device_handle* handle)
+{
+    libusb_unref_device(handle->device);
+    delete handle;
+    --libusb_things_in_use;
+}
+
+int libusb_get_string_descriptor_ascii(libusb_device_handle* handle, std::uint8_t, unsigned char* text,
+                                       int room)
+{
+    const std::string& serial = handle->device->facts.serial;
+    const std::size_t count = std::min(serial.size(), static_cast<std::size_t>(room));
+    std::copy_n(serial.begin(), count, text);
+    return static_cast<int>(count);
+}
+
+int libusb_claim_interface(libusb_device_handle* handle, int interface)
+{
+    if (handle->device->facts.claim_error != 0)
+        return handle->device->facts.claim_error;
+    handle->claimed = interface;
+    ++libusb_things_in_use;
+    return LIBUSB_SUCCESS;
+}
+
+int libusb_release_interface(libusb_device_handle* handle, int interface)
+{
+    if (std::exchange(handle->claimed, -1) != interface)
+        return LIBUSB_ERROR_NOT_FOUND;
+    --libusb_things_in_use;
+    return LIBUSB_SUCCESS;
+}
+
+int libusb_clear_halt(libusb_device_handle* handle, unsigned char endpoint)
+{
+    return told([&] { return handle->device->facts.rom->clear_halt(endpoint == in_endpoint), 0; });
+}
+
+int libusb_control_transfer(libusb_device_handle* handle, std::uint8_t type, std::uint8_t request,
+                            std::uint16_t, std::uint16_t index, unsigned char* data, std::uint16_t length,
+                            unsigned)
+{
+    BootRom& rom = *handle->device->facts.rom;
+    if (type == 0x82 && request == LIBUSB_REQUEST_GET_STATUS && length == 2) {
+        data[0] = rom.is_halted(index == in_endpoint) ? 1 : 0;
+        data[1] = 0;
+        return 2;
+    }
+    if (index != picoboot_interface(*handle) || handle->claimed != index)
+        return LIBUSB_ERROR_PIPE;
+    if (type == 0x41)
+        return told([&] { return rom.tell(request), 0; });
+    return type == 0xC1 ? told([&] { return rom.ask(request, bytes_at(data, length)); }) : LIBUSB_ERROR_PIPE;
+}
+
+int libusb_bulk_transfer(libusb_device_handle* handle, unsigned char endpoint, unsigned char* data,
+                         int length, int* count, unsigned)
+{
+    if (handle->claimed != picoboot_interface(*handle))
+        return LIBUSB_ERROR_NOT_FOUND;
+    if (handle->device->facts.transfer_error != 0)
+        return handle->device->facts.transfer_error;
+    BootRom& rom = *handle->device->facts.rom;
+    const auto bytes = bytes_at(data, static_cast<std::size_t>(length));
+    const int result = told([&]() -> std::size_t {
+        if (endpoint == in_endpoint)
+            return rom.receive(bytes);
+        rom.send(bytes);
+        return bytes.size();
+    });
+    *count = std::max(result, 0);
+    return std::min(result, 0);
+}
+
+const char* libusb_strerror(int) { return "it is said so"; }
+}
