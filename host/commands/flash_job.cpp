@@ -59,6 +59,14 @@ void with_advice(const std::string& advice, const Act& act)
 constexpr const char* half_flashed = "\nThe board does not start what was not written to the end. Plug it in "
                                      "again if it was unplugged; the same command once more repairs it";
 
+std::vector<std::uint32_t> addresses_of(const FlashImage& image)
+{
+    std::vector<std::uint32_t> addresses;
+    for (const FlashImage::Sector& sector : image.sectors())
+        addresses.push_back(sector.address);
+    return addresses;
+}
+
 /// In the order of addresses, the first one among them if there are any: it is written anew.
 std::size_t written_sectors(const std::vector<std::size_t>& differing)
 {
@@ -113,7 +121,7 @@ BootBoard FlashJob::entered_by_lines()
 FlashOutcome FlashJob::untouched()
 {
     const FlashContents contents = plan_.contents_for(std::nullopt);
-    return {.contents = contents.words, .sectors = FlashImage{contents.regions}.sectors().size()};
+    return {.contents = contents.words, .addresses = addresses_of(FlashImage{contents.regions})};
 }
 
 FlashOutcome FlashJob::run_on(const DeviceAddress& device)
@@ -194,7 +202,7 @@ FlashOutcome FlashJob::run_with(BootLoader& boot_loader)
     try {
         const FlashContents contents = plan_.contents_for(found_on(boot_loader));
         const FlashImage image{contents.regions};
-        FlashOutcome outcome{.contents = contents.words, .sectors = image.sectors().size()};
+        FlashOutcome outcome{.contents = contents.words, .addresses = addresses_of(image)};
         if (order_.purpose == FlashPurpose::verify_only) {
             verify(boot_loader, image, tell_);
             outcome.differing.emplace();
@@ -203,7 +211,7 @@ FlashOutcome FlashJob::run_with(BootLoader& boot_loader)
             const auto differing = differing_sectors(boot_loader, image, tell_);
             outcome.differing.emplace();
             for (const std::size_t index : differing)
-                outcome.differing->push_back(image.sectors()[index].address);
+                outcome.differing->push_back(outcome.addresses[index]);
             if (order_.purpose == FlashPurpose::write)
                 write(boot_loader, image, differing, outcome);
         }
@@ -258,12 +266,12 @@ FlashOutcome FlashJob::run_on(const Uf2Drive& drive)
     const FlashContents contents = plan_.contents_for(std::nullopt);
     const FlashImage image{contents.regions};
     FlashOutcome outcome{
-        .contents = contents.words, .sectors = image.sectors().size(), .drive = drive.folder.string()};
+        .contents = contents.words, .addresses = addresses_of(image), .drive = drive.folder.string()};
     if (order_.purpose == FlashPurpose::dry_run)
         return outcome;
     remember_devices();
     with_advice(half_flashed, [&] { bench_.copy_to_drive(drive, image, tell_); });
-    outcome.written = outcome.sectors;
+    outcome.written = outcome.addresses.size();
     outcome.restarted = true;
     return outcome;
 }

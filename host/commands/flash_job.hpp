@@ -19,16 +19,16 @@ enum class FlashPurpose { write, dry_run, verify_only };
 struct FlashOrder {
     FlashPurpose purpose = FlashPurpose::write;
     PlaceWish place;
-    std::optional<BootLines> lines;     ///< by which the board enters its boot loader first
-    Milliseconds last_patience{10'000}; ///< for a boot loader, and for a player
+    std::optional<BootLines> lines = std::nullopt; ///< by which the board enters its boot loader first
+    Milliseconds last_patience{10'000};            ///< for a boot loader, and for a player
 };
 
 /// What has become of flash.
 struct FlashOutcome {
-    std::string contents;    ///< in words
-    std::size_t sectors = 0; ///< of these
-    std::string port = {};   ///< of the boot loader; empty: none was used
-    std::string drive = {};  ///< the folder; empty: none was used
+    std::string contents;                 ///< in words
+    std::vector<std::uint32_t> addresses; ///< of the sectors of these
+    std::string port = {};                ///< of the boot loader; empty: none was used
+    std::string drive = {};               ///< the folder; empty: none was used
     /// Addresses of sectors that held something else; nothing if that is not known.
     std::optional<std::vector<std::uint32_t>> differing = std::nullopt;
     std::size_t written = 0; ///< sectors

@@ -50,14 +50,6 @@ std::string folders_of(const std::vector<Uf2Drive>& drives)
                   ExitStatus::wrong_usage};
 }
 
-[[noreturn]] void refuse_none()
-{
-    throw Failure{std::string{"there is no board: "} + boot_loader_by_hand +
-                      "; one that runs KFAST already is found as it is ('kfast devices'); 'kfast flash "
-                      "--list' tells what is there",
-                  ExitStatus::no_device};
-}
-
 std::vector<BootBoard> rp2040s_of(std::vector<BootBoard> boards)
 {
     std::erase_if(boards, [](const BootBoard& board) { return board.chip != BootChip::rp2040; });
@@ -118,7 +110,7 @@ FlashPlace only_place(Workbench& bench)
     if (drives.size() > 1)
         refuse_several("are mounted as drives", "--drive", folders_of(drives));
     if (drives.empty())
-        refuse_none();
+        refuse_no_board();
     return drives.front();
 }
 
@@ -139,6 +131,13 @@ std::optional<Uf2Drive> only_drive(Workbench& bench)
 {
     const auto drives = rp2040_drives(bench);
     return drives.size() == 1 ? std::optional{drives.front()} : std::nullopt;
+}
+
+void refuse_no_board()
+{
+    throw Failure{std::string{"there is no board: "} + boot_loader_by_hand +
+                      "; one that runs KFAST already is found as it is",
+                  ExitStatus::no_device};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/commands/workbench.hpp"
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -26,6 +27,9 @@ FlashPlace flash_place(Workbench& bench, const PlaceWish& wish);
 
 /// The drive of an RP2040, if exactly one is mounted.
 std::optional<Uf2Drive> only_drive(Workbench& bench);
+
+/// Throws Failure with no_device, which tells how a board is found.
+[[noreturn]] void refuse_no_board();
 
 /// How somebody lets a Pico enter its boot loader by hand.
 inline constexpr const char* boot_loader_by_hand = "hold BOOTSEL while you plug the Pico in, and ask again";

@@ -80,6 +80,8 @@ void require_firmware_on(const FoundOnBoard& found, const NamedSettings& setting
 FlashPlan::FlashPlan(const PlanWish& wish, std::span<const std::filesystem::path> images)
     : scene_name_{wish.scene}, is_image_told_{!wish.firmware.empty()}, settings_{wish.settings}
 {
+    if (wish.no_firmware && wish.scene.empty() && !settings_.is_made())
+        throw CLI::RequiredError("with --no-firmware, a scene or settings (--config, --panel, --pin)");
     if (!wish.scene.empty())
         scene_.emplace(load_scene(wish.scene));
     firmwares_ = firmwares_of(wish, images);
