@@ -19,7 +19,7 @@ constexpr std::array commands{&new_command,    &compile_command,    &check_comma
                               &flash_command,  &simulate_command,   &devices_command, &play_command,
                               &live_command,   &pause_command,      &resume_command,  &seek_command,
                               &speed_command,  &brightness_command, &upload_command,  &slots_command,
-                              &choose_command, &erase_command,      &boot_command};
+                              &choose_command, &erase_command,      &boot_command,    &install_udev_command};
 
 std::string exit_status_list()
 {

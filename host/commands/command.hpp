@@ -50,6 +50,7 @@ extern const Command slots_command;
 extern const Command choose_command;
 extern const Command erase_command;
 extern const Command boot_command;
+extern const Command install_udev_command;
 
 /// The whole program. Returns its exit status (exit_status.hpp).
 int run_command_line(int count, const char* const* arguments);

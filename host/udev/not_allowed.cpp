@@ -16,9 +16,8 @@ std::string_view line_with(std::string_view text, std::string_view mark)
 
 Failure not_allowed(const std::string& path, std::string_view mark)
 {
-    return Failure{"you may not open " + path + ". A rule of udev allows it:\n  " +
-                       std::string{udev_command} + "\nputs it into /etc/udev/rules.d:\n  " +
-                       std::string{line_with(udev_rule, mark)} +
+    return Failure{"you may not open " + path + ". A rule of udev allows it:\n  " + udev_command() +
+                       "\nputs it into /etc/udev/rules.d:\n  " + std::string{line_with(udev_rule, mark)} +
                        "\nThen unplug the device and plug it in again",
                    ExitStatus::no_permission};
 }

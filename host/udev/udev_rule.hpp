@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace kfast {
@@ -7,7 +8,7 @@ namespace kfast {
 /// The file for /etc/udev/rules.d by which users may open devices and boot loaders: 70-kfast.rules.
 extern const std::string_view udev_rule;
 
-/// Puts it there.
-inline constexpr std::string_view udev_command = "sudo kfast install-udev";
+/// Puts it there: "sudo kfast install-udev", with the folder of this program where root would not find it.
+std::string udev_command();
 
 }

@@ -41,7 +41,8 @@ TEST_CASE("who may not open a device is told the command and the line")
     CHECK(failure.status() == ExitStatus::no_permission);
     const std::string text = failure.what();
     CHECK(has(text, "/dev/bus/usb/001/002"));
-    CHECK(has(text, "sudo kfast install-udev"));
+    CHECK(has(text, "sudo /"));
+    CHECK(has(text, "udev_test install-udev\n"));
     std::string line = rule_for("usb", "ATTR", boot_usb::vendor_id, boot_usb::rp2040_id);
     line.erase(0, 1);
     CHECK(has(text, "  " + line));

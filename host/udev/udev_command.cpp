@@ -1,0 +1,27 @@
+#include "host/udev/udev_rule.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where sudo looks for programs wherever their folders are not given.
+constexpr std::array root_folders{"/usr/local/sbin", "/usr/local/bin", "/usr/sbin",
+                                  "/usr/bin",        "/sbin",          "/bin"};
+
+}
+
+std::string udev_command()
+{
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    const bool is_found =
+        unknown || std::ranges::find(root_folders, program.parent_path()) != root_folders.end();
+    return "sudo " + (is_found ? "kfast" : program.string()) + " install-udev";
+}
+
+}
