@@ -35,7 +35,7 @@ inline constexpr std::array exit_meanings{
     ExitMeaning{ExitStatus::no_permission, "a device may not be opened"},
     ExitMeaning{ExitStatus::unplugged, "a device was unplugged meanwhile"},
     ExitMeaning{ExitStatus::wrong_version, "the firmware of a device does not go with this kfast"},
-    ExitMeaning{ExitStatus::no_room, "a device has no room for the scene"},
+    ExitMeaning{ExitStatus::no_room, "a device has no room for the scene or the firmware"},
     ExitMeaning{ExitStatus::refused, "a device refused something else"},
     ExitMeaning{ExitStatus::timed_out, "a device did not answer"},
     ExitMeaning{ExitStatus::not_verified, "what was written reads back differently"},

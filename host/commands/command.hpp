@@ -36,6 +36,7 @@ extern const Command fit_command;
 extern const Command config_command;
 extern const Command wiring_command;
 extern const Command uf2_command;
+extern const Command flash_command;
 extern const Command devices_command;
 extern const Command play_command;
 extern const Command live_command;

@@ -20,10 +20,15 @@ void declare_device_options(CLI::App& app, DeviceOptions& options)
                    "The device: a serial number, 'all', or 'sim', a simulated one; may be repeated")
         ->type_name("SERIAL")
         ->allow_extra_args(false);
+    declare_talk_options(app, options);
+}
+
+void declare_talk_options(CLI::App& app, DeviceOptions& options)
+{
     app.add_option("--timeout", options.timeout, "Seconds to wait for a device that is silent (default: 10)")
         ->type_name("SECONDS")
         ->check(number_within(shortest_timeout, longest_timeout));
-    CLI::Option* const json = app.add_flag("--json", options.json, "For programs: a JSON array");
+    CLI::Option* const json = app.add_flag("--json", options.json, "For programs: JSON");
     app.add_flag("--quiet", options.quiet, "Print nothing but errors")->excludes(json);
 }
 

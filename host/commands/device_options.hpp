@@ -18,8 +18,10 @@ struct DeviceOptions {
     bool quiet = false;
 };
 
-/// Adds --device, --timeout, --json and --quiet to `app`. `options` must outlive its parsing.
+/// Adds --device, and what declare_talk_options() adds. `options` must outlive the parsing of `app`.
 void declare_device_options(CLI::App& app, DeviceOptions& options);
+/// Adds --timeout, --json and --quiet.
+void declare_talk_options(CLI::App& app, DeviceOptions& options);
 
 /// What is attached; nothing if the names are those of simulated devices alone.
 std::vector<DeviceAddress> attached_for(const std::vector<std::string>& names);

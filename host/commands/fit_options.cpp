@@ -53,14 +53,19 @@ fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, 
                             .frames_per_second = options.frames_per_second});
 }
 
+std::string misfit_text(const std::string& file, const fit::Target& target,
+                        const std::vector<std::string>& reasons)
+{
+    std::string text = file + ": does not fit " + target.name;
+    for (const std::string& reason : reasons)
+        text += "\n  " + reason;
+    return text;
+}
+
 void require_fit(const std::string& file, const fit::Target& target, const fit::FitReport& report)
 {
-    if (report.fits())
-        return;
-    std::string text = file + ": does not fit " + target.name;
-    for (const std::string& reason : report.reasons)
-        text += "\n  " + reason;
-    throw Failure(text);
+    if (!report.fits())
+        throw Failure(misfit_text(file, target, report.reasons()));
 }
 
 }

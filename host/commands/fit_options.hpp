@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kfast {
 
@@ -24,6 +25,10 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options);
 fit::Target chosen_target(const FitOptions& options);
 
 fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, const SceneFile& scene);
+
+/// Why a scene does not fit a board: a line for each reason.
+std::string misfit_text(const std::string& file, const fit::Target& target,
+                        const std::vector<std::string>& reasons);
 
 /// Throws Failure with all reasons if `scene` does not fit.
 void require_fit(const std::string& file, const fit::Target& target, const fit::FitReport& report);

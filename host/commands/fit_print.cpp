@@ -88,7 +88,7 @@ Json facts_of(const FitFacts& facts)
             {"processor", target.processor_name},
             {"panel", panel_facts(target.display)},
             {"fits", report.fits()},
-            {"reasons", report.reasons},
+            {"reasons", report.reasons()},
             {"notes", report.notes},
             {"flash", flash_facts(report.flash, target.flash)},
             {"ram", ram_facts(report.ram, target.ram)},

@@ -11,19 +11,19 @@
 
 namespace kfast {
 
-/// One line at the end of a terminal that says how far the uploads to all devices have come together. It goes
-/// away with the bar.
+/// One line at the end of a terminal that says how far something has come that brings bytes to devices, to
+/// all of them together. It goes away with the bar.
 class ProgressBar {
 public:
     enum class Shown { no, on_a_terminal };
 
-    /// To standard error. `bytes` go to each of so many devices.
-    ProgressBar(std::size_t bytes, std::size_t devices, Shown shown);
+    /// To standard error. `bytes` go to each of so many devices. `what` stands in front: "writing ".
+    ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, std::string what = {});
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// For the upload to one of the devices; may be told from any thread.
+    /// For what goes to one of the devices; may be told from any thread.
     TellProgress of_device(std::size_t index);
 
 private:
@@ -39,6 +39,7 @@ private:
     Clock::time_point begin_;
     Clock::time_point drawn_;
     std::size_t width_ = 0; ///< of what was drawn
+    std::string what_;      ///< stands in front
 };
 
 inline ProgressBar::Shown shown_progress(const DeviceOptions& options)

@@ -1,21 +1,17 @@
 #include "host/flash/uf2.hpp"
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/missing_names.hpp"
+#include "host/commands/flash_contents.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/firmware_file.hpp"
-#include "host/config/pico_flash.hpp"
-#include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
 
 #include <array>
 #include <iostream>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace kfast {
 namespace {
@@ -27,82 +23,19 @@ struct Options {
     std::string output;
 };
 
-/// What the file is to hold, and that in words.
-struct Contents {
-    std::vector<FlashRegion> regions;
-    std::string words;
-
-    void add(std::uint32_t address, std::vector<std::byte> bytes, const std::string& what)
-    {
-        words += (words.empty() ? "" : ", ") + what;
-        regions.push_back({address, std::move(bytes)});
-    }
-};
-
-/// Settings for another bus than the firmware's would leave the display dark.
-void require_bus(const Options& options, std::span<const std::byte> firmware, BusKind wanted)
+FlashContents contents_of(const Options& options)
 {
-    const std::optional<BusKind> bus = config::marked_bus(firmware);
-    if (!bus)
-        std::cerr << options.firmware << ": warning: it does not tell for which bus it is; settings of "
-                  << options.config << " want one for " << config::word_of(wanted) << ": "
-                  << config::image_of(wanted) << '\n';
-    else if (*bus != wanted)
-        throw Failure(options.firmware + ": firmware for displays on " + config::word_of(*bus) +
-                      ", but the display of " + options.config + " is on " + config::word_of(wanted) +
-                      ": take " + config::image_of(wanted));
-}
-
-void add_firmware(const std::string& name, Contents& contents)
-{
-    std::vector<std::byte> bytes = config::load_firmware(name);
-    const std::string what = "firmware of " + std::to_string(bytes.size()) + " bytes";
-    contents.add(pico_flash::begin, std::move(bytes), what);
-}
-
-/// After the firmware, if there is one.
-void add_config(const Options& options, const BoardSettings& settings, Contents& contents)
-{
+    std::optional<NamedFirmware> firmware;
     if (!options.firmware.empty())
-        require_bus(options, contents.regions.front().bytes, settings.bus);
-    contents.add(pico_flash::settings, config::settings_sector(settings), "settings of " + options.config);
-}
-
-void add_scene(const std::string& name, SceneFile scene, Contents& contents)
-{
-    const std::size_t size = scene.bytes.size();
-    constexpr std::size_t room = pico_flash::scene_end - pico_flash::scene;
-    if (size > room)
-        throw Failure(
-            name + ": " + std::to_string(size) + " bytes once compiled, " + std::to_string(size - room) +
-            " more than a Pico has room for as its built-in scene: shorten the scene or draw it with fewer "
-            "points");
-    contents.add(pico_flash::scene, std::move(scene.bytes), "scene of " + std::to_string(size) + " bytes");
-}
-
-void warn_of_names(const Options& options, const BoardSettings& settings, const SceneView& scene)
-{
-    for (const std::string& warning : missing_names(settings, scene))
-        std::cerr << options.config << ": warning: " << options.scene << ": " << warning << '\n';
-}
-
-Contents contents_of(const Options& options)
-{
-    Contents contents;
-    if (!options.firmware.empty())
-        add_firmware(options.firmware, contents);
-    std::optional<BoardSettings> settings;
-    if (!options.config.empty()) {
-        settings = config::chosen_settings(options.config);
-        add_config(options, *settings, contents);
-    }
-    if (!options.scene.empty()) {
-        SceneFile scene = load_scene(options.scene);
-        if (settings)
-            warn_of_names(options, *settings, scene.view);
-        add_scene(options.scene, std::move(scene), contents);
-    }
-    return contents;
+        firmware = {config::load_firmware(options.firmware), options.firmware};
+    std::optional<NamedSettings> settings;
+    if (!options.config.empty())
+        settings = {config::chosen_settings(options.config), options.config};
+    std::optional<SceneFile> scene;
+    if (!options.scene.empty())
+        scene.emplace(load_scene(options.scene));
+    const auto part = [](auto& chosen) { return chosen ? &*chosen : nullptr; };
+    return flash_contents({part(firmware), part(settings), part(scene), options.scene});
 }
 
 void pack(const Options& options)
@@ -113,7 +46,7 @@ void pack(const Options& options)
     if (output.extension() != ".uf2")
         throw CLI::ValidationError("--output",
                                    "'" + options.output + "': the drive of a Pico takes .uf2 files alone");
-    const Contents contents = contents_of(options);
+    const FlashContents contents = contents_of(options);
     for (const std::string* input : {&options.firmware, &options.config, &options.scene})
         output = output_path(output, *input, "file that is read");
     write_file(output, uf2_of(contents.regions));

@@ -17,14 +17,6 @@ namespace {
 constexpr InputKind firmware_input{"firmware", "a .bin file", "build it again"};
 constexpr std::size_t boot_code_bytes = 252;
 
-bool begins_with_boot_block(std::span<const std::byte> bytes)
-{
-    if (bytes.size() < BootBlock{}.size())
-        return false;
-    return std::ranges::equal(with_boot_checksum(bytes.first(boot_code_bytes)),
-                              bytes.first(BootBlock{}.size()));
-}
-
 /// The bus that it is for, as it says itself, whether there is such a bus or not.
 std::optional<std::size_t> bus_number(std::span<const std::byte> image)
 {
@@ -55,6 +47,14 @@ void require_whole(std::span<const std::byte> image, const std::string& name)
 
 }
 
+bool begins_with_boot_block(std::span<const std::byte> bytes)
+{
+    if (bytes.size() < BootBlock{}.size())
+        return false;
+    return std::ranges::equal(with_boot_checksum(bytes.first(boot_code_bytes)),
+                              bytes.first(BootBlock{}.size()));
+}
+
 std::vector<std::byte> load_firmware(const std::filesystem::path& path)
 {
     const std::string content = read_input(path, firmware_input);
@@ -66,8 +66,9 @@ std::vector<std::byte> load_firmware(const std::filesystem::path& path)
     constexpr std::size_t room = pico_flash::settings - pico_flash::begin;
     if (bytes.size() > room)
         throw Failure(path.string() + ": " + std::to_string(bytes.size()) + " bytes, " +
-                      std::to_string(bytes.size() - room) +
-                      " more than lie before the settings at 0x1003F000");
+                          std::to_string(bytes.size() - room) +
+                          " more than lie before the settings at 0x1003F000",
+                      ExitStatus::no_room);
     require_whole(bytes, path.string());
     return {bytes.begin(), bytes.end()};
 }

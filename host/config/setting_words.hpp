@@ -25,8 +25,11 @@ inline std::string word_of(ControlAction action)
     return std::string{control_action_names[static_cast<std::size_t>(action)]};
 }
 
-/// The firmware that drives displays on this bus, where scripts/build puts it: "build/pico/pico-spi.bin"
-inline std::string image_of(BusKind bus) { return "build/pico/pico-" + word_of(bus) + ".bin"; }
+/// The firmware that drives displays on this bus: "pico-spi.bin"
+inline std::string image_name(BusKind bus) { return "pico-" + word_of(bus) + ".bin"; }
+
+/// The same, where scripts/build puts it: "build/pico/pico-spi.bin"
+inline std::string image_of(BusKind bus) { return "build/pico/" + image_name(bus); }
 
 /// "240 x 320"
 inline std::string size_text(Size size)

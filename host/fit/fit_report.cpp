@@ -18,55 +18,55 @@ std::string excess(const std::string& what, std::size_t needed, std::size_t avai
            " are there: " + std::to_string(needed - available) + " too many";
 }
 
-void check_flash(const FitReport& report, const Target& target, std::vector<std::string>& reasons)
+void check_flash(const FitReport& report, const Target& target, std::vector<std::string>& shortages)
 {
     const FlashNeed& need = report.flash;
     if (need.sum() > target.flash)
-        reasons.push_back(excess("flash", need.sum(), target.flash, parts_text(need)));
+        shortages.push_back(excess("flash", need.sum(), target.flash, parts_text(need)));
 }
 
-void check_ram(const FitReport& report, const Target& target, std::vector<std::string>& reasons)
+void check_ram(const FitReport& report, const Target& target, std::vector<std::string>& shortages)
 {
     const RamNeed& need = report.ram;
     if (need.sum() <= target.ram)
         return;
     const LargestOutlines& outlines = report.speed.outlines;
-    reasons.push_back(excess("RAM", need.sum(), target.ram, parts_text(need)) +
-                      "; the largest outlines are those of frame " + frame_text(outlines.moment) + ", " +
-                      bytes_text(outlines.bytes) + ", of which " + std::to_string(outlines.item_bytes) +
-                      " are of " + report.largest_object);
+    shortages.push_back(excess("RAM", need.sum(), target.ram, parts_text(need)) +
+                        "; the largest outlines are those of frame " + frame_text(outlines.moment) + ", " +
+                        bytes_text(outlines.bytes) + ", of which " + std::to_string(outlines.item_bytes) +
+                        " are of " + report.largest_object);
 }
 
-void check_bands(const Target& target, std::vector<std::string>& reasons)
+void check_bands(const Target& target, std::vector<std::string>& shortages)
 {
     const std::size_t least = least_band(target.display);
     if (target.band_bytes >= least)
         return;
     const auto rows = static_cast<std::size_t>(target.display.granularity.height);
-    reasons.push_back("bands: each has " + bytes_text(target.band_bytes) + ", but " + counted(rows, "row") +
-                      " of the panel " + (rows == 1 ? "takes " : "take ") + std::to_string(least));
+    shortages.push_back("bands: each has " + bytes_text(target.band_bytes) + ", but " + counted(rows, "row") +
+                        " of the panel " + (rows == 1 ? "takes " : "take ") + std::to_string(least));
 }
 
-void check_outlines(const FitReport& report, std::vector<std::string>& reasons)
+void check_outlines(const FitReport& report, std::vector<std::string>& shortages)
 {
     if (!report.speed.overfull)
         return;
     const LargestOutlines& outlines = *report.speed.overfull;
-    reasons.push_back(
+    shortages.push_back(
         "outlines: those of frame " + frame_text(outlines.moment) +
         " find no room with the coarsest curves either, parts of the picture are missing; of the " +
         bytes_text(outlines.bytes) + " that found room " + std::to_string(outlines.item_bytes) + " are of " +
         report.overfull_object);
 }
 
-void check_speed(const FitReport& report, std::vector<std::string>& reasons)
+std::string slowness_of(const FitReport& report)
 {
     const double seconds = report.speed.median().seconds();
-    if (seconds * report.wanted_rate > slack)
-        reasons.push_back("speed: every second frame takes " + milliseconds_text(seconds) + " or more, but " +
-                          rate_text(report.wanted_rate) + " leave " +
-                          milliseconds_text(1 / report.wanted_rate) + " for each; " + rate_text(1 / seconds) +
-                          " can be reached");
+    if (seconds * report.wanted_rate <= slack)
+        return {};
+    return "speed: every second frame takes " + milliseconds_text(seconds) + " or more, but " +
+           rate_text(report.wanted_rate) + " leave " + milliseconds_text(1 / report.wanted_rate) +
+           " for each; " + rate_text(1 / seconds) + " can be reached";
 }
 
 std::size_t late_frames(const FitReport& report)
@@ -113,17 +113,25 @@ void note_link(const FitReport& report, std::vector<std::string>& notes)
 
 void judge(const Target& target, FitReport& report)
 {
-    check_flash(report, target, report.reasons);
-    check_ram(report, target, report.reasons);
-    check_bands(target, report.reasons);
-    check_outlines(report, report.reasons);
-    check_speed(report, report.reasons);
+    check_flash(report, target, report.shortages);
+    check_ram(report, target, report.shortages);
+    check_bands(target, report.shortages);
+    check_outlines(report, report.shortages);
+    report.slowness = slowness_of(report);
     note_late_frames(report, report.notes);
     note_bus(target, report.notes);
     note_stride(report, report.notes);
     note_link(report, report.notes);
 }
 
+}
+
+std::vector<std::string> FitReport::reasons() const
+{
+    std::vector<std::string> reasons = shortages;
+    if (!slowness.empty())
+        reasons.push_back(slowness);
+    return reasons;
 }
 
 FitReport fit_report(const FitWish& wish)

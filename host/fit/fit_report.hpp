@@ -25,15 +25,18 @@ struct FitReport {
     FlashNeed flash;
     RamNeed ram;
     Speed speed;
-    std::vector<LinkUpdate> link;     ///< what telling its inputs takes, if it has some
-    double wanted_rate = 0;           ///< frames per second
-    std::string heaviest_object;      ///< of the dearest frame
-    std::string largest_object;       ///< of the frame with the largest outlines
-    std::string overfull_object;      ///< of the first frame whose outlines find no room
-    std::vector<std::string> reasons; ///< why it does not fit, and by how much; none if it does
-    std::vector<std::string> notes;   ///< what one should know besides
+    std::vector<LinkUpdate> link;       ///< what telling its inputs takes, if it has some
+    double wanted_rate = 0;             ///< frames per second
+    std::string heaviest_object;        ///< of the dearest frame
+    std::string largest_object;         ///< of the frame with the largest outlines
+    std::string overfull_object;        ///< of the first frame whose outlines find no room
+    std::vector<std::string> shortages; ///< of memory, and how much is missing; none if it can be played
+    std::string slowness; ///< why it plays slower than wanted, and how fast it can; empty if it does not
+    std::vector<std::string> notes; ///< what one should know besides
 
-    bool fits() const { return reasons.empty(); }
+    /// Why it does not fit: shortages and slowness. None if it does.
+    std::vector<std::string> reasons() const;
+    bool fits() const { return shortages.empty() && slowness.empty(); }
 };
 
 FitReport fit_report(const FitWish& wish);

@@ -396,12 +396,12 @@ class PackTest(CommandTest):
 
     def test_what_is_too_large(self):
         self.pack(*self.firmware(0x3F000))
-        self.refuse("uf2", "pack", *self.firmware(0x3F001), "-o", "b.uf2", status=1, says="1 more than lie before the settings")
+        self.refuse("uf2", "pack", *self.firmware(0x3F001), "-o", "b.uf2", status=7, says="1 more than lie before the settings")
         (self.folder / "large.kfast").write_text(LARGE)
         self.run_kfast("compile", "large.kfast")
         excess = (self.folder / "large.kfb").stat().st_size - 0x40000
         self.assertGreater(excess, 0)
-        self.refuse("uf2", "pack", "--scene", "large.kfb", "-o", "b.uf2", status=1,
+        self.refuse("uf2", "pack", "--scene", "large.kfb", "-o", "b.uf2", status=7,
                     says=f"{excess} more than a Pico has room for as its built-in scene")
 
     def test_wrong_inputs(self):

@@ -39,9 +39,11 @@ TEST_CASE("a picture whose outlines find no room does not fit")
     CHECK(report_of(bytes).fits());
     set_outline_bytes(bytes, 200);
     const FitReport report = report_of(bytes);
-    REQUIRE(report.reasons.size() == 1);
-    CAPTURE(report.reasons.front());
-    CHECK(report.reasons.front().find("outlines: those of frame 20 find no room") == 0);
+    REQUIRE(report.shortages.size() == 1);
+    CAPTURE(report.shortages.front());
+    CHECK(report.shortages.front().find("outlines: those of frame 20 find no room") == 0);
+    CHECK(report.slowness.empty());
+    CHECK(report.reasons() == report.shortages);
     CHECK(report.speed.overfull->moment == Time::frame(20));
 }
 

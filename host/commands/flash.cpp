@@ -1,0 +1,168 @@
+#include "host/commands/command.hpp"
+#include "host/commands/device_options.hpp"
+#include "host/commands/flash_job.hpp"
+#include "host/commands/flash_list.hpp"
+#include "host/commands/flash_progress.hpp"
+#include "host/commands/flash_report.hpp"
+#include "host/commands/json_text.hpp"
+#include "host/config/firmware_images.hpp"
+#include "host/failure.hpp"
+#include "host/interruption.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+namespace kfast {
+namespace {
+
+struct Options {
+    PlanWish plan;
+    PlaceWish place;
+    BootLines lines;
+    DeviceOptions talk;
+    std::string board = "pico";
+    bool dry_run = false;
+    bool verify_only = false;
+    bool no_wait = false;
+    bool list = false;
+};
+
+constexpr std::array<std::string_view, 1> boards{"pico"};
+
+std::string mistaken_board(const std::string& board)
+{
+    if (board == boards.front())
+        return {};
+    return "there is no firmware for '" + board + "': " + suggestion(board, boards);
+}
+
+FlashOrder order_of(const Options& options)
+{
+    FlashOrder order{.place = options.place, .last_patience = last_patience(options.talk)};
+    if (options.dry_run)
+        order.purpose = FlashPurpose::dry_run;
+    if (options.verify_only)
+        order.purpose = FlashPurpose::verify_only;
+    if (!options.lines.reset.empty())
+        order.lines = options.lines;
+    return order;
+}
+
+/// A scene that was flashed and does not play was refused by the player.
+void require_playing(const FlashPlan& plan, const PlayerOutcome& player)
+{
+    if (plan.has_scene() && !player.playing.is_playing)
+        throw Failure{player.name + ": plays nothing, though it has the scene: its display and its LED tell "
+                                    "why (docs/config.md)",
+                      ExitStatus::refused};
+}
+
+void flash(const Options& options)
+{
+    const FlashPlan plan{options.plan, config::image_folders()};
+    const FlashOrder order = order_of(options);
+    const std::unique_ptr<Workbench> bench = this_workbench();
+    std::optional<FlashProgress> progress{shown_progress(options.talk)};
+    const TellFlashing tell = [&](FlashPhase phase, std::size_t done, std::size_t total) {
+        progress->tell(phase, done, total);
+    };
+    const RememberedInterruption interruption;
+    FlashJob job{*bench, plan, order, tell};
+    const FlashOutcome outcome = job.run();
+    progress.reset();
+    const bool is_told = !options.talk.json && !options.talk.quiet;
+    if (is_told)
+        std::cout << flash_text(outcome, order.purpose) << std::flush;
+    std::optional<PlayerOutcome> player;
+    if (outcome.restarted && order.purpose == FlashPurpose::write && !options.no_wait)
+        player = job.await_player();
+    if (options.talk.json)
+        std::cout << json_text(flash_json(outcome, player));
+    if (!player)
+        return;
+    if (is_told)
+        std::cout << player_text(*player) << std::flush;
+    require_playing(plan, *player);
+}
+
+void run(const Options& options)
+{
+    if (options.list)
+        print_flash_list(*this_workbench(), options.talk.json ? ListForm::json : ListForm::text);
+    else
+        flash(options);
+}
+
+void declare_contents(CLI::App& app, Options& options)
+{
+    app.add_option("SCENE", options.plan.scene,
+                   "The built-in scene: a scene text (.kfast) or compiled scene (.kfb)");
+    app.add_option("--board", options.board, "The kind of the board: pico, which is usual")
+        ->type_name("NAME")
+        ->check(CLI::Validator{mistaken_board, ""});
+    declare_settings_options(app, options.plan.settings);
+    CLI::Option* const firmware =
+        app.add_option("--firmware", options.plan.firmware,
+                       "The .bin of a firmware (default: the installed one for the bus of the display)")
+            ->type_name("FILE");
+    app.add_flag("--no-firmware", options.plan.no_firmware, "Leave the firmware that the board has")
+        ->excludes(firmware);
+}
+
+void declare_place(CLI::App& app, Options& options)
+{
+    CLI::Option* const port =
+        app.add_option("--port", options.place.port, "The board in its boot loader at this port, like 1-2.3")
+            ->type_name("PORT");
+    CLI::Option* const serial = app.add_option("--serial", options.place.serial,
+                                               "The board that runs KFAST and has this serial number")
+                                    ->type_name("SERIAL")
+                                    ->excludes(port);
+    CLI::Option* const drive =
+        app.add_option("--drive", options.place.drive,
+                       "The folder of the drive RPI-RP2: writes to it, which cannot be verified")
+            ->type_name("FOLDER")
+            ->excludes(port)
+            ->excludes(serial);
+    CLI::Option* const reset = app.add_option("--reset-line", options.lines.reset,
+                                              "The GPIO line of this computer that is wired to RUN")
+                                   ->type_name("LINE")
+                                   ->excludes(serial)
+                                   ->excludes(drive);
+    CLI::Option* const boot =
+        app.add_option("--boot-line", options.lines.boot, "The GPIO line that is wired to BOOTSEL")
+            ->type_name("LINE")
+            ->needs(reset);
+    reset->needs(boot);
+    app.add_option("--gpio-chip", options.lines.chip, "The chip of these lines: a path, name or label")
+        ->type_name("CHIP")
+        ->needs(reset);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    declare_contents(app, *options);
+    declare_place(app, *options);
+    CLI::Option* const dry_run =
+        app.add_flag("--dry-run", options->dry_run, "Tell what would be written, and touch nothing");
+    app.add_flag("--verify-only", options->verify_only, "Compare, and write nothing: status 10 if it differs")
+        ->excludes(dry_run);
+    app.add_flag("--no-wait", options->no_wait, "Do not wait until the board plays");
+    app.add_flag("--list", options->list, "List the boards that could be flashed");
+    declare_talk_options(app, options->talk);
+    app.callback([options] { run(*options); });
+}
+
+}
+
+const Command flash_command{.name = "flash",
+                            .summary =
+                                "Put firmware, settings and a scene on a board by USB, and see it play",
+                            .example = "kfast flash eyes.kfast --panel gc9a01 --pin dc=8",
+                            .declare = declare,
+                            .group = settings_group};
+
+}

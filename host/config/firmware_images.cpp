@@ -1,0 +1,56 @@
+#include "host/config/firmware_images.hpp"
+
+#include "host/config/setting_words.hpp"
+#include "host/failure.hpp"
+
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+namespace kfast::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> this_program()
+{
+    std::error_code unknown;
+    fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    return unknown ? std::nullopt : std::optional{std::move(program)};
+}
+
+std::string list_of(std::span<const fs::path> folders)
+{
+    std::string list;
+    for (const fs::path& folder : folders)
+        list += (list.empty() ? " in " : " and in ") + folder.string();
+    return list;
+}
+
+}
+
+std::vector<fs::path> image_folders(const char* told, const std::optional<fs::path>& program)
+{
+    if (told != nullptr && *told != '\0')
+        return {told};
+    if (!program)
+        return {};
+    const fs::path above = program->parent_path().parent_path(); // of bin
+    return {above / "share/kfast/firmware", above.parent_path() / "pico"};
+}
+
+std::vector<fs::path> image_folders() { return image_folders(std::getenv("KFAST_FIRMWARE"), this_program()); }
+
+fs::path image_for(BusKind bus, std::span<const fs::path> folders)
+{
+    for (const fs::path& folder : folders) {
+        std::error_code unreadable;
+        if (fs::is_regular_file(folder / image_name(bus), unreadable))
+            return folder / image_name(bus);
+    }
+    throw Failure("there is no " + image_name(bus) + list_of(folders) +
+                  ": build it with 'scripts/build pico', or name a firmware with --firmware FILE, or the "
+                  "folder of all images with KFAST_FIRMWARE=FOLDER; --no-firmware leaves what the board has");
+}
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "firmware/board_settings.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kfast::config {
+
+/// The folders in which images of the Pico may lie, the first one first: the one that `told` names, and no
+/// other then; else `share/kfast/firmware` of the installation, or `build/pico` of the build tree, that the
+/// program belongs to (nothing if its place is not known).
+std::vector<std::filesystem::path> image_folders(const char* told,
+                                                 const std::optional<std::filesystem::path>& program);
+
+/// Of this program, told by the environment's KFAST_FIRMWARE.
+std::vector<std::filesystem::path> image_folders();
+
+/// The firmware for displays on this bus. Throws Failure, naming the folders, if none of them has it.
+std::filesystem::path image_for(BusKind bus, std::span<const std::filesystem::path> folders);
+
+}

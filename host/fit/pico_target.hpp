@@ -1,0 +1,11 @@
+#pragma once
+
+#include "firmware/board_settings.hpp"
+#include "host/fit/target.hpp"
+
+namespace kfast::fit {
+
+/// A Raspberry Pi Pico with the display and the bus of these settings.
+Target pico_target(const BoardSettings& settings);
+
+}
