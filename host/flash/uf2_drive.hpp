@@ -23,9 +23,11 @@ std::vector<Uf2Drive> uf2_drives();
 Uf2Drive uf2_drive_at(const std::filesystem::path& folder);
 
 /// Copies `image` to the drive in such an order that a board on which it was broken off starts nothing. The
-/// board restarts by itself then; nothing is verified.
+/// board restarts by itself then; nothing is verified, and whether it had the last bytes nobody knows before
+/// it answers.
 ///
-/// Throws Failure with unplugged, and Interrupted.
+/// Throws Failure with unplugged, with no_permission or wrong_input if the drive takes no file, and
+/// Interrupted.
 void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const TellFlashing& tell);
 
 }
