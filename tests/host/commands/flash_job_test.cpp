@@ -326,6 +326,7 @@ TEST_CASE("a board that runs is asked to enter its boot loader, and is awaited b
     flasher.tell = [&](FlashPhase, std::size_t, std::size_t) { other.start(); };
     const PlayerOutcome player = flasher.run_and_wait();
     CHECK(flasher.outcome.port == "1-2");
+    CHECK(flasher.outcome.serial == "E7");
     CHECK(pico.starts == 2);
     CHECK(pico.has_scene());
     CHECK(player.playing.is_playing);
