@@ -57,21 +57,21 @@ void print_part(const Uf2Part& part)
                   << (words.empty() ? "" : "  " + words) << '\n';
 }
 
+/// Null if nobody knows.
+Json words_json(std::string_view words) { return words.empty() ? Json(nullptr) : Json(words); }
+
 Json json_of(const Uf2Part& part)
 {
     Json regions = Json::array();
     for (const auto& [region, words] : pieces_of(part))
-        regions.push_back({{"address", region.address},
-                           {"bytes", region.bytes.size()},
-                           {"holds", words.empty() ? Json{} : Json{words}}});
-    Json json{{"family", part.family ? Json{*part.family} : Json{}}};
-    const std::string name{uf2_family_name(part.family.value_or(0))};
-    json["chips"] = name.empty() ? Json{} : Json{name};
-    json["flags"] = flag_names(part.flags);
-    json["blocks"] = part.blocks;
-    json["bytes"] = bytes_of(part);
-    json["regions"] = regions;
-    return json;
+        regions.push_back(
+            {{"address", region.address}, {"bytes", region.bytes.size()}, {"holds", words_json(words)}});
+    return {{"family", part.family ? Json(*part.family) : Json(nullptr)},
+            {"chips", words_json(part.family ? uf2_family_name(*part.family) : "")},
+            {"flags", flag_names(part.flags)},
+            {"blocks", part.blocks},
+            {"bytes", bytes_of(part)},
+            {"regions", regions}};
 }
 
 void inform(const Options& options)

@@ -20,7 +20,7 @@ inline constexpr std::array uf2_families{
     Uf2Family{0xe48bff58, "RP2-data"},      Uf2Family{0xe48bff59, "RP2350-ARM-S"},
     Uf2Family{0xe48bff5a, "RP2350-RISC-V"}, Uf2Family{0xe48bff5b, "RP2350-ARM-NS"},
     Uf2Family{0xe48bff55, "CYW43"},         Uf2Family{0x68ed2b88, "SAMD21"},
-    Uf2Family{0x55114460, "SAMD51"},        Uf2Family{0xada52840, "nRF52840"},
+    Uf2Family{0x55114460, "SAMD51"},        Uf2Family{0xada52840, "NRF52840"},
     Uf2Family{0x5ee21072, "STM32F1"},       Uf2Family{0x57755a57, "STM32F4"},
     Uf2Family{0x2dc309c5, "STM32F411xE"},   Uf2Family{0x53b80f00, "STM32F7"},
     Uf2Family{0x6db66082, "STM32H7"},       Uf2Family{0x300f5633, "STM32G0"},
