@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/output_folder.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
@@ -47,15 +48,6 @@ Time chosen_time(const RenderOptions& options, const Timeline& timeline)
     return timeline.shown_at(time->ticks);
 }
 
-void make_folder(const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw Failure("cannot make the folder " + folder.string() + ": " + error.message() +
-                      ": choose another with -o");
-}
-
 fs::path numbered(const fs::path& folder, int frame)
 {
     char name[32];
@@ -65,7 +57,7 @@ fs::path numbered(const fs::path& folder, int frame)
 
 void render_folder(const fs::path& folder, FrameSource& source, const Timeline& timeline)
 {
-    make_folder(folder);
+    make_output_folder(folder);
     for (int frame = 0; frame < timeline.frame_count(); ++frame)
         write_png(numbered(folder, frame), widen(source.show(timeline.frame_time(frame))));
 }

@@ -22,8 +22,8 @@ std::vector<std::byte> uf2_of(std::span<const FlashRegion> regions, std::uint32_
 
 /// What such a file writes, in the order of addresses, neighbours joined. The padding is part of it.
 ///
-/// Throws std::invalid_argument, naming the block and the reason, when the boot ROM of the RP2040 would leave
-/// out a block of the file, when blocks are missing or not in their order, or when two write to one place.
+/// Throws std::invalid_argument, naming the first block that is wrong and the reason (uf2_contents.hpp), also
+/// when one is for another family.
 std::vector<FlashRegion> regions_of(std::span<const std::byte> file, std::uint32_t family = rp2040_family);
 
 }

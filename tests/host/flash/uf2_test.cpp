@@ -106,7 +106,9 @@ TEST_CASE("an empty region has no sector")
 TEST_CASE("the last sector of 32 bits can be written")
 {
     const std::array last{region(0xFFFF'F000, 4096, std::byte{9})};
-    CHECK(std::ranges::equal(regions_of(uf2_of(last)), last));
+    constexpr std::uint32_t other_family = 0x1234'5678;
+    CHECK(std::ranges::equal(regions_of(uf2_of(last, other_family), other_family), last));
+    CHECK_THROWS_AS(regions_of(uf2_of(last)), std::invalid_argument);
 }
 
 TEST_CASE("regions that cannot be written are refused")
@@ -131,17 +133,18 @@ TEST_CASE("a malformed file is refused with the block and the reason")
     check_refused(std::span{whole}.first(700),
                   "a UF2 file is made of blocks of 512 bytes; this one has 700 bytes");
     check_refused(std::span{whole}.first(512 * 15),
-                  "block 0: it says that the file has 16 blocks, but it has 15");
+                  "block 0: it says that there are 16 blocks for its chips, but there are 15");
     for (const std::size_t magic : {0U, 4U, 508U})
         check_refused(spoiled(512 * 3 + magic, 7),
                       "block 3: it does not begin and end as a block of a UF2 file");
-    check_refused(spoiled(8, 1), "block 0: it is not for flash, or part of a stored file");
-    check_refused(spoiled(9, 0x30), "block 0: it is not for flash, or part of a stored file");
+    check_refused(spoiled(8, 1), "block 0: it is not for flash, so that an RP2040 leaves it out");
+    check_refused(spoiled(9, 0x30), "block 0: it is part of a stored file");
     check_refused(spoiled(9, 0), "block 0: it does not say which chip family it is for");
     check_refused(spoiled(512 + 12, 0x80), "block 1: its address 0x10000180 is no multiple of 256");
-    check_refused(spoiled(512 + 13, 0), "block 1: another block has written to 0x10000000 before");
-    check_refused(spoiled(16, 4), "block 0: it carries 260 bytes where 256 are usual");
-    check_refused(spoiled(512 * 15 + 20, 14), "block 15: it calls itself block 14");
+    check_refused(spoiled(512 + 13, 0), "block 1: it writes to 0x10000000, as block 0 has done before");
+    check_refused(spoiled(16, 4), "block 0: it carries 260 bytes where an RP2040 takes 256 alone");
+    check_refused(spoiled(512 * 15 + 20, 14),
+                  "block 15: it calls itself block 14 where block 15 should come");
     check_refused(spoiled(512 * 2 + 28, 0x57),
                   "block 2: it is for the chip family 0xe48bff57, not 0xe48bff56");
 }

@@ -1,0 +1,73 @@
+#include "host/atomic_file.hpp"
+#include "host/commands/flash_contents.hpp"
+#include "host/commands/output_path.hpp"
+#include "host/commands/uf2_commands.hpp"
+#include "host/config/config_input.hpp"
+#include "host/config/firmware_file.hpp"
+#include "host/failure.hpp"
+#include "host/flash/uf2.hpp"
+#include "host/scene_file.hpp"
+
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace kfast {
+namespace {
+
+struct Options {
+    std::string firmware;
+    std::string config;
+    std::string scene;
+    std::string output;
+};
+
+FlashContents contents_of(const Options& options)
+{
+    std::optional<NamedFirmware> firmware;
+    if (!options.firmware.empty())
+        firmware = {config::load_firmware(options.firmware), options.firmware};
+    std::optional<NamedSettings> settings;
+    if (!options.config.empty())
+        settings = {config::chosen_settings(options.config), options.config};
+    std::optional<SceneFile> scene;
+    if (!options.scene.empty())
+        scene.emplace(load_scene(options.scene));
+    const auto part = [](auto& chosen) { return chosen ? &*chosen : nullptr; };
+    return flash_contents({part(firmware), part(settings), part(scene), options.scene});
+}
+
+void pack(const Options& options)
+{
+    if (options.firmware.empty() && options.config.empty() && options.scene.empty())
+        throw CLI::RequiredError("one of --firmware, --config and --scene");
+    std::filesystem::path output = options.output;
+    if (output.extension() != ".uf2")
+        throw CLI::ValidationError("--output",
+                                   "'" + options.output + "': the drive of a Pico takes .uf2 files alone");
+    const FlashContents contents = contents_of(options);
+    for (const std::string* input : {&options.firmware, &options.config, &options.scene})
+        output = output_path(output, *input, "file that is read");
+    write_file(output, uf2_of(contents.regions));
+    std::cout << output.string() << ": " << contents.words
+              << "\nHold BOOTSEL while you plug the Pico in, and copy the file to the drive RPI-RP2.\n";
+}
+
+}
+
+void declare_uf2_pack(CLI::App& app)
+{
+    const auto options = std::make_shared<Options>();
+    app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
+    app.add_option("--config", options->config, "As for 'kfast config': a ready configuration or a file")
+        ->type_name("INPUT");
+    app.add_option("--scene", options->scene, "A scene text (.kfast) or compiled scene (.kfb)")
+        ->type_name("FILE");
+    app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
+    app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
+               "build/pico/pico-spi.bin "
+               "--config pico-st7789 --scene eyes.kfast -o eyes.uf2");
+    app.callback([options] { pack(*options); });
+}
+
+}
