@@ -11,6 +11,7 @@
 #include "host/text/suggestion.hpp"
 
 #include <array>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -50,6 +51,16 @@ FlashOrder order_of(const Options& options)
     return order;
 }
 
+std::optional<Failure> failure_of(const std::function<void()>& act)
+{
+    try {
+        act();
+        return std::nullopt;
+    } catch (const Failure& failure) {
+        return failure;
+    }
+}
+
 /// A scene that was flashed and does not play was refused by the player.
 void require_playing(const FlashPlan& plan, const PlayerOutcome& player)
 {
@@ -76,10 +87,13 @@ void flash(const Options& options)
     if (is_told)
         std::cout << flash_text(outcome, order.purpose) << std::flush;
     std::optional<PlayerOutcome> player;
+    std::optional<Failure> failure;
     if (outcome.restarted && order.purpose == FlashPurpose::write && !options.no_wait)
-        player = job.await_player();
+        failure = failure_of([&] { player = job.await_player(); });
     if (options.talk.json)
-        std::cout << json_text(flash_json(outcome, player));
+        std::cout << json_text(flash_json(outcome, player)) << std::flush;
+    if (failure)
+        throw Failure{*failure};
     if (!player)
         return;
     if (is_told)

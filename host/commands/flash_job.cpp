@@ -178,6 +178,7 @@ FlashOutcome FlashJob::run_on(const BootBoard& board)
         return run_on(*drive);
     }
     FlashOutcome outcome = run_with(*boot_loader);
+    outcome.serial = asked_;
     outcome.port = board.port;
     return outcome;
 }
@@ -265,8 +266,10 @@ FlashOutcome FlashJob::run_on(const Uf2Drive& drive)
                       ExitStatus::wrong_usage};
     const FlashContents contents = plan_.contents_for(std::nullopt);
     const FlashImage image{contents.regions};
-    FlashOutcome outcome{
-        .contents = contents.words, .addresses = addresses_of(image), .drive = drive.folder.string()};
+    FlashOutcome outcome{.contents = contents.words,
+                         .addresses = addresses_of(image),
+                         .serial = asked_,
+                         .drive = drive.folder.string()};
     if (order_.purpose == FlashPurpose::dry_run)
         return outcome;
     remember_devices();

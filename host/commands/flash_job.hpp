@@ -27,6 +27,7 @@ struct FlashOrder {
 struct FlashOutcome {
     std::string contents;                 ///< in words
     std::vector<std::uint32_t> addresses; ///< of the sectors of these
+    std::string serial = {};              ///< of the player that was left for this; empty: none was
     std::string port = {};                ///< of the boot loader; empty: none was used
     std::string drive = {};               ///< the folder; empty: none was used
     /// Addresses of sectors that held something else; nothing if that is not known.

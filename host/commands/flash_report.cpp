@@ -31,8 +31,15 @@ std::string place_words(const FlashOutcome& outcome)
     return outcome.port.empty() ? "" : "the board at " + visible(outcome.port);
 }
 
+std::string holds_all(const FlashOutcome& outcome)
+{
+    return place_words(outcome) + " holds all of it already\n";
+}
+
 std::string dry_text(const FlashOutcome& outcome)
 {
+    if (outcome.differing && outcome.differing->empty())
+        return holds_all(outcome);
     if (outcome.differing)
         return "to be written to " + place_words(outcome) +
                ", as flash holds something else there: " + counted(outcome.differing->size(), "sector") +
@@ -47,7 +54,7 @@ std::string written_text(const FlashOutcome& outcome)
     if (!outcome.drive.empty())
         return "copied to " + place_words(outcome) + ", which cannot be verified\n";
     if (outcome.written == 0)
-        return place_words(outcome) + " holds all of it already\n";
+        return holds_all(outcome);
     return counted(outcome.written, "sector") + " written to " + place_words(outcome) + " and verified\n";
 }
 
@@ -89,7 +96,7 @@ Json flash_json(const FlashOutcome& outcome, const std::optional<PlayerOutcome>&
         {"written", outcome.written},
         {"verified", outcome.verified},
         {"restarted", outcome.restarted},
-        {"serial", player ? Json(player->name) : Json()},
+        {"serial", player ? Json(player->name) : or_null(outcome.serial)},
         {"left_slot", player && player->left_slot ? Json(*player->left_slot) : Json()},
         {"plays", player ? playing_json(player->playing) : Json()},
     };

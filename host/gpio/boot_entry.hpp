@@ -17,7 +17,6 @@ struct BootLines {
 ///
 /// Takes an eighth of a second. A signal meanwhile should only be remembered (RememberedInterruption): one
 /// that ends the program leaves lines as they are.
-/// that ends the program leaves lines as they are.
 ///
 /// Throws Failure as GpioOutputs does.
 void enter_boot_loader(const BootLines& lines);

@@ -7,11 +7,11 @@ import unittest
 import zlib
 
 from command_case import ROOT, CommandTest
+from pretend_firmware import MARK, firmware
 
 READY = ["pico-st7789", "pico-ili9341", "pico-gc9a01", "pico-ssd1306", "pico-ssd1306-i2c", "pico-ili9341-parallel"]
 SETTINGS = 0x1003F000
 SCENE = 0x10040000
-MARK = 0x1A8  # of an image
 FAMILY = 0xE48BFF56
 
 GADGET = """board pico {
@@ -70,23 +70,6 @@ def memory(uf2):
     for address, payload in blocks(uf2):
         sectors.setdefault(address // 4096 * 4096, bytearray()).extend(payload)
     return sectors
-
-
-def mpeg2_crc(data):
-    state = 0xFFFFFFFF
-    for byte in data:
-        state ^= byte << 24
-        for _ in range(8):
-            state = (state << 1 ^ (0x04C11DB7 if state >> 31 else 0)) & 0xFFFFFFFF
-    return state
-
-
-def firmware(size, mark=b"KFPI\0\0\0\0", length=None):
-    """Bytes that a Pico would start; they say that they are for SPI, and how many they are."""
-    code = bytes(index % 251 for index in range(252))
-    image = code + struct.pack("<I", mpeg2_crc(code)) + bytes(range(256)) * (size // 256)
-    image = image[:MARK] + mark + image[MARK + len(mark):]
-    return (image[:MARK + 8] + struct.pack("<I", size if length is None else length) + image[MARK + 12:])[:size]
 
 
 class ConfigTest(CommandTest):

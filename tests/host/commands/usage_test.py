@@ -10,7 +10,7 @@ class UsageTest(CommandTest):
     def test_help_everywhere(self):
         example = re.search(r"Example:\n  kfast preview (\S+)", self.run_kfast("--help").stdout)
         self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
-        for command in ("compile", "check", "info", "render", "preview", "hash", "export", "config", "wiring", "uf2 pack",
+        for command in ("compile", "check", "info", "render", "preview", "hash", "export", "config", "wiring", "uf2 pack", "flash",
                         "devices", "play", "live", "pause", "resume", "seek", "speed", "brightness", "upload", "slots",
                         "choose", "erase", "boot"):
             self.assertIn(f"  kfast {command} ", self.run_kfast(*command.split(), "--help").stdout)
