@@ -6,7 +6,7 @@
 #include "host/commands/play_options.hpp"
 #include "host/commands/wired_panel_options.hpp"
 #include "host/config/mistake_text.hpp"
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/picture/player_source.hpp"
 #include "host/scene_file.hpp"
 #include "host/wired/panel_show.hpp"

@@ -1,6 +1,6 @@
 #include "host/wired/steady_clock.hpp"
 
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 
 #include <cstdint>
 #include <ctime>

@@ -3,7 +3,7 @@
 #include "firmware/panel_choice.hpp"
 #include "firmware/panel_reset.hpp"
 #include "firmware/run.hpp"
-#include "host/link/interruption.hpp"
+#include "host/interruption.hpp"
 #include "host/wired/panel_lines.hpp"
 #include "host/wired/panel_show.hpp"
 #include "host/wired/steady_clock.hpp"
