@@ -164,7 +164,7 @@ public:
     std::vector<std::byte> completing(const FlashImage::Sector& sector)
     {
         std::vector<std::byte> step = writing(sector);
-        std::ranges::rotate(step, step.begin() + Uf2Block::bytes);
+        std::rotate(step.begin(), step.begin() + Uf2Block::bytes, step.end());
         return step;
     }
 
