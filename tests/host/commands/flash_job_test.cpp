@@ -422,8 +422,12 @@ TEST_CASE("a slot that would play gives way to the scene that was flashed")
     Flasher flasher;
     DeskPico& pico = flasher.running("1-2");
     pico.plays_slot = true;
+    const auto scene = padded_scene(500, 1);
+    REQUIRE(pico.player.upload(LinkBench::begin_for_slot(2, "eyes", scene), scene, 3).status == Status::ok);
+    REQUIRE(pico.player.does(link::ChooseSlot{2}));
     const PlayerOutcome player = flasher.run_and_wait();
     CHECK(player.left_slot == 2);
+    CHECK(!pico.player.ask<link::SlotContents>(link::AskSlot{2}).is_chosen);
     CHECK(player.playing.home == link::Home::built_in);
     CHECK(pico.player.device.programme.home == link::Home::built_in);
 

@@ -174,6 +174,16 @@ class DriveTest(FlashTest):
         self.assertIn("which display the board has is not known", self.flash("once.kfast", *drive).stderr)
         self.assertNotIn("is not known", self.flash("once.kfast", *drive, "--no-firmware").stderr)
 
+    def test_pins_are_changed(self):
+        self.flash("--panel", "st7789", "--pin", "tearing=22", "--pin", "dc=8", "--pin", "backlight=none", *self.drive())
+        sector = replayed((self.folder / "drive/KFAST.UF2").read_bytes())[0x1003F000]
+        (self.folder / "settings.bin").write_bytes(sector)
+        told = self.run_kfast("config", "settings.bin").stdout
+        for part in ("dc=8", "tearing=22", "reset=20"):
+            self.assertIn(part, told)
+        self.assertNotIn("backlight", told)
+        self.assertNotIn("tearing=#false", told, "the display tells where somebody listens")
+
     def test_it_cannot_be_verified(self):
         drive = self.drive()
         self.refuse("flash", *drive, "--verify-only", environment=self.images, status=2, says="a drive does not tell what lies")
