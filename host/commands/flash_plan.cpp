@@ -18,6 +18,7 @@
 namespace kfast {
 namespace {
 
+/// In the order of BusKind.
 constexpr std::array buses{BusKind::spi, BusKind::i2c, BusKind::parallel_8};
 
 NamedSettings usual_settings(BusKind bus)
@@ -31,14 +32,23 @@ NamedFirmware loaded(const std::filesystem::path& file)
     return {config::load_firmware(file), file.string()};
 }
 
-std::vector<NamedFirmware> firmwares_of(const PlanWish& wish, std::span<const std::filesystem::path> images)
+/// Those that it may come down to.
+std::vector<BusKind> buses_of(const SettingsChoice& settings)
+{
+    if (settings.is_made() && !settings.changes_board())
+        return {settings.on(std::nullopt)->settings.bus};
+    return {buses.begin(), buses.end()};
+}
+
+std::vector<NamedFirmware> firmwares_of(const PlanWish& wish, const SettingsChoice& settings,
+                                        std::span<const std::filesystem::path> images)
 {
     if (wish.no_firmware)
         return {};
     if (!wish.firmware.empty())
         return {loaded(wish.firmware)};
     std::vector<NamedFirmware> all;
-    for (const BusKind bus : buses)
+    for (const BusKind bus : buses_of(settings))
         all.push_back(loaded(config::image_for(bus, images)));
     return all;
 }
@@ -78,13 +88,13 @@ void require_firmware_on(const FoundOnBoard& found, const NamedSettings& setting
 }
 
 FlashPlan::FlashPlan(const PlanWish& wish, std::span<const std::filesystem::path> images)
-    : scene_name_{wish.scene}, is_image_told_{!wish.firmware.empty()}, settings_{wish.settings}
+    : scene_name_{wish.scene}, settings_{wish.settings}
 {
     if (wish.no_firmware && wish.scene.empty() && !settings_.is_made())
         throw CLI::RequiredError("with --no-firmware, a scene or settings (--config, --panel, --pin)");
     if (!wish.scene.empty())
         scene_.emplace(load_scene(wish.scene));
-    firmwares_ = firmwares_of(wish, images);
+    firmwares_ = firmwares_of(wish, settings_, images);
     if (settings_.is_made() && !settings_.changes_board())
         told_ = checked_contents(std::nullopt);
     else
@@ -95,9 +105,7 @@ const NamedFirmware* FlashPlan::firmware_for(BusKind bus) const
 {
     if (firmwares_.empty())
         return nullptr;
-    return &firmwares_[is_image_told_
-                           ? 0
-                           : static_cast<std::size_t>(std::ranges::find(buses, bus) - buses.begin())];
+    return depends_on_bus() ? &firmwares_[static_cast<std::size_t>(bus)] : &firmwares_.front();
 }
 
 NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& told,
@@ -107,7 +115,7 @@ NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& told,
         return *told;
     if (found && found->settings)
         return {*found->settings, "the board"};
-    const auto bus = is_image_told_ ? config::marked_bus(firmwares_.front().image) : std::nullopt;
+    const auto bus = firmwares_.size() == 1 ? config::marked_bus(firmwares_.front().image) : std::nullopt;
     return usual_settings(bus.value_or(BusKind::spi));
 }
 
@@ -139,7 +147,7 @@ FlashContents FlashPlan::contents_for(const std::optional<FoundOnBoard>& found) 
     FlashContents contents = told_ ? *told_ : checked_contents(found);
     if (firmwares_.empty() && found)
         require_firmware_on(*found, effective(settings_.on(found->settings), found));
-    if (!found && !settings_.is_made() && !firmwares_.empty() && !is_image_told_)
+    if (!found && !settings_.is_made() && depends_on_bus())
         std::cerr << "kfast: warning: which display the board has is not known, so the firmware is that for "
                   << config::default_configuration(BusKind::spi) << ": name yours with --panel or --config\n";
     return contents;

@@ -48,6 +48,7 @@ public:
     void require_room_with(std::string_view panel, Size size) const;
 
 private:
+    bool depends_on_bus() const { return firmwares_.size() > 1; }
     const NamedFirmware* firmware_for(BusKind bus) const;
     NamedSettings effective(const std::optional<NamedSettings>& told,
                             const std::optional<FoundOnBoard>& found) const;
@@ -57,8 +58,7 @@ private:
 
     std::string scene_name_;
     std::optional<SceneFile> scene_;
-    bool is_image_told_;                   ///< there is one firmware, whatever the bus
-    std::vector<NamedFirmware> firmwares_; ///< else by bus, or none
+    std::vector<NamedFirmware> firmwares_; ///< none, one, or those for all buses in the order of BusKind
     SettingsChoice settings_;
     std::optional<FlashContents> told_; ///< if it does not depend on the board
 };

@@ -368,6 +368,7 @@ TEST_CASE("nothing is asked of a board before all is checked")
     }
     SUBCASE("an image that is missing")
     {
+        flasher.wish.settings = {};
         std::filesystem::remove(flasher.images.file(BusKind::parallel_8));
         CHECK(has(flasher.refusal(), "1: there is no pico-parallel.bin in "));
     }
