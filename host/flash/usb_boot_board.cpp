@@ -126,7 +126,12 @@ std::string serial_of(const Device& device)
 }
 
 /// The number or length that it is, unless it is an error.
-int checked(int result) { return result < 0 ? (fail(result), 0) : result; }
+int checked(int result)
+{
+    if (result < 0)
+        fail(result);
+    return result;
+}
 
 struct Endpoints {
     std::uint8_t interface = 0;
