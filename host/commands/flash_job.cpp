@@ -45,18 +45,12 @@ FoundOnBoard found_on(BootLoader& boot_loader)
     return found;
 }
 
-/// The same failure, with what somebody should know besides.
-template <class Act>
-void with_advice(const std::string& advice, const Act& act)
+Failure with_advice(const Failure& failure, const std::string& advice)
 {
-    try {
-        act();
-    } catch (const Failure& failure) {
-        throw Failure{failure.what() + advice, failure.status()};
-    }
+    return Failure{failure.what() + ("\n" + advice), failure.status()};
 }
 
-constexpr const char* half_flashed = "\nThe board does not start what was not written to the end. Plug it in "
+constexpr const char* half_flashed = "The board does not start what was not written to the end. Plug it in "
                                      "again if it was unplugged; the same command once more repairs it";
 
 std::vector<std::uint32_t> addresses_of(const FlashImage& image)
@@ -137,12 +131,22 @@ FlashOutcome FlashJob::run_on(const DeviceAddress& device)
 
 void FlashJob::ask_to_leave(const DeviceAddress& address)
 {
-    with_advice(std::string{"\nOr let it enter its boot loader by hand: "} + boot_loader_by_hand, [&] {
-        RemoteDevice device = bench_.open_device(address, order_.last_patience);
-        const auto names = device.session().ask<link::Names>(link::AskNames{});
-        plan_.require_room_with(names.panel.view(), device.capabilities().panel);
-        device.session().order(link::EnterBootLoader{});
-    });
+    RemoteDevice device = player_at(address);
+    const auto names = device.session().ask<link::Names>(link::AskNames{});
+    plan_.require_room_with(names.panel.view(), device.capabilities().panel);
+    device.session().order(link::EnterBootLoader{});
+}
+
+RemoteDevice FlashJob::player_at(const DeviceAddress& address)
+{
+    try {
+        return bench_.open_device(address, order_.last_patience);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Failure& failure) {
+        throw with_advice(failure,
+                          std::string{"Or let it enter its boot loader by hand: "} + boot_loader_by_hand);
+    }
 }
 
 BootBoard FlashJob::await_boot_loader(const std::vector<BootBoard>& before)
@@ -229,8 +233,11 @@ void FlashJob::write(BootLoader& boot_loader, const FlashImage& image,
                      const std::vector<std::size_t>& differing, FlashOutcome& outcome)
 {
     is_written_ = !differing.empty();
-    with_advice(is_written_ ? half_flashed : "",
-                [&] { write_sectors(boot_loader, image, differing, tell_); });
+    try {
+        write_sectors(boot_loader, image, differing, tell_);
+    } catch (const Failure& failure) {
+        throw with_advice(failure, half_flashed);
+    }
     outcome.written = written_sectors(differing);
     outcome.verified = true;
 }
@@ -273,7 +280,11 @@ FlashOutcome FlashJob::run_on(const Uf2Drive& drive)
     if (order_.purpose == FlashPurpose::dry_run)
         return outcome;
     remember_devices();
-    with_advice(half_flashed, [&] { bench_.copy_to_drive(drive, image, tell_); });
+    try {
+        bench_.copy_to_drive(drive, image, tell_);
+    } catch (const Failure& failure) {
+        throw with_advice(failure, half_flashed);
+    }
     outcome.written = outcome.addresses.size();
     outcome.restarted = true;
     return outcome;

@@ -70,6 +70,7 @@ private:
 
     BootBoard entered_by_lines();
     void ask_to_leave(const DeviceAddress& address);
+    RemoteDevice player_at(const DeviceAddress& address);
     BootBoard await_boot_loader(const std::vector<BootBoard>& before);
     std::unique_ptr<BootLoader> opened(const BootBoard& board);
     void write(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& differing,

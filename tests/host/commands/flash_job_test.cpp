@@ -351,6 +351,17 @@ TEST_CASE("permissions that udev sets a moment later are waited for")
     CHECK(flasher.refusal() == "4: you may not");
 }
 
+TEST_CASE("a player that cannot be asked may be left by hand")
+{
+    Flasher flasher;
+    DeskPico& pico = flasher.running("1-2");
+    pico.forbidden = 1;
+    CHECK(flasher.refusal() ==
+          "4: you may not\nOr let it enter its boot loader by hand: hold BOOTSEL while you "
+          "plug the Pico in, and ask again");
+    CHECK(pico.starts == 1);
+}
+
 TEST_CASE("nothing is asked of a board before all is checked")
 {
     Flasher flasher;
@@ -364,7 +375,9 @@ TEST_CASE("nothing is asked of a board before all is checked")
     {
         flasher.wish.scene = flasher.images.text("large.kfast", large_scene);
         flasher.wish.settings = {};
-        CHECK(has(flasher.refusal(), "7: " + flasher.wish.scene + ": does not fit pico\n  "));
+        const std::string refusal = flasher.refusal();
+        CHECK(has(refusal, "7: " + flasher.wish.scene + ": does not fit pico\n  "));
+        CHECK(!has(refusal, "by hand"));
     }
     SUBCASE("an image that is missing")
     {
@@ -422,8 +435,12 @@ TEST_CASE("a slot that would play gives way to the scene that was flashed")
     Flasher flasher;
     DeskPico& pico = flasher.running("1-2");
     pico.plays_slot = true;
+    const auto scene = padded_scene(500, 1);
+    REQUIRE(pico.player.upload(LinkBench::begin_for_slot(2, "eyes", scene), scene, 3).status == Status::ok);
+    REQUIRE(pico.player.does(link::ChooseSlot{2}));
     const PlayerOutcome player = flasher.run_and_wait();
     CHECK(player.left_slot == 2);
+    CHECK(!pico.player.ask<link::SlotContents>(link::AskSlot{2}).is_chosen);
     CHECK(player.playing.home == link::Home::built_in);
     CHECK(pico.player.device.programme.home == link::Home::built_in);
 

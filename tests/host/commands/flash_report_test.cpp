@@ -85,7 +85,7 @@ TEST_CASE("programs are told all of it")
     CHECK(json["port"] == "1-2");
     CHECK(json["drive"].is_null());
     CHECK(json["sectors"] == 3);
-    CHECK(json["differing"] == nlohmann::json{0x1004'0000});
+    CHECK(json["differing"].dump() == "[268697600]"); // 0x1004'0000
     CHECK(json["written"] == 2);
     CHECK(json["verified"] == true);
     CHECK(json["restarted"] == true);

@@ -2,10 +2,13 @@
 folders. No board that is plugged in where this runs may be written to."""
 
 import json
+import os
+import pty
 import struct
+import subprocess
 import unittest
 
-from command_case import ROOT, CommandTest
+from command_case import KFAST, ROOT, CommandTest
 from pretend_firmware import firmware
 
 NOWHERE = ("--port", "9-9.9.9")  # no board is there
@@ -169,10 +172,31 @@ class DriveTest(FlashTest):
         scene = (self.folder / "once.kfb").read_bytes()
         self.assertEqual(flash[0x10040000][:len(scene)], scene)
 
+    def test_a_bar_on_a_terminal(self):
+        terminal, end = pty.openpty()
+        self.addCleanup(os.close, terminal)
+        subprocess.run([KFAST, "flash", "--panel", "st7789", *self.drive()], cwd=self.folder, stdout=subprocess.PIPE,
+                       stderr=end, env={**os.environ, **self.images}, timeout=120, check=True)
+        os.close(end)
+        told = os.read(terminal, 100_000).decode()
+        self.assertIn("\rwriting   [", told)
+        self.assertIn("100 %", told)
+        self.assertRegex(told, r"\r +\r$", "the bar goes away")
+
     def test_a_display_that_is_not_known_is_warned_of(self):
         drive = self.drive()
         self.assertIn("which display the board has is not known", self.flash("once.kfast", *drive).stderr)
         self.assertNotIn("is not known", self.flash("once.kfast", *drive, "--no-firmware").stderr)
+
+    def test_pins_are_changed(self):
+        self.flash("--panel", "st7789", "--pin", "tearing=22", "--pin", "dc=8", "--pin", "backlight=none", *self.drive())
+        sector = replayed((self.folder / "drive/KFAST.UF2").read_bytes())[0x1003F000]
+        (self.folder / "settings.bin").write_bytes(sector)
+        told = self.run_kfast("config", "settings.bin").stdout
+        for part in ("dc=8", "tearing=22", "reset=20"):
+            self.assertIn(part, told)
+        self.assertNotIn("backlight", told)
+        self.assertNotIn("tearing=#false", told, "the display tells where somebody listens")
 
     def test_it_cannot_be_verified(self):
         drive = self.drive()
