@@ -181,9 +181,10 @@ FlashOutcome FlashJob::run_on(const BootBoard& board)
         std::cerr << "kfast: warning: " << failure.what() << "\nThe drive of the board is used instead.\n";
         return run_on(*drive);
     }
+    port_ = board.port;
     FlashOutcome outcome = run_with(*boot_loader);
     outcome.serial = asked_;
-    outcome.port = board.port;
+    outcome.port = port_;
     return outcome;
 }
 
@@ -251,8 +252,21 @@ void FlashJob::leave(BootLoader& boot_loader, FlashOutcome& outcome)
         return;
     }
     remember_devices();
-    boot_loader.restart();
+    restart(boot_loader);
     outcome.restarted = true;
+}
+
+/// A boot loader stays for a moment after it has said that it restarts. Who looks for boards then is not to
+/// find it.
+void FlashJob::restart(BootLoader& boot_loader)
+{
+    boot_loader.restart();
+    const auto is_there = [&] {
+        const auto boards = bench_.boards_in_boot_loader();
+        return std::ranges::find(boards, port_, &BootBoard::port) != boards.end();
+    };
+    for (const Milliseconds end = bench_.now() + noticing; bench_.now() < end && is_there();)
+        bench_.wait(between_looks);
 }
 
 void FlashJob::let_play_again(BootLoader& boot_loader)
@@ -260,7 +274,7 @@ void FlashJob::let_play_again(BootLoader& boot_loader)
     if (!has_just_come_)
         return;
     try {
-        boot_loader.restart();
+        restart(boot_loader);
     } catch (const Failure&) { // what went wrong before is what somebody should know
     }
 }

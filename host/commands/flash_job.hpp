@@ -76,6 +76,7 @@ private:
     void write(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& differing,
                FlashOutcome& outcome);
     void leave(BootLoader& boot_loader, FlashOutcome& outcome);
+    void restart(BootLoader& boot_loader);
     void let_play_again(BootLoader& boot_loader);
     void remember_devices();
     bool is_new(const DeviceAddress& device) const;
@@ -86,6 +87,7 @@ private:
     const FlashPlan& plan_;
     const FlashOrder& order_;
     const TellFlashing& tell_;
+    std::string port_;              ///< of the boot loader
     std::string asked_;             ///< the serial number of the device that has left its player for this
     bool has_just_come_ = false;    ///< the boot loader, for which udev may still have to do something
     bool is_written_ = false;       ///< or half of it is

@@ -9,13 +9,13 @@ SERVER = pathlib.Path(__file__).resolve().parent / "usbip" / "serve.mjs"
 
 
 class ServedPico:
-    """Boots `image` and plugs it in; usbip/serve.mjs has the options. What would not work on hardware is an
-    AssertionError at the end of `with`, at the latest."""
+    """Boots `image` and plugs it in; if that is None its flash is empty and it is in its boot loader. usbip/serve.mjs has
+    the options. What would not work on hardware is an AssertionError at the end of `with`, at the latest."""
 
     def __init__(self, image, *options):
-        expect(pathlib.Path(image).is_file(), f"{image} is missing: build the preset pico first")
-        self._server = subprocess.Popen(["node", SERVER, *map(str, (image, *options))], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        expect(image is None or pathlib.Path(image).is_file(), f"{image} is missing: build the preset pico first")
+        self._server = subprocess.Popen(["node", SERVER, *map(str, (image or "--blank", *options))],
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.port = self._line().removeprefix("port ")
 
     @property

@@ -15,6 +15,8 @@ const silentBytes = 4;
  */
 export class FlashChip {
     #sent = [];
+    /** Bits that have worn out and read as 0: offsets and masks. */
+    #stuck = new Map();
 
     /**
      * @param {Uint8Array} memory its contents, which change when it is written
@@ -23,6 +25,12 @@ export class FlashChip {
     constructor(memory, number = uniqueId) {
         this.memory = memory;
         this.number = number;
+    }
+
+    /** From now on the bits of `mask` in the byte at `offset` are 0, whatever is done. */
+    stick(offset, mask) {
+        this.#stuck.set(offset, mask);
+        this.#wearOut();
     }
 
     /** A command begins. */
@@ -43,6 +51,7 @@ export class FlashChip {
         if (offset % sectorBytes || count % sectorBytes || offset + count > this.memory.length)
             fail(`flash: ${hex(count)} bytes at ${hex(offset)} cannot be erased: they are not whole sectors of it`);
         this.memory.fill(0xff, offset, offset + count);
+        this.#wearOut();
     }
 
     /** Bits can be cleared, not set. */
@@ -50,5 +59,18 @@ export class FlashChip {
         if (offset % pageBytes || bytes.length % pageBytes || offset + bytes.length > this.memory.length)
             fail(`flash: ${hex(bytes.length)} bytes at ${hex(offset)} cannot be programmed: they are not whole pages`);
         bytes.forEach((byte, i) => (this.memory[offset + i] &= byte));
+    }
+
+    /** Something broke off that changed these bytes: nobody can tell what they are. */
+    spoil(offset, count) {
+        for (let i = offset, seed = offset; i < offset + count; ++i) {
+            seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+            this.memory[i] = seed >>> 24;
+        }
+        this.#wearOut();
+    }
+
+    #wearOut() {
+        this.#stuck.forEach((mask, offset) => (this.memory[offset] &= ~mask));
     }
 }

@@ -37,6 +37,8 @@ export function textOf(descriptor) {
 export class UsbHost {
     /** How often a device that had nothing, or no room, was asked in vain. */
     naks = 0;
+    /** Interrupt endpoints have one. */
+    turnsPerFrame = 1;
 
     #address = 0;
     #toggles = new Map();
@@ -49,6 +51,14 @@ export class UsbHost {
 
     get unit() {
         return this.board.mcu.usbCtrl;
+    }
+
+    get attached() {
+        return this.unit.attached;
+    }
+
+    get nanos() {
+        return this.board.nanos;
     }
 
     run(nanos) {

@@ -39,7 +39,8 @@ export const wiringUsage = `\
   --absent FROM-TO        it does not answer from one millisecond to another; may be repeated
   --te MICROSECONDS       the glass shows a picture every so often and its TE line tells; else it is not wired`;
 
-function parsed(text, pattern, option) {
+/** The numbers in an option's text. */
+export function parsed(text, pattern, option) {
     const match = pattern.exec(text) ?? fail(`--${option} ${text}: no such value`);
     return match.slice(1).map(Number);
 }

@@ -22,7 +22,7 @@ export class PluggedBoard {
 
     #transfers = [];
 
-    /** @param host of a board that was not started yet */
+    /** @param host what is plugged in, and not started yet: a UsbHost, or a BootLoader */
     constructor(host) {
         this.host = host;
     }
@@ -31,12 +31,14 @@ export class PluggedBoard {
     frame() {
         const { host } = this;
         host.nextFrame();
-        if (!host.unit.attached)
+        if (!host.attached)
             return this.#leave();
         if (!this.identity)
             return this.#setUp();
         this.#control();
-        return this.#interrupt();
+        for (let turn = 0; turn < host.turnsPerFrame && host.attached; ++turn)
+            this.#takeTurns();
+        return undefined;
     }
 
     submit(transfer) {
@@ -89,8 +91,7 @@ export class PluggedBoard {
         }
     }
 
-    /** Every endpoint has its turn once in a frame. */
-    #interrupt() {
+    #takeTurns() {
         for (const transfer of firstOfEach(this.#transfers, ({ endpoint }) => 2 * endpoint.number + endpoint.isIn))
             (transfer.endpoint.isIn ? this.#ask(transfer) : this.#send(transfer));
     }

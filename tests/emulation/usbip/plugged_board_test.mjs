@@ -11,7 +11,8 @@ const configuration = Uint8Array.of(9, 2, 41, 0, 1, 1, 0, 0x80, 50, 9, 4, 0, 0, 
 
 /** Says what it is told to say, and keeps what it was told. */
 class FakeHost {
-    unit = { attached: false };
+    attached = false;
+    turnsPerFrame = 1;
     frames = 0;
     resets = 0;
     toGive = [];
@@ -37,7 +38,7 @@ class FakeHost {
 function plugged() {
     const host = new FakeHost();
     const board = new PluggedBoard(host);
-    host.unit.attached = true;
+    host.attached = true;
     board.frame();
     return { host, board };
 }
@@ -59,7 +60,7 @@ test('a board is known when it has plugged itself in, and not before', () => {
     const board = new PluggedBoard(new FakeHost());
     frames(board, 3);
     assert.equal(board.identity, undefined);
-    board.host.unit.attached = true;
+    board.host.attached = true;
     board.frame();
     assert.deepEqual(board.identity, { vendor: 0x1209, product: 1, release: 0x1234, kind: Uint8Array.of(9, 8, 7),
         configurations: 1, interfaces: [Uint8Array.of(3, 5, 6)] });
@@ -71,10 +72,10 @@ test('a board that leaves by itself is told once, with all that waits for it, an
     let left = 0;
     board.onGone = () => ++left;
     const transfer = submitted(board, { isIn: true });
-    host.unit.attached = false;
+    host.attached = false;
     frames(board, 2);
     assert.deepEqual([left, board.identity, transfer.ending], [1, undefined, undefined]);
-    host.unit.attached = true;
+    host.attached = true;
     host.toGive = [packet(64)];
     frames(board, 2);
     assert.ok(board.identity);

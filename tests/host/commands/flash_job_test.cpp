@@ -471,6 +471,23 @@ TEST_CASE("verifying alone writes nothing")
     CHECK(!pico.boot_loader.changed);
 }
 
+TEST_CASE("a boot loader that restarts is not there any more for who looks next")
+{
+    Flasher flasher;
+    DeskPico& pico = flasher.running("1-2");
+    SUBCASE("after a comparison")
+    {
+        flasher.run();
+        flasher.order.purpose = FlashPurpose::verify_only;
+    }
+    SUBCASE("after writing") {}
+    pico.lingers = 4;
+    const int starts = pico.starts;
+    flasher.run();
+    CHECK(pico.state == State::running);
+    CHECK(pico.starts == starts + 1);
+}
+
 TEST_CASE("a dry run tells what would be written, and touches nothing")
 {
     Flasher flasher;

@@ -36,6 +36,11 @@ struct DeskPico {
         player.device.now.slot = plays_slot ? std::uint8_t{2} : link::no_slot;
         ++starts;
     }
+    void leave()
+    {
+        is_leaving = false;
+        start();
+    }
     bool has_scene() { return static_cast<bool>(SceneView::parse(flash.read(pico_flash::scene, 0x10000))); }
 
     std::string port;
@@ -48,6 +53,8 @@ struct DeskPico {
     bool plays_slot = false; ///< the slot 2
     bool is_deaf = false;    ///< stays in its player, whatever it is told
     int starts = 0;
+    int lingers = 0; ///< how often it is still seen after it was told to restart
+    bool is_leaving = false;
     int forbidden = 0; ///< how often it may not be opened yet
 };
 
@@ -64,7 +71,12 @@ public:
     {
         pico_.boot_loader.write(address, bytes);
     }
-    void restart() override { pico_.start(); }
+    void restart() override
+    {
+        pico_.is_leaving = pico_.lingers > 0;
+        if (!pico_.is_leaving)
+            pico_.start();
+    }
 
 private:
     DeskPico& pico_;
@@ -86,6 +98,8 @@ public:
             on_boards();
         std::vector<BootBoard> boards;
         for (DeskPico& pico : picos) {
+            if (pico.is_leaving && pico.lingers-- == 0)
+                pico.leave();
             if (pico.player.device.is_in_boot_loader && !pico.is_deaf)
                 pico.state = DeskPico::State::in_boot_loader;
             if (pico.state == DeskPico::State::in_boot_loader)
