@@ -2,7 +2,7 @@
 
 #include "boards/pico/pins.hpp"
 #include "firmware/board_settings.hpp"
-#include "firmware/microseconds.hpp"
+#include "firmware/panel_reset.hpp"
 
 namespace kfast::pico {
 
@@ -11,15 +11,13 @@ namespace kfast::pico {
 template <class Pause>
 void reset_display(const BoardSettings& settings, Pause& pause)
 {
-    constexpr Microseconds pulse{20};      // controllers ask for 10
-    constexpr Microseconds awake{120'000}; // what the slowest need before they may leave sleep
     if (settings.pin(PinRole::reset) == no_pin)
         return;
     const OutputPin reset{settings.pin(PinRole::reset), Pad::output};
     reset.low();
-    pause(pulse);
+    pause(panel_reset_pulse);
     reset.high();
-    pause(awake);
+    pause(rest_after_panel_reset);
 }
 
 }

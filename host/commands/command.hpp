@@ -31,6 +31,7 @@ extern const Command render_command;
 extern const Command preview_command;
 extern const Command hash_command;
 extern const Command simulate_command;
+extern const Command panel_command;
 extern const Command export_command;
 extern const Command fit_command;
 extern const Command config_command;

@@ -52,7 +52,7 @@ void declare_drawing_options(CLI::App& app, DrawingOptions& options)
         ->type_name("NAME=FILE");
 }
 
-void put_drawings(const DrawingOptions& options, const SceneView& scene, FrameSource& source)
+void put_drawings(const DrawingOptions& options, const SceneView& scene, ToldInputs& told)
 {
     for (const std::string& text : options.texts) {
         const std::size_t sign = end_of_input_name(text, scene);
@@ -60,7 +60,7 @@ void put_drawings(const DrawingOptions& options, const SceneView& scene, FrameSo
             refuse("'" + text + "' has no file: write it like plot=points.txt");
         const std::uint32_t number = drawing_input(std::string_view{text}.substr(0, sign), scene);
         const std::string file = text.substr(sign + 1);
-        if (!source.set_drawing(number, strokes_of(drawing_in(file))))
+        if (!told.set_drawing(number, strokes_of(drawing_in(file))))
             refuse_size(file, scene.input(number));
     }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene_view.hpp"
-#include "host/picture/frame_source.hpp"
+#include "host/picture/told_inputs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -17,8 +17,8 @@ struct DrawingOptions {
 /// Adds the option to `app`. `options` must outlive its parsing.
 void declare_drawing_options(CLI::App& app, DrawingOptions& options);
 
-/// Tells them to `source`. Throws CLI::ValidationError for a drawing that the scene has not, that is no
+/// Tells them to `told`. Throws CLI::ValidationError for a drawing that the scene has not, that is no
 /// drawing, or that has too much, and Failure for a file that cannot be read.
-void put_drawings(const DrawingOptions& options, const SceneView& scene, FrameSource& source);
+void put_drawings(const DrawingOptions& options, const SceneView& scene, ToldInputs& told);
 
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene_view.hpp"
-#include "host/picture/frame_source.hpp"
+#include "host/picture/told_inputs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -28,7 +28,7 @@ void declare_input_options(CLI::App& app, InputOptions& options);
 /// CLI::ValidationError for an input that the scene has not, and for a value that it does not take.
 std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene);
 
-/// Puts them into `source`.
-void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, FrameSource& source);
+/// Puts them into `told`.
+void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, ToldInputs& told);
 
 }

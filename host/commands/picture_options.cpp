@@ -1,5 +1,6 @@
 #include "host/commands/picture_options.hpp"
 
+#include "host/commands/size_text.hpp"
 #include "host/picture/board_source.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/picture/player_source.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 
 namespace kfast {
@@ -46,30 +46,6 @@ const auto& named(const Rows& rows, const std::string& option, const std::string
     throw CLI::ValidationError(option, "'" + name + "' is unknown: " + suggestion(name, known));
 }
 
-/// A side of a panel, and what follows it; 0 for anything else.
-int read_side(std::string_view& text)
-{
-    int side = 0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), side);
-    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
-    return error == std::errc{} && side >= 1 && side <= Player::max_panel ? side : 0;
-}
-
-Size read_size(const std::string& text)
-{
-    std::string_view rest = text;
-    Size size{read_side(rest), 0};
-    if (rest.starts_with('x')) {
-        rest.remove_prefix(1);
-        size.height = read_side(rest);
-    }
-    if (size.width == 0 || size.height == 0 || !rest.empty())
-        throw CLI::ValidationError("--size", "'" + text +
-                                                 "' is no size: write it like 240x135, with sides of 1 to " +
-                                                 std::to_string(Player::max_panel));
-    return size;
-}
-
 using OnText = std::function<void(const std::string&)>;
 
 CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& text,
@@ -81,7 +57,7 @@ CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::s
 CLI::Option* add_size(CLI::App& app, PictureOptions& options)
 {
     return add(app, "--size", "WxH", "Panel size in pixels (default: the canvas)",
-               [&options](const std::string& text) { options.size = read_size(text); });
+               [&options](const std::string& text) { options.size = read_size("--size", text); });
 }
 
 CLI::Option* add_format(CLI::App& app, PictureOptions& options)

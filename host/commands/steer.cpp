@@ -1,4 +1,5 @@
 #include "core/playhead.hpp"
+#include "host/commands/brightness_text.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
 #include "host/commands/json_text.hpp"
@@ -9,8 +10,6 @@
 #include "host/link/on_each.hpp"
 #include "host/text/glyph.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <iostream>
 
 /// Small orders to what plays: a command each.
@@ -67,24 +66,9 @@ void set_speed(const Options& options)
     order(link::Speed{read_speed("FACTOR", options.text)}, options.device);
 }
 
-/// "0" to "255", or "40%".
-std::uint8_t read_brightness(const std::string& text)
-{
-    constexpr double brightest = 255;
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
-    const bool is_share = std::string_view{rest, end} == "%";
-    const double most = is_share ? 100 : brightest;
-    if (error != std::errc{} || !(is_share || rest == end) || !(number >= 0 && number <= most))
-        throw CLI::ValidationError(
-            "BRIGHTNESS", "'" + visible(text) + "' is no brightness: write 0 to 255, or a share like 40%");
-    return static_cast<std::uint8_t>(std::lround(number * brightest / most));
-}
-
 void set_brightness(const Options& options)
 {
-    order(link::Brightness{read_brightness(options.text)}, options.device);
+    order(link::Brightness{read_brightness("BRIGHTNESS", options.text)}, options.device);
 }
 
 /// It does not play any more then, so it cannot be asked what it plays.

@@ -3,6 +3,7 @@
 #include "core/player.hpp"
 #include "firmware/board.hpp"
 #include "firmware/panel_choice.hpp"
+#include "firmware/panel_reset.hpp"
 #include "host/simulator/simulated_bus.hpp"
 
 #include <array>
@@ -38,7 +39,7 @@ public:
         for (auto& band : bands_)
             band.resize(band_rows * row_bytes(P::format, panel_.size().width));
         model_->reset(clock_.elapsed());
-        clock_.pass(rest_after_reset);
+        clock_.pass(rest_after_panel_reset);
     }
     SimulatedBoard(const SimulatedBoard&) = delete;
 
@@ -73,8 +74,6 @@ public:
 
 private:
     static constexpr int band_rows = 8;
-    /// What a board lets pass when it has reset its panel, before the firmware drives it.
-    static constexpr Microseconds rest_after_reset{120'000};
 
     std::span<const std::byte> scene_;
     PanelSettings settings_;

@@ -23,7 +23,8 @@ FREESTANDING = {
 }
 FREESTANDING_FOLDERS = {"core", "firmware", "library"}
 
-# Libraries that one file each hides from the rest; tests of what stands in for them use them as well.
+# Libraries that one file each hides from the rest, or one for each of its versions: name_v1.cpp, name_v2.cpp. Tests of what
+# stands in for them use them as well.
 HIDDEN = {
     "SDL": r"SDL.*", "hidapi": r"hidapi.*", "libusb": r"libusb.*", "libgpiod": r"gpiod.*",
     "FreeType": r"freetype\.h|ft\w+\.h",
@@ -76,7 +77,8 @@ def check(root):
             if folder != "tests" and (library := hidden_library(included)):
                 users[library].add(place)
     for library, places in users.items():
-        if len(places) > 1 or any(place.suffix != ".cpp" for place in places):
+        names = {re.sub(r"_v\d$", "", str(place.with_suffix(""))) for place in places}
+        if len(names) > 1 or any(place.suffix != ".cpp" for place in places):
             mistakes.append(f"{library} must be included by one .cpp alone: {', '.join(map(str, sorted(places)))}")
     return mistakes
 

@@ -58,6 +58,8 @@ class Layering(unittest.TestCase):
                 self.assertEqual(1, len(self.mistakes({"host/a.hpp": line})))
                 self.assertEqual(1, len(self.mistakes({"host/a.cpp": line, "host/b.cpp": line})))
                 self.assertEqual([], self.mistakes({"host/a.cpp": line, "tests/b.cpp": line}))
+                self.assertEqual([], self.mistakes({"host/a_v1.cpp": line, "host/a_v2.cpp": line}))
+                self.assertEqual(1, len(self.mistakes({"host/a_v1.cpp": line, "host/b_v2.cpp": line})))
 
 
 if __name__ == "__main__":

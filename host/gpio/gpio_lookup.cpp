@@ -1,0 +1,149 @@
+#include "host/gpio/gpio_lookup.hpp"
+
+#include "host/gpio/gpio_failure.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* device_folder = "/dev";
+constexpr std::string_view chip_prefix = "gpiochip";
+
+/// In the order of their numbers. Links are left out: some systems have them for old names.
+std::vector<std::string> chip_paths()
+{
+    std::vector<std::string> paths;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator{device_folder, ignored})
+        if (entry.path().filename().string().starts_with(chip_prefix) && !entry.is_symlink(ignored))
+            paths.push_back(entry.path().string());
+    std::ranges::sort(paths, {}, [](const std::string& path) { return std::pair{path.size(), path}; });
+    return paths;
+}
+
+GpioChip opened(const std::string& path)
+{
+    try {
+        return GpioChip{path};
+    } catch (const std::system_error& error) {
+        throw cannot_open_chip(path, error.code().value());
+    }
+}
+
+/// Those that can be opened. Throws Failure if there is none.
+std::vector<GpioChip> all_chips()
+{
+    const std::vector<std::string> paths = chip_paths();
+    if (paths.empty())
+        throw Failure{"this computer has no GPIO chip, there is no /dev/gpiochip*", ExitStatus::no_device};
+    std::vector<GpioChip> chips;
+    int error = 0;
+    std::string closed;
+    for (const std::string& path : paths) {
+        try {
+            chips.emplace_back(path);
+        } catch (const std::system_error& reason) {
+            error = reason.code().value();
+            closed = path;
+        }
+    }
+    if (chips.empty())
+        throw cannot_open_chip(closed, error);
+    return chips;
+}
+
+std::string list_of(const std::vector<GpioChip>& chips)
+{
+    std::string list;
+    for (const GpioChip& chip : chips)
+        list += (list.empty() ? "" : ", ") + text_of(chip);
+    return list;
+}
+
+GpioChip chip_with_label(const std::string& label)
+{
+    std::vector<GpioChip> chips = all_chips();
+    const auto has_label = [&label](const GpioChip& chip) { return chip.label() == label; };
+    const auto found = std::ranges::find_if(chips, has_label);
+    if (found == chips.end())
+        throw Failure{"there is no GPIO chip '" + label + "': there are " + list_of(chips),
+                      ExitStatus::no_device};
+    if (std::ranges::count_if(chips, has_label) > 1)
+        throw Failure{"several GPIO chips are called '" + label + "': name one by its path, like /dev/" +
+                          found->name(),
+                      ExitStatus::wrong_usage};
+    return std::move(*found);
+}
+
+std::optional<unsigned> as_offset(const std::string& line)
+{
+    unsigned offset = 0;
+    const auto [rest, error] = std::from_chars(line.data(), line.data() + line.size(), offset);
+    return error == std::errc{} && rest == line.data() + line.size() ? std::optional{offset} : std::nullopt;
+}
+
+GpioChip only_chip(const std::string& line)
+{
+    std::vector<GpioChip> chips = all_chips();
+    if (chips.size() > 1)
+        throw Failure{"on which GPIO chip is line " + line + "? Name it: there are " + list_of(chips),
+                      ExitStatus::wrong_usage};
+    return std::move(chips.front());
+}
+
+GpioChip chip_with_line(const std::string& line)
+{
+    std::vector<GpioChip> chips = all_chips();
+    const auto found = std::ranges::find_if(
+        chips, [&line](const GpioChip& chip) { return chip.offset_of(line).has_value(); });
+    if (found == chips.end())
+        throw Failure{"no GPIO chip has a line '" + line + "': 'gpioinfo' lists them. There are " +
+                          list_of(chips),
+                      ExitStatus::no_device};
+    return std::move(*found);
+}
+
+GpioChip chosen_chip(const std::string& chip, const std::string& first_line)
+{
+    if (chip.empty())
+        return as_offset(first_line) ? only_chip(first_line) : chip_with_line(first_line);
+    if (chip.find('/') != std::string::npos)
+        return opened(chip);
+    const bool is_name = chip.starts_with(chip_prefix) && as_offset(chip.substr(chip_prefix.size()));
+    return is_name ? opened(std::string{device_folder} + '/' + chip) : chip_with_label(chip);
+}
+
+unsigned offset_in(const GpioChip& chip, const std::string& line)
+{
+    const auto offset = as_offset(line);
+    const auto found = offset && *offset < chip.line_count() ? offset : chip.offset_of(line);
+    if (!found)
+        throw Failure{text_of(chip) + " has no line '" + line + "', of " + std::to_string(chip.line_count()) +
+                          ": 'gpioinfo " + chip.name() + "' lists them",
+                      ExitStatus::no_device};
+    return *found;
+}
+
+}
+
+FoundLines find_lines(const std::string& chip, std::span<const GpioLine> lines)
+{
+    FoundLines found{chosen_chip(chip, lines.front().name), {}};
+    for (const GpioLine& line : lines) {
+        const unsigned offset = offset_in(found.chip, line.name);
+        if (std::ranges::find(found.offsets, offset) != found.offsets.end())
+            throw Failure{"line '" + line.name + "' of " + text_of(found.chip) +
+                              " is asked for twice: each is for one thing only",
+                          ExitStatus::wrong_usage};
+        found.offsets.push_back(offset);
+    }
+    return found;
+}
+
+}

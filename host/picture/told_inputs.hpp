@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/live_drawing.hpp"
+#include "core/time.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace kfast {
+
+/// The inputs of a scene that is shown somewhere: each member as the one of Player.
+class ToldInputs {
+public:
+    virtual ~ToldInputs() = default;
+
+    virtual void set_input(std::uint32_t number, Time place) = 0;
+    virtual bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) = 0;
+    virtual void set_text(std::uint32_t number, std::string_view text) = 0;
+};
+
+}

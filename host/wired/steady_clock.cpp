@@ -1,0 +1,55 @@
+#include "host/wired/steady_clock.hpp"
+
+#include "host/link/interruption.hpp"
+
+#include <cstdint>
+#include <ctime>
+
+namespace kfast {
+namespace {
+
+constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
+constexpr std::int64_t nanoseconds_per_microsecond = 1'000;
+
+std::int64_t nanoseconds_now()
+{
+    timespec time{};
+    ::clock_gettime(CLOCK_MONOTONIC, &time);
+    return time.tv_sec * nanoseconds_per_second + time.tv_nsec;
+}
+
+/// False if a signal came before.
+bool sleep_until(std::int64_t nanoseconds)
+{
+    const timespec moment{.tv_sec = nanoseconds / nanoseconds_per_second,
+                          .tv_nsec = nanoseconds % nanoseconds_per_second};
+    return ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &moment, nullptr) == 0;
+}
+
+Microseconds in_microseconds(std::int64_t nanoseconds)
+{
+    return {static_cast<std::uint32_t>(nanoseconds / nanoseconds_per_microsecond)};
+}
+
+}
+
+Microseconds SteadyClock::now() const { return in_microseconds(nanoseconds_now()); }
+
+void SteadyClock::pause(Microseconds time) const
+{
+    const std::int64_t end = nanoseconds_now() + time.count * nanoseconds_per_microsecond;
+    while (!kfast::sleep_until(end)) {
+    }
+}
+
+void SteadyClock::sleep_until(Microseconds moment) const
+{
+    const std::int64_t begin = nanoseconds_now();
+    if (reached(in_microseconds(begin), moment))
+        return;
+    const std::int64_t end = begin + (moment - in_microseconds(begin)).count * nanoseconds_per_microsecond;
+    while (!was_interrupted() && !kfast::sleep_until(end)) {
+    }
+}
+
+}
