@@ -72,9 +72,10 @@ class LinuxGuest:
         (pathlib.Path(self._task.name) / name).touch()
 
     def end(self):
-        """Waits until the task ends, which must succeed."""
+        """Waits until the task ends, which must succeed, and QEMU with it."""
         status = self.wait_for(END).split()[-1]
         expect(status == "0", f"the task ends with {status}:\n" + "\n".join(self.console))
+        self._qemu.communicate(timeout=60)
 
     def __enter__(self):
         return self
