@@ -74,7 +74,7 @@ void say_begin(const WiredPanelOptions& options, const BoardSettings& settings, 
     if (const auto warning = spi != nullptr ? config::clock_warning(settings) : std::nullopt)
         std::cerr << "kfast: the clock is " << warning->message
                   << ": many bear it; if the picture is torn or speckled, take --clock "
-                  << config::rated_clock(settings) << "Hz\n";
+                  << clock_text(config::rated_clock(settings)) << "\n";
 }
 
 ShownFrames show_on(const PanelOptions& options, const BoardSettings& settings, const PanelShow& show)

@@ -54,6 +54,21 @@ BusKind read_bus(const std::string& name)
     refuse("--bus", "'" + visible(name) + "' is no bus for this: write spi or parallel");
 }
 
+struct Flag {
+    const char* name;
+    const char* help;
+};
+
+/// CLI11 would take a flag that is not there for false.
+void add_choice(CLI::App& app, const Flag& yes, const Flag& no, std::optional<bool>& choice)
+{
+    CLI::Option* const option = app.add_flag_callback(
+        yes.name, [&choice] { choice = true; }, yes.help);
+    app.add_flag_callback(
+           no.name, [&choice] { choice = false; }, no.help)
+        ->excludes(option);
+}
+
 void declare_glass_options(CLI::App& app, WiredPanelOptions& options)
 {
     declare_panel_option(app, options.panel)->required();
@@ -67,9 +82,10 @@ void declare_glass_options(CLI::App& app, WiredPanelOptions& options)
     app.add_option("--rotation", options.degrees, "How far the picture is turned, clockwise")
         ->type_name("DEGREES")
         ->check(CLI::IsMember({0, 90, 180, 270}));
-    app.add_flag("--bgr,!--rgb", options.bgr,
-                 "Red and blue are swapped, or not (default: the usual module's)");
-    app.add_flag("--inverted,!--not-inverted", options.inverted, "Colours are inverted, or not (likewise)");
+    add_choice(app, {"--bgr", "Red and blue are swapped on the glass (default: as on the usual module)"},
+               {"--rgb", "They are not"}, options.bgr);
+    add_choice(app, {"--inverted", "The glass shows colours inverted (likewise)"},
+               {"--not-inverted", "It does not"}, options.inverted);
     app.add_option_function<std::string>(
            "--brightness",
            [&options](const std::string& text) {

@@ -97,11 +97,17 @@ GpioChip only_chip(const std::string& line)
     return std::move(chips.front());
 }
 
+/// Lines without a name are not meant by "".
+std::optional<unsigned> named_offset(const GpioChip& chip, const std::string& line)
+{
+    return line.empty() ? std::nullopt : chip.offset_of(line);
+}
+
 GpioChip chip_with_line(const std::string& line)
 {
     std::vector<GpioChip> chips = all_chips();
     const auto found = std::ranges::find_if(
-        chips, [&line](const GpioChip& chip) { return chip.offset_of(line).has_value(); });
+        chips, [&line](const GpioChip& chip) { return named_offset(chip, line).has_value(); });
     if (found == chips.end())
         throw Failure{"no GPIO chip has a line '" + line + "': 'gpioinfo' lists them. There are " +
                           list_of(chips),
@@ -122,7 +128,7 @@ GpioChip chosen_chip(const std::string& chip, const std::string& first_line)
 unsigned offset_in(const GpioChip& chip, const std::string& line)
 {
     const auto offset = as_offset(line);
-    const auto found = offset && *offset < chip.line_count() ? offset : chip.offset_of(line);
+    const auto found = offset && *offset < chip.line_count() ? offset : named_offset(chip, line);
     if (!found)
         throw Failure{text_of(chip) + " has no line '" + line + "', of " + std::to_string(chip.line_count()) +
                           ": 'gpioinfo " + chip.name() + "' lists them",
