@@ -64,6 +64,8 @@ section
 panel steps.kfb --spi /dev/spidev0.0 {quoted(*SMALL_TFT['panel'])} --gpio-chip /dev/gpiochip0 \\
     --pin dc=DC --pin reset=RESET --pin backlight=BACKLIGHT --frames {TFT_FRAMES}
 
+as_user kfast preview still.kfb --loops 1 2>&1 >/dev/null
+
 section
 tell_status panel still.kfb $on_oled --pin backlight=BACKLIGHT &
 eventually is_lit
@@ -192,6 +194,7 @@ def main(programs, kfast, root, guest):
             board.watch()
             expect_refused(linux, "/dev/spidev0.0")
             expect_refused(linux, "/dev/gpiochip0")
+            linux.wait_for("this kfast was built without windows, so this plays in the terminal")
             used = int(linux.wait_for("CPU").split()[1]) / 1e9
             expect_status(linux, 0)
         on_oled, on_tft, at_rest = sections(board.edges())
