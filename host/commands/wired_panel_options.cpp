@@ -121,7 +121,8 @@ void declare_wire_options(CLI::App& app, WiredPanelOptions& options)
            },
            "Which GPIO line, by name or number, goes to dc, reset, backlight and select of the display, and "
            "with --bus parallel to wr and data0 to data7; may be repeated")
-        ->type_name("ROLE=LINE");
+        ->type_name("ROLE=LINE")
+        ->allow_extra_args(false);
 }
 
 PanelSettings chosen_panel(const WiredPanelOptions& options)

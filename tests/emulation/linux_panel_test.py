@@ -132,6 +132,10 @@ class PanelTest(unittest.TestCase):
         self.assertEqual([rest[1] for _, what, rest in after if what == "spi"], [DISPOFF, SLPIN])
         self.expect_dark(wires)
 
+    def test_the_scene_may_come_last(self):
+        done = self.computer.kfast("panel", "--panel", "st7735", *SPI, "--frames", 1, *PINS, SCENE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_no_brightness_is_no_light(self):
         self.play("--panel", "st7789", *SPI, *PINS, "--frames", 2, "--brightness", 0)
         self.assertEqual(self.computer.wires().levels(BACKLIGHT), [0])

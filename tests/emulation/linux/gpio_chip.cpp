@@ -72,6 +72,8 @@ public:
             return ENODEV;
         if (gone_after_ > 0)
             --gone_after_;
+        if (++calls_ == failing_call_)
+            return EIO;
         if (request == GPIOHANDLE_SET_LINE_VALUES_IOCTL)
             set_all(static_cast<const gpiohandle_data*>(argument)->values);
         else if (request == GPIO_V2_LINE_SET_VALUES_IOCTL)
@@ -107,6 +109,8 @@ private:
     std::vector<unsigned> offsets_;
     std::map<std::size_t, bool> levels_;
     long gone_after_ = number_of(chip_.description, "gone-after", -1);
+    long failing_call_ = number_of(chip_.description, "fails-at", -1);
+    long calls_ = 0;
 };
 
 class ChipFile final : public StandInFile {

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <doctest/doctest.h>
+#include <map>
 
 namespace kfast::test {
 namespace {
@@ -50,6 +51,22 @@ TEST_CASE("a signal that is remembered does not leave the chip in reset")
     Happened happened = bench.happened();
     CHECK(std::erase(happened, "signal 2") == 1);
     CHECK(happened == whole);
+}
+
+TEST_CASE("a failure does not leave the chip in reset")
+{
+    for (const int call : {1, 2, 3, 4}) {
+        CAPTURE(call);
+        GpioBench bench;
+        bench.add_chip("gpiochip0", std::string{chip} + "fails-at " + std::to_string(call) + '\n');
+        CHECK_THROWS_AS(enter_boot_loader({.chip = "", .reset = "GPIO3", .boot = "5"}), Failure);
+        std::map<std::string, std::string> levels;
+        for (const std::string& what : bench.happened())
+            if (what.starts_with("line "))
+                levels[what.substr(0, what.size() - 1)] = what.back();
+        CHECK(levels ==
+              std::map<std::string, std::string>{{"line gpiochip0 3 ", "1"}, {"line gpiochip0 5 ", "1"}});
+    }
 }
 
 TEST_CASE("a chip that goes away is told")
