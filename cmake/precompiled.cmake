@@ -1,8 +1,11 @@
-# kfast_precompile_standard_headers(<target>): for a library of many sources, and with sanitizers alone. Without them g++
-# compiles it, which tells of an include that is missing, and has false warnings where headers are precompiled.
+option(KFAST_PRECOMPILE "Precompile standard headers, which is quicker" ${KFAST_SANITIZE})
+
+# kfast_precompile_standard_headers(<target>): for a library of many sources, and where KFAST_PRECOMPILE is on alone. Where
+# it is off an include that is missing is told. g++ has false warnings of what is precompiled.
 function(kfast_precompile_standard_headers TARGET)
-    if(KFAST_SANITIZE)
+    if(KFAST_PRECOMPILE)
         target_precompile_headers(${TARGET} PRIVATE
             <algorithm> <array> <cmath> <cstdint> <optional> <span> <string> <string_view> <utility> <vector>)
+        target_compile_options(${TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
     endif()
 endfunction()

@@ -2,6 +2,7 @@
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/preview/headless.hpp"
+#include "host/preview/picture_window.hpp"
 #include "host/preview/terminal.hpp"
 #include "host/preview/window.hpp"
 #include "host/scene_file.hpp"
@@ -70,7 +71,7 @@ void preview(const PreviewOptions& options)
     if (!options.terminal && play_in_window(*source, programme, options.file, options.loops))
         return;
     if (!options.terminal)
-        std::cerr << "kfast: there is no display for a window, so this plays in the terminal\n";
+        std::cerr << "kfast: " << PictureWindow::no_window() << ", so this plays in the terminal\n";
     play_in_terminal(*source, programme, options.loops.value_or(1));
 }
 

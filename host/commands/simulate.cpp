@@ -70,7 +70,8 @@ std::unique_ptr<PictureWindow> open_window(const SimulateOptions& options, Size 
         return nullptr;
     auto window = PictureWindow::open("kfast simulate: " + options.serial, picture);
     if (!window)
-        std::cerr << "kfast: there is no display for a window, so the board is not to be seen: "
+        std::cerr << "kfast: " << PictureWindow::no_window()
+                  << ", so the board is not to be seen: "
                      "--frames tells what it shows\n";
     return window;
 }

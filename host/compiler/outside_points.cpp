@@ -4,7 +4,6 @@
 #include "host/counted.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -41,11 +40,11 @@ public:
 
     void warn(Place place, Diagnostics& diagnostics) const
     {
-        if (!first_)
+        if (outside_ == 0)
             return;
         std::string message = counted(outside_, "point") + " of this drawing " +
                               (outside_ == 1 ? "lies" : "lie") + " outside of the skeleton, the first at " +
-                              text_of(*first_);
+                              text_of(first_);
         if (moved_ > 0)
             message += "; " + counted(moved_, "point") + " had to be moved to its edge";
         diagnostics.warning(
@@ -77,14 +76,15 @@ private:
 
     void add(Point point)
     {
+        if (outside_ == 0)
+            first_ = in_pixels(point);
         ++outside_;
-        first_ = first_.value_or(in_pixels(point));
     }
 
     const BackboneCells& cells_;
     std::size_t outside_ = 0;
     std::size_t moved_ = 0; ///< of them, because they cannot be carried where they are
-    std::optional<Spot> first_;
+    Spot first_;            ///< of them
 };
 
 }

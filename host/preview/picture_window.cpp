@@ -213,4 +213,6 @@ std::unique_ptr<PictureWindow> PictureWindow::open(const std::string& title, Siz
     return std::make_unique<SdlWindow>(std::move(video), title, picture, window);
 }
 
+const char* PictureWindow::no_window() { return "there is no display for a window"; }
+
 }

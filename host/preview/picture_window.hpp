@@ -13,8 +13,11 @@ namespace kfast {
 /// A window that shows pictures of one size, magnified or shrunk to it, with a line of text below.
 class PictureWindow {
 public:
-    /// Null where there is no display. Throws Failure if a window cannot be opened all the same.
+    /// Null where there can be none: no_window() says why. Throws Failure if a window cannot be opened all
+    /// the same.
     static std::unique_ptr<PictureWindow> open(const std::string& title, Size picture);
+    /// Why open() is null, as a part of a sentence.
+    static const char* no_window();
     virtual ~PictureWindow() = default;
 
     /// With `help` in a box above the picture, if there is any.

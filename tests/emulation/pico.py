@@ -4,9 +4,10 @@ import dataclasses
 import functools
 import json
 import pathlib
-import struct
 import subprocess
 import time
+
+from panel_trace import Kind, record
 
 HERE = pathlib.Path(__file__).resolve().parent
 CONFIGURATIONS = HERE.parents[1] / "boards" / "pico" / "configurations"
@@ -47,13 +48,6 @@ def expect_scene(frames, hashes, who):
     for shown in frames:
         expect(shown.hash == hashes[shown.ticks // TICKS % len(hashes)],
                f"{who} shows something else at {shown.ticks / TICKS:.0f}")
-
-
-def append_note(trace, text, moment):
-    """Has `kfast-panel` look at the display once more; see rp2040/trace.mjs."""
-    note = 6
-    with open(trace, "ab") as file:
-        file.write(struct.pack("<BQI", note, moment, len(text)) + text.encode())
 
 
 class Run:
@@ -132,7 +126,8 @@ class Desk:
         """What has been recorded, played into the model of the display; see run()."""
         found = json.loads(self._report.read_text(encoding="utf-8"))
         if look_at_end:
-            append_note(self._trace, "F 0 0", round(found["milliseconds"] * 1e6))
+            with open(self._trace, "ab") as trace:
+                trace.write(record(Kind.note, round(found["milliseconds"] * 1e6), b"F 0 0"))
         wanted = [] if pictures is None else ["--pictures", pictures]
         told = self._call(self._programs / "kfast-panel", self._trace, settings.record, *wanted).stdout.splitlines()
         return Run(found, told[:-1] if look_at_end else told)

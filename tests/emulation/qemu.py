@@ -1,12 +1,13 @@
 """QEMU without a window, its UART and its control port on sockets."""
 
-import json
 import os
 import pathlib
 import socket
 import subprocess
 import tempfile
 import time
+
+from qemu_control import QemuControl
 
 
 def loaded(path, address):
@@ -52,10 +53,8 @@ class Qemu:
         with open(self._path("stderr"), "wb") as errors:
             self._process = subprocess.Popen(command + self._arguments, stdin=subprocess.DEVNULL, stderr=errors,
                                              env=silent)
-        self._control = self._accept(control).makefile("rwb", buffering=0)
+        self._control = QemuControl(self._accept(control), self.errors)
         self._uart = self._accept(uart)
-        json.loads(self._control.readline())
-        self._command("qmp_capabilities")
 
     def _path(self, name):
         return str(pathlib.Path(self._folder.name, name))
@@ -79,29 +78,17 @@ class Qemu:
             raise TimeoutError(f"QEMU took longer than {self._timeout} s; unread: {self._received!r}; {self.errors()}")
         return remaining
 
-    def _command(self, name, **arguments):
-        self._control.write(json.dumps({"execute": name, "arguments": arguments}).encode() + b"\n")
-        while True:
-            line = self._control.readline()
-            if not line:
-                raise EOFError(f"QEMU is gone: {self.errors()}")
-            answer = json.loads(line)
-            if "error" in answer:
-                raise RuntimeError(answer["error"])
-            if "return" in answer:
-                return
-
     def errors(self):
         """What QEMU has written to stderr."""
         return pathlib.Path(self._path("stderr")).read_text(encoding="utf-8")
 
     def screenshot(self, path):
         """Writes what the display shows now as PNG."""
-        self._command("screendump", filename=str(pathlib.Path(path).absolute()), format="png")
+        self._control.command("screendump", filename=str(pathlib.Path(path).absolute()), format="png")
 
     def memory(self, address, size):
         """What lies in the machine's memory now."""
-        self._command("pmemsave", val=address, size=size, filename=self._path("memory"))
+        self._control.command("pmemsave", val=address, size=size, filename=self._path("memory"))
         return pathlib.Path(self._path("memory")).read_bytes()
 
     def send(self, data):

@@ -1,58 +1,38 @@
 """Makes the kernel and the first file system of a Linux guest, from Debian's packages:
 
-    make_guest.py <folder>
+    make_guest.py FOLDER [amd64 | arm64]
 
-They go to <folder>/vmlinux and <folder>/initrd.gz; nothing is done when they are there. No rights are needed, nothing is
-installed: apt downloads the packages, for which it must know them (apt-get update)."""
+They go to FOLDER/kernel and FOLDER/initrd.gz; nothing is done when they are there. No rights are needed, nothing is
+installed: apt downloads the packages, for which it must know those of amd64 (apt-get update)."""
 
+import dataclasses
 import gzip
 import lzma
 import pathlib
 import re
 import shutil
 import struct
-import subprocess
 import sys
+from typing import Callable
 
 HERE = pathlib.Path(__file__).resolve().parent
-OTHER_PACKAGES = ("busybox-static", "udev", "libkmod2")
-MODULES = ("usbhid", "hid_generic", "vhci_hcd", "virtio_pci", "virtio_net", "9p", "9pnet_virtio")
-MODULE_FOLDERS = ("drivers/usb", "drivers/hid", "drivers/virtio", "drivers/net", "net/core", "net/9p", "fs/9p",
-                  "fs/netfs", "fs/fscache")
+SCRIPTS = HERE.parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+
+from debian_packages import DebianPackages, Failure, call, unpack  # noqa: E402 (lies there)
+
+FOR_FILES = ("virtio_pci", "9p", "9pnet_virtio")
+FOLDERS_FOR_FILES = ("drivers/virtio", "net/9p", "fs/9p", "fs/netfs", "fs/fscache")
 
 
-class Failure(Exception):
-    pass
-
-
-def call(*command, folder=None, **options):
-    done = subprocess.run([str(word) for word in command], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          check=False, **options)
-    if done.returncode != 0:
-        raise Failure(f"{' '.join(map(str, command))}: {done.stderr.decode(errors='replace').strip()}")
-    return done.stdout
-
-
-def wanted_packages():
-    """As PACKAGE=VERSION. The kernel's name changes with its versions, so another package tells it."""
-    told = subprocess.run(["apt-cache", "depends", "linux-image-amd64"], stdout=subprocess.PIPE, text=True, check=False)
-    kernel = re.search(r"Depends: (linux-image-\S+)", told.stdout)
-    if not kernel:
-        raise Failure("apt does not know Debian's kernel, which the guest needs: run apt-get update, as scripts/install"
-                      " does, on a Debian 12 for amd64")
-    packages = (kernel[1], *OTHER_PACKAGES)
-    policy = call("apt-cache", "policy", *packages).decode()
-    versions = re.findall(r"^(\S+):\n.*\n  Candidate: (\S+)", policy, re.MULTILINE)
-    if [name for name, _ in versions] != list(packages):
-        raise Failure(f"apt does not know all of {', '.join(packages)}: run apt-get update, as scripts/install does")
-    return [f"{name}={version}" for name, version in versions]
-
-
-def unpack(package, folder, *patterns):
-    """The files of a package that fit any of `patterns`."""
-    archive = call("dpkg-deb", "--fsys-tarfile", package)
-    folder.mkdir(exist_ok=True)
-    call("tar", "-x", "-C", folder, "--wildcards", *(f"./{pattern}" for pattern in patterns), input=archive)
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """What goes into a guest."""
+    packages: tuple  # besides the kernel
+    modules: tuple
+    module_folders: tuple
+    has_udev: bool
+    kernel: Callable[[bytes], bytes]  # out of that of the package
 
 
 def uncompressed(image):
@@ -63,6 +43,17 @@ def uncompressed(image):
     if packed[:6] != b"\xfd7zXZ\0":
         raise Failure(f"the kernel is compressed in a way that this does not know: {packed[:6].hex()}")
     return lzma.LZMADecompressor().decompress(packed)
+
+
+KINDS = {
+    "amd64": Kind(packages=("busybox-static", "udev", "libkmod2"),
+                  modules=("usbhid", "hid_generic", "vhci_hcd", "virtio_net", *FOR_FILES),
+                  module_folders=("drivers/usb", "drivers/hid", "drivers/net", "net/core", *FOLDERS_FOR_FILES),
+                  has_udev=True, kernel=uncompressed),
+    "arm64": Kind(packages=("busybox-static",),
+                  modules=("spi_gpio", *FOR_FILES), module_folders=("drivers/spi", *FOLDERS_FOR_FILES),
+                  has_udev=False, kernel=lambda image: image),
+}
 
 
 def plain(name):
@@ -87,14 +78,14 @@ def in_order(wanted, files):
     return order
 
 
-def place_modules(kernel, root):
-    files = {plain(file.stem): file for file in kernel.rglob("*.ko")}
-    modules = in_order(MODULES, files)
-    missing = {plain(name) for name in MODULES if name.startswith(("usbhid", "vhci"))} - {plain(f.stem) for f in modules}
+def place_modules(kind, unpacked, root):
+    files = {plain(file.stem): file for file in unpacked.rglob("*.ko")}
+    missing = {plain(name) for name in kind.modules} - files.keys()
     if missing:
-        raise Failure(f"the kernel's package has no {', '.join(missing)}")
+        raise Failure(f"the kernel's package has no {', '.join(sorted(missing))}")
     folder = root / "lib/modules"
     folder.mkdir(parents=True)
+    modules = in_order(kind.modules, files)
     for file in modules:
         shutil.copy(file, folder)
     (root / "modules").write_text("".join(f"{file.name}\n" for file in modules))
@@ -112,7 +103,7 @@ def place_program(file, root, libraries):
         shutil.copy(library, folder)
 
 
-def make_root(unpacked, root):
+def make_root(kind, unpacked, root):
     (root / "bin").mkdir(parents=True)
     (root / "etc").mkdir()
     (root / "etc/group").write_text("root:x:0:\nplugdev:x:46:\n")
@@ -120,9 +111,10 @@ def make_root(unpacked, root):
     shutil.copy(HERE / "init", root / "init")
     (root / "init").chmod(0o755)
     shutil.copy(unpacked / "bin/busybox", root / "bin/busybox")
-    place_program(unpacked / "bin/udevadm", root, unpacked / "lib/x86_64-linux-gnu")
-    (root / "bin/systemd-udevd").symlink_to("udevadm")
-    place_modules(unpacked / "lib/modules", root)
+    if kind.has_udev:
+        place_program(unpacked / "bin/udevadm", root, unpacked / "lib/x86_64-linux-gnu")
+        (root / "bin/systemd-udevd").symlink_to("udevadm")
+    place_modules(kind, unpacked / "lib/modules", root)
 
 
 def packed(root):
@@ -130,36 +122,40 @@ def packed(root):
     return gzip.compress(call("cpio", "-o", "-H", "newc", "-R", "0:0", "--quiet", folder=root, input=names.encode()), 1)
 
 
-def make(folder, packages):
+def packages_for(architecture, work):
+    return DebianPackages() if architecture == "amd64" else DebianPackages(architecture, work / "apt")
+
+
+def make(folder, architecture):
+    kind = KINDS[architecture]
     work = folder / "work"
     shutil.rmtree(work, ignore_errors=True)
-    (work / "packages").mkdir(parents=True)
-    call("apt-get", "-q", "download", *packages, folder=work / "packages")
+    debian = packages_for(architecture, work)
     unpacked = work / "unpacked"
-    for file in (work / "packages").iterdir():
+    for file in debian.download(work / "packages", debian.kernel(architecture), *kind.packages):
         if file.name.startswith("linux-image"):
-            unpack(file, unpacked, "boot/vmlinuz-*", *(f"lib/modules/*/kernel/{part}/*" for part in MODULE_FOLDERS))
+            unpack(file, unpacked, "boot/vmlinuz-*", *(f"lib/modules/*/kernel/{part}/*" for part in kind.module_folders))
         else:
-            call("dpkg-deb", "-x", file, unpacked)
+            unpack(file, unpacked)
     (kernel,) = (unpacked / "boot").glob("vmlinuz-*")
-    (folder / "vmlinux").write_bytes(uncompressed(kernel.read_bytes()))
-    make_root(unpacked, work / "root")
+    (folder / "kernel").write_bytes(kind.kernel(kernel.read_bytes()))
+    make_root(kind, unpacked, work / "root")
     (folder / "initrd.gz").write_bytes(packed(work / "root"))
     shutil.rmtree(work)
 
 
-def main(folder):
+def main(folder, architecture="amd64"):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    packages = wanted_packages()
     stamp = folder / "made_of"
-    made_of = "\n".join([*packages, *((HERE / name).read_text(encoding="utf-8") for name in ("init", "make_guest.py"))])
+    makers = (HERE / "init", HERE / "make_guest.py", SCRIPTS / "debian_packages.py")
+    made_of = "\n".join(maker.read_text(encoding="utf-8") for maker in makers)
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == made_of:
         return
     stamp.unlink(missing_ok=True)
-    make(folder, packages)
+    make(folder, architecture)
     stamp.write_text(made_of, encoding="utf-8")
-    print("made of", *packages)
+    print(f"{folder} has a guest for {architecture}")
 
 
 if __name__ == "__main__":

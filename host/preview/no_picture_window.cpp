@@ -1,0 +1,9 @@
+#include "host/preview/picture_window.hpp"
+
+namespace kfast {
+
+std::unique_ptr<PictureWindow> PictureWindow::open(const std::string&, Size) { return nullptr; }
+
+const char* PictureWindow::no_window() { return "this kfast was built without windows"; }
+
+}
