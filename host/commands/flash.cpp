@@ -70,35 +70,48 @@ void require_playing(const FlashPlan& plan, const PlayerOutcome& player)
                       ExitStatus::refused};
 }
 
+void tell(const Options& options, const std::string& text)
+{
+    if (!options.talk.json && !options.talk.quiet)
+        std::cout << text << std::flush;
+}
+
+void tell_programs(const Options& options, const FlashOutcome& outcome,
+                   const std::optional<PlayerOutcome>& player)
+{
+    if (options.talk.json)
+        std::cout << json_text(flash_json(outcome, player)) << std::flush;
+}
+
+void see_it_play(const Options& options, const FlashPlan& plan, FlashJob& job, const FlashOutcome& outcome)
+{
+    std::optional<PlayerOutcome> player;
+    const std::optional<Failure> failure = failure_of([&] { player = job.await_player(); });
+    tell_programs(options, outcome, player);
+    if (failure)
+        throw Failure{*failure};
+    tell(options, player_text(*player));
+    require_playing(plan, *player);
+}
+
 void flash(const Options& options)
 {
     const FlashPlan plan{options.plan, config::image_folders()};
     const FlashOrder order = order_of(options);
     const std::unique_ptr<Workbench> bench = this_workbench();
     std::optional<FlashProgress> progress{shown_progress(options.talk)};
-    const TellFlashing tell = [&](FlashPhase phase, std::size_t done, std::size_t total) {
+    const TellFlashing tell_progress = [&](FlashPhase phase, std::size_t done, std::size_t total) {
         progress->tell(phase, done, total);
     };
     const RememberedInterruption interruption;
-    FlashJob job{*bench, plan, order, tell};
+    FlashJob job{*bench, plan, order, tell_progress};
     const FlashOutcome outcome = job.run();
     progress.reset();
-    const bool is_told = !options.talk.json && !options.talk.quiet;
-    if (is_told)
-        std::cout << flash_text(outcome, order.purpose) << std::flush;
-    std::optional<PlayerOutcome> player;
-    std::optional<Failure> failure;
+    tell(options, flash_text(outcome, order.purpose));
     if (outcome.restarted && order.purpose == FlashPurpose::write && !options.no_wait)
-        failure = failure_of([&] { player = job.await_player(); });
-    if (options.talk.json)
-        std::cout << json_text(flash_json(outcome, player)) << std::flush;
-    if (failure)
-        throw Failure{*failure};
-    if (!player)
-        return;
-    if (is_told)
-        std::cout << player_text(*player) << std::flush;
-    require_playing(plan, *player);
+        see_it_play(options, plan, job, outcome);
+    else
+        tell_programs(options, outcome, std::nullopt);
 }
 
 void run(const Options& options)

@@ -96,14 +96,8 @@ BootBoard FlashJob::entered_by_lines()
     bench_.wait(noticing);
     for (const Milliseconds end = bench_.now() + order_.last_patience; bench_.now() < end;
          bench_.wait(between_looks)) {
-        try {
-            const FlashPlace place = flash_place(bench_, order_.place);
-            if (const auto* const board = std::get_if<BootBoard>(&place))
-                return *board;
-        } catch (const Failure& failure) {
-            if (failure.status() != ExitStatus::no_device)
-                throw;
-        }
+        if (const auto board = boot_board(bench_, order_.place.port))
+            return *board;
     }
     throw Failure{"no boot loader has been seen for " + seconds_text(order_.last_patience) +
                       " after reset and boot line: is " + visible(order_.lines->reset) + " wired to RUN, " +

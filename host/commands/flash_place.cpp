@@ -56,16 +56,24 @@ std::vector<BootBoard> rp2040s_of(std::vector<BootBoard> boards)
     return boards;
 }
 
-BootBoard board_at(const std::string& port, const std::vector<BootBoard>& boards)
+/// The one at the port.
+std::optional<BootBoard> board_at(const std::string& port, const std::vector<BootBoard>& boards)
 {
     const auto found = std::ranges::find(boards, port, &BootBoard::port);
     if (found == boards.end())
-        throw Failure{"there is no board in its boot loader at " + kfast::quoted(port) + ": " +
-                          (boards.empty() ? boot_loader_by_hand : "there are: " + ports_of(boards)),
-                      ExitStatus::no_device};
+        return std::nullopt;
     if (found->chip != BootChip::rp2040)
         refuse_chip(*found);
     return *found;
+}
+
+BootBoard required_board_at(const std::string& port, const std::vector<BootBoard>& boards)
+{
+    if (const auto board = board_at(port, boards))
+        return *board;
+    throw Failure{"there is no board in its boot loader at " + kfast::quoted(port) + ": " +
+                      (boards.empty() ? boot_loader_by_hand : "there are: " + ports_of(boards)),
+                  ExitStatus::no_device};
 }
 
 DeviceAddress device_called(const std::string& serial, const std::vector<DeviceAddress>& devices)
@@ -121,10 +129,16 @@ FlashPlace flash_place(Workbench& bench, const PlaceWish& wish)
     if (!wish.drive.empty())
         return bench.uf2_drive_at(wish.drive);
     if (!wish.port.empty())
-        return board_at(wish.port, bench.boards_in_boot_loader());
+        return required_board_at(wish.port, bench.boards_in_boot_loader());
     if (!wish.serial.empty())
         return device_called(wish.serial, bench.attached_devices());
     return only_place(bench);
+}
+
+std::optional<BootBoard> boot_board(Workbench& bench, const std::string& port)
+{
+    const auto boards = bench.boards_in_boot_loader();
+    return port.empty() ? only_board(boards) : board_at(port, boards);
 }
 
 std::optional<Uf2Drive> only_drive(Workbench& bench)

@@ -25,6 +25,10 @@ using FlashPlace = std::variant<BootBoard, DeviceAddress, Uf2Drive>;
 /// with wrong_chip if it is no RP2040.
 FlashPlace flash_place(Workbench& bench, const PlaceWish& wish);
 
+/// The board in its boot loader at that port, or the only one if it is empty; nothing if there is none.
+/// Throws as flash_place() for several boards and for another chip.
+std::optional<BootBoard> boot_board(Workbench& bench, const std::string& port);
+
 /// The drive of an RP2040, if exactly one is mounted.
 std::optional<Uf2Drive> only_drive(Workbench& bench);
 

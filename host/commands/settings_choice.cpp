@@ -142,8 +142,8 @@ std::optional<NamedSettings> SettingsChoice::on(const std::optional<BoardSetting
     if (base_ || changes_.empty())
         return base_;
     if (!board)
-        throw Failure{"--pin alone changes the settings that the board has, and there are none: name the "
-                      "display with --panel, or settings with --config",
+        throw Failure{"--pin alone changes the settings that the board has, and none can be read there: name "
+                      "the display with --panel, or settings with --config",
                       ExitStatus::wrong_usage};
     return changed({*board, "the board"});
 }

@@ -578,8 +578,8 @@ TEST_CASE("pins alone change the settings of the board")
     Flasher flasher;
     flasher.wish.settings = {.config = {}, .panel = {}, .pins = {"reset=13", "backlight=none"}};
     DeskPico& pico = flasher.desk.add("1-2");
-    CHECK(
-        has(flasher.refusal(), "2: --pin alone changes the settings that the board has, and there are none"));
+    CHECK(has(flasher.refusal(),
+              "2: --pin alone changes the settings that the board has, and none can be read there"));
     CHECK(!pico.boot_loader.changed);
     Flasher::prepare(pico, BusKind::parallel_8, "pico-ili9341-parallel");
     CHECK(has(flasher.run().contents, "settings of the board with reset=13 backlight=none"));
@@ -610,7 +610,8 @@ TEST_CASE("a board enters its boot loader by lines")
     Flasher flasher;
     DeskPico& pico = flasher.desk.add("1-2");
     pico.state = State::unplugged;
-    flasher.running("1-3", "E7"); // has nothing to do with it
+    flasher.running("1-3", "E7"); // have nothing to do with it
+    flasher.running("1-4", "E8");
     flasher.order.lines = BootLines{{}, "GPIO17", "GPIO27"};
     SUBCASE("it comes after a while")
     {
