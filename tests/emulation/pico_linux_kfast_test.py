@@ -55,7 +55,7 @@ def install(build, folder):
 
 
 def check(linux, scenes, board):
-    linux.wait_for(RULE)
+    linux.wait_for("install-udev")
     expect_status(linux, NO_PERMISSION)
     linux.wait_for_request("rule")
     board.command("unplug")
