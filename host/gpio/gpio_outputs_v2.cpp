@@ -31,7 +31,7 @@ ChipInfo info_of(gpiod_chip* chip)
 {
     ChipInfo info{::gpiod_chip_get_info(chip)};
     if (!info)
-        throw std::system_error{errno, std::generic_category()};
+        throw cannot_open_chip(::gpiod_chip_get_path(chip), errno);
     return info;
 }
 
