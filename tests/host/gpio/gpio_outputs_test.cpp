@@ -119,10 +119,16 @@ TEST_CASE("without a chip, the first that has a line of that name, or the only o
         const GpioOutputs outputs{"", std::array{GpioLine{"3"}}};
         CHECK(bench.happened().front() == "take gpiochip10 3 push-pull");
     }
-    bench.add_chip("gpiochip9", expander);
+    bench.add_chip("gpiochip2", expander);
+    bench.happened();
+    {
+        const GpioOutputs outputs{"", two};
+        CHECK(bench.happened().front() == "take gpiochip10 25 push-pull");
+    }
+    bench.add_chip("gpiochip9", header);
     bench.happened();
     const GpioOutputs outputs{"", two};
-    CHECK(bench.happened().front() == "take gpiochip10 25 push-pull");
+    CHECK(bench.happened().front() == "take gpiochip9 25 push-pull");
 }
 
 TEST_CASE("a number is a line's place, and its name only if there is no such place")
