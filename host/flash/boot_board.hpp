@@ -15,8 +15,9 @@ enum class BootChip : std::uint8_t { rp2040, rp2350 };
 /// A board whose boot loader waits at USB.
 struct BootBoard {
     BootChip chip = BootChip::rp2040;
-    std::string port;   ///< where it is plugged in, as Linux calls it: "1-2.3". Told by no board itself
-    std::string serial; ///< of the boot loader: the same for all RP2040; empty if it may not be opened
+    /// Where it is plugged in, as Linux calls it: "1-2.3". The only thing that tells one from another: all
+    /// RP2040 have the same serial number there.
+    std::string port;
 
     friend bool operator==(const BootBoard&, const BootBoard&) = default;
 };

@@ -103,7 +103,7 @@ public:
             if (pico.player.device.is_in_boot_loader && !pico.is_deaf)
                 pico.state = DeskPico::State::in_boot_loader;
             if (pico.state == DeskPico::State::in_boot_loader)
-                boards.push_back({pico.chip, pico.port, "E0C9125B0D9B"});
+                boards.push_back({pico.chip, pico.port});
         }
         return boards;
     }
