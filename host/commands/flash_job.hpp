@@ -73,6 +73,7 @@ private:
     RemoteDevice player_at(const DeviceAddress& address);
     BootBoard await_boot_loader(const std::vector<BootBoard>& before);
     std::unique_ptr<BootLoader> opened(const BootBoard& board);
+    std::optional<Uf2Drive> drive_instead(const Failure& failure);
     void write(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& differing,
                FlashOutcome& outcome);
     void leave(BootLoader& boot_loader, FlashOutcome& outcome);

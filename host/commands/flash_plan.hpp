@@ -38,6 +38,11 @@ public:
     FlashPlan(const PlanWish& wish, std::span<const std::filesystem::path> images);
 
     bool has_scene() const { return scene_.has_value(); }
+    /// Whether the settings that a board has decide what it gets.
+    bool depends_on_board() const
+    {
+        return settings_.changes_board() || (!settings_.is_made() && depends_on_bus());
+    }
 
     /// What a board gets on which that was found; nothing is known of one whose flash cannot be read. Prints
     /// warnings. Throws Failure for parts that do not go together, and with no_room.

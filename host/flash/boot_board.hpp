@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/failure.hpp"
 #include "host/flash/boot_loader.hpp"
 
 #include <cstdint>
@@ -25,7 +26,19 @@ struct BootBoard {
 /// Those that are plugged in, in the order of their ports. Needs no permission.
 std::vector<BootBoard> boards_in_boot_loader();
 
-/// Throws Failure with no_permission, no_device (it is gone), wrong_chip or refused (somebody else has it).
+/// The boot loader was started without PICOBOOT: it is a drive, and nothing else.
+class NoPicoboot : public Failure {
+public:
+    NoPicoboot()
+        : Failure{
+              "the boot loader was started without PICOBOOT: plug the board in anew with BOOTSEL held down",
+              ExitStatus::refused}
+    {
+    }
+};
+
+/// Throws NoPicoboot, and Failure with no_permission, no_device (it is gone), wrong_chip, refused (somebody
+/// else has it), and as BootLoader.
 std::unique_ptr<BootLoader> open_boot_loader(const BootBoard& board);
 
 }

@@ -230,9 +230,7 @@ Endpoints picoboot_endpoints(const Device& device)
     if (place < interfaces.size() && interfaces[place].num_altsetting > 0)
         if (const auto endpoints = endpoints_of(interfaces[place].altsetting[0]))
             return *endpoints;
-    throw Failure{
-        "the boot loader was started without PICOBOOT: plug the board in anew with BOOTSEL held down",
-        ExitStatus::refused};
+    throw NoPicoboot{};
 }
 
 Handle opened(const Device& device)

@@ -107,6 +107,7 @@ TEST_CASE_FIXTURE(Fixture, "what keeps a boot loader from being opened is told")
     plugged_in[0].claim_error = 0;
     plugged_in[0].has_picoboot = false;
     CHECK(has(failure_of_opening(pico, ExitStatus::refused), "without PICOBOOT"));
+    CHECK_THROWS_AS(open_boot_loader(pico), NoPicoboot);
 }
 
 TEST_CASE_FIXTURE(Fixture, "what can go wrong with a transfer is told")
