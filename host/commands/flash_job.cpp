@@ -52,6 +52,9 @@ Failure with_advice(const Failure& failure, const std::string& advice)
 
 constexpr const char* half_flashed = "The board does not start what was not written to the end. Plug it in "
                                      "again if it was unplugged; the same command once more repairs it";
+constexpr const char* lost_settings =
+    ". If it says that no settings can be read, they are lost: name the display with --panel then, and all "
+    "pins that are elsewhere";
 
 std::vector<std::uint32_t> addresses_of(const FlashImage& image)
 {
@@ -244,7 +247,8 @@ void FlashJob::write(BootLoader& boot_loader, const FlashImage& image,
     try {
         write_sectors(boot_loader, image, differing, tell_);
     } catch (const Failure& failure) {
-        throw with_advice(failure, half_flashed);
+        throw with_advice(failure,
+                          std::string{half_flashed} + (plan_.changes_settings() ? lost_settings : ""));
     }
     outcome.written = written_sectors(differing);
     outcome.verified = true;

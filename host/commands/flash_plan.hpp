@@ -41,8 +41,10 @@ public:
     /// Whether the settings that a board has decide what it gets.
     bool depends_on_board() const
     {
-        return settings_.changes_board() || (!settings_.is_made() && depends_on_bus());
+        return changes_settings() || (!settings_.is_made() && depends_on_bus());
     }
+    /// Whether the board gets its own settings, changed: nobody else has them while they are written.
+    bool changes_settings() const { return settings_.changes_board(); }
 
     /// What a board gets on which that was found; nothing is known of one whose flash cannot be read. Prints
     /// warnings. Throws Failure for parts that do not go together, and with no_room.

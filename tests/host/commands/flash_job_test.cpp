@@ -628,6 +628,24 @@ TEST_CASE("pins alone change the settings of the board")
     CHECK(holds(pico, BusKind::parallel_8));
 }
 
+TEST_CASE("settings that are lost while they are changed are told of")
+{
+    Flasher flasher;
+    flasher.wish.settings = {.config = {}, .panel = {}, .pins = {"reset=13"}};
+    flasher.wish.no_firmware = true;
+    DeskPico& pico = flasher.running("1-2");
+    pico.boot_loader.unplugged_after = pico.boot_loader.steps + 2 + 2 + 1; // found, compared, erased
+    CHECK(has(flasher.refusal(),
+              "the same command once more repairs it. If it says that no settings can be read, "
+              "they are lost: name the display with --panel then"));
+    pico.boot_loader.unplugged_after = PretendBootLoader::never;
+    pico.state = State::in_boot_loader;
+    CHECK(has(flasher.refusal(), "none can be read there"));
+    flasher.wish.settings.panel = "st7789";
+    CHECK(flasher.run_and_wait().playing.is_playing);
+    CHECK(settings_of(pico).pin(PinRole::reset) == 13);
+}
+
 TEST_CASE("firmware that is left alone must be there, and be right")
 {
     Flasher flasher;
