@@ -100,8 +100,11 @@ eventually has_boot_loader {OTHER}
 step kfast flash {first} {configured} --port {port(OTHER)}
 
 mkdir /computer/run/RPI-RP2
-mount -t tmpfs -o uid=1000,mode=700 RPI-RP2 /computer/run/RPI-RP2
+truncate -s 64M /tmp/drive
+mkdosfs -n RPI-RP2 /tmp/drive
+mount -t vfat -o loop,uid=1000,umask=077 /tmp/drive /computer/run/RPI-RP2
 printf '{INFO_UF2}' > /computer/run/RPI-RP2/INFO_UF2.TXT
+step kfast flash --list --json
 step kfast flash {first} {configured} --drive /run/RPI-RP2 --no-wait --json
 gzip -c /computer/run/RPI-RP2/KFAST.UF2 > /tmp/copied
 step base64 /tmp/copied
@@ -281,6 +284,8 @@ def check_several(linux, flashed, boards, scene, stuck):
 
 def check_others(linux, flashed, scene):
     Step(linux, WRONG_CHIP, "flash of another chip").expect("RP2350")
+    told = Step(linux, DONE, "a list of all").json
+    expect(told["drives"] == [{"folder": "/run/RPI-RP2", "board": "RPI-RP2"}], f"the list of all is {told}")
     told = Step(linux, DONE, "flash of a drive").json
     expect(told["drive"] and not told["verified"], f"flash of a drive tells {told}")
     drive = Uf2Drive()
