@@ -39,10 +39,7 @@ public:
 
     bool has_scene() const { return scene_.has_value(); }
     /// Whether the settings that a board has decide what it gets.
-    bool depends_on_board() const
-    {
-        return changes_settings() || (!settings_.is_made() && depends_on_bus());
-    }
+    bool depends_on_board() const { return changes_settings() || (!settings_.is_made() && depends_on_bus()); }
     /// Whether the board gets its own settings, changed: nobody else has them while they are written.
     bool changes_settings() const { return settings_.changes_board(); }
 

@@ -56,8 +56,6 @@ keep_attached {boards["main"].port} {MAIN}
 eventually has_boot_loader {MAIN}
 step kfast flash {first} {configured}
 step as_root {installed.name}/bin/kfast install-udev
-replug ruled {MAIN}
-eventually has_boot_loader {MAIN}
 step kfast flash {first} {configured} --json
 step kfast devices --json
 permission first
@@ -187,11 +185,10 @@ def expect_order(commands):
     return changes
 
 
-def check_permission(linux, boards):
+def check_permission(linux):
     Step(linux, NO_DEVICE, "flash without a board").expect("BOOTSEL")
     Step(linux, NO_PERMISSION, "flash without permission").expect("install-udev", 'ATTR{idProduct}=="0003"')
     Step(linux, DONE, "install-udev").expect("plugged in have it now")
-    replug(linux, boards["main"], "ruled")
 
 
 def replug(linux, board, name):
@@ -315,7 +312,7 @@ def main(build, images, guest, at_first, sent):
             boards = {"main": main_board, "stuck": stuck_board, "other": other}
             source = pathlib.Path(folder) / f"{CONFIGURATION}.kdl"
             with LinuxGuest(guest, task(installed, build / "bin/vhci-attach", scenes, source, boards)) as linux:
-                check_permission(linux, boards)
+                check_permission(linux)
                 check_first(linux, flashed, main_board, scenes[0])
                 check_second(linux, flashed, main_board, scenes[1])
                 check_cuts(linux, flashed, main_board, *scenes)
