@@ -52,6 +52,9 @@ Failure with_advice(const Failure& failure, const std::string& advice)
 
 constexpr const char* half_flashed = "The board does not start what was not written to the end. Plug it in "
                                      "again if it was unplugged; the same command once more repairs it";
+constexpr const char* lost_settings =
+    ". If it says that no settings can be read, they are lost: name the display with --panel then, and all "
+    "pins that are elsewhere";
 
 std::vector<std::uint32_t> addresses_of(const FlashImage& image)
 {
@@ -166,10 +169,7 @@ FlashOutcome FlashJob::run_on(const BootBoard& board)
     try {
         boot_loader = opened(board);
     } catch (const Failure& failure) {
-        const bool may_be_written = failure.status() == ExitStatus::no_permission &&
-                                    order_.purpose != FlashPurpose::verify_only &&
-                                    bench_.boards_in_boot_loader().size() == 1;
-        const auto drive = may_be_written ? only_drive(bench_) : std::nullopt;
+        const auto drive = drive_instead(failure);
         if (!drive)
             throw;
         std::cerr << "kfast: warning: " << failure.what() << "\nThe drive of the board is used instead.\n";
@@ -182,6 +182,22 @@ FlashOutcome FlashJob::run_on(const BootBoard& board)
     return outcome;
 }
 
+/// Of the only board, which cannot be opened. It has to be that of the drive.
+std::optional<Uf2Drive> FlashJob::drive_instead(const Failure& failure)
+{
+    const bool is_shut =
+        failure.status() == ExitStatus::no_permission || dynamic_cast<const NoPicoboot*>(&failure) != nullptr;
+    if (!is_shut || order_.purpose == FlashPurpose::verify_only || bench_.boards_in_boot_loader().size() != 1)
+        return std::nullopt;
+    const auto drive = only_drive(bench_);
+    if (drive && plan_.depends_on_board())
+        throw with_advice(failure, "Its drive at " + visible(drive->folder.string()) +
+                                       " does not tell which display it has: with --panel or --config, the "
+                                       "drive is used instead");
+    return drive;
+}
+
+/// One that has just come may lack a permission, or not be set up yet.
 std::unique_ptr<BootLoader> FlashJob::opened(const BootBoard& board)
 {
     const Milliseconds end = bench_.now() + (has_just_come_ ? settling : Milliseconds{0});
@@ -189,9 +205,9 @@ std::unique_ptr<BootLoader> FlashJob::opened(const BootBoard& board)
         try {
             return bench_.open_boot_loader(board);
         } catch (const Failure& failure) {
-            const bool may_change =
-                failure.status() == ExitStatus::no_permission || failure.status() == ExitStatus::no_device;
-            if (!may_change || bench_.now() >= end)
+            const bool stays =
+                failure.status() == ExitStatus::wrong_chip || failure.status() == ExitStatus::timed_out;
+            if (stays || bench_.now() >= end)
                 throw;
         }
     }
@@ -231,7 +247,8 @@ void FlashJob::write(BootLoader& boot_loader, const FlashImage& image,
     try {
         write_sectors(boot_loader, image, differing, tell_);
     } catch (const Failure& failure) {
-        throw with_advice(failure, half_flashed);
+        throw with_advice(failure,
+                          std::string{half_flashed} + (plan_.changes_settings() ? lost_settings : ""));
     }
     outcome.written = written_sectors(differing);
     outcome.verified = true;

@@ -54,7 +54,8 @@ public:
     /// a dry run no board takes notice but one that is in its boot loader, whose flash is read.
     ///
     /// A board that was asked to leave its player for this, and to which nothing was written, restarts as it
-    /// was, also when this throws. Throws Failure, see docs/flash.md.
+    /// was, also when this throws, unless its boot loader cannot be opened or has not come yet. Throws
+    /// Failure, see docs/flash.md.
     FlashOutcome run();
 
     /// After run() has restarted a board: waits until its player answers, and lets it play the scene that was
@@ -73,6 +74,7 @@ private:
     RemoteDevice player_at(const DeviceAddress& address);
     BootBoard await_boot_loader(const std::vector<BootBoard>& before);
     std::unique_ptr<BootLoader> opened(const BootBoard& board);
+    std::optional<Uf2Drive> drive_instead(const Failure& failure);
     void write(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& differing,
                FlashOutcome& outcome);
     void leave(BootLoader& boot_loader, FlashOutcome& outcome);

@@ -147,9 +147,12 @@ FlashContents FlashPlan::contents_for(const std::optional<FoundOnBoard>& found) 
     FlashContents contents = told_ ? *told_ : checked_contents(found);
     if (firmwares_.empty() && found)
         require_firmware_on(*found, effective(settings_.on(found->settings), found));
-    if (!found && !settings_.is_made() && depends_on_bus())
-        std::cerr << "kfast: warning: which display the board has is not known, so the firmware is that for "
-                  << config::default_configuration(BusKind::spi) << ": name yours with --panel or --config\n";
+    if (!(found && found->settings) && depends_on_board())
+        std::cerr << "kfast: warning: "
+                  << (found ? "the board does not know its display"
+                            : "which display the board has is not known")
+                  << ", so the firmware is that for " << config::default_configuration(BusKind::spi)
+                  << ": name yours with --panel or --config\n";
     return contents;
 }
 

@@ -38,6 +38,10 @@ public:
     FlashPlan(const PlanWish& wish, std::span<const std::filesystem::path> images);
 
     bool has_scene() const { return scene_.has_value(); }
+    /// Whether the settings that a board has decide what it gets.
+    bool depends_on_board() const { return changes_settings() || (!settings_.is_made() && depends_on_bus()); }
+    /// Whether the board gets its own settings, changed: nobody else has them while they are written.
+    bool changes_settings() const { return settings_.changes_board(); }
 
     /// What a board gets on which that was found; nothing is known of one whose flash cannot be read. Prints
     /// warnings. Throws Failure for parts that do not go together, and with no_room.

@@ -19,8 +19,8 @@ struct Options {
     bool dry_run = false;
 };
 
-constexpr const char* heed_rules = "udevadm control --reload && udevadm trigger --subsystem-match=hidraw "
-                                   "--subsystem-match=usb";
+constexpr const char* heed_rules = "udevadm control --reload && udevadm trigger --settle "
+                                   "--subsystem-match=hidraw --subsystem-match=usb";
 
 void require_permission(const std::filesystem::path& folder)
 {

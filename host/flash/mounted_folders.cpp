@@ -8,8 +8,9 @@
 namespace kfast {
 namespace {
 
-/// FAT, which boot loaders have, by its different drivers; and memory, which stands in for it.
-constexpr std::array<std::string_view, 5> file_systems{"vfat", "msdos", "exfat", "fuseblk", "tmpfs"};
+/// FAT, which boot loaders have, by its different drivers. Not memory, as in /tmp, where anybody may leave
+/// what looks like a drive.
+constexpr std::array<std::string_view, 4> file_systems{"vfat", "msdos", "exfat", "fuseblk"};
 
 bool is_octal(char digit) { return digit >= '0' && digit <= '7'; }
 

@@ -17,6 +17,17 @@ constexpr std::uint32_t rp2040_flash = 0x1000'0000;
 constexpr std::uint32_t rp2040_memory = 0x2000'0000; ///< behind the addresses of flash
 constexpr std::uint32_t rp2040_end = 0x2004'2000;
 
+/// What picotool puts in front of files for the RP2350, because of its erratum E10: a block that is not to be
+/// written, and says that it is one of two (raspberrypi/picotool, elf2uf2/elf2uf2.cpp, check_abs_block()).
+bool is_left_out(const Uf2Block& block)
+{
+    constexpr std::uint32_t absolute_family = 0xE48B'FF57;
+    constexpr std::uint32_t extension_tags = 0x8000;
+    return (block.flags & ~extension_tags) == Uf2Block::names_family && block.family == absolute_family &&
+           block.number == 0 && block.count == 2 && block.payload_bytes == Uf2Block::usual_payload &&
+           std::ranges::all_of(block.payload, [](std::byte byte) { return byte == std::byte{0xEF}; });
+}
+
 /// What a block writes.
 struct Piece {
     std::uint32_t address = 0;
@@ -62,6 +73,7 @@ private:
         expect(rest == 0, "the file ends after " + std::to_string(rest) +
                               " of its 512 bytes: it was cut off, or is no UF2 file");
         expect(!file_.empty(), "the file is empty");
+        expect(!families_.empty() || !mistakes_.empty(), "there is nothing to be written");
     }
 
     void read_block(std::span<const std::byte, Uf2Block::bytes> bytes)
@@ -69,6 +81,8 @@ private:
         const auto block = read_uf2_block(bytes);
         if (!expect(block.has_value(), "it does not begin and end as a block of a UF2 file"))
             return count_unreadable();
+        if (is_left_out(*block))
+            return;
         Family& family = family_of(*block);
         ++family.part.blocks;
         family.part.flags |= block->flags;

@@ -92,18 +92,6 @@ std::string file_of(const Device& device)
     return path.data();
 }
 
-std::string serial_of(const Device& device)
-{
-    libusb_device_handle* opened = nullptr;
-    if (::libusb_open(device.get(), &opened) != LIBUSB_SUCCESS)
-        return {};
-    const Handle handle{opened, libusb_close};
-    std::array<unsigned char, 128> text{};
-    const int length = ::libusb_get_string_descriptor_ascii(opened, descriptor_of(device).iSerialNumber,
-                                                            text.data(), static_cast<int>(text.size()));
-    return {text.begin(), text.begin() + std::max(length, 0)};
-}
-
 /// Throws what that error is.
 [[noreturn]] void fail(int error)
 {
@@ -242,9 +230,7 @@ Endpoints picoboot_endpoints(const Device& device)
     if (place < interfaces.size() && interfaces[place].num_altsetting > 0)
         if (const auto endpoints = endpoints_of(interfaces[place].altsetting[0]))
             return *endpoints;
-    throw Failure{
-        "the boot loader was started without PICOBOOT: plug the board in anew with BOOTSEL held down",
-        ExitStatus::refused};
+    throw NoPicoboot{};
 }
 
 Handle opened(const Device& device)
@@ -284,7 +270,7 @@ std::vector<BootBoard> boards_in_boot_loader()
     std::vector<BootBoard> boards;
     for (const Device& device : attached())
         if (const auto chip = boot_chip(device))
-            boards.push_back({*chip, port_of(device), serial_of(device)});
+            boards.push_back({*chip, port_of(device)});
     std::ranges::sort(boards, {}, &BootBoard::port);
     return boards;
 }

@@ -18,7 +18,7 @@ Failure not_allowed(const std::string& path, std::string_view mark)
 {
     return Failure{"you may not open " + path + ". A rule of udev allows it:\n  " + udev_command() +
                        "\nputs it into /etc/udev/rules.d:\n  " + std::string{line_with(udev_rule, mark)} +
-                       "\nThen unplug the device and plug it in again",
+                       "\nThen try again; if that does not help, plug the device in anew",
                    ExitStatus::no_permission};
 }
 

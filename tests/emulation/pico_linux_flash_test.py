@@ -56,8 +56,6 @@ keep_attached {boards["main"].port} {MAIN}
 eventually has_boot_loader {MAIN}
 step kfast flash {first} {configured}
 step as_root {installed.name}/bin/kfast install-udev
-replug ruled {MAIN}
-eventually has_boot_loader {MAIN}
 step kfast flash {first} {configured} --json
 step kfast devices --json
 permission first
@@ -100,8 +98,11 @@ eventually has_boot_loader {OTHER}
 step kfast flash {first} {configured} --port {port(OTHER)}
 
 mkdir /computer/run/RPI-RP2
-mount -t tmpfs -o uid=1000,mode=700 RPI-RP2 /computer/run/RPI-RP2
+truncate -s 64M /tmp/drive
+mkdosfs -n RPI-RP2 /tmp/drive
+mount -t vfat -o loop,uid=1000,umask=077 /tmp/drive /computer/run/RPI-RP2
 printf '{INFO_UF2}' > /computer/run/RPI-RP2/INFO_UF2.TXT
+step kfast flash --list --json
 step kfast flash {first} {configured} --drive /run/RPI-RP2 --no-wait --json
 gzip -c /computer/run/RPI-RP2/KFAST.UF2 > /tmp/copied
 step base64 /tmp/copied
@@ -184,11 +185,10 @@ def expect_order(commands):
     return changes
 
 
-def check_permission(linux, boards):
+def check_permission(linux):
     Step(linux, NO_DEVICE, "flash without a board").expect("BOOTSEL")
     Step(linux, NO_PERMISSION, "flash without permission").expect("install-udev", 'ATTR{idProduct}=="0003"')
     Step(linux, DONE, "install-udev").expect("plugged in have it now")
-    replug(linux, boards["main"], "ruled")
 
 
 def replug(linux, board, name):
@@ -281,6 +281,8 @@ def check_several(linux, flashed, boards, scene, stuck):
 
 def check_others(linux, flashed, scene):
     Step(linux, WRONG_CHIP, "flash of another chip").expect("RP2350")
+    told = Step(linux, DONE, "a list of all").json
+    expect(told["drives"] == [{"folder": "/run/RPI-RP2", "board": "RPI-RP2"}], f"the list of all is {told}")
     told = Step(linux, DONE, "flash of a drive").json
     expect(told["drive"] and not told["verified"], f"flash of a drive tells {told}")
     drive = Uf2Drive()
@@ -310,7 +312,7 @@ def main(build, images, guest, at_first, sent):
             boards = {"main": main_board, "stuck": stuck_board, "other": other}
             source = pathlib.Path(folder) / f"{CONFIGURATION}.kdl"
             with LinuxGuest(guest, task(installed, build / "bin/vhci-attach", scenes, source, boards)) as linux:
-                check_permission(linux, boards)
+                check_permission(linux)
                 check_first(linux, flashed, main_board, scenes[0])
                 check_second(linux, flashed, main_board, scenes[1])
                 check_cuts(linux, flashed, main_board, *scenes)

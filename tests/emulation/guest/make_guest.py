@@ -23,6 +23,8 @@ from debian_packages import DebianPackages, Failure, call, unpack  # noqa: E402 
 
 FOR_FILES = ("virtio_pci", "9p", "9pnet_virtio")
 FOLDERS_FOR_FILES = ("drivers/virtio", "net/9p", "fs/9p", "fs/netfs", "fs/fscache")
+FOR_DRIVES = ("loop", "vfat", "nls_cp437", "nls_ascii")
+FOLDERS_FOR_DRIVES = ("drivers/block", "fs/fat", "fs/nls")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,8 +49,9 @@ def uncompressed(image):
 
 KINDS = {
     "amd64": Kind(packages=("busybox-static", "udev", "libkmod2"),
-                  modules=("usbhid", "hid_generic", "vhci_hcd", "virtio_net", *FOR_FILES),
-                  module_folders=("drivers/usb", "drivers/hid", "drivers/net", "net/core", *FOLDERS_FOR_FILES),
+                  modules=("usbhid", "hid_generic", "vhci_hcd", "virtio_net", *FOR_FILES, *FOR_DRIVES),
+                  module_folders=("drivers/usb", "drivers/hid", "drivers/net", "net/core", *FOLDERS_FOR_FILES,
+                                  *FOLDERS_FOR_DRIVES),
                   has_udev=True, kernel=uncompressed),
     "arm64": Kind(packages=("busybox-static",),
                   modules=("spi_gpio", *FOR_FILES), module_folders=("drivers/spi", *FOLDERS_FOR_FILES),

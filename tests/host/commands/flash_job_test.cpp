@@ -237,6 +237,22 @@ TEST_CASE("a board that may not be opened is written to through its drive, if th
     CHECK(holds(pico, BusKind::spi));
 }
 
+TEST_CASE("a board whose boot loader is a drive alone is written to through that")
+{
+    Flasher flasher;
+    const Heard heard;
+    DeskPico& pico = flasher.desk.add("1-2");
+    pico.has_picoboot = false;
+    CHECK(has(flasher.refusal(), "8: the boot loader was started without PICOBOOT: plug the board in anew"));
+    flasher.desk.drives = {{"/media/RPI-RP2", "RPI-RP2"}};
+    CHECK(flasher.run_and_wait().playing.is_playing);
+    CHECK(has(heard.text(),
+              "without PICOBOOT: plug the board in anew with BOOTSEL held down\nThe drive of the "
+              "board is used instead."));
+    CHECK(flasher.outcome.drive == "/media/RPI-RP2");
+    CHECK(holds(pico, BusKind::spi));
+}
+
 TEST_CASE("the drive is not used for what it cannot do")
 {
     Flasher flasher;
@@ -249,6 +265,19 @@ TEST_CASE("the drive is not used for what it cannot do")
         CHECK(flasher.refusal() == "4: you may not");
         flasher.order.place.drive = "/media/RPI-RP2";
         CHECK(has(flasher.refusal(), "2: a drive does not tell what lies in flash"));
+    }
+    SUBCASE("to tell which firmware it needs")
+    {
+        flasher.wish.settings = {};
+        pico.forbidden = 1;
+        CHECK(flasher.refusal() ==
+              "4: you may not\nIts drive at /media/RPI-RP2 does not tell which display it "
+              "has: with --panel or --config, the drive is used instead");
+    }
+    SUBCASE("when another program has the board")
+    {
+        pico.unready = 1;
+        CHECK(flasher.refusal() == "8: USB fails");
     }
     SUBCASE("when it may be that of another board")
     {
@@ -333,17 +362,20 @@ TEST_CASE("a board that runs is asked to enter its boot loader, and is awaited b
     CHECK(!other.boot_loader.changed);
 }
 
-TEST_CASE("permissions that udev sets a moment later are waited for")
+TEST_CASE("a boot loader that has just come is waited for until it can be used")
 {
     Flasher flasher;
     DeskPico& pico = flasher.running("1-2");
     flasher.desk.on_boards = [&] {
-        if (pico.state == State::running && pico.player.device.is_in_boot_loader)
-            pico.forbidden = 5;
+        if (pico.state == State::running && pico.player.device.is_in_boot_loader) {
+            pico.forbidden = 5; // until udev has set its permissions
+            pico.unready = 5;   // until Linux has configured it
+        }
     };
     flasher.run_and_wait();
     CHECK(pico.has_scene());
     CHECK(pico.forbidden == 0);
+    CHECK(pico.unready == 0);
 
     // One that was there before is not.
     pico.state = State::in_boot_loader;
@@ -543,17 +575,23 @@ TEST_CASE("the settings of the board decide the firmware if none are told")
     SUBCASE("there are some")
     {
         Flasher::prepare(pico, BusKind::i2c, "pico-ssd1306-i2c");
+        const Heard heard;
         pico.flash.bytes()[0x1000] ^= std::byte{1};
         CHECK(flasher.run().addresses.size() == 4);
         CHECK(holds(pico, BusKind::i2c));
+        CHECK(heard.text().empty());
     }
     SUBCASE("there are none")
     {
+        const Heard heard;
         flasher.run();
         CHECK(holds(pico, BusKind::spi));
+        CHECK(has(heard.text(),
+                  "the board does not know its display, so the firmware is that for pico-st7789"));
     }
     SUBCASE("there are some that a Pico cannot follow")
     {
+        const Heard heard;
         Flasher::prepare(pico, BusKind::i2c, "pico-ssd1306-i2c");
         BoardSettings wrong = config::chosen_settings("pico-ssd1306-i2c");
         wrong.panel.glass = {0, 0};
@@ -588,6 +626,24 @@ TEST_CASE("pins alone change the settings of the board")
     expected.pin(PinRole::backlight) = no_pin;
     CHECK(settings_of(pico) == expected);
     CHECK(holds(pico, BusKind::parallel_8));
+}
+
+TEST_CASE("settings that are lost while they are changed are told of")
+{
+    Flasher flasher;
+    flasher.wish.settings = {.config = {}, .panel = {}, .pins = {"reset=13"}};
+    flasher.wish.no_firmware = true;
+    DeskPico& pico = flasher.running("1-2");
+    pico.boot_loader.unplugged_after = pico.boot_loader.steps + 2 + 2 + 1; // found, compared, erased
+    CHECK(has(flasher.refusal(),
+              "the same command once more repairs it. If it says that no settings can be read, "
+              "they are lost: name the display with --panel then"));
+    pico.boot_loader.unplugged_after = PretendBootLoader::never;
+    pico.state = State::in_boot_loader;
+    CHECK(has(flasher.refusal(), "none can be read there"));
+    flasher.wish.settings.panel = "st7789";
+    CHECK(flasher.run_and_wait().playing.is_playing);
+    CHECK(settings_of(pico).pin(PinRole::reset) == 13);
 }
 
 TEST_CASE("firmware that is left alone must be there, and be right")

@@ -4,6 +4,8 @@ folders. No board that is plugged in where this runs may be written to."""
 import json
 import os
 import pty
+import re
+import shlex
 import struct
 import subprocess
 import unittest
@@ -212,7 +214,20 @@ class DriveTest(FlashTest):
         self.refuse("flash", *drive, environment=self.images, status=1, says="cannot write drive/KFAST.UF2")
 
 
-class DocumentTest(CommandTest):
+class DocumentTest(FlashTest):
+    def test_commands_of_the_documents(self):
+        (self.folder / "eyes.kfast").write_text((self.folder / "once.kfast").read_text())
+        (self.folder / "examples").symlink_to(ROOT / "examples")
+        commands = [command for document in ("README.md", "docs/flash.md")
+                    for command in re.findall(r"^    (?:build/host/bin/)?kfast flash\b(.*)", (ROOT / document).read_text(), re.M)]
+        self.assertGreater(len(commands), 5)
+        for command in commands:
+            with self.subTest(command):
+                arguments = shlex.split(command, comments=True)
+                if arguments[:1] == ["--pin"]:
+                    arguments += ["--panel", "st7789"]  # those of the board, which is not there
+                self.planned(*arguments)
+
     def test_docs_flash_md_has_all_options(self):
         text = (ROOT / "docs/flash.md").read_text()
         for option in {word.rstrip(",") for word in self.run_kfast("flash", "--help").stdout.split() if word.startswith("--")}:

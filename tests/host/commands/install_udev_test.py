@@ -32,7 +32,7 @@ class InstallUdevTest(CommandTest):
         self.assertIn(f"{self.rules}/70-kfast.rules", told)
         self.assertEqual((self.rules / "70-kfast.rules").read_text(), self.run_kfast("devices", "--udev-rule").stdout)
         self.assertEqual((self.folder / "calls").read_text().splitlines(),
-                         ["control --reload", "trigger --subsystem-match=hidraw --subsystem-match=usb"])
+                         ["control --reload", "trigger --settle --subsystem-match=hidraw --subsystem-match=usb"])
         self.assertEqual(len(list(self.rules.iterdir())), 1)
         (self.rules / "70-kfast.rules").write_text("old")
         self.install()

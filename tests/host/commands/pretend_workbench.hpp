@@ -56,6 +56,8 @@ struct DeskPico {
     int lingers = 0; ///< how often it is still seen after it was told to restart
     bool is_leaving = false;
     int forbidden = 0; ///< how often it may not be opened yet
+    int unready = 0;   ///< how often its boot loader cannot be used yet
+    bool has_picoboot = true;
 };
 
 class DeskBootLoader final : public BootLoader {
@@ -103,7 +105,7 @@ public:
             if (pico.player.device.is_in_boot_loader && !pico.is_deaf)
                 pico.state = DeskPico::State::in_boot_loader;
             if (pico.state == DeskPico::State::in_boot_loader)
-                boards.push_back({pico.chip, pico.port, "E0C9125B0D9B"});
+                boards.push_back({pico.chip, pico.port});
         }
         return boards;
     }
@@ -111,6 +113,12 @@ public:
     {
         DeskPico& pico = *std::ranges::find(picos, board.port, &DeskPico::port);
         require_permission(pico);
+        if (!pico.has_picoboot)
+            throw NoPicoboot{};
+        if (pico.unready > 0) {
+            --pico.unready;
+            throw Failure{"USB fails", ExitStatus::refused};
+        }
         return std::make_unique<DeskBootLoader>(pico);
     }
 

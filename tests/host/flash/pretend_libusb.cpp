@@ -143,7 +143,6 @@ int libusb_get_device_descriptor(libusb_device* device, libusb_device_descriptor
 {
     descriptor->idVendor = device->facts.vendor;
     descriptor->idProduct = device->facts.product;
-    descriptor->iSerialNumber = 3;
     return LIBUSB_SUCCESS;
 }
 
@@ -187,15 +186,6 @@ void libusb_close(libusb_device_handle* handle)
     libusb_unref_device(handle->device);
     delete handle;
     --libusb_things_in_use;
-}
-
-int libusb_get_string_descriptor_ascii(libusb_device_handle* handle, std::uint8_t, unsigned char* text,
-                                       int room)
-{
-    const std::string& serial = handle->device->facts.serial;
-    const std::size_t count = std::min(serial.size(), static_cast<std::size_t>(room));
-    std::copy_n(serial.begin(), count, text);
-    return static_cast<int>(count);
 }
 
 int libusb_claim_interface(libusb_device_handle* handle, int interface)

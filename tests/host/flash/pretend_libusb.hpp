@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace kfast::test {
@@ -16,7 +15,6 @@ struct PluggedIn {
     std::uint8_t bus = 1;
     std::uint8_t address = 5;
     std::vector<std::uint8_t> ports{2, 3};
-    std::string serial = "E0C9125B0D9B";
     bool has_drive = true;    ///< as its first interface, before that of PICOBOOT
     bool has_picoboot = true; ///< as its last one
     BootRom* rom = nullptr;   ///< what the interface of PICOBOOT leads to

@@ -57,6 +57,27 @@ std::string mistakes_with(const auto& change)
 
 }
 
+TEST_CASE("the block that picotool puts in front for the RP2350 is left out")
+{
+    constexpr std::uint32_t rp2350_family = 0xe48b'ff59;
+    const std::vector<std::byte> filler(256, std::byte{0xEF});
+    const Uf2Block extra{
+        .flags = 0xA000, .address = 0x10ff'ff00, .count = 2, .family = 0xe48b'ff57, .payload = filler};
+    auto blocks = some_blocks(3, rp2350_family);
+    blocks.insert(blocks.begin(), extra);
+    const Uf2Contents contents = read_uf2(file_of(blocks));
+    CHECK(contents.mistakes.empty());
+    CHECK(contents.blocks == 4);
+    REQUIRE(contents.parts.size() == 1);
+    CHECK(contents.parts[0].family == rp2350_family);
+    CHECK(contents.parts[0].first_block == 1);
+
+    blocks[0].payload = payload;
+    CHECK(mistakes_in(file_of(blocks)) ==
+          "0: it says that there are 2 blocks for its chips, but there are 1");
+    CHECK(mistakes_in(file_of({extra})) == "1: there is nothing to be written");
+}
+
 TEST_CASE("a file tells what it has for each family of chips")
 {
     auto blocks = some_blocks(3);

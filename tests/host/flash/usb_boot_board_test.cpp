@@ -37,7 +37,7 @@ struct Fixture {
 
     NorFlash memory{2};
     BootRom rom{memory};
-    const BootBoard pico{BootChip::rp2040, "1-2.3", "E0C9125B0D9B"};
+    const BootBoard pico{BootChip::rp2040, "1-2.3"};
 };
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
@@ -49,7 +49,7 @@ TEST_CASE_FIXTURE(Fixture, "boards in their boot loader are found by their numbe
     plugged_in.push_back({.product = 0x000a});                   // one that runs
     plugged_in.push_back({.vendor = 0x1209, .product = 0x0003}); // another device
     plugged_in.push_back({.product = 0x000f, .ports = {1}, .open_error = LIBUSB_ERROR_ACCESS});
-    CHECK(boards_in_boot_loader() == std::vector<BootBoard>{{BootChip::rp2350, "1-1", ""}, pico});
+    CHECK(boards_in_boot_loader() == std::vector<BootBoard>{{BootChip::rp2350, "1-1"}, pico});
     plugged_in.clear();
     CHECK(boards_in_boot_loader().empty());
 }
@@ -97,8 +97,8 @@ TEST_CASE_FIXTURE(Fixture, "who may not open it is told the rule and the command
 
 TEST_CASE_FIXTURE(Fixture, "what keeps a boot loader from being opened is told")
 {
-    CHECK(has(failure_of_opening({BootChip::rp2350, "1-1", ""}, ExitStatus::wrong_chip), "RP2350"));
-    CHECK(has(failure_of_opening({BootChip::rp2040, "1-9", ""}, ExitStatus::no_device), "port 1-9 is gone"));
+    CHECK(has(failure_of_opening({BootChip::rp2350, "1-1"}, ExitStatus::wrong_chip), "RP2350"));
+    CHECK(has(failure_of_opening({BootChip::rp2040, "1-9"}, ExitStatus::no_device), "port 1-9 is gone"));
     plugged_in[0].open_error = LIBUSB_ERROR_NO_DEVICE;
     CHECK(has(failure_of_opening(pico, ExitStatus::unplugged), "is gone"));
     plugged_in[0].open_error = 0;
@@ -107,6 +107,7 @@ TEST_CASE_FIXTURE(Fixture, "what keeps a boot loader from being opened is told")
     plugged_in[0].claim_error = 0;
     plugged_in[0].has_picoboot = false;
     CHECK(has(failure_of_opening(pico, ExitStatus::refused), "without PICOBOOT"));
+    CHECK_THROWS_AS(open_boot_loader(pico), NoPicoboot);
 }
 
 TEST_CASE_FIXTURE(Fixture, "what can go wrong with a transfer is told")
