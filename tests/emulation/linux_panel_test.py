@@ -73,7 +73,7 @@ class PanelTest(unittest.TestCase):
                 self.assertEqual(self.computer.hashes(settings(panel), LINES), wanted)
 
     def test_eight_wires(self):
-        for panel in ("st7789", "ili9341"):
+        for panel in ("st7789", "ili9341", "st7735"):
             for more in ({}, {"select": SELECT}):
                 with self.subTest(panel=panel, more=more):
                     lines = PARALLEL | more
