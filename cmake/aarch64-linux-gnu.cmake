@@ -6,6 +6,10 @@ set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES KFAST_SYSROOT)
 
+if(NOT EXISTS "${KFAST_SYSROOT}/made_of")
+    message(FATAL_ERROR "There are no libraries for arm64 in '${KFAST_SYSROOT}'.\n"
+        "scripts/build linux-arm64 downloads them, or: python3 scripts/make_sysroot.py arm64 build/linux-arm64/root")
+endif()
 set(CMAKE_SYSROOT ${KFAST_SYSROOT})
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
