@@ -242,7 +242,9 @@ class PanelTest(unittest.TestCase):
             with self.subTest(arguments=arguments):
                 self.refuse("--panel", "st7789", *arguments, status=2, says=says)
                 self.assertEqual(self.computer.wires().transfers(), [])
-        self.refuse("--panel", "gc9a01", "--bus", "parallel", *pins(PARALLEL), status=2, says="cannot be driven by parallel")
+        self.refuse("--panel", "ssd1306", "--bus", "parallel", *pins(PARALLEL), status=2,
+                    says="--bus: ssd1306 cannot be driven by parallel: leave it out")
+        self.refuse("--panel", "ssd1306", *SPI, *PINS, "--rotation", 90, status=2, says="--rotation: ssd1306 cannot turn")
         self.refuse(*SPI, *PINS, status=2, says="--panel")
         self.refuse("--panel", "ili9341", *SPI, *PINS, "--clock", "40MHz", "--frames", 1, status=0,
                     says="take --clock 10 MHz")
