@@ -50,7 +50,7 @@ public:
     }
 
     P& panel() { return panel_; }
-    Microseconds now() const { return clock_.now(); }
+    Microseconds now() { return clock_.now(); }
     void sleep_until(Microseconds moment) { clock_.sleep_until(moment); }
 
     std::span<const std::byte> scene_bytes() const { return show_.scene; }

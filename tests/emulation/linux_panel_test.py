@@ -177,6 +177,13 @@ class PanelTest(unittest.TestCase):
         done = self.play("--panel", "st7789", *SPI, *PINS, "--frames", 2, "--clock", "13MHz")
         self.assertRegex(done.stdout, "2 frames shown, [1-9] left out")
 
+    def test_who_was_stopped_goes_on_at_once(self):
+        self.computer.describe("stopped", "12 2400\n")
+        self.play("--panel", "st7735", *SPI, *PINS, "--frames", 30)
+        times = [time for time, *_ in self.computer.wires().events]
+        self.assertGreater(times[-1] - times[0], 2400e9)
+        self.assertLess(times[-1] - times[0], 2410e9)
+
     # What goes wrong
 
     def test_an_spi_device_that_is_not_there(self):
