@@ -3,8 +3,8 @@
 
     make_sysroot.py ARCHITECTURE FOLDER
 
-ARCHITECTURE is one of Debian's, as arm64. Nothing is done when the folder is there; no rights are needed, and nothing is
-installed. Programs of it run on such a computer with FOLDER as their root."""
+ARCHITECTURE is one of Debian's, as arm64. Nothing is done when the folder is there; no rights are needed, and nothing
+is installed. Programs of it run on such a computer with FOLDER as their root."""
 
 import os
 import pathlib

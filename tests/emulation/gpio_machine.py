@@ -1,4 +1,4 @@
-"""QEMU's machine virt for arm64: a computer with eight GPIO lines, three of which are an SPI bus, watched from outside."""
+"""QEMU's machine virt for arm64: a computer with eight GPIO lines, three of them an SPI bus, watched from outside."""
 
 import collections
 import pathlib
@@ -25,8 +25,8 @@ Edge = collections.namedtuple("Edge", "nanoseconds line level")
 
 
 class GpioMachine:
-    """`with GpioMachine(root) as board:` is a machine for a LinuxGuest, which shows it the folder `root`. It stands still
-    until watch(); when the guest has ended, edges() are what its GPIO lines have done."""
+    """`with GpioMachine(root) as board:` is a machine for a LinuxGuest, which has the folder `root` for /computer. It
+    stands still until watch(); when the guest has ended, edges() are what its GPIO lines have done."""
 
     def __init__(self, root):
         self._root = root

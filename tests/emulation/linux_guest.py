@@ -47,7 +47,8 @@ class LinuxGuest:
         self.console = []
         self._qemu = subprocess.Popen(
             [*machine.qemu, "-accel", "tcg", "-m", "256", "-display", "none", "-monitor", "none",
-             "-serial", "stdio", "-no-reboot", "-nodefaults", "-kernel", folder / "kernel", "-initrd", folder / "initrd.gz",
+             "-serial", "stdio", "-no-reboot", "-nodefaults",
+             "-kernel", folder / "kernel", "-initrd", folder / "initrd.gz",
              "-append", f"console={machine.console} loglevel=1 panic=-1 mitigations=off nokaslr",
              *share("computer", machine.computer), *share("task", self._task.name)],
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")

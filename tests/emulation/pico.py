@@ -127,7 +127,7 @@ class Desk:
         found = json.loads(self._report.read_text(encoding="utf-8"))
         if look_at_end:
             with open(self._trace, "ab") as trace:
-                trace.write(record(Kind.note, round(found["milliseconds"] * 1e6), b"F 0 0"))
+                trace.write(record(Kind.NOTE, round(found["milliseconds"] * 1e6), b"F 0 0"))
         wanted = [] if pictures is None else ["--pictures", pictures]
         told = self._call(self._programs / "kfast-panel", self._trace, settings.record, *wanted).stdout.splitlines()
         return Run(found, told[:-1] if look_at_end else told)

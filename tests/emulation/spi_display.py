@@ -23,14 +23,14 @@ class Section:
 
 def sections(edges):
     """`edges` between one time that MARK goes high and the next."""
-    found = []
-    pins = Pins()
+    found, pins, latest = [], Pins(), 0
     for edge in edges:
+        latest = edge.nanoseconds
         if edge.line == MARK and edge.level:
-            pins.finish(edge.nanoseconds)
-            found.append(pins.begin(edge.nanoseconds))
+            pins.finish(latest)
+            found.append(pins.begin(latest))
         pins.see(edge)
-    pins.finish(edge.nanoseconds)
+    pins.finish(latest)
     return found
 
 

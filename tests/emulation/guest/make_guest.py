@@ -134,7 +134,8 @@ def make(folder, architecture):
     unpacked = work / "unpacked"
     for file in debian.download(work / "packages", debian.kernel(architecture), *kind.packages):
         if file.name.startswith("linux-image"):
-            unpack(file, unpacked, "boot/vmlinuz-*", *(f"lib/modules/*/kernel/{part}/*" for part in kind.module_folders))
+            modules = (f"lib/modules/*/kernel/{part}/*" for part in kind.module_folders)
+            unpack(file, unpacked, "boot/vmlinuz-*", *modules)
         else:
             unpack(file, unpacked)
     (kernel,) = (unpacked / "boot").glob("vmlinuz-*")
