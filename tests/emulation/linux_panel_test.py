@@ -164,6 +164,15 @@ class PanelTest(unittest.TestCase):
                     self.assertNotIn(f"{MOST_FRAMES} frames shown", done.stdout)
                     self.expect_dark(self.computer.wires())
 
+    def test_a_signal_in_the_middle_of_a_picture_does_not_wait_for_its_end(self):
+        self.computer.describe("dev/spidev0.0", "interrupted-at 58\n")  # among the pixels of the first picture
+        done = self.play("--panel", "st7789", *SPI, *PINS)
+        self.assertIn("0 frames shown", done.stdout)
+        wires = self.computer.wires()
+        self.assertGreater(wires.transfers()[57], 1000)
+        self.assertLess(sum(wires.transfers()[57:]), 240 * 240)  # half a picture
+        self.expect_dark(wires)
+
     def test_the_shortest_reset_is_kept_though_a_signal_comes(self):
         self.computer.describe("signal", "2 1\n")
         self.play("--panel", "st7789", *SPI, *PINS)
