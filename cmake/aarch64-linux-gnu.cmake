@@ -9,9 +9,9 @@ set(CMAKE_C_COMPILER_TARGET aarch64-linux-gnu)
 set(CMAKE_CXX_COMPILER_TARGET aarch64-linux-gnu)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES KFAST_SYSROOT)
 
-if(NOT IS_DIRECTORY "${KFAST_SYSROOT}/usr/include")
-    message(FATAL_ERROR "KFAST_SYSROOT, '${KFAST_SYSROOT}', is no folder of libraries: scripts/build linux-arm64 makes it, "
-        "and so does scripts/make_sysroot.py")
+if(NOT EXISTS "${KFAST_SYSROOT}/made_of")
+    message(FATAL_ERROR "There are no libraries for arm64 in '${KFAST_SYSROOT}'.\n"
+        "scripts/build linux-arm64 downloads them, or: python3 scripts/make_sysroot.py arm64 build/linux-arm64/root")
 endif()
 set(CMAKE_SYSROOT ${KFAST_SYSROOT})
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)

@@ -9,24 +9,48 @@ class Failure(Exception):
     pass
 
 
+class CommandFailed(Failure):
+    def __init__(self, command, complaint):
+        super().__init__(f"{' '.join(map(str, command))}: {complaint}")
+        self.complaint = complaint
+
+
 def call(*command, folder=None, **options):
     """What a command prints, as bytes. Throws Failure with its complaint."""
     done = subprocess.run([str(word) for word in command], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           check=False, **options)
     if done.returncode != 0:
-        raise Failure(f"{' '.join(map(str, command))}: {done.stderr.decode(errors='replace').strip()}")
+        raise CommandFailed(command, done.stderr.decode(errors="replace").strip())
     return done.stdout
 
 
-class DebianPackages:
-    """Those for the processor of this computer, as far as apt knows them; or those for `architecture`, from where this
-    computer has its own: what apt knows of them is kept in `folder` and is asked for anew with every object."""
+def sites():
+    """Where this computer has its packages from. Debian's main archive is most often the first: other ones follow."""
+    told = call("apt-get", "indextargets", "--format", "$(SITE)", "Created-By: Packages").decode()
+    if not told:
+        raise Failure("apt has no source of packages: see /etc/apt/sources.list.d")
+    return sorted(dict.fromkeys(told.split()), key=lambda site: not site.rstrip("/").endswith("/debian"))
 
-    def __init__(self, architecture=None, folder=None):
+
+class DebianPackages:
+    """Those for the processor of this computer, as far as apt knows them. With `folder`, those for `architecture`, from
+    where this computer has its own, or from `source`, a line as in sources.list: what apt knows of them is kept there and
+    is asked for anew with every object."""
+
+    def __init__(self, folder=None, architecture=None, source=None):
         self._options = []
-        if architecture is not None:
-            self._options = other_architecture(architecture, pathlib.Path(folder).resolve())
-            self._apt("apt-get", "update")
+        self._remedy = "apt has to know Debian 12's packages: scripts/install asks for them, and so does apt-get update"
+        if folder is not None:
+            self._options = own_settings(pathlib.Path(folder).resolve(), architecture, source)
+            self._remedy = "the sources of this computer have to be Debian 12's, and for all processors"
+            self._update()
+
+    def _update(self):
+        """A source that fails need not be one that matters: it is told of only when something is missing."""
+        try:
+            call("apt-get", "--quiet", *self._options, "-o", "APT::Update::Error-Mode=any", "update")
+        except CommandFailed as failure:
+            self._remedy = f"apt-get update: {failure.complaint}\nis the network there?"
 
     def kernel(self, flavour):
         """The package of the newest kernel. Its name changes with its versions, so another package tells it."""
@@ -50,16 +74,21 @@ class DebianPackages:
     def _apt(self, program, *arguments, folder=None):
         try:
             return call(program, "--quiet", *self._options, *arguments, folder=folder)
-        except Failure as failure:
-            raise Failure(f"{failure}\napt has to know Debian 12's packages: scripts/install asks for them, and so does"
-                          " apt-get update") from failure
+        except CommandFailed as failure:
+            raise Failure(f"{program} {arguments[0]}: {failure.complaint}\n{self._remedy}") from failure
 
 
-def other_architecture(name, folder):
+def own_settings(folder, architecture, source):
+    """Options for an apt that knows nothing of what is installed here."""
     for part in ("lists/partial", "cache/archives/partial"):
         (folder / part).mkdir(parents=True, exist_ok=True)
-    settings = {"APT::Architecture": name, "APT::Architectures": name, "Dir::State::Lists": folder / "lists",
-                "Dir::Cache": folder / "cache", "Dir::State::status": "/dev/null", "Debug::NoLocking": "true"}
+    settings = {"Dir::State::Lists": folder / "lists", "Dir::Cache": folder / "cache", "Dir::State::status": "/dev/null",
+                "Debug::NoLocking": "true", "Acquire::Languages": "none", "APT::Sandbox::User": "root"}
+    if architecture is not None:
+        settings |= {"APT::Architecture": architecture, "APT::Architectures": architecture}
+    if source is not None:
+        (folder / "sources.list").write_text(f"{source}\n", encoding="utf-8")
+        settings |= {"Dir::Etc::sourcelist": folder / "sources.list", "Dir::Etc::sourceparts": "/dev/null"}
     return [word for key, value in settings.items() for word in ("-o", f"{key}={value}")]
 
 

@@ -37,7 +37,7 @@ def made_of():
 def make(architecture, folder):
     work = folder.with_name(f"{folder.name}.part")
     shutil.rmtree(work, ignore_errors=True)
-    debian = DebianPackages(architecture, work / "apt")
+    debian = DebianPackages(work / "apt", architecture)
     for package in debian.download(work / "packages", *debian.with_dependencies(*LIBRARIES, *FOR_TESTS)):
         unpack(package, work / "root")
     make_links_relative(work / "root")

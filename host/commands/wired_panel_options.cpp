@@ -170,16 +170,26 @@ void expect_wires(const WiredPanelOptions& options)
     expect_lines(options, is_spi ? line_bit(LineRole::dc) : parallel_lines);
 }
 
+struct DisplayRule {
+    SettingsRule rule;
+    const char* option;
+    const char* remedy; ///< null: it is that of a file of settings
+};
+
 /// Of config, those that hold for any computer.
-constexpr std::array<SettingsRule, 4> display_rules{bus_not_taken, glass_beyond_memory, glass_ragged,
-                                                    rotation_not_done};
+constexpr std::array display_rules{
+    DisplayRule{bus_not_taken, "--bus", "leave it out: every display here takes SPI"},
+    DisplayRule{glass_beyond_memory, "--glass", nullptr},
+    DisplayRule{glass_ragged, "--glass", nullptr},
+    DisplayRule{rotation_not_done, "--rotation", "write 0 or 180"},
+};
 
 void expect_possible(const BoardSettings& settings)
 {
-    for (const SettingsRule rule : display_rules)
+    for (const auto& [rule, option, remedy] : display_rules)
         if (const auto mistake = rule(settings)) {
-            const auto [message, remedy] = config::text_of(*mistake, settings);
-            refuse("--panel", message + ": " + remedy);
+            const auto [message, in_settings] = config::text_of(*mistake, settings);
+            refuse(option, message + ": " + (remedy == nullptr ? in_settings : remedy));
         }
 }
 

@@ -55,6 +55,8 @@ Failure cannot_have_lines(const FoundLines& found, int error, GpioDrive drive)
                        ExitStatus::refused};
     if (error == EACCES || error == EPERM)
         return cannot_open_chip("/dev/" + found.chip.name(), error);
+    if (error == ENODEV)
+        return Failure{chip + " is gone: was it unplugged, or its driver unbound?", ExitStatus::unplugged};
     const bool is_open = drive == GpioDrive::open_drain;
     return Failure{chip + " does not give these lines as " + (is_open ? "open-drain " : "") +
                        "outputs: " + reason(error) + ": take others",

@@ -19,7 +19,8 @@ struct GpioLine {
 };
 
 /// Lines of one GPIO chip of a Linux computer, which no other program can have meanwhile. When it ends, they
-/// are free: most chips leave them as they were last.
+/// are free. A driver leaves free lines as they were, as those of Raspberry Pi OS do, or makes inputs of
+/// them, as in other kernels (raspberrypi/linux, pull request 6117).
 ///
 /// Through libgpiod, whichever of its APIs the build has found: 1.6 or 2.
 class GpioOutputs {

@@ -52,7 +52,10 @@ public:
     {
         ::gpiod_line_bulk_init(&lines_);
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            ::gpiod_line_bulk_add(&lines_, ::gpiod_chip_get_line(chip_.get(), found.offsets[i]));
+            gpiod_line* const line = ::gpiod_chip_get_line(chip_.get(), found.offsets[i]);
+            if (line == nullptr)
+                throw cannot_have_lines({std::move(chip_), std::move(found.offsets)}, errno, drive);
+            ::gpiod_line_bulk_add(&lines_, line);
             levels_[i] = lines[i].level ? 1 : 0;
         }
         const int flags = drive == GpioDrive::open_drain ? GPIOD_LINE_REQUEST_FLAG_OPEN_DRAIN : 0;

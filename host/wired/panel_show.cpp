@@ -1,6 +1,7 @@
 #include "host/wired/panel_show.hpp"
 
 #include "host/failure.hpp"
+#include "host/interruption.hpp"
 #include "host/wired/parallel_bus.hpp"
 #include "host/wired/spidev_bus.hpp"
 #include "host/wired/wired_board.hpp"
@@ -14,6 +15,7 @@ void run_until_dark(WiredBoard<P>& board)
     try {
         board.wake_up();
         run_scene(board);
+    } catch (const Interrupted&) { // in the middle of a picture
     } catch (...) {
         try {
             board.go_dark();
@@ -30,7 +32,8 @@ ShownFrames show_on(Bus bus, PanelLines& lines, const PanelShow& show)
     return with_driver<Bus>(show.panel.controller, [&]<Panel P>() {
         P panel = make_panel<P>(bus, show.panel);
         WiredBoard<P> board{panel, lines, show};
-        static_assert(ChoosingBoard<WiredBoard<P>> && ToldBoard<WiredBoard<P>>);
+        static_assert(ChoosingBoard<WiredBoard<P>> && ToldBoard<WiredBoard<P>> &&
+                      ListeningBoard<WiredBoard<P>>);
         run_until_dark(board);
         return board.frames();
     });

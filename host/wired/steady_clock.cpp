@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <ctime>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -33,7 +34,14 @@ Microseconds in_microseconds(std::int64_t nanoseconds)
 
 }
 
-Microseconds SteadyClock::now() const { return in_microseconds(nanoseconds_now()); }
+Microseconds SteadyClock::now()
+{
+    constexpr std::int64_t longest = 30 * 60 * nanoseconds_per_second;
+    const std::int64_t before = std::exchange(asked_, nanoseconds_now());
+    if (before != 0 && asked_ - before > longest)
+        stopped_ += asked_ - before;
+    return in_microseconds(asked_ - stopped_);
+}
 
 void SteadyClock::pause(Microseconds time) const
 {
@@ -42,12 +50,12 @@ void SteadyClock::pause(Microseconds time) const
     }
 }
 
-void SteadyClock::sleep_until(Microseconds moment) const
+void SteadyClock::sleep_until(Microseconds moment)
 {
-    const std::int64_t begin = nanoseconds_now();
-    if (reached(in_microseconds(begin), moment))
+    const Microseconds begin = now();
+    if (reached(begin, moment))
         return;
-    const std::int64_t end = begin + (moment - in_microseconds(begin)).count * nanoseconds_per_microsecond;
+    const std::int64_t end = asked_ + (moment - begin).count * nanoseconds_per_microsecond;
     while (!was_interrupted() && !kfast::sleep_until(end)) {
     }
 }

@@ -50,8 +50,10 @@ public:
     }
 
     P& panel() { return panel_; }
-    Microseconds now() const { return clock_.now(); }
+    Microseconds now() { return clock_.now(); }
     void sleep_until(Microseconds moment) { clock_.sleep_until(moment); }
+    /// A whole picture may take seconds. Throws Interrupted.
+    void listen() const { heed_interruption(); }
 
     std::span<const std::byte> scene_bytes() const { return show_.scene; }
     std::span<std::byte> block() { return block_; }

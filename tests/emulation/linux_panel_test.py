@@ -73,7 +73,7 @@ class PanelTest(unittest.TestCase):
                 self.assertEqual(self.computer.hashes(settings(panel), LINES), wanted)
 
     def test_eight_wires(self):
-        for panel in ("st7789", "ili9341"):
+        for panel in ("st7789", "ili9341", "st7735"):
             for more in ({}, {"select": SELECT}):
                 with self.subTest(panel=panel, more=more):
                     lines = PARALLEL | more
@@ -164,6 +164,15 @@ class PanelTest(unittest.TestCase):
                     self.assertNotIn(f"{MOST_FRAMES} frames shown", done.stdout)
                     self.expect_dark(self.computer.wires())
 
+    def test_a_signal_in_the_middle_of_a_picture_does_not_wait_for_its_end(self):
+        self.computer.describe("dev/spidev0.0", "interrupted-at 58\n")  # among the pixels of the first picture
+        done = self.play("--panel", "st7789", *SPI, *PINS)
+        self.assertIn("0 frames shown", done.stdout)
+        wires = self.computer.wires()
+        self.assertGreater(wires.transfers()[57], 1000)
+        self.assertLess(sum(wires.transfers()[57:]), 240 * 240)  # half a picture
+        self.expect_dark(wires)
+
     def test_the_shortest_reset_is_kept_though_a_signal_comes(self):
         self.computer.describe("signal", "2 1\n")
         self.play("--panel", "st7789", *SPI, *PINS)
@@ -176,6 +185,13 @@ class PanelTest(unittest.TestCase):
         self.assertRegex(done.stdout, "1 frames shown, 0 left out")
         done = self.play("--panel", "st7789", *SPI, *PINS, "--frames", 2, "--clock", "13MHz")
         self.assertRegex(done.stdout, "2 frames shown, [1-9] left out")
+
+    def test_who_was_stopped_goes_on_at_once(self):
+        self.computer.describe("stopped", "12 2400\n")
+        self.play("--panel", "st7735", *SPI, *PINS, "--frames", 30)
+        times = [time for time, *_ in self.computer.wires().events]
+        self.assertGreater(times[-1] - times[0], 2400e9)
+        self.assertLess(times[-1] - times[0], 2410e9)
 
     # What goes wrong
 
@@ -242,7 +258,9 @@ class PanelTest(unittest.TestCase):
             with self.subTest(arguments=arguments):
                 self.refuse("--panel", "st7789", *arguments, status=2, says=says)
                 self.assertEqual(self.computer.wires().transfers(), [])
-        self.refuse("--panel", "gc9a01", "--bus", "parallel", *pins(PARALLEL), status=2, says="cannot be driven by parallel")
+        self.refuse("--panel", "ssd1306", "--bus", "parallel", *pins(PARALLEL), status=2,
+                    says="--bus: ssd1306 cannot be driven by parallel: leave it out")
+        self.refuse("--panel", "ssd1306", *SPI, *PINS, "--rotation", 90, status=2, says="--rotation: ssd1306 cannot turn")
         self.refuse(*SPI, *PINS, status=2, says="--panel")
         self.refuse("--panel", "ili9341", *SPI, *PINS, "--clock", "40MHz", "--frames", 1, status=0,
                     says="take --clock 10 MHz")

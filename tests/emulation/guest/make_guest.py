@@ -126,7 +126,7 @@ def packed(root):
 
 
 def packages_for(architecture, work):
-    return DebianPackages() if architecture == "amd64" else DebianPackages(architecture, work / "apt")
+    return DebianPackages() if architecture == "amd64" else DebianPackages(work / "apt", architecture)
 
 
 def make(folder, architecture):

@@ -39,6 +39,11 @@ struct Chip {
         const auto found = takers.find({name, offset});
         return found == takers.end() ? of_line("taken", offset) : found->second;
     }
+    /// "vanishes-at 4": a chip at USB that is unplugged when it is asked for this line.
+    bool vanishes_at(unsigned offset) const
+    {
+        return number_of(description, "vanishes-at", -1) == static_cast<long>(offset);
+    }
 };
 
 template <std::size_t size>
@@ -148,6 +153,8 @@ private:
     {
         if (info.line_offset >= chip_.line_count())
             return EINVAL;
+        if (chip_.vanishes_at(info.line_offset))
+            return ENODEV;
         const std::string taker = chip_.taker_of(info.line_offset);
         copy(chip_.of_line("named", info.line_offset), info.name);
         copy(taker, info.consumer);
@@ -200,6 +207,8 @@ private:
         for (std::size_t i = 0; i < offsets.size(); ++i) {
             if (offsets[i] >= chip_.line_count())
                 return EINVAL;
+            if (chip_.vanishes_at(offsets[i]))
+                return ENODEV;
             for (std::size_t earlier = 0; earlier < i; ++earlier)
                 if (offsets[earlier] == offsets[i])
                     return EBUSY;

@@ -3,6 +3,7 @@
 #include "tests/emulation/linux/wires.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <linux/spi/spidev.h>
@@ -70,6 +71,8 @@ private:
             --gone_after_;
         if (transfer.len > static_cast<std::uint32_t>(number_of(description_, "most", 4096)))
             return EMSGSIZE;
+        if (++transfers_ == interrupted_at_)
+            std::raise(SIGINT);
         const auto* const bytes = reinterpret_cast<const std::uint8_t*>(transfer.tx_buf);
         write_wires("spi " + name_ + ' ' + hex(bytes, transfer.len));
         pass_time(number_of(description_, "nanoseconds-per-byte", 0) * transfer.len);
@@ -79,6 +82,8 @@ private:
     std::string name_;
     std::multimap<std::string, std::string> description_;
     std::uint32_t clock_ = 0;
+    long interrupted_at_ = number_of(description_, "interrupted-at", 0);
+    long transfers_ = 0;
     long gone_after_ = number_of(description_, "gone-after", -1);
 };
 

@@ -28,6 +28,13 @@ Signal wanted_signal()
     return {std::atoi(words.begin()->first.c_str()), std::atoi(words.begin()->second.c_str())};
 }
 
+std::int64_t stopped_in_this_sleep()
+{
+    constexpr std::int64_t nanoseconds = 1'000'000'000;
+    static int sleep = 0;
+    return number_of(described(stand_in_root() + "/stopped"), std::to_string(++sleep), 0) * nanoseconds;
+}
+
 /// Whether it is the sleep that the file asks for; sleeps are counted anew when it asks for another one.
 bool is_time_for(const Signal& signal)
 {
@@ -51,7 +58,7 @@ bool sleep_until(std::int64_t moment)
         std::raise(signal.number);
         return false;
     }
-    now = std::max(now, moment);
+    now = std::max(now, moment) + stopped_in_this_sleep();
     write_wires("slept");
     return true;
 }

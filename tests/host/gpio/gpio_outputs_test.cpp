@@ -232,6 +232,16 @@ TEST_CASE("a chip that cannot do open drain")
     says(refusal, "open-drain");
 }
 
+TEST_CASE("a chip that goes away while its lines are asked for")
+{
+    GpioBench bench;
+    bench.add_chip("gpiochip0", std::string{header} + "vanishes-at 4\n");
+    const Refusal refusal = refusal_of("gpiochip0", std::array{GpioLine{"3"}, GpioLine{"4"}});
+    CHECK(refusal.status == ExitStatus::unplugged);
+    says(refusal, "gpiochip0 (pinctrl-test) is gone");
+    CHECK(bench.happened().empty());
+}
+
 TEST_CASE("a chip that goes away")
 {
     GpioBench bench;
