@@ -27,7 +27,6 @@ using Bytes = std::span<const std::byte>;
 constexpr InputKind config_input{"configuration", "a .kdl, .bin or .uf2 file",
                                  "settings begin with 'board pico'"};
 constexpr std::string_view record_magic = "KFBS";
-constexpr std::string_view uf2_magic = "UF2\n";
 constexpr std::size_t settings_offset = pico_flash::settings - pico_flash::begin;
 
 BoardSettings from_text(const SourceText& source)

@@ -5,6 +5,7 @@
 #include "host/config/pico_flash.hpp"
 #include "host/failure.hpp"
 #include "host/flash/boot_checksum.hpp"
+#include "host/flash/uf2.hpp"
 #include "host/input_file.hpp"
 
 #include <algorithm>
@@ -58,6 +59,9 @@ bool begins_with_boot_block(std::span<const std::byte> bytes)
 std::vector<std::byte> load_firmware(const std::filesystem::path& path)
 {
     const std::string content = read_input(path, firmware_input);
+    if (content.starts_with(uf2_magic))
+        throw Failure(path.string() +
+                      ": is a UF2 file: name the .bin beside it, or one that kfast uf2 unpack makes of it");
     const auto bytes = std::as_bytes(std::span{content});
     if (!begins_with_boot_block(bytes))
         throw Failure(path.string() +

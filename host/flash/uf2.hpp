@@ -5,9 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
+
+/// What every such file begins with.
+inline constexpr std::string_view uf2_magic = "UF2\n";
 
 /// What tells the boot loaders of different chips which files are theirs.
 inline constexpr std::uint32_t rp2040_family = 0xE48B'FF56;

@@ -76,6 +76,8 @@ class RefusalTest(FlashTest):
     def test_firmware(self):
         (self.folder / "rubbish.bin").write_bytes(bytes(1000))
         self.refused("--firmware", "rubbish.bin", status=1, says="rubbish.bin: does not begin with a boot block")
+        (self.folder / "packed.uf2").write_bytes(b"UF2\n" + bytes(508))
+        self.refused("--firmware", "packed.uf2", status=1, says="packed.uf2: is a UF2 file: name the .bin beside it")
         (self.folder / "large.bin").write_bytes(firmware(0x3F001))
         self.refused("--firmware", "large.bin", status=7, says="1 more than lie before the settings")
         self.refused("--firmware", "images/pico-spi.bin", "--config", "pico-ssd1306-i2c", status=1,
