@@ -3,6 +3,7 @@
 #include "host/told_drawing.hpp"
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -120,8 +121,8 @@ TEST_CASE("a drawing that finds no room changes nothing")
 
 TEST_CASE("the panel shows what a full redraw would, whatever is told and whenever")
 {
-    for (unsigned seed = 0; seed < 12; ++seed) {
-        std::mt19937 random{seed};
+    for (int seed = 0; seed < rounds(12); ++seed) {
+        std::mt19937 random{static_cast<unsigned>(seed)};
         Stage stage{two_plots, canvas};
         PanelMemory<PixelFormat::rgb565> memory{canvas};
         Time time;

@@ -2,6 +2,7 @@
 
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -123,8 +124,8 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
         "group { track x input=n { at 0 0; at 1 30 }\n"
         "object two fill=\"#00ff0080\" stroke=red { text input=b at=\"4,50\" size=12 } }\n"
         "object three stroke=aqua { text input=a at=\"4,20\" size=9; key 0 y=0; key 20 y=30 }";
-    for (unsigned seed = 0; seed < 8; ++seed) {
-        std::mt19937 random{seed};
+    for (int seed = 0; seed < rounds(8); ++seed) {
+        std::mt19937 random{static_cast<unsigned>(seed)};
         Stage stage{scene, canvas};
         PanelMemory<PixelFormat::rgb565> memory{canvas};
         std::string a = "17";
