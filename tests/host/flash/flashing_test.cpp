@@ -1,6 +1,7 @@
 #include "host/flash/flashing.hpp"
 
 #include "host/interruption.hpp"
+#include "tests/host/flash/failure_of.hpp"
 #include "tests/host/flash/pretend_boot_loader.hpp"
 
 #include <doctest/doctest.h>
@@ -69,18 +70,6 @@ bool starts(const NorFlash& memory, const FlashImage& image)
 bool holds(const NorFlash& memory, const FlashImage& image)
 {
     return memory.bytes() == flash_with(image).bytes();
-}
-
-std::string failure_of(const auto& action, ExitStatus status)
-{
-    try {
-        action();
-    } catch (const Failure& failure) {
-        CHECK(failure.status() == status);
-        return failure.what();
-    }
-    FAIL("nothing was thrown");
-    return {};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/failure.hpp"
 #include "host/interruption.hpp"
+#include "tests/host/flash/failure_of.hpp"
 #include "tests/host/flash/uf2_rom.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -74,18 +75,6 @@ void take(Uf2Rom& rom, std::string_view file, std::size_t blocks)
     const auto bytes = std::as_bytes(std::span{file});
     for (std::size_t block = 0; block < blocks; ++block)
         rom.take(bytes.subspan(block * 512, 512));
-}
-
-std::string failure_of(const auto& action, ExitStatus status)
-{
-    try {
-        action();
-    } catch (const Failure& failure) {
-        CHECK(failure.status() == status);
-        return failure.what();
-    }
-    FAIL("nothing was thrown");
-    return {};
 }
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
