@@ -1,11 +1,5 @@
 #include "core/label_trace.hpp"
 
-#include "core/carried_drawing.hpp"
-#include "core/label_layout.hpp"
-#include "core/live_strokes.hpp"
-#include "core/packed_drawing.hpp"
-#include "core/work.hpp"
-
 namespace kfast {
 
 Point LabelTrace::start() const
@@ -19,16 +13,6 @@ Point LabelTrace::start() const
         return drawing.start();
     }
     return {};
-}
-
-void LabelTrace::trace(const Affine& placement, ObjectOutline& outline) const
-{
-    for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
-        const PlacedGlyph glyph = layout.next();
-        did(Work::object);
-        const CarriedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
-        LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
-    }
 }
 
 }

@@ -1,9 +1,13 @@
 #pragma once
 
 #include "core/affine.hpp"
+#include "core/carried_drawing.hpp"
+#include "core/label_layout.hpp"
 #include "core/label_view.hpp"
-#include "core/object_outline.hpp"
+#include "core/live_strokes.hpp"
+#include "core/packed_drawing.hpp"
 #include "core/point.hpp"
+#include "core/work.hpp"
 
 #include <cstddef>
 #include <span>
@@ -22,7 +26,16 @@ public:
     /// Where the first stroke begins; the origin if there is none.
     Point start() const;
     /// Adds the strokes of all glyphs, placed.
-    void trace(const Affine& placement, ObjectOutline& outline) const;
+    template <class Outline>
+    void trace(const Affine& placement, Outline& outline) const
+    {
+        for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
+            const PlacedGlyph glyph = layout.next();
+            did(Work::object);
+            const CarriedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
+            LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
+        }
+    }
 
 private:
     LabelView label_;

@@ -4,8 +4,8 @@
 #include "core/equalize.hpp"
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
-#include "core/object_outline.hpp"
 #include "core/point_map.hpp"
+#include "core/work.hpp"
 
 #include <cstdint>
 
@@ -19,10 +19,35 @@ public:
     LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
                 const LiveBackbones* backbones, const Affine& placement);
 
-    void trace(ObjectOutline& outline);
+    /// Tells `outline` each stroke: begin(point), add(segment) for all of its segments, and end(hub,
+    /// is_closed).
+    template <class Outline>
+    void trace(Outline& outline)
+    {
+        while (const std::uint32_t segments = pair_.next_stroke())
+            trace_stroke(segments, outline);
+    }
 
 private:
-    void trace_stroke(std::uint32_t segments, ObjectOutline& outline);
+    template <class Outline>
+    void trace_stroke(std::uint32_t segments, Outline& outline)
+    {
+        did(Work::stroke);
+        const Pair<Segment>& both = pair_.next_segment();
+        const Pair<Point> first{both.a.from, both.b.from};
+        Segment segment = live(both, live(first.a, first.b));
+        outline.begin(segment.from);
+        outline.add(segment);
+        for (std::uint32_t i = 1; i < segments; ++i) {
+            pair_.next_segment();
+            segment = live(both, segment.to);
+            outline.add(segment);
+        }
+        const bool ends_meet = first.a == both.a.to && first.b == both.b.to;
+        const Pair<Point> hub = pair_.hub();
+        outline.end(live(hub.a, hub.b), ends_meet && pair_.is_whole());
+    }
+
     Segment live(const Pair<Segment>& both, Point from) const;
     Point live(Point a, Point b) const;
 
@@ -31,5 +56,9 @@ private:
     const LiveBackbones* backbones_;
     PointMap place_;
 };
+
+// For pictures, compiled where live() can be laid into it.
+class ObjectOutline;
+extern template void LiveStrokes::trace(ObjectOutline& outline);
 
 }

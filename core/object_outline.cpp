@@ -5,14 +5,14 @@ namespace kfast {
 void ObjectOutline::begin(Point from)
 {
     if (stroke_)
-        stroke_->begin(seen(from));
+        stroke_->begin(sight_(from));
     else
-        fill_.begin(seen(from));
+        fill_.begin(sight_(from));
 }
 
 void ObjectOutline::add(const Segment& segment)
 {
-    flatten(segment, pieces_of(segment), [this](Point to) { line_to(to); });
+    sight_.flatten(segment, [this](Point to) { line_to(to); });
 }
 
 void ObjectOutline::end(Point hub, bool is_closed)
@@ -20,26 +20,15 @@ void ObjectOutline::end(Point hub, bool is_closed)
     if (stroke_)
         stroke_->end(is_closed);
     else
-        fill_.end(seen(hub));
+        fill_.end(sight_(hub));
 }
 
-int ObjectOutline::pieces_of(const Segment& segment) const
-{
-    if (segment.kind == Segment::Kind::line)
-        return 1;
-    const int needed = projection_ == nullptr
-                           ? pieces_for(segment)
-                           : pieces_for({segment.kind, seen(segment.from), seen(segment.c1), seen(segment.c2),
-                                         seen(segment.to)});
-    return coarser(needed, coarseness_);
-}
-
-void ObjectOutline::line_to(Point to)
+void ObjectOutline::line_to(Point seen)
 {
     if (stroke_)
-        stroke_->line_to(seen(to));
+        stroke_->line_to(seen);
     else
-        fill_.line_to(seen(to));
+        fill_.line_to(seen);
 }
 
 }

@@ -1,5 +1,6 @@
 #include "core/player.hpp"
 
+#include "core/block_cutter.hpp"
 #include "core/match_pictures.hpp"
 #include "core/row_painter.hpp"
 #include "core/sweep.hpp"
@@ -12,34 +13,27 @@ namespace {
 constexpr std::size_t widest_pixel = 3; ///< bytes
 constexpr std::size_t span_count = 160; ///< for all rows of a strip
 
+constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
 /// How the lent block is divided: one part after the other.
 struct BlockPlan {
     std::size_t outlines; ///< bytes of each part
     std::size_t steps;
     std::size_t cells;
     std::size_t spans = span_count * sizeof(CoveredSpan);
-    std::size_t bones;
-    std::size_t nodes;
-    std::size_t inputs;
-    std::size_t drawings;
     std::size_t backdrops;
-    std::size_t texts;
+    std::size_t live;
 
-    BlockPlan(const SceneView& scene, Size panel)
+    BlockPlan(const SceneView& scene, Size panel, std::size_t live_bytes)
         : outlines{outline_bytes(scene, panel)}, steps{scene.paint_steps() * sizeof(PaintStep)},
-          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)}, bones{scene.bone_count() *
-                                                                                   sizeof(LiveBone)},
-          nodes{scene.backbone_nodes() * sizeof(BackboneNode)}, inputs{scene.input_count() * sizeof(Time)},
-          drawings{LiveDrawings::bytes_for(scene)}, backdrops{scene.blended_depth() * widest_pixel *
-                                                              static_cast<std::size_t>(panel.width)},
-          texts{LiveTexts::bytes_for(scene)}
+          cells{CoverageRow::cells_for(panel.width) * sizeof(std::int32_t)},
+          backdrops{
+              whole_words(scene.blended_depth() * widest_pixel * static_cast<std::size_t>(panel.width))},
+          live{live_bytes}
     {
     }
 
-    std::size_t size() const
-    {
-        return 2 * (outlines + steps) + cells + spans + bones + nodes + inputs + drawings + backdrops + texts;
-    }
+    std::size_t size() const { return 2 * (outlines + steps) + cells + spans + backdrops + live; }
 
     /// A panel that is larger than the canvas needs curves of more pieces: their number grows with the square
     /// root of the size, and doubles at a time.
@@ -53,49 +47,7 @@ struct BlockPlan {
     }
 };
 
-static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4 && alignof(PaintStep) <= 4);
-
-/// Hands out the block from the front.
-class BlockCutter {
-public:
-    explicit BlockCutter(std::span<std::byte> block) : rest_{block} {}
-
-    std::span<std::byte> cut(std::size_t bytes)
-    {
-        const std::span<std::byte> part = rest_.first(bytes);
-        rest_ = rest_.subspan(bytes);
-        return part;
-    }
-
-    template <class T>
-    std::span<T> cut_as(std::size_t bytes)
-    {
-        return {reinterpret_cast<T*>(cut(bytes).data()), bytes / sizeof(T)};
-    }
-
-private:
-    std::span<std::byte> rest_;
-};
-
-Space canvas_space(Size canvas, Size panel, Fit fit)
-{
-    const Affine map = canvas_map(canvas, panel, fit);
-    return {.plane = map, .zz = map.xx};
-}
-
-/// The canvas lies in the middle of the panel, and the viewer in front of it.
-Camera camera_for(const SceneView& scene, Size panel, const Space& canvas)
-{
-    return {.x = std::int64_t{panel.width} * Fixed::one / 2,
-            .y = std::int64_t{panel.height} * Fixed::one / 2,
-            .distance = std::int64_t{scene.camera()} * canvas.zz};
-}
-
-SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
-{
-    const Space canvas = canvas_space(scene.canvas(), panel, fit);
-    return {scene, canvas, camera_for(scene, panel, canvas), {}, {}, {}, {}};
-}
+static_assert(alignof(PaintStep) <= 4);
 
 std::span<std::int32_t> zeroed(std::span<std::int32_t> cells)
 {
@@ -105,20 +57,25 @@ std::span<std::int32_t> zeroed(std::span<std::int32_t> cells)
 
 }
 
-std::size_t Player::block_bytes(const SceneView& scene, Size panel) { return BlockPlan{scene, panel}.size(); }
+std::size_t Player::block_bytes(const SceneView& scene, Size panel)
+{
+    return BlockPlan{scene, panel, bytes_for(scene)}.size();
+}
 
 Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
 {
-    if (block.size() < block_bytes(scene, panel))
+    const std::size_t bytes = block_bytes(scene, panel);
+    if (block.size() < bytes)
         return Error::block_too_small;
-    return Player{scene, panel, fit, block};
+    return Player{scene, panel, fit, block.first(bytes)};
 }
 
+/// What moves lies at the end, for it has any number of bytes.
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-    : on_panel_{on_panel(scene, panel, fit)}, panel_{panel},
+    : LiveScene{scene, panel, fit, block.last(bytes_for(scene))}, panel_{panel},
       background_{scene.colour(0)}, coverage_{{}, panel.width}, strips_{{}, panel}
 {
-    const BlockPlan plan{scene, panel};
+    const BlockPlan plan{scene, panel, bytes_for(scene)};
     BlockCutter cutter{block};
     for (TracedPicture& picture : pictures_) {
         picture.outlines = OutlineStore{cutter.cut(plan.outlines), panel.height};
@@ -126,14 +83,7 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
     }
     coverage_ = CoverageRow{zeroed(cutter.cut_as<std::int32_t>(plan.cells)), panel.width};
     strips_ = ChangedStrips{cutter.cut_as<CoveredSpan>(plan.spans), panel};
-    on_panel_.bones = cutter.cut_as<LiveBone>(plan.bones);
-    on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(plan.nodes);
-    inputs_ = cutter.cut_as<Time>(plan.inputs);
-    put_usual_places(scene.inputs(), inputs_);
-    on_panel_.drawings = {scene, cutter.cut(plan.drawings)};
     backdrops_ = cutter.cut(plan.backdrops);
-    on_panel_.texts = {scene, cutter.cut(plan.texts)}; // last, for it has any number of bytes
-    set_up_bones(scene, on_panel_.bones);
     trace({});
 }
 
@@ -143,6 +93,9 @@ void Player::show_moment(Time moment)
 {
     moment = std::clamp(moment, Time{}, scene().length());
     next_row_ = 0;
+    const std::uint32_t moved = take_moved();
+    moved_since_shown_ |= moved;
+    moved_since_coming_ |= moved;
     if (coming().still.holds(moment, moved_since_coming_))
         return;
     if (progress_ == Progress::done) {
@@ -158,53 +111,10 @@ void Player::show_moment(Time moment)
 
 void Player::trace(Time time)
 {
-    const Moment moment{time, inputs_};
-    pose_bones(scene(), moment, on_panel_.bones);
+    const Moment moment = pose(time);
     const bool may_share = knows_panel_ && shown().coarseness == 0;
-    Tracer{on_panel_, moment, coming(), may_share ? &shown() : nullptr, moved_since_shown_}.run();
+    Tracer{on_panel(), moment, coming(), may_share ? &shown() : nullptr, moved_since_shown_}.run();
     moved_since_coming_ = 0;
-}
-
-void Player::set_input(std::uint32_t number, Time place)
-{
-    const Time held = std::clamp(place, Time{}, whole_input);
-    if (inputs_[number] == held)
-        return;
-    inputs_[number] = held;
-    note_moved(number);
-}
-
-void Player::set_text(std::uint32_t number, std::string_view text)
-{
-    if (on_panel_.texts.put(scene(), number, text))
-        note_moved(number);
-}
-
-bool Player::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
-{
-    LiveDrawing live = drawing(number);
-    live.begin();
-    for (const LiveStroke& stroke : strokes) {
-        live.begin_stroke();
-        if (!std::ranges::all_of(stroke, [&live](LivePoint point) { return live.add(point); })) {
-            live.begin();
-            return false;
-        }
-    }
-    show_next_drawing(number);
-    return true;
-}
-
-void Player::show_next_drawing(std::uint32_t number)
-{
-    if (drawing(number).show())
-        note_moved(number);
-}
-
-void Player::note_moved(std::uint32_t number)
-{
-    moved_since_shown_ |= bit_of_input(number);
-    moved_since_coming_ |= bit_of_input(number);
 }
 
 void Player::redraw()

@@ -3,6 +3,7 @@
 #include "core/canvas_map.hpp"
 #include "core/changed_strips.hpp"
 #include "core/coverage_row.hpp"
+#include "core/live_scene.hpp"
 #include "core/pixel_format.hpp"
 #include "core/result.hpp"
 #include "core/row_painter.hpp"
@@ -16,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 namespace kfast {
 
@@ -30,7 +30,7 @@ struct Change {
 ///
 /// The picture depends on scene, time, inputs, fit and panel size alone: not on earlier pictures, nor on how
 /// its rows are divided into bands or areas.
-class Player {
+class Player : public LiveScene {
 public:
     /// The sides of a panel are 1 … max_panel pixels long.
     static constexpr int max_panel = 4096;
@@ -47,27 +47,6 @@ public:
     void show(Time time);
     /// As show(), but without loop: the scene's beginning before it and its very end from there on.
     void show_moment(Time moment);
-
-    /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
-    /// within 0 … whole_input (InputView::place_of). At first inputs stand at their usual values.
-    void set_input(std::uint32_t number, Time place);
-    Time input(std::uint32_t number) const { return inputs_[number]; }
-    /// From now on the input `number` of the scene, less than input_count(), is `text`, in UTF-8. Characters
-    /// that have no glyph are left out, and so are those beyond the most that the input takes. At first
-    /// inputs have their usual texts. One that is no text stays as it is.
-    void set_text(std::uint32_t number, std::string_view text);
-    /// The glyphs of the input `number` of the scene, a text, by their numbers.
-    std::span<const std::byte> text(std::uint32_t number) const
-    {
-        return on_panel_.texts.glyphs(scene(), number);
-    }
-    /// From now on the input `number` of the scene, a drawing, is `strokes`, of which none without points
-    /// counts; at first it is the usual one. Whether there is room for them; if not, nothing changes.
-    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes);
-    /// Likewise what has been told to drawing(number).
-    void show_next_drawing(std::uint32_t number);
-    /// For telling a drawing point by point. What is next is shown by show_next_drawing() alone.
-    LiveDrawing drawing(std::uint32_t number) const { return on_panel_.drawings.of(scene(), number); }
 
     /// Draws the next `rows` rows of the picture into `pixels`, rows x row_bytes(format, panel width) bytes.
     /// `pixels` is aligned to 2 if pixels are 16 bits (a Cortex-M0 faults otherwise). The first call after
@@ -86,7 +65,6 @@ public:
     /// What the panel shows is not known any more.
     void redraw();
 
-    const SceneView& scene() const { return on_panel_.scene; }
     Size panel() const { return panel_; }
     /// The picture that show() has computed.
     const TracedPicture& picture() const { return pictures_[coming_]; }
@@ -100,7 +78,6 @@ private:
     TracedPicture& coming() { return pictures_[coming_]; }
     TracedPicture& shown() { return pictures_[1 - coming_]; }
     void trace(Time time);
-    void note_moved(std::uint32_t number);
     void begin_changes();
     const Strip& next_whole_rows(int rows);
     template <PixelFormat format>
@@ -118,10 +95,8 @@ private:
     template <PixelFormat format>
     RowPainter<format> painter(std::span<const RowWindow> windows, int row);
 
-    SceneOnPanel on_panel_;
     Size panel_;
     Colour background_;
-    std::span<Time> inputs_;               ///< where each of them stands
     std::uint32_t moved_since_shown_ = 0;  ///< a bit for each input that has, since shown() was traced
     std::uint32_t moved_since_coming_ = 0; ///< likewise, since coming() was
     std::array<TracedPicture, 2> pictures_;

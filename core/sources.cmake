@@ -34,13 +34,14 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/live_backbones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_bones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_drawing_trace.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_drawings.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_scene.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_texts.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp
     ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/object_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
@@ -55,7 +56,9 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene_on_panel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/sight.cpp
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/slab_sweep.cpp

@@ -4,13 +4,11 @@
 #include "core/item_path.hpp"
 #include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
-#include "core/live_strokes.hpp"
 #include "core/opacity.hpp"
 #include "core/paint_order.hpp"
 #include "core/sweep.hpp"
 #include "core/work.hpp"
 
-#include <optional>
 #include <utility>
 
 namespace kfast {
@@ -122,18 +120,13 @@ void Tracer::copy(const PaintStep& step)
 
 void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
 {
-    const KeyCursor all_keys = object.keys();
-    const Clock clock = all_keys.beats().clock();
-    const Time time = moment_.at(clock);
-    const KeyInterval<Key> keys = interval_at(all_keys, time);
+    const ObjectStrokes strokes{on_panel_, object, moment_};
     Context context = outer;
-    context.still = outer.still & still_of(object, keys, clock);
+    context.still = outer.still & strokes.still();
     picture_.still = picture_.still & context.still;
     add_layers(
-        object.style, state, context, [&] { return first_point(object, keys.from); },
-        [&](const Affine& placement, ObjectOutline& outline) {
-            trace_strokes(object, keys, time, placement, outline);
-        });
+        object.style, state, context, [&] { return strokes.first_point(); },
+        [&](const Affine& placement, ObjectOutline& outline) { strokes.trace(placement, outline); });
 }
 
 void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)
@@ -178,7 +171,7 @@ void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const 
 {
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
-    ObjectOutline outline{picture_.outlines, is_flat ? nullptr : &projection, picture_.coarseness};
+    ObjectOutline outline{picture_.outlines, Sight{is_flat ? nullptr : &projection, picture_.coarseness}};
     const Affine placement = is_flat ? context.space.plane : Affine{};
     const auto trace_placed = [&] { trace(placement, outline); };
     if (style.is_filled)
@@ -188,68 +181,6 @@ void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const 
     outline.stroke_with(pen_for(
         style, state.width(), is_flat ? context.space.plane.growth() : projection.growth_at(first_point())));
     add_layer(state.stroke(), FillRule::nonzero, context, trace_placed);
-}
-
-Still Tracer::still_of(const ObjectView& object, const KeyInterval<Key>& keys, Clock clock) const
-{
-    if (object.carrier != Carrier::none)
-        return moving_with_any_input(moment_.time());
-    const Time time = moment_.at(clock);
-    const std::uint32_t to = object.has_arrivals ? keys.from.arrival : keys.to.drawing;
-    const Time begin = keys.from.time;
-    const Time end = keys.to.time;
-    const Still between = keys.from.drawing == to
-                              ? Still{.begin = begin, .end = end}
-                              : still_between(begin, end, time, on_panel_.scene.laws(keys.from.laws));
-    return still_by_clock(clock, still_around(keys, time, between));
-}
-
-void Tracer::trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, Time time,
-                           const Affine& placement, ObjectOutline& outline)
-{
-    did(Work::object);
-    const auto& [from, next] = keys;
-    const Progress way = progress_between(from.time, next.time, time, on_panel_.scene.laws(from.laws));
-    const bool is_on_key = way.x == Way{} && way.y == Way{};
-    const CarriedDrawing begin = carried(object, from.drawing, from.skin);
-    const std::uint32_t to = object.has_arrivals ? from.arrival : next.drawing;
-    const CarriedDrawing end = is_on_key ? begin : carried(object, to, next.skin);
-    std::optional<LiveBackbones> backbones;
-    if (object.carrier == Carrier::backbones)
-        backbones = backbones_of(object);
-    LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
-}
-
-CarriedDrawing Tracer::carried(const ObjectView& object, std::uint32_t drawing, std::int32_t skin) const
-{
-    const SceneView& scene = on_panel_.scene;
-    const PackedDrawing own = scene.drawing(drawing);
-    if (object.carrier != Carrier::bones)
-        return CarriedDrawing{own};
-    const SkinReader reader = scene.skin(skin);
-    return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
-            on_panel_.bones.subspan(scene.first_bone(object.skeleton))};
-}
-
-LiveBackbones Tracer::backbones_of(const ObjectView& object) const
-{
-    const SceneView& scene = on_panel_.scene;
-    const BackboneKeyCursor keys = object.backbones.keys();
-    const Time time = moment_.at(keys.beats().clock());
-    const auto [from, to] = interval_at(keys, time);
-    return {on_panel_.backbone_nodes, object.backbones.unit_bits, scene.drawing(from.drawing),
-            scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
-}
-
-/// Of the drawing of a key, or of the backbones that carry it.
-Point Tracer::first_point(const ObjectView& object, const Key& key) const
-{
-    const bool has_backbones = object.carrier == Carrier::backbones;
-    PackedDrawing drawing =
-        on_panel_.scene.drawing(has_backbones ? object.backbones.keys().next().drawing : key.drawing);
-    if (drawing.strokes() != 0)
-        drawing.next_stroke();
-    return drawing.start();
 }
 
 PaintStep& Tracer::add_step(PaintStep::Kind kind, const Context& context)

@@ -1,36 +1,19 @@
 #pragma once
 
-#include "core/carried_drawing.hpp"
 #include "core/item_state.hpp"
 #include "core/key_interval.hpp"
-#include "core/live_backbones.hpp"
-#include "core/live_bones.hpp"
-#include "core/live_drawings.hpp"
-#include "core/live_texts.hpp"
 #include "core/moment.hpp"
 #include "core/object_outline.hpp"
-#include "core/projection.hpp"
-#include "core/scene_view.hpp"
+#include "core/object_strokes.hpp"
+#include "core/scene_on_panel.hpp"
 #include "core/space.hpp"
 #include "core/stroke_outline.hpp"
 #include "core/traced_picture.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace kfast {
-
-/// What the pictures of a scene on one panel have in common.
-struct SceneOnPanel {
-    SceneView scene;
-    Space canvas; ///< from the canvas to the panel
-    Camera camera;
-    std::span<LiveBone> bones; ///< of all skeletons; set up
-    std::span<BackboneNode> backbone_nodes;
-    LiveDrawings drawings{}; ///< from outside
-    LiveTexts texts{};       ///< likewise
-};
 
 /// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
 class Tracer {
@@ -68,12 +51,6 @@ private:
                        const Context& context);
     void trace_label(const ItemView& item, const ItemState& state, const Context& context);
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
-    void trace_strokes(const ObjectView& object, const KeyInterval<Key>& keys, Time time,
-                       const Affine& placement, ObjectOutline& outline);
-    Still still_of(const ObjectView& object, const KeyInterval<Key>& keys, Clock clock) const;
-    CarriedDrawing carried(const ObjectView& object, std::uint32_t drawing, std::int32_t skin) const;
-    LiveBackbones backbones_of(const ObjectView& object) const;
-    Point first_point(const ObjectView& object, const Key& key) const;
     bool copy_still(const Context& context);
     void copy(const PaintStep& step);
     PaintStep& add_step(PaintStep::Kind kind, const Context& context);

@@ -68,7 +68,7 @@ public:
     }
     void event_passed(const EventView& event) { report::event_passed(event.name); }
 
-    void plays(Player* player) { stage_.plays(player); }
+    void plays(LiveScene* player) { stage_.plays(player); }
     Playhead playhead(const SceneView&) const { return stage_.playhead(); }
 
     void steer(Playhead& playhead)

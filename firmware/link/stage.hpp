@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/player.hpp"
+#include "core/live_scene.hpp"
 #include "core/playhead.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
@@ -82,7 +82,7 @@ public:
     std::span<std::byte> block() const;
     void scene_started(const SceneView& scene);
     /// Null when it is over.
-    void plays(Player* player) { player_ = player; }
+    void plays(LiveScene* player) { player_ = player; }
     Playhead playhead() const { return controls_->playhead(); }
     template <TouchedPins Pins>
     void steer(Playhead& playhead, Pins& pins, Microseconds now)
@@ -129,7 +129,7 @@ private:
     std::optional<Act> gave_way_;      ///< plays again if what it gave way to does not come
     std::span<std::byte> lent_{};      ///< of the block
     std::optional<Controls> controls_; ///< of what plays now, or played last
-    Player* player_ = nullptr;         ///< likewise, as long as it draws
+    LiveScene* player_ = nullptr;      ///< likewise, as long as it draws
     Time moment_{};
     std::uint8_t brightness_;
     std::uint8_t turned_brightness_; ///< as the controls had it last

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/player.hpp"
+#include "core/live_scene.hpp"
 #include "firmware/link/drawing_part.hpp"
 #include "firmware/status.hpp"
 
@@ -46,7 +46,7 @@ inline bool add(LiveDrawing& drawing, std::span<const LivePoint> points)
 /// next one of its drawing drops what has been told, and the drawing that is shown stays: the last part of
 /// what was dropped fails with drawing_broken. Fails with no_drawing and drawing_large, too. The input of
 /// `part` is one of the scene.
-inline Status tell(Player& player, const DrawingPart& part)
+inline Status tell(LiveScene& player, const DrawingPart& part)
 {
     if (player.scene().input(part.which.input).type != InputType::drawing)
         return Status::no_drawing;

@@ -27,7 +27,7 @@ struct PanelOptions {
 
 class PlayerInputs final : public ToldInputs {
 public:
-    explicit PlayerInputs(Player& player) : player_{player} {}
+    explicit PlayerInputs(LiveScene& player) : player_{player} {}
 
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
     bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
@@ -37,7 +37,7 @@ public:
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
-    Player& player_;
+    LiveScene& player_;
 };
 
 void tell(ToldInputs& told, const PanelOptions& options, const SceneView& scene)
@@ -54,7 +54,7 @@ PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, co
             .scene = scene.bytes,
             .timeline = chosen_timeline(options.play, scene.view),
             .tell_inputs =
-                [&](Player& player) {
+                [&](LiveScene& player) {
                     PlayerInputs told{player};
                     tell(told, options, scene.view);
                 },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/player.hpp"
 #include "core/scene_view.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/told_drawing.hpp"

@@ -123,7 +123,7 @@ public:
         ++scenes_begun;
         begun_at = now_;
     }
-    void plays(Player* player)
+    void plays(LiveScene* player)
     {
         player_ = player;
         stage_->plays(player);
@@ -254,7 +254,7 @@ private:
     Scene shown_;
     std::vector<PlacedInput> placed_;
     std::map<std::uint32_t, ToldDrawing> drawings_;
-    Player* player_ = nullptr;
+    LiveScene* player_ = nullptr;
     std::map<std::uint32_t, std::string> texts_;
     TakingTurns life_{[this] { run_stage(*this); }};
 };

@@ -1,0 +1,87 @@
+#include "core/live_scene.hpp"
+
+#include "core/block_cutter.hpp"
+#include "core/still.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+std::size_t bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(LiveBone); }
+std::size_t node_bytes(const SceneView& scene) { return scene.backbone_nodes() * sizeof(BackboneNode); }
+std::size_t input_bytes(const SceneView& scene) { return scene.input_count() * sizeof(Time); }
+
+static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4);
+
+}
+
+std::size_t LiveScene::bytes_for(const SceneView& scene)
+{
+    return bone_bytes(scene) + node_bytes(scene) + input_bytes(scene) + LiveDrawings::bytes_for(scene) +
+           LiveTexts::bytes_for(scene);
+}
+
+LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
+    : on_panel_{kfast::on_panel(scene, panel, fit)}
+{
+    BlockCutter cutter{memory};
+    on_panel_.bones = cutter.cut_as<LiveBone>(bone_bytes(scene));
+    on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(node_bytes(scene));
+    inputs_ = cutter.cut_as<Time>(input_bytes(scene));
+    put_usual_places(scene.inputs(), inputs_);
+    on_panel_.drawings = {scene, cutter.cut(LiveDrawings::bytes_for(scene))};
+    on_panel_.texts = {scene,
+                       cutter.cut(LiveTexts::bytes_for(scene))}; // last, for it has any number of bytes
+    set_up_bones(scene, on_panel_.bones);
+}
+
+Moment LiveScene::pose(Time time)
+{
+    const Moment moment{time, inputs_};
+    pose_bones(scene(), moment, on_panel_.bones);
+    return moment;
+}
+
+std::uint32_t LiveScene::take_moved() { return std::exchange(moved_, 0); }
+
+void LiveScene::set_input(std::uint32_t number, Time place)
+{
+    const Time held = std::clamp(place, Time{}, whole_input);
+    if (inputs_[number] == held)
+        return;
+    inputs_[number] = held;
+    note_moved(number);
+}
+
+void LiveScene::set_text(std::uint32_t number, std::string_view text)
+{
+    if (on_panel_.texts.put(scene(), number, text))
+        note_moved(number);
+}
+
+bool LiveScene::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
+{
+    LiveDrawing live = drawing(number);
+    live.begin();
+    for (const LiveStroke& stroke : strokes) {
+        live.begin_stroke();
+        if (!std::ranges::all_of(stroke, [&live](LivePoint point) { return live.add(point); })) {
+            live.begin();
+            return false;
+        }
+    }
+    show_next_drawing(number);
+    return true;
+}
+
+void LiveScene::show_next_drawing(std::uint32_t number)
+{
+    if (drawing(number).show())
+        note_moved(number);
+}
+
+void LiveScene::note_moved(std::uint32_t number) { moved_ |= bit_of_input(number); }
+
+}

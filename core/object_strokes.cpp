@@ -1,0 +1,62 @@
+#include "core/object_strokes.hpp"
+
+namespace kfast {
+
+ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const ObjectView& object, const Moment& moment)
+    : on_panel_{scene}, object_{object}, moment_{moment}
+{
+    const KeyCursor keys = object.keys();
+    clock_ = keys.beats().clock();
+    time_ = moment.at(clock_);
+    keys_ = interval_at(keys, time_);
+}
+
+Still ObjectStrokes::still() const
+{
+    if (object_.carrier != Carrier::none)
+        return moving_with_any_input(moment_.time());
+    const Time begin = keys_.from.time;
+    const Time end = keys_.to.time;
+    const Still between = keys_.from.drawing == arrival()
+                              ? Still{.begin = begin, .end = end}
+                              : still_between(begin, end, time_, on_panel_.scene.laws(keys_.from.laws));
+    return still_by_clock(clock_, still_around(keys_, time_, between));
+}
+
+Point ObjectStrokes::first_point() const
+{
+    const bool has_backbones = object_.carrier == Carrier::backbones;
+    PackedDrawing drawing =
+        on_panel_.scene.drawing(has_backbones ? object_.backbones.keys().next().drawing : keys_.from.drawing);
+    if (drawing.strokes() != 0)
+        drawing.next_stroke();
+    return drawing.start();
+}
+
+Progress ObjectStrokes::progress() const
+{
+    return progress_between(keys_.from.time, keys_.to.time, time_, on_panel_.scene.laws(keys_.from.laws));
+}
+
+CarriedDrawing ObjectStrokes::carried(std::uint32_t drawing, std::int32_t skin) const
+{
+    const SceneView& scene = on_panel_.scene;
+    const PackedDrawing own = scene.drawing(drawing);
+    if (object_.carrier != Carrier::bones)
+        return CarriedDrawing{own};
+    const SkinReader reader = scene.skin(skin);
+    return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
+            on_panel_.bones.subspan(scene.first_bone(object_.skeleton))};
+}
+
+LiveBackbones ObjectStrokes::live_backbones() const
+{
+    const SceneView& scene = on_panel_.scene;
+    const BackboneKeyCursor keys = object_.backbones.keys();
+    const Time time = moment_.at(keys.beats().clock());
+    const auto [from, to] = interval_at(keys, time);
+    return {on_panel_.backbone_nodes, object_.backbones.unit_bits, scene.drawing(from.drawing),
+            scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
+}
+
+}

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/affine.hpp"
+#include "core/carried_drawing.hpp"
+#include "core/item_view.hpp"
+#include "core/key_interval.hpp"
+#include "core/live_backbones.hpp"
+#include "core/live_strokes.hpp"
+#include "core/moment.hpp"
+#include "core/point.hpp"
+#include "core/scene_on_panel.hpp"
+#include "core/still.hpp"
+#include "core/work.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace kfast {
+
+/// What an object's keys and skeletons make of its drawing at one moment.
+class ObjectStrokes {
+public:
+    /// All must outlive it.
+    ObjectStrokes(const SceneOnPanel& scene, const ObjectView& object, const Moment& moment);
+
+    /// How long it stays as it is, its skeletons included.
+    Still still() const;
+    /// Of the drawing of the key before, or of the backbones that carry it.
+    Point first_point() const;
+    /// Adds the strokes, placed, to `outline`, of which LiveStrokes::trace() tells what it is.
+    template <class Outline>
+    void trace(const Affine& placement, Outline& outline) const
+    {
+        did(Work::object);
+        const Progress way = progress();
+        const bool is_on_key = way.x == Way{} && way.y == Way{};
+        const CarriedDrawing begin = carried(keys_.from.drawing, keys_.from.skin);
+        const CarriedDrawing end = is_on_key ? begin : carried(arrival(), keys_.to.skin);
+        std::optional<LiveBackbones> backbones;
+        if (object_.carrier == Carrier::backbones)
+            backbones = live_backbones();
+        LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
+    }
+
+private:
+    Progress progress() const;
+    std::uint32_t arrival() const { return object_.has_arrivals ? keys_.from.arrival : keys_.to.drawing; }
+    CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const;
+    LiveBackbones live_backbones() const;
+
+    const SceneOnPanel& on_panel_;
+    const ObjectView& object_;
+    const Moment& moment_;
+    Clock clock_;
+    Time time_; ///< of the clock that the keys go by
+    KeyInterval<Key> keys_;
+};
+
+}
