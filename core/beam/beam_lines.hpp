@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/beam/field_point.hpp"
+#include "core/colour.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// A line of straight pieces in one colour. It is closed if its last point is its first one.
+struct BeamLine {
+    std::uint16_t first_point = 0; ///< number of it
+    std::uint16_t points = 0;      ///< at least one, which is a dot
+    Colour colour;                 ///< opaque
+    std::uint32_t item = 0;        ///< tells the items of a scene apart, wherever symbols are used
+};
+
+/// The lit lines of one picture, in memory that the caller lends: points fill it from the front, lines from
+/// the back.
+class BeamLines {
+public:
+    static constexpr std::size_t most_points = 0xFFFF;
+
+    BeamLines() = default;
+    /// `storage` is aligned to 4 bytes, and its size a multiple of 4.
+    explicit BeamLines(std::span<std::byte> storage);
+
+    void clear();
+    /// From here to end() points belong to a new line. A point that is the one before is left out.
+    void begin(Colour colour, std::uint32_t item);
+    void add(FieldPoint point);
+    void end();
+
+    std::size_t size() const { return line_count_; }
+    /// In the order in which they were added.
+    const BeamLine& line(std::size_t number) const { return end_[-1 - static_cast<std::ptrdiff_t>(number)]; }
+    std::span<const FieldPoint> points(const BeamLine& line) const
+    {
+        return {points_ + line.first_point, line.points};
+    }
+    bool is_closed(const BeamLine& line) const
+    {
+        return line.points > 2 && points(line).front() == points(line).back();
+    }
+
+    /// Something found no room: the picture is not complete.
+    bool is_full() const { return is_full_; }
+    std::size_t used_bytes() const
+    {
+        return point_count_ * sizeof(FieldPoint) + line_count_ * sizeof(BeamLine);
+    }
+
+private:
+    bool has_room_for(std::size_t bytes);
+
+    FieldPoint* points_ = nullptr;
+    BeamLine* end_ = nullptr;
+    std::size_t size_ = 0;
+    std::size_t point_count_ = 0;
+    std::size_t line_count_ = 0;
+    BeamLine open_; ///< the one that is being told
+    bool is_full_ = false;
+};
+
+static_assert(sizeof(FieldPoint) == 4 && sizeof(BeamLine) == 12);
+
+}

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/beam/beam_lines.hpp"
+#include "core/beam/beam_plot.hpp"
+#include "core/beam/beam_profile.hpp"
+#include "core/beam/beam_route.hpp"
+#include "core/live_scene.hpp"
+#include "core/result.hpp"
+#include "core/scene_view.hpp"
+#include "core/still.hpp"
+#include "core/time.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// What it takes to draw one picture. Lengths are in units of the field.
+struct BeamReport {
+    std::uint32_t points = 0; ///< of the whole picture, the way back to its beginning included
+    std::uint32_t lit_points = 0;
+    std::uint64_t lit_length = 0;
+    std::uint64_t blanked_length = 0;
+    std::uint32_t lines = 0;
+    int haste = 0;           ///< how often the beam was made twice as fast, to keep within the budget
+    bool is_complete = true; ///< there was room and time for all lines
+};
+
+/// Draws any moment of a scene as points of a beam, in memory that the caller lends.
+///
+/// The points depend on scene, time, inputs, profile and budget alone: not on earlier pictures.
+class BeamPlayer : public LiveScene {
+public:
+    /// Bytes that create() must be lent: enough for every time of the scene.
+    static std::size_t block_bytes(const SceneView& scene, const BeamProfile& profile);
+
+    /// `scene`'s bytes and `block` (aligned to 4 bytes) must outlive the player. A picture has no more than
+    /// `budget` points, at least 16, nor more than the profile's refresh leaves time for. Fails with
+    /// block_too_small.
+    static Result<BeamPlayer> create(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
+                                     std::span<std::byte> block);
+
+    /// Computes the picture at `time`. Any time is allowed: the scene's loop mode decides what it stands for.
+    void show(Time time);
+    /// As show(), but without loop: the scene's beginning before it and its very end from there on.
+    void show_moment(Time moment);
+
+    const BeamReport& report() const { return report_; }
+    /// The points of the picture, from its beginning. They can be repeated as they are: the last one is
+    /// followed by the first one. At least one: where there is nothing to draw, the beam is parked. Valid
+    /// until the next call of show().
+    BeamPlot plot() const { return {lines_, legs_, profile_, report_.haste}; }
+    const BeamProfile& profile() const { return profile_; }
+
+private:
+    BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
+               std::span<std::byte> block);
+
+    void trace(Time time);
+    void measure();
+
+    BeamProfile profile_;
+    std::uint32_t budget_;
+    BeamLines lines_;
+    std::span<BeamLeg> leg_storage_;
+    std::span<const BeamLeg> legs_;
+    BeamReport report_;
+    Still still_;
+};
+
+}

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/beam/field_point.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// How a vector display shows that one line is brighter than another.
+enum class BeamBrightness : std::uint8_t {
+    none,     ///< not at all
+    by_level, ///< by its Z input, or the power of its laser
+    by_speed, ///< the beam goes faster along dark lines
+};
+
+/// How the beam of a vector display is to be led. Lengths are in units of the field (field_point.hpp), times
+/// in points.
+struct BeamProfile {
+    std::uint32_t rate = 100'000;   ///< points in a second, 1000 … 1,000,000
+    std::uint16_t lit_step = 256;   ///< how far the lit beam goes from point to point, at least 1
+    std::uint16_t travel_step = 0;  ///< likewise the blanked one; 0: it jumps
+    std::uint8_t corner_dwell = 0;  ///< how long it waits where it turns right round; less at blunter corners
+    std::uint8_t lit_dwell = 0;     ///< how long it waits, lit, at both ends of a line
+    std::uint8_t arrival_dwell = 0; ///< how long it waits, blanked, where it has travelled to
+    std::uint8_t leave_dwell = 0;   ///< how long it waits, blanked, before it travels
+    std::uint8_t light_delay =
+        0; ///< how much later the light is told than the place, for a beam that lags behind
+    std::uint8_t least_refresh = 40; ///< pictures in a second: what takes longer is drawn faster and coarser
+    std::uint16_t resolution =
+        256; ///< a power of two, 64 … 4096: curves are drawn to 1/16 of the field's side / this
+    BeamBrightness brightness = BeamBrightness::by_level;
+    FieldPoint park = {};  ///< where the beam waits, blanked, when there is nothing to draw
+    bool is_laser = false; ///< it is dangerous: it stays dark until somebody arms it
+
+    friend constexpr bool operator==(const BeamProfile&, const BeamProfile&) = default;
+};
+
+/// An oscilloscope: its plates take the beam anywhere at once.
+inline constexpr BeamProfile scope_profile{
+    .rate = 100'000, .lit_step = 384, .resolution = 256, .park = {field_least, field_least}};
+
+/// A monitor with coils, which have to settle.
+inline constexpr BeamProfile crt_profile{.rate = 100'000,
+                                         .lit_step = 256,
+                                         .travel_step = 2048,
+                                         .corner_dwell = 2,
+                                         .lit_dwell = 1,
+                                         .arrival_dwell = 10,
+                                         .resolution = 256};
+
+/// A laser with mirrors: 30,000 points a second, as the ILDA test pattern wants them.
+inline constexpr BeamProfile galvo_profile{.rate = 30'000,
+                                           .lit_step = 655,
+                                           .travel_step = 3277,
+                                           .corner_dwell = 8,
+                                           .lit_dwell = 2,
+                                           .arrival_dwell = 6,
+                                           .leave_dwell = 2,
+                                           .light_delay = 4,
+                                           .least_refresh = 20,
+                                           .resolution = 128,
+                                           .is_laser = true};
+
+}

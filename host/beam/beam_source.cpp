@@ -1,0 +1,33 @@
+#include "host/beam/beam_source.hpp"
+
+#include <array>
+
+namespace kfast {
+namespace {
+
+std::vector<std::uint32_t> block_for(const SceneView& scene, const BeamProfile& profile)
+{
+    return std::vector<std::uint32_t>((BeamPlayer::block_bytes(scene, profile) + 3) / 4);
+}
+
+}
+
+BeamSource::BeamSource(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget)
+    : block_{block_for(scene, profile)}, player_{
+                                             *BeamPlayer::create(scene, profile, budget,
+                                                                 std::as_writable_bytes(std::span{block_}))}
+{
+}
+
+std::span<const BeamPoint> BeamSource::show(Time moment)
+{
+    player_.show_moment(moment);
+    points_.clear();
+    BeamPlot plot = player_.plot();
+    std::array<BeamPoint, 256> piece;
+    while (const std::size_t count = plot.next(piece))
+        points_.insert(points_.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
+    return points_;
+}
+
+}

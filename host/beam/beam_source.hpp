@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/beam/beam_player.hpp"
+#include "host/picture/told_inputs.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace kfast {
+
+/// Draws a scene for a beam, in memory of its own.
+class BeamSource final : public ToldInputs {
+public:
+    static constexpr std::uint32_t any_number = std::numeric_limits<std::uint32_t>::max();
+
+    /// `scene`'s bytes must outlive the source. A picture has no more than `budget` points.
+    explicit BeamSource(const SceneView& scene, const BeamProfile& profile,
+                        std::uint32_t budget = any_number);
+
+    /// The points of the picture at a moment of the timeline, the scene's very end included. Valid until the
+    /// next call.
+    std::span<const BeamPoint> show(Time moment);
+    /// Of that picture.
+    const BeamReport& report() const { return player_.report(); }
+    const BeamProfile& profile() const { return player_.profile(); }
+
+    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
+    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
+    {
+        return player_.set_drawing(number, strokes);
+    }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
+
+private:
+    std::vector<std::uint32_t> block_;
+    BeamPlayer player_;
+    std::vector<BeamPoint> points_;
+};
+
+}
