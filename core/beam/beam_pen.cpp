@@ -17,18 +17,19 @@ std::int32_t in_field(Fixed pixels, std::int32_t units)
 void BeamPen::begin(Point from)
 {
     lines_.begin(colour_, item_);
-    line_to(sight_(from));
+    line_to(from);
 }
 
 void BeamPen::add(const Segment& segment)
 {
-    sight_.flatten(segment, [this](Point to) { line_to(to); });
+    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(to); });
 }
 
 void BeamPen::end(Point, bool) { lines_.end(); }
 
-void BeamPen::line_to(Point seen)
+void BeamPen::line_to(Point to)
 {
+    const Point seen = sight_(to);
     lines_.add({static_cast<std::int16_t>(in_field(seen.x, units_)),
                 static_cast<std::int16_t>(-1 - in_field(seen.y, units_))});
 }

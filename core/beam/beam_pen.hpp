@@ -25,7 +25,7 @@ public:
     void end(Point hub, bool is_closed);
 
 private:
-    void line_to(Point seen);
+    void line_to(Point to);
 
     BeamLines& lines_;
     Sight sight_;
