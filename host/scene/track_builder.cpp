@@ -108,6 +108,7 @@ std::vector<Key> take_drawings(std::span<ItemKey> keys)
                                 .laws = key.laws.of_axes(),
                                 .match = key.match.value_or(Match::count),
                                 .drawing = std::move(*key.drawing),
+                                .depths = std::move(key.depths),
                                 .place = key.place});
     if (!drawings.empty())
         drawings.back().laws = {};
