@@ -127,17 +127,14 @@ void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
 
 }
 
-KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_skins, bool has_depths)
-    : beats_{BeatCursor::take(bytes, BeatCursor::one())}, drawings_{PackedValues::take(bytes,
-                                                                                       beats_.count())},
-      has_arrivals_{has_arrivals}, has_skins_{has_skins}, has_depths_{has_depths}
+KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more)
+    : beats_{BeatCursor::take(bytes, BeatCursor::one())},
+      drawings_{PackedValues::take(bytes, beats_.count())}, has_arrivals_{has_arrivals}, has_more_{has_more}
 {
     if (has_arrivals)
         arrivals_ = PackedValues::take(bytes, beats_.count());
-    if (has_skins)
-        skins_ = PackedValues::take(bytes, beats_.count());
-    if (has_depths)
-        depths_ = PackedValues::take(bytes, beats_.count());
+    if (has_more)
+        more_ = PackedValues::take(bytes, beats_.count());
 }
 
 Key KeyCursor::at(const Beat& beat) const
@@ -146,10 +143,8 @@ Key KeyCursor::at(const Beat& beat) const
     key.drawing = static_cast<std::uint32_t>(drawings_[beat.index]);
     if (has_arrivals_)
         key.arrival = static_cast<std::uint32_t>(arrivals_[beat.index]);
-    if (has_skins_)
-        key.skin = skins_[beat.index];
-    if (has_depths_)
-        key.depths = static_cast<std::uint32_t>(depths_[beat.index]);
+    if (has_more_)
+        key.more = more_[beat.index];
     return key;
 }
 

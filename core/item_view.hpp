@@ -34,15 +34,16 @@ struct Key {
     std::uint32_t laws = 0;    ///< number of the pair of laws
     std::uint32_t drawing = 0; ///< offset in the section of drawings
     std::uint32_t arrival = 0; ///< offset of what the way leads to; only if the object has such drawings
-    std::int32_t skin = 0;     ///< see SceneView::skin; only if bones carry the object
-    std::uint32_t depths = 0;  ///< offset of the drawing of its depths; only of a wire frame
+    /// What belongs to the drawing: if bones carry the object, the skin (see SceneView::skin); of a wire
+    /// frame the offset of a drawing, of the depths.
+    std::int32_t more = 0;
 };
 
 /// Reads the keys of an object in the order of their times.
 class KeyCursor {
 public:
     /// Takes `bytes` as far as the keys go.
-    KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_skins, bool has_depths);
+    KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more);
 
     bool at_end() const { return beats_.at_end(); }
     /// Only when not at the end.
@@ -55,11 +56,9 @@ private:
     BeatCursor beats_;
     PackedValues drawings_;
     PackedValues arrivals_;
-    PackedValues skins_;
-    PackedValues depths_;
+    PackedValues more_;
     bool has_arrivals_;
-    bool has_skins_;
-    bool has_depths_;
+    bool has_more_;
 };
 
 /// Looks at no drawing in between.
@@ -79,7 +78,7 @@ struct ObjectView {
     std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
     BackbonesView backbones = {}; ///< only if backbones carry it
     bool has_arrivals = false;    ///< see Key::arrival
-    bool has_depths = false;      ///< it is a wire frame: see Key::depths
+    bool has_depths = false;      ///< it is a wire frame; then nothing carries it
     ByteReader key_bytes;         ///< begins with the keys
 
     KeyCursor keys() const
@@ -90,7 +89,7 @@ struct ObjectView {
     /// Takes `bytes`, which begin with the keys, as far as these go.
     KeyCursor take_keys(ByteReader& bytes) const
     {
-        return {bytes, has_arrivals, carrier == Carrier::bones, has_depths};
+        return {bytes, has_arrivals, has_depths || carrier == Carrier::bones};
     }
 };
 

@@ -7,7 +7,8 @@ namespace kfast {
 /// z goes by the law for x.
 Point LiveWires::seen(Pair<Point> flat, Pair<Point> depths) const
 {
-    return see_(lerp(flat.a, flat.b, way_.x, way_.y), lerp(depths.a, depths.b, way_.x, way_.x).x);
+    const Fixed z = lerp(depths.a.x, depths.b.x, way_.x);
+    return see_.in_front(z)(lerp(flat.a, flat.b, way_.x, way_.y));
 }
 
 template void LiveWires::trace(ObjectOutline& outline);

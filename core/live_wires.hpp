@@ -20,7 +20,8 @@ struct WireDrawing {
 };
 
 /// The strokes of a wire frame between two drawings at one moment of their way, as they are seen. Both pairs
-/// are equalized in step, for only the numbers of strokes and segments decide.
+/// are equalized in step, for only the numbers of strokes and segments decide. Few scenes have wires: their
+/// code is cold, so that a board can leave it in flash.
 class LiveWires {
 public:
     /// At the very beginning of the way, `from` alone. `projection` must outlive the wires.
@@ -29,9 +30,10 @@ public:
     {
     }
 
-    /// Tells `outline` each stroke, as LiveStrokes::trace() does.
+    /// Tells `outline`, which is a stroke's, each stroke: begin(point), line_to(point) for the others, and
+    /// end(point without a meaning, is_closed). All points are as they are seen.
     template <class Outline>
-    void trace(Outline& outline)
+    [[gnu::cold]] void trace(Outline& outline)
     {
         while (const std::uint32_t segments = flat_.next_stroke()) {
             depths_.next_stroke();
@@ -54,22 +56,19 @@ private:
         did(Work::stroke);
         const Pair<Segment>& flat = flat_.next_segment();
         const Pair<Segment>& depths = depths_.next_segment();
-        const Pair<Segment> first{flat};
-        const Pair<Segment> first_depths{depths};
-        Segment segment{.from = seen({flat.a.from, flat.b.from}, {depths.a.from, depths.b.from})};
-        outline.begin(segment.from);
+        const Pair<Segment> first = flat;
+        const Pair<Segment> first_depths = depths;
+        outline.begin(seen({flat.a.from, flat.b.from}, {depths.a.from, depths.b.from}));
         for (std::uint32_t i = 0; i < segments; ++i) {
             if (i != 0) {
                 flat_.next_segment();
                 depths_.next_segment();
-                segment.from = segment.to;
             }
-            segment.to = seen({flat.a.to, flat.b.to}, {depths.a.to, depths.b.to});
             did(Work::line, 2); // flat, and in depth
-            outline.add(segment);
+            outline.line_to(seen({flat.a.to, flat.b.to}, {depths.a.to, depths.b.to}));
         }
         const bool ends_meet = end_where_began(first, flat) && end_where_began(first_depths, depths);
-        outline.end(segment.to, ends_meet && flat_.is_whole());
+        outline.end({}, ends_meet && flat_.is_whole());
     }
 
     static bool end_where_began(const Pair<Segment>& first, const Pair<Segment>& last)
@@ -77,7 +76,7 @@ private:
         return first.a.from == last.a.to && first.b.from == last.b.to;
     }
 
-    Point seen(Pair<Point> flat, Pair<Point> depths) const;
+    [[gnu::cold]] Point seen(Pair<Point> flat, Pair<Point> depths) const;
 
     EqualizedPair<PackedDrawing> flat_;
     EqualizedPair<PackedDrawing> depths_;

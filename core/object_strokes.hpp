@@ -35,8 +35,8 @@ public:
         did(Work::object);
         const Progress way = progress();
         const bool is_on_key = way.x == Way{} && way.y == Way{};
-        const CarriedDrawing begin = carried(keys_.from.drawing, keys_.from.skin);
-        const CarriedDrawing end = is_on_key ? begin : carried(arrival(), keys_.to.skin);
+        const CarriedDrawing begin = carried(keys_.from.drawing, keys_.from.more);
+        const CarriedDrawing end = is_on_key ? begin : carried(arrival(), keys_.to.more);
         std::optional<LiveBackbones> backbones;
         if (object_.carrier == Carrier::backbones)
             backbones = live_backbones();

@@ -49,34 +49,14 @@ Point Projection::operator()(Point point) const
     const Affine& plane = space_.plane;
     const std::int64_t x = sum_of_products(plane.xx, point.x.raw(), plane.xy, point.y.raw()) + plane.x0;
     const std::int64_t y = sum_of_products(plane.yx, point.x.raw(), plane.yy, point.y.raw()) + plane.y0;
-    return seen(x, y, nearness(point));
-}
-
-Point Projection::operator()(Point point, Fixed z) const
-{
-    did(Work::projected_point);
-    const auto sum = [&](std::int32_t by_x, std::int32_t by_y, std::int32_t by_z) {
-        return sum_of_products(by_x, point.x.raw(), by_y, point.y.raw(), by_z, z.raw());
-    };
-    const Affine& plane = space_.plane;
-    return seen(sum(plane.xx, plane.xy, space_.xz) + plane.x0, sum(plane.yx, plane.yy, space_.yz) + plane.y0,
-                nearness(sum(space_.zx, space_.zy, space_.zz) + space_.z0));
-}
-
-/// Of a point that lies at x, y from the middle.
-Point Projection::seen(std::int64_t x, std::int64_t y, std::int64_t near) const
-{
+    const std::int64_t near = nearness(point);
     return held_point(camera_.x + times(within_reach(x), near), camera_.y + times(within_reach(y), near));
 }
 
+/// d / (d - z) in Q24, 0 … 16.
 std::int64_t Projection::nearness(Point point) const
 {
-    return nearness(sum_of_products(space_.zx, point.x.raw(), space_.zy, point.y.raw()) + space_.z0);
-}
-
-/// d / (d - z) in Q24, 0 … 16.
-std::int64_t Projection::nearness(std::int64_t z) const
-{
+    const std::int64_t z = sum_of_products(space_.zx, point.x.raw(), space_.zy, point.y.raw()) + space_.z0;
     const std::int64_t least = std::max<std::int64_t>(camera_.distance >> 4, 1);
     const std::int64_t left = std::max(camera_.distance - z, least);
     const std::int64_t divisor = std::max<std::int64_t>(left >> shift_, 1);
@@ -102,14 +82,24 @@ std::int32_t Projection::growth_at(Point point) const
         .growth();
 }
 
+Projection Projection::in_front(Fixed z) const
+{
+    const auto shift = [z](std::int32_t factor) { return sum_of_products(factor, z.raw(), 0, 0); };
+    Projection moved = *this;
+    moved.space_.plane.x0 += shift(space_.xz);
+    moved.space_.plane.y0 += shift(space_.yz);
+    moved.space_.z0 += shift(space_.zz);
+    return moved;
+}
+
 std::int32_t Projection::growth_facing(Point point) const
 {
     const auto length = [](std::int64_t x, std::int64_t y, std::int64_t z) {
-        return square_root(static_cast<std::uint64_t>(x * x + y * y + z * z));
+        return std::uint64_t{square_root(static_cast<std::uint64_t>(x * x + y * y + z * z))};
     };
     const Affine& plane = space_.plane;
     const std::uint64_t area = length(plane.xx, plane.yx, space_.zx) * length(plane.xy, plane.yy, space_.zy);
-    return held_factor(times(static_cast<std::int64_t>(square_root(area)), nearness(point)));
+    return held_factor(times(square_root(area), nearness(point)));
 }
 
 }

@@ -23,18 +23,18 @@ public:
 
     /// To the panel, within 1/64 px for points that are seen less than 512 px from its middle.
     Point operator()(Point point) const;
-    /// Of a point that lies `z` in front of the plane.
-    Point operator()(Point point, Fixed z) const;
     /// By what lengths around `point` grow, in Q16: the square root of what areas grow by, rounded down.
     std::int32_t growth_at(Point point) const;
-    /// Likewise, of what lies around `point` and faces the viewer, however the plane is turned: the mean of
-    /// what x and y of the item grow by, as near as the point is.
-    std::int32_t growth_facing(Point point) const;
+
+    // Only wire frames need these: see LiveWires.
+    /// Of the plane that lies `z` in front of the item's, by its own z.
+    [[gnu::cold]] Projection in_front(Fixed z) const;
+    /// By what lengths grow that face the viewer at `point`, however the plane is turned, in Q16: the mean of
+    /// what those along x and along y of the item do.
+    [[gnu::cold]] std::int32_t growth_facing(Point point) const;
 
 private:
-    Point seen(std::int64_t x, std::int64_t y, std::int64_t near) const;
     std::int64_t nearness(Point point) const;
-    std::int64_t nearness(std::int64_t z) const;
 
     Space space_;
     Camera camera_;

@@ -318,18 +318,19 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
 /// Of a key whose drawing has been checked.
 bool SceneCheck::check_depths(const Key& key)
 {
-    return check_drawing(key.depths) && has_only_lines(scene_.drawing(key.drawing)) &&
-           is_built_alike(scene_.drawing(key.drawing), scene_.drawing(key.depths));
+    const auto depths = static_cast<std::uint32_t>(key.more);
+    return check_drawing(depths) && has_only_lines(scene_.drawing(key.drawing)) &&
+           is_built_alike(scene_.drawing(key.drawing), scene_.drawing(depths));
 }
 
 /// Likewise.
 bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
 {
-    if (key.skin < 0)
-        return static_cast<std::uint32_t>(-1 - key.skin) < bones;
-    if (static_cast<std::size_t>(key.skin) >= scene_.drawings_.size())
+    if (key.more < 0)
+        return static_cast<std::uint32_t>(-1 - key.more) < bones;
+    if (static_cast<std::size_t>(key.more) >= scene_.drawings_.size())
         return false;
-    SkinReader skin = scene_.skin(key.skin);
+    SkinReader skin = scene_.skin(key.more);
     if (skin.has_drawing_at_rest() &&
         (!check_drawing(skin.drawing_at_rest()) ||
          !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(skin.drawing_at_rest()))))

@@ -17,13 +17,6 @@ constexpr std::int64_t sum_of_products(std::int32_t p, std::int64_t a, std::int3
     return sum >> 16;
 }
 
-/// p a + q b + r c, likewise.
-constexpr std::int64_t sum_of_products(std::int32_t p, std::int64_t a, std::int32_t q, std::int64_t b,
-                                       std::int32_t r, std::int64_t c)
-{
-    return (p * a + q * b + r * c + Fixed::one / 2) >> 16;
-}
-
 /// Whether |value| is at most 1 << bits.
 constexpr bool fits_in(std::int32_t value, int bits)
 {
