@@ -90,7 +90,8 @@ public:
             set_label(content, object);
         else
             draw(content, object);
-        auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
+        auto tracks = build_tracks(node_, properties_.values,
+                                   {content.keys, properties_.clock.clock(), object.has_depths},
                                    content.timed, reading_);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
