@@ -4,21 +4,6 @@
 
 namespace kfast {
 
-bool is_built_alike(PackedDrawing a, PackedDrawing b)
-{
-    if (a.strokes() != b.strokes())
-        return false;
-    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
-        const std::uint32_t segments = a.next_stroke();
-        if (b.next_stroke() != segments)
-            return false;
-        for (std::uint32_t i = 0; i < segments; ++i)
-            if (a.next_segment().kind != b.next_segment().kind)
-                return false;
-    }
-    return true;
-}
-
 bool are_backbones(PackedDrawing drawing)
 {
     std::uint32_t all = 0;

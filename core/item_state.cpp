@@ -132,7 +132,7 @@ std::uint32_t ItemState::opacity() const
 void ItemState::follow(const PathView& path, const PackedDrawing& stroke)
 {
     const PathPlace place = place_on(path, stroke, fine(Property::along));
-    position_ = place.at - Point{pixels(Property::pivot_x), pixels(Property::pivot_y)};
+    position_ = place.at - pivot();
     if (path.turns)
         turned_ = FineAngle::of(place.direction);
 }

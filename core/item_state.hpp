@@ -26,6 +26,7 @@ public:
     std::uint32_t opacity() const;
     /// From the item's own space to that of what it lies in.
     Space placement() const;
+    Point pivot() const { return {pixels(Property::pivot_x), pixels(Property::pivot_y)}; }
     /// Only of what is filled.
     Colour fill() const { return fill_; }
     /// Only of what is stroked.

@@ -84,9 +84,10 @@ ObjectStyle take_style(ByteReader& bytes, std::uint32_t head)
     return style;
 }
 
-ObjectView take_object(ByteReader& bytes, std::uint32_t head)
+ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
 {
     ObjectView object;
+    object.has_depths = has_depths;
     object.style = take_style(bytes, head);
     object.has_arrivals = (head & arrivals_bit) != 0;
     if ((head & carried_bit) != 0)
@@ -94,6 +95,17 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head)
     object.key_bytes = bytes;
     object.take_keys(bytes);
     return object;
+}
+
+/// A wire frame is no more than an object behind it.
+void take_live_kind(ByteReader& bytes, ItemView& item)
+{
+    const std::uint32_t kind = bytes.u8();
+    item.object.has_depths = kind == wire_kind;
+    if (item.object.has_depths)
+        item.kind = ItemKind::object;
+    else
+        item.live.kind = static_cast<LiveKind>(kind);
 }
 
 /// Behind the kind of what is live.
@@ -115,14 +127,14 @@ void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
 
 }
 
-KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_skins)
+KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more)
     : beats_{BeatCursor::take(bytes, BeatCursor::one())},
-      drawings_{PackedValues::take(bytes, beats_.count())}, has_arrivals_{has_arrivals}, has_skins_{has_skins}
+      drawings_{PackedValues::take(bytes, beats_.count())}, has_arrivals_{has_arrivals}, has_more_{has_more}
 {
     if (has_arrivals)
         arrivals_ = PackedValues::take(bytes, beats_.count());
-    if (has_skins)
-        skins_ = PackedValues::take(bytes, beats_.count());
+    if (has_more)
+        more_ = PackedValues::take(bytes, beats_.count());
 }
 
 Key KeyCursor::at(const Beat& beat) const
@@ -131,8 +143,8 @@ Key KeyCursor::at(const Beat& beat) const
     key.drawing = static_cast<std::uint32_t>(drawings_[beat.index]);
     if (has_arrivals_)
         key.arrival = static_cast<std::uint32_t>(arrivals_[beat.index]);
-    if (has_skins_)
-        key.skin = skins_[beat.index];
+    if (has_more_)
+        key.more = more_[beat.index];
     return key;
 }
 
@@ -144,12 +156,12 @@ ItemView ItemCursor::next()
     item.kind = static_cast<ItemKind>(head & kind_bits);
     item.is_known = is_known(head, item.kind);
     if (item.kind == ItemKind::live)
-        item.live.kind = static_cast<LiveKind>(bytes_.u8());
+        take_live_kind(bytes_, item);
     if ((head & tracks_bit) != 0)
         take_tracks(bytes_, item);
     switch (item.kind) {
     case ItemKind::object:
-        item.object = take_object(bytes_, head);
+        item.object = take_object(bytes_, head, item.object.has_depths);
         break;
     case ItemKind::group:
         item.items = bytes_.take(bytes_.varint());

@@ -34,14 +34,16 @@ struct Key {
     std::uint32_t laws = 0;    ///< number of the pair of laws
     std::uint32_t drawing = 0; ///< offset in the section of drawings
     std::uint32_t arrival = 0; ///< offset of what the way leads to; only if the object has such drawings
-    std::int32_t skin = 0;     ///< see SceneView::skin; only if bones carry the object
+    /// What belongs to the drawing: if bones carry the object, the skin (see SceneView::skin); of a wire
+    /// frame the offset of a drawing, of the depths.
+    std::int32_t more = 0;
 };
 
 /// Reads the keys of an object in the order of their times.
 class KeyCursor {
 public:
     /// Takes `bytes` as far as the keys go.
-    KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_skins);
+    KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more);
 
     bool at_end() const { return beats_.at_end(); }
     /// Only when not at the end.
@@ -54,9 +56,9 @@ private:
     BeatCursor beats_;
     PackedValues drawings_;
     PackedValues arrivals_;
-    PackedValues skins_;
+    PackedValues more_;
     bool has_arrivals_;
-    bool has_skins_;
+    bool has_more_;
 };
 
 /// Looks at no drawing in between.
@@ -76,6 +78,7 @@ struct ObjectView {
     std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
     BackbonesView backbones = {}; ///< only if backbones carry it
     bool has_arrivals = false;    ///< see Key::arrival
+    bool has_depths = false;      ///< it is a wire frame; then nothing carries it
     ByteReader key_bytes;         ///< begins with the keys
 
     KeyCursor keys() const
@@ -84,10 +87,16 @@ struct ObjectView {
         return take_keys(bytes);
     }
     /// Takes `bytes`, which begin with the keys, as far as these go.
-    KeyCursor take_keys(ByteReader& bytes) const { return {bytes, has_arrivals, carrier == Carrier::bones}; }
+    KeyCursor take_keys(ByteReader& bytes) const
+    {
+        return {bytes, has_arrivals, has_depths || carrier == Carrier::bones};
+    }
 };
 
 enum class ItemKind : std::uint8_t { object, group, use, live };
+
+/// In the place of a LiveKind: the item is an object that is a wire frame.
+inline constexpr std::uint32_t wire_kind = 2;
 
 /// What a live item shows.
 enum class LiveKind : std::uint8_t {

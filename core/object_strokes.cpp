@@ -17,7 +17,7 @@ Still ObjectStrokes::still() const
         return moving_with_any_input(moment_.time());
     const Time begin = keys_.from.time;
     const Time end = keys_.to.time;
-    const Still between = keys_.from.drawing == arrival()
+    const Still between = keys_.from.drawing == arrival() && keys_.from.more == keys_.to.more
                               ? Still{.begin = begin, .end = end}
                               : still_between(begin, end, time_, on_panel_.scene.laws(keys_.from.laws));
     return still_by_clock(clock_, still_around(keys_, time_, between));
@@ -47,6 +47,12 @@ CarriedDrawing ObjectStrokes::carried(std::uint32_t drawing, std::int32_t skin) 
     const SkinReader reader = scene.skin(skin);
     return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
             on_panel_.bones.subspan(scene.first_bone(object_.skeleton))};
+}
+
+WireDrawing ObjectStrokes::wires(const Key& key) const
+{
+    return {on_panel_.scene.drawing(key.drawing),
+            on_panel_.scene.drawing(static_cast<std::uint32_t>(key.more))};
 }
 
 LiveBackbones ObjectStrokes::live_backbones() const

@@ -6,6 +6,7 @@
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
 #include "core/live_strokes.hpp"
+#include "core/live_wires.hpp"
 #include "core/moment.hpp"
 #include "core/point.hpp"
 #include "core/scene_on_panel.hpp"
@@ -34,18 +35,27 @@ public:
         did(Work::object);
         const Progress way = progress();
         const bool is_on_key = way.x == Way{} && way.y == Way{};
-        const CarriedDrawing begin = carried(keys_.from.drawing, keys_.from.skin);
-        const CarriedDrawing end = is_on_key ? begin : carried(arrival(), keys_.to.skin);
+        const CarriedDrawing begin = carried(keys_.from.drawing, keys_.from.more);
+        const CarriedDrawing end = is_on_key ? begin : carried(arrival(), keys_.to.more);
         std::optional<LiveBackbones> backbones;
         if (object_.carrier == Carrier::backbones)
             backbones = live_backbones();
         LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
     }
 
+    /// Likewise of a wire frame: what is seen of its strokes.
+    template <class Outline>
+    void trace(const Projection& projection, Outline& outline) const
+    {
+        did(Work::object);
+        LiveWires{wires(keys_.from), wires(keys_.to), progress(), projection}.trace(outline);
+    }
+
 private:
     Progress progress() const;
     std::uint32_t arrival() const { return object_.has_arrivals ? keys_.from.arrival : keys_.to.drawing; }
     CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const;
+    WireDrawing wires(const Key& key) const;
     LiveBackbones live_backbones() const;
 
     const SceneOnPanel& on_panel_;

@@ -1,6 +1,7 @@
 #include "core/projection.hpp"
 
 #include "core/held_point.hpp"
+#include "core/square_root.hpp"
 #include "core/sum_of_products.hpp"
 #include "core/work.hpp"
 
@@ -79,6 +80,26 @@ std::int32_t Projection::growth_at(Point point) const
                   .yx = grown(plane.yx, seen_y, space_.zx),
                   .yy = grown(plane.yy, seen_y, space_.zy)}
         .growth();
+}
+
+Projection Projection::in_front(Fixed z) const
+{
+    const auto shift = [z](std::int32_t factor) { return sum_of_products(factor, z.raw(), 0, 0); };
+    Projection moved = *this;
+    moved.space_.plane.x0 += shift(space_.xz);
+    moved.space_.plane.y0 += shift(space_.yz);
+    moved.space_.z0 += shift(space_.zz);
+    return moved;
+}
+
+std::int32_t Projection::growth_facing(Point point) const
+{
+    const auto length = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return std::uint64_t{square_root(static_cast<std::uint64_t>(x * x + y * y + z * z))};
+    };
+    const Affine& plane = space_.plane;
+    const std::uint64_t area = length(plane.xx, plane.yx, space_.zx) * length(plane.xy, plane.yy, space_.zy);
+    return held_factor(times(square_root(area), nearness(point)));
 }
 
 }

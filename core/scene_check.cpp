@@ -3,6 +3,7 @@
 #include "core/backbone_check.hpp"
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
+#include "core/drawing_check.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
@@ -203,7 +204,8 @@ bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
 
 bool SceneCheck::check_object(const ObjectView& object)
 {
-    return check_style(object.style) && check_carrier(object) && check_keys(object);
+    const bool is_filled_wire = object.has_depths && object.style.is_filled;
+    return !is_filled_wire && check_style(object.style) && check_carrier(object) && check_keys(object);
 }
 
 bool SceneCheck::check_style(const ObjectStyle& style) const
@@ -230,6 +232,8 @@ bool SceneCheck::check_keys(const ObjectView& object)
         if (object.has_arrivals && !check_drawing(key.arrival))
             return false;
         if (object.carrier == Carrier::bones && !check_skin(key, bones))
+            return false;
+        if (object.has_depths && !check_depths(key))
             return false;
         before = key.time;
     }
@@ -312,13 +316,21 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
 }
 
 /// Of a key whose drawing has been checked.
+bool SceneCheck::check_depths(const Key& key)
+{
+    const auto depths = static_cast<std::uint32_t>(key.more);
+    return check_drawing(depths) && has_only_lines(scene_.drawing(key.drawing)) &&
+           is_built_alike(scene_.drawing(key.drawing), scene_.drawing(depths));
+}
+
+/// Likewise.
 bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
 {
-    if (key.skin < 0)
-        return static_cast<std::uint32_t>(-1 - key.skin) < bones;
-    if (static_cast<std::size_t>(key.skin) >= scene_.drawings_.size())
+    if (key.more < 0)
+        return static_cast<std::uint32_t>(-1 - key.more) < bones;
+    if (static_cast<std::size_t>(key.more) >= scene_.drawings_.size())
         return false;
-    SkinReader skin = scene_.skin(key.skin);
+    SkinReader skin = scene_.skin(key.more);
     if (skin.has_drawing_at_rest() &&
         (!check_drawing(skin.drawing_at_rest()) ||
          !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(skin.drawing_at_rest()))))

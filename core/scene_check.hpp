@@ -41,6 +41,7 @@ private:
     bool check_path(const ItemView& item) const;
     bool check_carrier(const ObjectView& object);
     bool check_backbones(const BackbonesView& backbones);
+    bool check_depths(const Key& key);
     bool check_skin(const Key& key, std::uint32_t bones);
     bool is_moment(Clock clock, Time time) const;
     bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }

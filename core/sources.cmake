@@ -23,6 +23,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/coverage_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/covered_span.cpp
     ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/drawing_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
     ${CMAKE_CURRENT_LIST_DIR}/glyph_set.cpp
     ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
@@ -44,6 +45,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/live_scene.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_texts.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/live_wires.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp
     ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp

@@ -124,9 +124,21 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, cons
     Context context = outer;
     context.still = outer.still & strokes.still();
     picture_.still = picture_.still & context.still;
+    if (object.has_depths)
+        return trace_wires(strokes, object.style, state, context);
     add_layers(
         object.style, state, context, [&] { return strokes.first_point(); },
         [&](const Affine& placement, ObjectOutline& outline) { strokes.trace(placement, outline); });
+}
+
+/// Points come as they are seen, and lines stay straight.
+void Tracer::trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style, const ItemState& state,
+                         const Context& context)
+{
+    const Projection projection{context.space, on_panel_.camera};
+    ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
+    outline.stroke_with(pen_for(style, state.width(), projection.growth_facing(state.pivot())));
+    add_layer(state.stroke(), FillRule::nonzero, context, [&] { strokes.trace(projection, outline); });
 }
 
 void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)

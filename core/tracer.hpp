@@ -51,6 +51,8 @@ private:
                        const Context& context);
     void trace_label(const ItemView& item, const ItemState& state, const Context& context);
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
+    [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
+                                                  const ItemState& state, const Context& context);
     bool copy_still(const Context& context);
     void copy(const PaintStep& step);
     PaintStep& add_step(PaintStep::Kind kind, const Context& context);

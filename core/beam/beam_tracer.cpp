@@ -5,7 +5,6 @@
 #include "core/item_path.hpp"
 #include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
-#include "core/object_strokes.hpp"
 #include "core/opacity.hpp"
 #include "core/paint_order.hpp"
 #include "core/projection.hpp"
@@ -73,8 +72,21 @@ void BeamTracer::trace_object(const ObjectView& object, const ItemState& state, 
 {
     const ObjectStrokes strokes{on_panel_, object, moment_};
     still_ = still_ & strokes.still();
+    if (object.has_depths)
+        return trace_wires(strokes, state, context);
     add_lines(object.style, state, context,
               [&](const Affine& placement, BeamPen& pen) { strokes.trace(placement, pen); });
+}
+
+/// Points come as they are seen.
+void BeamTracer::trace_wires(const ObjectStrokes& strokes, const ItemState& state, const Context& context)
+{
+    const Colour colour = shining(state.stroke(), context.opacity);
+    if (brightness(colour) == 0)
+        return;
+    const Projection projection{context.space, on_panel_.camera};
+    BeamPen pen{lines_, Sight{nullptr, coarseness_}, resolution_, colour, context.path};
+    strokes.trace(projection, pen);
 }
 
 void BeamTracer::trace_live(const ItemView& item, const ItemState& state, const Context& context)

@@ -4,6 +4,7 @@
 #include "core/item_state.hpp"
 #include "core/item_view.hpp"
 #include "core/moment.hpp"
+#include "core/object_strokes.hpp"
 #include "core/scene_on_panel.hpp"
 #include "core/space.hpp"
 #include "core/still.hpp"
@@ -40,6 +41,7 @@ private:
     void trace(ItemCursor items, const Context& context);
     void trace(const ItemView& item, const Context& outer);
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
+    void trace_wires(const ObjectStrokes& strokes, const ItemState& state, const Context& context);
     void trace_live(const ItemView& item, const ItemState& state, const Context& context);
     template <class Trace>
     void add_lines(const ObjectStyle& style, const ItemState& state, const Context& context, Trace trace);

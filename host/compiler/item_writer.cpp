@@ -33,6 +33,16 @@ std::optional<Live> live_of(const scene::Item& item)
     return std::nullopt;
 }
 
+/// What stands behind the head of a live item, or of a wire frame, which is stored as one.
+std::optional<std::uint32_t> kind_of_live(const scene::Item& item)
+{
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    if (object != nullptr && object->has_depths)
+        return wire_kind;
+    const auto live = live_of(item);
+    return live ? std::optional{static_cast<std::uint32_t>(live->kind)} : std::nullopt;
+}
+
 std::uint32_t style_flags_of(const scene::Object& object)
 {
     return flag(object.fill.has_value(), 3) | flag(object.stroke.has_value(), 4) |
@@ -47,11 +57,11 @@ std::uint32_t key_flags_of(const scene::Object& object)
 std::uint32_t head_of(const scene::Item& item, bool has_tracks)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);
-    const bool is_live = live_of(item).has_value();
-    const auto kind = is_live ? ItemKind::live : static_cast<ItemKind>(item.content.index());
+    const bool has_kind = kind_of_live(item).has_value();
+    const auto kind = has_kind ? ItemKind::live : static_cast<ItemKind>(item.content.index());
     return static_cast<std::uint32_t>(kind) | flag(has_tracks, 2) |
            (object != nullptr ? style_flags_of(*object) : 0) |
-           (object != nullptr && !is_live ? key_flags_of(*object) : 0);
+           (object != nullptr && !has_kind ? key_flags_of(*object) : 0);
 }
 
 void write_stroke_style(const scene::StrokeStyle& style, ByteWriter& bytes)
@@ -84,12 +94,11 @@ void ItemWriter::write_item(const scene::Item& item, ByteWriter& bytes)
     const std::vector<std::byte> tracks = packed_tracks(item, laws_);
     const auto* object = std::get_if<scene::Object>(&item.content);
     bytes.u8(head_of(item, !tracks.empty()));
-    const auto live = live_of(item);
-    if (live)
-        bytes.u8(static_cast<std::uint32_t>(live->kind));
+    if (const auto kind = kind_of_live(item))
+        bytes.u8(*kind);
     bytes.append(tracks);
     write_path(item, drawings_, bytes, diagnostics_);
-    if (live) {
+    if (const auto live = live_of(item)) {
         bytes.u8(static_cast<std::uint32_t>(live->input));
         write_live(*object, bytes);
     } else if (object != nullptr) {

@@ -70,6 +70,7 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
     Beats beats;
     std::vector<std::int32_t> from;
     std::vector<std::int32_t> to;
+    std::vector<std::int32_t> depths;
     for (const KeyWay& way : ways.ways) {
         beats.push_back({way.time, laws.number_of(way.laws, way.place)});
         from.push_back(drawings.offset_of(way.ends.from));
@@ -79,11 +80,19 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
             points += point_count(way.ends.to) + 1;
         }
     }
+    for (const scene::Key& key : object.keys) {
+        if (!object.has_depths)
+            break;
+        depths.push_back(drawings.offset_of(key.depths));
+        points += point_count(key.depths) + 1;
+    }
     ByteWriter bytes;
     write_beats({beats, object.clock}, one_beat, bytes);
     write_values(from, bytes);
     if (with_arrivals)
         write_values(to, bytes);
+    if (object.has_depths)
+        write_values(depths, bytes);
     return {bytes.bytes(), points, ways.unit_bits};
 }
 

@@ -35,7 +35,8 @@ bool changes_nothing(const scene::Track& track, const scene::Item& item)
            track.keys.front().value == value_without(track.property, item);
 }
 
-/// Those that make a difference. A pivot makes none where nothing turns or grows.
+/// Those that make a difference. A pivot makes none where nothing turns or grows, but for the width of
+/// wires.
 std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
 {
     std::vector<const scene::Track*> tracks;
@@ -43,7 +44,9 @@ std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
         if (!changes_nothing(track, item))
             tracks.push_back(&track);
     const auto pointed_to = [](const scene::Track* track) -> const scene::Track& { return *track; };
-    if (std::ranges::none_of(tracks, scene::needs_pivot, pointed_to))
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    const bool has_depths = object != nullptr && object->has_depths;
+    if (!has_depths && std::ranges::none_of(tracks, scene::needs_pivot, pointed_to))
         std::erase_if(tracks, [](const scene::Track* track) { return scene::is_pivot(*track); });
     return tracks;
 }

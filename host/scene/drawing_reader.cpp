@@ -7,6 +7,8 @@
 #include "host/scene/property_rule.hpp"
 #include "host/scene/shape_reader.hpp"
 #include "host/scene/symbol_use.hpp"
+#include "host/scene/wire_reader.hpp"
+#include "host/scene/wire_rules.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
@@ -29,17 +31,27 @@ bool lies_flat(const kdl::Node& use, const ItemValues& values, Reading& reading)
     return true;
 }
 
+bool report_reach(const kdl::Node& node, Reading& reading)
+{
+    return reading.report.error(node.name_place,
+                                "this " + node.name + " reaches more than 2047 px from the origin");
+}
+
 }
 
 std::vector<std::string_view> drawn_names()
 {
     std::vector<std::string_view> names{shape_names().begin(), shape_names().end()};
+    names.insert(names.end(), wire_names().begin(), wire_names().end());
     names.push_back(use_name);
     names.push_back(empty_form.name);
     return names;
 }
 
-bool is_drawn(std::string_view name) { return is_shape(name) || name == use_name || name == empty_form.name; }
+bool is_drawn(std::string_view name)
+{
+    return is_shape(name) || is_wire(name) || name == use_name || name == empty_form.name;
+}
 
 bool take_points(std::size_t points, Place place, Reading& reading)
 {
@@ -76,11 +88,31 @@ void DrawingReader::read(std::span<const kdl::Node* const> nodes)
 void DrawingReader::read_strokes(const kdl::Node& node)
 {
     has_strokes_ = true;
+    if (!refuse_flat_wires(node))
+        return;
     if (node.name == use_name)
         return copy(node);
+    if (is_wire(node.name)) {
+        for (const Wire& wire : read_wires(node, reading_))
+            if (!add(wire, node))
+                return;
+        return;
+    }
     for (Outline& outline : read_shape(node, most_points - points_, reading_))
         if (!add(std::move(outline), node))
             return;
+}
+
+/// Whether `node` has a depth if the nodes before it have, and else not.
+bool DrawingReader::refuse_flat_wires(const kdl::Node& node)
+{
+    const bool has_depth = is_wire(node.name);
+    if (has_depths_.value_or(has_depth) != has_depth && !std::exchange(is_mixed_, true))
+        reading_.report.error(node.name_place,
+                              "flat shapes and such with depth do not go together in one drawing",
+                              "put them into an object each, and a group around both");
+    has_depths_ = has_depths_.value_or(has_depth);
+    return !is_mixed_;
 }
 
 void DrawingReader::copy(const kdl::Node& node)
@@ -94,6 +126,11 @@ void DrawingReader::copy(const kdl::Node& node)
         reading_.report.error(
             name, "the symbol " + quoted(symbol.name) + " has keys, which do not fit here",
             "let its use be all that an object without skin draws, or use one without keys");
+        return;
+    }
+    if (is_wire_frame(symbol.keys)) {
+        reading_.report.error(name, "the symbol " + quoted(symbol.name) + " has depth, and does not fit here",
+                              "let its use be all that an object draws");
         return;
     }
     depth_ = std::max(depth_, symbol.depth + 1);
@@ -114,17 +151,34 @@ void DrawingReader::copy(const kdl::Node& node)
 bool DrawingReader::add(Outline outline, const kdl::Node& node)
 {
     if (!in_range(outline))
-        return reading_.report.error(node.name_place,
-                                     "this " + node.name + " reaches more than 2047 px from the origin");
+        return report_reach(node, reading_);
     if (!take_points(outline.curves.size() + 1, node.name_place, reading_))
         return false;
     Stroke stroke = quantized(outline);
-    const std::size_t points = stroke.segments.size() + 1;
+    if (!has_room(stroke.segments.size() + 1, node))
+        return false;
+    drawing_.strokes.push_back(std::move(stroke));
+    outlines_.push_back(std::move(outline));
+    return true;
+}
+
+bool DrawingReader::add(const Wire& wire, const kdl::Node& node)
+{
+    if (!in_range(wire))
+        return report_reach(node, reading_);
+    if (!take_points(2 * wire.size(), node.name_place, reading_) || !has_room(wire.size(), node))
+        return false;
+    WireStroke stroke = quantized(wire);
+    drawing_.strokes.push_back(std::move(stroke.flat));
+    depths_.strokes.push_back(std::move(stroke.depths));
+    return true;
+}
+
+bool DrawingReader::has_room(std::size_t points, const kdl::Node& node)
+{
     if (points > most_points - points_)
         return reading_.report.error(node.name_place, too_many_points());
     points_ += points;
-    drawing_.strokes.push_back(std::move(stroke));
-    outlines_.push_back(std::move(outline));
     return true;
 }
 

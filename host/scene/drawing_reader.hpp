@@ -4,8 +4,10 @@
 #include "host/scene/model.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/wire.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -30,6 +32,8 @@ public:
     /// Likewise for all of `nodes`, until there are too many errors.
     void read(std::span<const kdl::Node* const> nodes);
     Drawing take() { return std::move(drawing_); }
+    /// See Key::depths.
+    Drawing take_depths() { return std::move(depths_); }
     /// What take() gives, before rounding.
     std::vector<Outline> take_outlines() { return std::move(outlines_); }
     /// How deep symbols that have been copied lie in each other.
@@ -39,15 +43,21 @@ private:
     void read_strokes(const kdl::Node& node);
     void read_empty(const kdl::Node& node);
     void copy(const kdl::Node& node);
+    bool refuse_flat_wires(const kdl::Node& node);
+    bool has_room(std::size_t points, const kdl::Node& node);
     bool add(Outline outline, const kdl::Node& node);
+    bool add(const Wire& wire, const kdl::Node& node);
 
     Reading& reading_;
     Drawing drawing_;
+    Drawing depths_;
     std::vector<Outline> outlines_;
     std::size_t points_ = 0;
     int depth_ = 0;
-    bool has_strokes_ = false; ///< nodes, at least
-    bool is_empty_ = false;    ///< says so
+    bool has_strokes_ = false;       ///< nodes, at least
+    bool is_empty_ = false;          ///< says so
+    std::optional<bool> has_depths_; ///< of the first node
+    bool is_mixed_ = false;          ///< has been reported
 };
 
 }

@@ -79,19 +79,20 @@ void report_unknown(const kdl::Node& node, KeyHolder holder, Reading& reading)
                          suggestion(node.name, known));
 }
 
-Drawing read_drawing(const kdl::Node& key, KeyHolder holder, Reading& reading)
+void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, Reading& reading)
 {
     DrawingReader drawing{reading};
-    for (const kdl::Node& node : key.children) {
+    for (const kdl::Node& child : node.children) {
         if (reading.report.full())
             break;
-        if (is_drawn(node.name))
-            drawing.read(node);
-        else if (!is_skeleton(node))
-            report_unknown(node, holder, reading);
+        if (is_drawn(child.name))
+            drawing.read(child);
+        else if (!is_skeleton(child))
+            report_unknown(child, holder, reading);
     }
-    take_points(1, key.name_place, reading);
-    return drawing.take();
+    take_points(1, node.name_place, reading);
+    key.drawing = drawing.take();
+    key.depths = drawing.take_depths();
 }
 
 const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, Reading& reading)
@@ -125,7 +126,7 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const K
     read_key_properties(node, holder, key, reading);
     key.skeleton = find_skeleton(node, holder, reading);
     if (holds_drawing(node))
-        key.drawing = read_drawing(node, holder, reading);
+        read_drawing(node, holder, key, reading);
     else if (key.skeleton == nullptr && std::ranges::none_of(node.properties, is_setting))
         report_idle_key(key, holder, reading);
     const auto time = clock.read_moment(moment, reading);

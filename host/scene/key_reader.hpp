@@ -33,6 +33,7 @@ struct ItemKey {
     KeyLaws laws;
     std::optional<Match> match;
     std::optional<Drawing> drawing;
+    Drawing depths = {};                 ///< see Key::depths
     const kdl::Node* skeleton = nullptr; ///< not yet read
 };
 

@@ -75,6 +75,9 @@ struct Key {
     LawPair laws;
     Match match = Match::count;
     Drawing drawing;
+    /// Of a wire frame, whose segments are lines: built as `drawing`, x being the depths of its points,
+    /// towards the viewer, and y 0. Else empty.
+    Drawing depths = {};
     Place place;
 };
 
@@ -209,6 +212,7 @@ struct Object {
     Clock clock = {};                            ///< of both
     std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing carries it then
     std::optional<Label> label = {};      ///< likewise: a text
+    bool has_depths = false; ///< it is a wire frame: only stroked, nothing carries it, it matches by count
 };
 
 struct Item;

@@ -17,6 +17,7 @@
 #include "host/scene/symbol_use.hpp"
 #include "host/scene/track_builder.hpp"
 #include "host/scene/value_reader.hpp"
+#include "host/scene/wire_rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +90,8 @@ public:
             set_label(content, object);
         else
             draw(content, object);
-        auto tracks = build_tracks(node_, properties_.values, {content.keys, properties_.clock.clock()},
+        auto tracks = build_tracks(node_, properties_.values,
+                                   {content.keys, properties_.clock.clock(), object.has_depths},
                                    content.timed, reading_);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
@@ -103,6 +105,8 @@ private:
     void draw(DrawingContent& content, Object& object)
     {
         object.keys = read_drawings(content);
+        if (is_wire_frame(object.keys))
+            return set_wires(content, object);
         object.skin = read_skin(
             {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
             object.keys, reading_);
@@ -110,6 +114,14 @@ private:
         object.clock = properties_.clock.clock();
         object.live = live_;
         refuse_two_carriers(content.keys);
+    }
+
+    void set_wires(const DrawingContent& content, Object& object)
+    {
+        object.has_depths = true;
+        object.clock = properties_.clock.clock();
+        refuse_mixed_depths(object.keys, reading_);
+        refuse_beside_wires(node_, content, object.keys, reading_);
     }
 
     void set_label(const DrawingContent& content, Object& object)
@@ -201,8 +213,12 @@ private:
     {
         DrawingReader drawing{reading_};
         drawing.read(nodes);
-        return {
-            Key{.time = {}, .laws = {}, .match = Match::count, .drawing = drawing.take(), .place = place_}};
+        return {Key{.time = {},
+                    .laws = {},
+                    .match = Match::count,
+                    .drawing = drawing.take(),
+                    .depths = drawing.take_depths(),
+                    .place = place_}};
     }
 
     /// The object stands where its use says, so that the drawings stay those of the symbol.
@@ -220,7 +236,8 @@ private:
                                   "this object goes by an input, but the drawings of its symbol by the time",
                                   "leave out input=, or draw the keys in the object");
         for (const Key& key : use->symbol->keys)
-            if (!take_points(point_count(key.drawing) + 1, node.name_place, reading_))
+            if (!take_points(point_count(key.drawing) + point_count(key.depths) + 1, node.name_place,
+                             reading_))
                 return {};
         return use->symbol->keys;
     }

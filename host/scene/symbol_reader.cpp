@@ -51,8 +51,12 @@ void read_still(const std::vector<const kdl::Node*>& nodes, SymbolEntry& symbol,
     drawing.read(nodes);
     symbol.depth = drawing.depth();
     symbol.still = drawing.take_outlines();
-    symbol.keys = {
-        Key{.time = {}, .laws = {}, .match = Match::count, .drawing = drawing.take(), .place = symbol.place}};
+    symbol.keys = {Key{.time = {},
+                       .laws = {},
+                       .match = Match::count,
+                       .drawing = drawing.take(),
+                       .depths = drawing.take_depths(),
+                       .place = symbol.place}};
 }
 
 void read_drawing(SymbolEntry& symbol, Reading& reading)

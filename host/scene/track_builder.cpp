@@ -92,7 +92,7 @@ std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
         if (!track.keys.empty())
             tracks.push_back(std::move(track));
     }
-    if (std::ranges::none_of(tracks, needs_pivot)) {
+    if (!keys.has_depths && std::ranges::none_of(tracks, needs_pivot)) {
         std::erase_if(tracks, is_pivot);
         warn_of_idle_pivots(node, timed, reading);
     }
@@ -108,6 +108,7 @@ std::vector<Key> take_drawings(std::span<ItemKey> keys)
                                 .laws = key.laws.of_axes(),
                                 .match = key.match.value_or(Match::count),
                                 .drawing = std::move(*key.drawing),
+                                .depths = std::move(key.depths),
                                 .place = key.place});
     if (!drawings.empty())
         drawings.back().laws = {};

@@ -16,11 +16,12 @@ namespace kfast::scene {
 struct KeysOfItem {
     std::span<const ItemKey> keys;
     Clock clock;
+    bool has_depths = false; ///< of a wire frame: its line is as wide as at the pivot, whatever turns it
 };
 
 /// What of the item `node` is not the ordinary or changes. `values` are those of the item itself, its pivot
 /// included; of fill, stroke and width there are tracks only where keys set them, of the pivot only where the
-/// item turns or grows about it. `timed` wins over `values`.
+/// item turns or grows about it, or has depths. `timed` wins over `values`.
 std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values, const KeysOfItem& keys,
                                 std::span<TimedQuantity> timed, Reading& reading);
 

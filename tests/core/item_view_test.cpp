@@ -81,10 +81,10 @@ TEST_CASE("an object may be carried by bones, each key with a skin")
     CHECK(object.carrier == Carrier::bones);
     CHECK(object.skeleton == 2);
     KeyCursor keys = object.keys();
-    CHECK(keys.next().skin == 20);
+    CHECK(keys.next().more == 20);
     const Key second = keys.next();
     CHECK(second.drawing == 30);
-    CHECK(second.skin == -5);
+    CHECK(second.more == -5);
     CHECK(keys.at_end());
 }
 

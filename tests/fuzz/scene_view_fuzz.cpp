@@ -103,7 +103,9 @@ void read_keys(const SceneView& scene, const ObjectView& object)
         if (object.has_arrivals)
             read_drawing(scene.drawing(key.arrival));
         if (object.carrier == Carrier::bones)
-            demand(scene.skin(key.skin).is_sound());
+            demand(scene.skin(key.more).is_sound());
+        if (object.has_depths)
+            read_drawing(scene.drawing(static_cast<std::uint32_t>(key.more)));
     }
 }
 

@@ -2,9 +2,11 @@
 #include "core/player.hpp"
 #include "host/compiler/measured_moments.hpp"
 #include "tests/compiled.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <random>
 #include <string>
 
 namespace kfast::test {
@@ -168,6 +170,34 @@ TEST_CASE("outlines of too many corners are an error at the largest object, in a
     CHECK(text.find("the outlines at frame 7 need at least 80") != std::string::npos);
     CHECK(text.find(" corners, ") != std::string::npos);
     CHECK(text.find("object \"stairs\" alone needs 400") != std::string::npos);
+}
+
+TEST_CASE("wires find room at any time, whatever the camera")
+{
+    std::mt19937 random{5};
+    const auto any = [&random](int least, int most) {
+        return std::to_string(least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1)));
+    };
+    for (int round = rounds(40); round > 0; --round) {
+        std::string wires;
+        for (int key = 0; key < 3; ++key) {
+            wires += "key " + std::to_string(10 * key) + " {";
+            for (int left = 1 + static_cast<int>(random() % 3); left > 0; --left) {
+                wires += " wire";
+                for (int point = 2 + static_cast<int>(random() % 20); point > 0; --point)
+                    wires += " " + any(-300, 500) + " " + any(-300, 500) + " " + any(-500, 500);
+                wires += ";";
+            }
+            wires += " }\n";
+        }
+        const auto bytes =
+            compiled("kfast 1\ncanvas 240 240 frames=30 camera=" + any(16, 2000) +
+                     "\nobject o stroke=red width=" + any(1, 30) + " join=round cap=round {\n" + wires +
+                     "track rotate-y { at 0 0; at 30 " + any(0, 1000) +
+                     " }\ntrack rotate-x { at 0 0; at 30 " + any(0, 1000) + " }\n}");
+        for (int i = 0; i < 60; ++i)
+            CHECK(finds_room(bytes, {240, 240}, Time{static_cast<std::int32_t>(random() % (30 * 1024))}));
+    }
 }
 
 }

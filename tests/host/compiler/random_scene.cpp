@@ -282,7 +282,28 @@ private:
             cover_with_skin(object);
         else if (random_() % 8 == 0)
             object.backbone_keys = backbone_keys();
+        else if (object.stroke && sometimes())
+            make_wires(object);
         return object;
+    }
+
+    /// Of lines, with a depth for each of their points.
+    void make_wires(scene::Object& object)
+    {
+        object.fill.reset();
+        object.has_depths = true;
+        for (scene::Key& key : object.keys) {
+            key.match = scene::Match::count;
+            for (scene::Stroke& stroke : key.drawing.strokes)
+                for (scene::Segment& segment : stroke.segments)
+                    segment = {.cubic = false, .c1 = {}, .c2 = {}, .to = segment.to};
+            key.depths = key.drawing;
+            for (scene::Stroke& stroke : key.depths.strokes) {
+                stroke.from = {point().x, 0};
+                for (scene::Segment& segment : stroke.segments)
+                    segment.to = {point().x, 0};
+            }
+        }
     }
 
     /// Of an input of its own, the number of which is one of `texts_`.

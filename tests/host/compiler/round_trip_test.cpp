@@ -230,14 +230,17 @@ private:
             return track.keys.size() == 1 && value == object->stroke->width;
         case Property::pivot_x:
         case Property::pivot_y:
-            return (track.keys.size() == 1 && value == 0) || !turns_or_grows(item);
+            return (track.keys.size() == 1 && value == 0) || !needs_pivot(item);
         default:
             return track.keys.size() == 1 && value == 0;
         }
     }
 
-    static bool turns_or_grows(const scene::Item& item)
+    static bool needs_pivot(const scene::Item& item)
     {
+        const auto* object = std::get_if<scene::Object>(&item.content);
+        if (object != nullptr && object->has_depths)
+            return true;
         return std::ranges::any_of(item.tracks, [&item](const scene::Track& track) {
             const bool is_of_pivot =
                 (track.property >= Property::rotation_x && track.property <= Property::scale_y) ||
@@ -333,6 +336,7 @@ private:
     {
         compare_style(read.style, object);
         REQUIRE(read.carrier == carrier_of(object));
+        REQUIRE(read.has_depths == object.has_depths);
         if (object.skin)
             CHECK(read.skeleton == object.skin->bones);
         if (read.carrier == Carrier::backbones)
@@ -372,6 +376,8 @@ private:
                 compare_skin(key, object, i);
             else
                 compare_drawings(key, read.has_arrivals, object, i);
+            if (object.has_depths)
+                CHECK(unpacked(view_.drawing(static_cast<std::uint32_t>(key.more))) == object.keys[i].depths);
         }
         CHECK(keys.at_end());
     }
@@ -433,7 +439,7 @@ private:
                                               object.skin->bindings, drawing);
         REQUIRE(expected);
         CHECK(unpacked(view_.drawing(read.drawing)) == expected->drawing);
-        SkinReader skin = view_.skin(read.skin);
+        SkinReader skin = view_.skin(read.more);
         REQUIRE(skin.has_drawing_at_rest() == expected->at_rest.has_value());
         if (expected->at_rest)
             CHECK(unpacked(view_.drawing(skin.drawing_at_rest())) == *expected->at_rest);

@@ -136,7 +136,7 @@ TEST_CASE("a key of another form is refused")
     CHECK(object("key 1 { key 2 { empty } }").findings ==
           "4:9 error: a key has no node \"key\" "
           "(allowed: path, circle, ellipse, rect, arc, pie, "
-          "polygon, regular, star, line, curve, text, use, empty, skeleton)");
+          "polygon, regular, star, line, curve, text, wire, mesh, cuboid, use, empty, skeleton)");
     CHECK(object("key 1 { cirle 1 2 r=3 }").findings ==
           "4:9 error: a key has no node \"cirle\" (did you mean \"circle\"?)");
 }

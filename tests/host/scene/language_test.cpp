@@ -71,7 +71,7 @@ TEST_CASE("one run finds errors in all parts, in the order of their places")
                            "5:6 error: a number is expected here\n"
                            "5:10 error: a key has no node \"disc\" "
                            "(allowed: path, circle, ellipse, rect, arc, pie, "
-                           "polygon, regular, star, line, curve, text, use, empty, skeleton)");
+                           "polygon, regular, star, line, curve, text, wire, mesh, cuboid, use, empty, skeleton)");
 }
 
 TEST_CASE("a scene with syntax errors is not read as good")

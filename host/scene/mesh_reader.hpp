@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/mesh.hpp"
+#include "host/scene/reading.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Each function reports what is wrong and then returns nothing.
+namespace kfast::scene {
+
+/// All values of `node`, by threes; there must be at least one.
+std::optional<std::vector<SpaceSpot>> read_space_spots(const kdl::Node& node, Reading& reading);
+
+/// What stands inside of the node `mesh`.
+std::optional<Mesh> read_mesh(const kdl::Node& node, Reading& reading);
+
+}

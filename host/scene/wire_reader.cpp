@@ -1,0 +1,82 @@
+#include "host/scene/wire_reader.hpp"
+
+#include "host/scene/mesh_reader.hpp"
+#include "host/scene/node_form.hpp"
+#include "host/scene/property_rule.hpp"
+#include "host/scene/value_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kfast::scene {
+namespace {
+
+bool read_closed(const kdl::Value& value, bool& closed, Reading& reading)
+{
+    return assign(read_flag(value, reading), closed);
+}
+
+constexpr std::array polyline_rules{PropertyRule<bool>{"closed", read_closed}};
+
+std::vector<Wire> read_polyline(const kdl::Node& node, Reading& reading)
+{
+    bool closed = false;
+    const bool good = read_properties(node, polyline_rules, closed, reading);
+    auto wire = read_space_spots(node, reading);
+    if (!good || !wire)
+        return {};
+    if (closed)
+        wire->push_back(wire->front());
+    return {*wire};
+}
+
+std::vector<Wire> read_edges(const kdl::Node& node, Reading& reading)
+{
+    const bool good = refuse_properties(node, reading);
+    const auto mesh = read_mesh(node, reading);
+    return good && mesh ? wires_of(*mesh) : std::vector<Wire>{};
+}
+
+std::vector<Wire> read_cuboid(const kdl::Node& node, Reading& reading)
+{
+    const bool good = refuse_properties(node, reading);
+    const auto box =
+        read_numbers(node.arguments, std::array{coordinates, coordinates, coordinates, extents}, reading);
+    if (!good || !box)
+        return {};
+    return wires_of(cuboid({box->at(0), box->at(1), box->at(2)}, box->at(3), box->at(4), box->at(5)));
+}
+
+struct WireShape {
+    NodeForm form;
+    std::vector<Wire> (*read)(const kdl::Node&, Reading&);
+};
+
+constexpr std::array shapes{
+    WireShape{{"wire", "wire X Y Z X Y Z … closed=#true", 6, NodeForm::any_number}, read_polyline},
+    WireShape{{"mesh", "mesh { vertices X Y Z X Y Z …; edges A B … }", 0, 0, true}, read_edges},
+    WireShape{{"cuboid", "cuboid X Y Z WIDTH HEIGHT DEPTH", 6, 6}, read_cuboid},
+};
+
+constexpr auto names = [] {
+    std::array<std::string_view, shapes.size()> list;
+    std::ranges::transform(shapes, list.begin(), [](const WireShape& shape) { return shape.form.name; });
+    return list;
+}();
+
+}
+
+std::span<const std::string_view> wire_names() { return names; }
+
+bool is_wire(std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+std::vector<Wire> read_wires(const kdl::Node& node, Reading& reading)
+{
+    const auto index = std::ranges::find(names, node.name) - names.begin();
+    const WireShape& shape = shapes[static_cast<std::size_t>(index)];
+    if (!fits(node, shape.form, reading))
+        return {};
+    return shape.read(node, reading);
+}
+
+}
