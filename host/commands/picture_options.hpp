@@ -3,6 +3,7 @@
 #include "core/player.hpp"
 #include "host/commands/drawing_options.hpp"
 #include "host/commands/input_options.hpp"
+#include "host/commands/screen_options.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/panel_choice.hpp"
 #include "host/scene_file.hpp"
@@ -13,12 +14,14 @@
 
 namespace kfast {
 
-/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel, and what its inputs are told.
+/// What a scene is drawn on, as chosen by --size, --fit, --format, --panel and --beam, and what its inputs
+/// are told.
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene
     Fit fit = Fit::contain;
     PixelFormat format = PixelFormat::rgb565;
     const PanelChoice* panel = nullptr; ///< instead of size, fit and format: it is driven as on a board
+    ScreenOptions screen = {};          ///< with a beam instead of fit, format and panel
     InputOptions inputs = {};
     DrawingOptions drawings = {};
 };
