@@ -20,9 +20,9 @@ constexpr BeamDeflection mirrors{.bandwidth = 2.4e3, .damping = 1, .top_speed = 
 /// Spots and half-lives are chosen: those of the eye and of a camera are longer than those of any phosphor
 /// for moving pictures.
 constexpr std::array displays{
-    BeamDisplay{"scope", plates, 0.6, 12, Phosphor::green},
-    BeamDisplay{"crt", coils, 0.5, 12, Phosphor::white},
-    BeamDisplay{"galvo", mirrors, 0.7, 12, Phosphor::rgb},
+    BeamDisplay{"scope", plates, 0.6, 8, Phosphor::green},
+    BeamDisplay{"crt", coils, 0.5, 8, Phosphor::white},
+    BeamDisplay{"galvo", mirrors, 0.7, 8, Phosphor::rgb},
 };
 
 }

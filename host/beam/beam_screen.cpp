@@ -9,7 +9,7 @@ namespace {
 
 constexpr double field_share = 0.92; // of the picture's shorter side
 constexpr double forgotten = 1e-5;   // what is left of light that is no longer seen
-constexpr Colour travel_colour{90, 48, 64};
+constexpr Colour travel_colour{110, 56, 76};
 constexpr std::size_t pixel_bytes = 3;
 
 double fading_of(const BeamDisplay& display, std::uint32_t rate)
@@ -36,14 +36,9 @@ double exposure_of(const BeamProfile& profile, double fading, Size size, double 
     return 1 / (in_the_middle * tours);
 }
 
-std::byte* pixel_at(Frame& frame, std::size_t pixel) { return frame.pixels.data() + pixel_bytes * pixel; }
-
-void put(Frame& frame, std::size_t pixel, Colour colour)
+std::span<std::byte, pixel_bytes> pixel(Frame& frame, std::size_t number)
 {
-    std::byte* const bytes = pixel_at(frame, pixel);
-    bytes[0] = std::byte{colour.red};
-    bytes[1] = std::byte{colour.green};
-    bytes[2] = std::byte{colour.blue};
+    return std::span{frame.pixels}.subspan(pixel_bytes * number).first<pixel_bytes>();
 }
 
 Frame black(Size size)
@@ -125,31 +120,49 @@ void BeamScreen::expose(const DrawnPicture& picture)
 void BeamScreen::develop()
 {
     const auto pixels = frame_.pixels.size() / pixel_bytes;
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-        put(frame_, pixel, film_.developed(sheet_.at(pixel)));
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const Colour colour = film_.developed(sheet_.at(i));
+        const auto bytes = pixel(frame_, i);
+        bytes[0] = std::byte{colour.red};
+        bytes[1] = std::byte{colour.green};
+        bytes[2] = std::byte{colour.blue};
+    }
 }
 
 void BeamScreen::draw_travel(const DrawnPicture& picture)
 {
-    const Size size = sheet_.size();
-    const auto mark = [&](BeamPlace at) {
-        const long x = std::lround(at.x);
-        const long y = std::lround(at.y);
-        if (x >= 0 && y >= 0 && x < size.width && y < size.height)
-            put(frame_, static_cast<std::size_t>(y * size.width + x), travel_colour);
-    };
+    beam_.put(picture.points.back().at);
     for (const BeamPoint& point : picture.points)
         beam_.pull(point.at, [&](BeamPlace from, BeamPlace to) {
-            if (point.is_lit())
-                return;
-            const BeamPlace begin = on_screen(from);
-            const BeamPlace end = on_screen(to);
-            const double pixels = std::ceil(std::max(std::abs(end.x - begin.x), std::abs(end.y - begin.y)));
-            for (double i = 0; i <= pixels; ++i) {
-                const double way = pixels > 0 ? i / pixels : 0;
-                mark({begin.x + (end.x - begin.x) * way, begin.y + (end.y - begin.y) * way});
-            }
+            if (!point.is_lit())
+                draw_way(on_screen(from), on_screen(to));
         });
+}
+
+void BeamScreen::draw_way(BeamPlace from, BeamPlace to)
+{
+    const int parts = 1 + static_cast<int>(std::max(std::abs(to.x - from.x), std::abs(to.y - from.y)));
+    for (int i = 0; i <= parts; ++i) {
+        const double share = static_cast<double>(i) / parts;
+        mark({from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share});
+    }
+}
+
+/// Behind the light.
+void BeamScreen::mark(BeamPlace place)
+{
+    const Size size = sheet_.size();
+    const long x = std::lround(place.x);
+    const long y = std::lround(place.y);
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height)
+        return;
+    const auto bytes = pixel(frame_, static_cast<std::size_t>(y * size.width + x));
+    const auto lighter = [](std::byte seen, std::uint8_t channel) {
+        return std::max(seen, std::byte{channel});
+    };
+    bytes[0] = lighter(bytes[0], travel_colour.red);
+    bytes[1] = lighter(bytes[1], travel_colour.green);
+    bytes[2] = lighter(bytes[2], travel_colour.blue);
 }
 
 }

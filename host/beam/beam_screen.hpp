@@ -39,6 +39,8 @@ private:
     void expose(const DrawnPicture& picture);
     void develop();
     void draw_travel(const DrawnPicture& picture);
+    void draw_way(BeamPlace from, BeamPlace to);
+    void mark(BeamPlace place);
     Light light_of(const BeamPoint& point) const;
     BeamPlace on_screen(BeamPlace place) const;
     double spot_deviation() const;

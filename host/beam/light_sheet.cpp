@@ -9,7 +9,7 @@ namespace kfast {
 namespace {
 
 constexpr double longest_gap = 0.5;  // pixels between the points that stand for a line
-constexpr float halo_share = 0.12F;  // of the light: what glass and eye scatter
+constexpr float halo_share = 0.07F;  // of the light: what glass and eye scatter
 constexpr double halo_deviation = 5; // as many times as wide as the spot
 constexpr int halo_passes = 3;
 

@@ -10,7 +10,7 @@ namespace kfast {
 namespace {
 
 constexpr double gamma = 2.2;       // of pictures on the PC
-constexpr double sensitivity = 1.7; // light of 1 becomes 0.82 of white
+constexpr double sensitivity = 2.6; // light of 1 becomes 0.93 of white
 constexpr float most_light = 8;     // from here on everything is white
 constexpr int steps = 8192;         // of the square root of light, which is finer where it is dark
 constexpr float spill = 0.05F;      // share of other colours' light that a sensor takes for its own

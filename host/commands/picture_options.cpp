@@ -81,11 +81,16 @@ void declare_picture_options(CLI::App& app, PictureOptions& options)
     declare_size_options(app, options);
     add_fit(app, options)->excludes(app.get_option("--panel"));
     add_format(app, options)->excludes(app.get_option("--panel"));
+    declare_input_options(app, options.inputs);
+    declare_drawing_options(app, options.drawings);
+}
+
+void declare_seen_options(CLI::App& app, PictureOptions& options)
+{
+    declare_picture_options(app, options);
     CLI::Option* beam = declare_screen_options(app, options.screen);
     for (const char* const other : {"--panel", "--fit", "--format"})
         beam->excludes(app.get_option(other));
-    declare_input_options(app, options.inputs);
-    declare_drawing_options(app, options.drawings);
 }
 
 Size panel_size(const PictureOptions& options, const SceneView& scene)
@@ -93,11 +98,16 @@ Size panel_size(const PictureOptions& options, const SceneView& scene)
     return options.panel != nullptr ? options.panel->settings.size() : options.size.value_or(scene.canvas());
 }
 
+void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source)
+{
+    put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, source);
+    put_drawings(options.drawings, scene.view, source);
+}
+
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
     auto source = open_at_rest(options, scene);
-    put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, *source);
-    put_drawings(options.drawings, scene.view, *source);
+    tell_inputs(options, scene, *source);
     return source;
 }
 

@@ -26,8 +26,11 @@ struct PictureOptions {
     DrawingOptions drawings = {};
 };
 
-/// Adds these options to `app`. `options` must outlive its parsing.
+/// Adds these options to `app`, but not --beam. `options` must outlive its parsing.
 void declare_picture_options(CLI::App& app, PictureOptions& options);
+
+/// Adds all of them, for whoever looks at the pictures.
+void declare_seen_options(CLI::App& app, PictureOptions& options);
 
 /// Adds --panel only. `panel` must outlive the parsing.
 CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
@@ -36,6 +39,9 @@ CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
 void declare_size_options(CLI::App& app, PictureOptions& options);
 
 Size panel_size(const PictureOptions& options, const SceneView& scene);
+
+/// As chosen by --input and --drawing.
+void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);
 
 /// `scene` must outlive the source.
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene);
