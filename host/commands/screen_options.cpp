@@ -3,6 +3,7 @@
 #include "host/beam/beam_screen_source.hpp"
 #include "host/commands/beam_option.hpp"
 #include "host/commands/named_choice.hpp"
+#include "host/commands/number_range.hpp"
 
 namespace kfast {
 namespace {
@@ -25,11 +26,11 @@ CLI::Option* declare_screen_options(CLI::App& app, ScreenOptions& options)
     CLI::Option* beam = declare_beam_option(app, options.beam);
     app.add_option("--spot", options.spot, "With --beam: how wide its spot is, in percent of the field")
         ->type_name("PERCENT")
-        ->check(CLI::Range(0.05, 10.0))
+        ->check(number_within(0.05, 10))
         ->needs(beam);
     app.add_option("--decay", options.half_life, "With --beam: milliseconds until half of the light is gone")
         ->type_name("MS")
-        ->check(CLI::Range(0.1, 1000.0))
+        ->check(number_within(0.1, 1000))
         ->needs(beam);
     app.add_option_function<std::string>(
            "--phosphor",
