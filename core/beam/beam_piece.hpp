@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/beam/field_length.hpp"
+#include "core/beam/field_vector.hpp"
 
 #include <cstdint>
 
@@ -34,13 +34,13 @@ private:
     Slope y_;
 };
 
-/// Distances that divide a way into equal steps, but for a unit.
+/// Distances that divide a way into equal steps, rounded to nearest.
 class BeamSteps {
 public:
     BeamSteps() = default;
     /// `count` is at least 1.
     BeamSteps(std::uint32_t length, std::uint32_t count)
-        : count_{count}, step_{length / count}, rest_{length % count}
+        : count_{count}, step_{length / count}, rest_{length % count}, error_{count / 2}
     {
     }
 
@@ -60,7 +60,7 @@ private:
     std::uint32_t count_ = 1;
     std::uint32_t step_ = 0;
     std::uint32_t rest_ = 0;
-    std::uint32_t error_ = 0;
+    std::uint32_t error_ = 0; ///< of the distance, in 1 / count, and a half
     std::uint32_t at_ = 0;
 };
 
