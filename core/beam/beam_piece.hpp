@@ -9,11 +9,10 @@ namespace kfast {
 /// A straight piece of a line.
 class BeamPiece {
 public:
-    BeamPiece() = default;
-    BeamPiece(FieldPoint from, FieldPoint to);
+    /// Another one, of a length that is not 0. (Small processors call a function to copy one.)
+    void begin(FieldPoint from, FieldVector way, std::uint32_t length);
 
-    std::uint32_t length() const { return length_; }
-    /// At a distance, at most length(), from its beginning; rounded to nearest but for 1/4 unit.
+    /// At a distance, at most its length, from its beginning; rounded to nearest but for 1/4 unit.
     FieldPoint at(std::uint32_t distance) const;
 
 private:
@@ -23,13 +22,11 @@ private:
         std::uint32_t fine = 0;
         bool falls = false;
 
-        Slope() = default;
-        Slope(std::int32_t rise, std::uint32_t length);
+        void begin(std::int32_t rise, std::uint32_t length);
         std::int32_t operator()(std::uint32_t distance) const;
     };
 
     FieldPoint from_;
-    std::uint32_t length_ = 0;
     Slope x_;
     Slope y_;
 };
@@ -40,7 +37,7 @@ public:
     BeamSteps() = default;
     /// `count` is at least 1.
     BeamSteps(std::uint32_t length, std::uint32_t count)
-        : count_{count}, step_{length / count}, rest_{length % count}, error_{count / 2}
+        : count_{count}, step_{length / count}, rest_{length - count * step_}, error_{count / 2}
     {
     }
 

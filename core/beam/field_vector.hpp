@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/beam/field_point.hpp"
-#include "core/square_root.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
@@ -13,24 +13,23 @@ struct FieldVector {
     std::int32_t x = 0; ///< within ±65535, as y
     std::int32_t y = 0;
 
-    /// In units of the field, rounded up, and up to 2 units more if it is longer than half the field.
+    /// In units of the field: not less than it is, and up to 1/200 and a unit more. Exact along the axes.
+    ///
+    /// A way is as long as the longest of its shadows in all directions. Of 32 directions all around, one is
+    /// always within 5.625 degrees, so that the longest shadow divided by the cosine of that is not too
+    /// short. That takes a fifth of the time of a square root.
     std::uint32_t length() const
     {
         const auto width = static_cast<std::uint32_t>(std::abs(x));
         const auto height = static_cast<std::uint32_t>(std::abs(y));
-        constexpr std::uint32_t half = field_most; // two squares of it fit in 32 bits
-        return width <= half && height <= half ? length_of(width, height)
-                                               : 2 * length_of((width + 1) / 2, (height + 1) / 2);
-    }
-
-private:
-    static std::uint32_t length_of(std::uint32_t width, std::uint32_t height)
-    {
-        if (width == 0 || height == 0)
-            return width + height;
-        const std::uint32_t square = width * width + height * height;
-        const std::uint32_t root = square_root(square);
-        return root * root == square ? root : root + 1;
+        const std::uint32_t more = std::max(width, height);
+        const std::uint32_t less = std::min(width, height);
+        constexpr std::uint32_t whole = 1U << 14;
+        std::uint32_t longest = whole * more + 1614 * less; // 5.625 degrees, and so on every 11.25
+        longest = std::max(longest, 15755 * more + 4780 * less);
+        longest = std::max(longest, 14520 * more + 7761 * less);
+        longest = std::max(longest, 12727 * more + 10445 * less);
+        return (longest + whole - 1) / whole;
     }
 };
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace kfast::test {
@@ -88,6 +89,24 @@ constexpr BeamProfile plain{.lit_step = 100, .park = {-32768, -32768}};
 
 }
 
+TEST_CASE("lengths are not too short, and hardly too long")
+{
+    std::mt19937 random{7};
+    for (int round = 0; round < 100'000; ++round) {
+        const int bits = 1 + static_cast<int>(random() % 17);
+        const auto coordinate = [&] {
+            return static_cast<std::int32_t>(random() % (1U << bits)) - (1 << (bits - 1));
+        };
+        const std::int32_t x = coordinate();
+        const FieldVector way{x, coordinate()};
+        const double length = std::hypot(way.x, way.y);
+        REQUIRE(way.length() >= length);
+        REQUIRE(way.length() <= length * 1.005 + 1);
+    }
+    CHECK(FieldVector{65535, 65535}.length() <= 92'690);
+    CHECK(FieldVector{-65535, 0}.length() == 65535);
+}
+
 TEST_CASE("where there is nothing, the beam is parked, blanked")
 {
     const LineStore store;
@@ -163,7 +182,7 @@ TEST_CASE("distance is carried over the corners of curves: pieces do not matter"
              static_cast<std::int16_t>(std::lround(20000 * std::sin(i * 3.14159265358979 / 32)))});
     circle.add(corners);
     const Points points = plotted(circle, circle.legs(), plain).points;
-    CHECK(points.size() == doctest::Approx(2 * 3.14159 * 20000 / 100).epsilon(0.002));
+    CHECK(points.size() == doctest::Approx(2 * 3.14159 * 20000 / 100).epsilon(0.005));
     for (std::size_t i = 1; i < points.size(); ++i)
         CHECK(distance(points[i - 1].at, points[i].at) > 97);
 }
@@ -362,7 +381,7 @@ TEST_CASE("lengths are what the beam goes along")
     store.add({{600, 800}, {0, 800}});
     const BeamAmount amount = plotted(store, store.legs(), plain).pace.amount;
     CHECK(amount.lit_length == 300 + 400 + 600);
-    CHECK(amount.blanked_length == 500 + 800);
+    CHECK(amount.blanked_length == doctest::Approx(500 + 800).epsilon(0.003));
 }
 
 TEST_CASE("many sharp and many short pieces keep the beam on its way")
