@@ -22,8 +22,7 @@ struct Kind {
     void (*run)(const ExportOptions&);
 };
 
-Kind add_kind(CLI::Option_group& kinds, const char* flag, const char* text,
-              void (*run)(const ExportOptions&))
+Kind add_kind(CLI::Option_group& kinds, const char* flag, const char* text, void (*run)(const ExportOptions&))
 {
     return {kinds.add_flag(flag)->description(text), run};
 }
@@ -36,11 +35,11 @@ void belong_to(const Kind& kind, const Options& options)
 
 Options declare_header_options(CLI::App& app, ExportOptions& options)
 {
-    CLI::Option* name = app.add_option_function<std::string>(
-                               "--name",
-                               [&options](const std::string& text) { options.name = checked_c_name(text); },
-                               "With --header: what the array is called (default: FILE's name)")
-                            ->type_name("NAME");
+    CLI::Option* name =
+        app.add_option_function<std::string>(
+               "--name", [&options](const std::string& text) { options.name = checked_c_name(text); },
+               "With --header: what the array is called (default: FILE's name)")
+            ->type_name("NAME");
     declare_size_options(app, options.picture);
     return {name, app.get_option("--size"), app.get_option("--panel")};
 }

@@ -70,8 +70,7 @@ void export_ilda(const ExportOptions& options)
     const SceneFile scene = load_scene(options.scene);
     const Timeline timeline = chosen_timeline(options.play, scene.view);
     const std::filesystem::path output = export_path(options, ".ild");
-    BeamSource source =
-        open_beam(options, options.beam.value_or(galvo_profile), most_ilda_records, scene);
+    BeamSource source = open_beam(options, options.beam.value_or(galvo_profile), most_ilda_records, scene);
     const Drawn drawn = drawn_frames(source, timeline);
     const std::string name = std::filesystem::path{options.scene}.stem().string();
     write_file(output, ilda_file(name, static_cast<IldaFormat>(options.ilda_format), drawn.frames));

@@ -72,8 +72,7 @@ void export_wave(const ExportOptions& options)
     const Timeline timeline = chosen_timeline(options.play, scene.view);
     const std::filesystem::path output = export_path(options, ".wav");
     const std::uint64_t length = chosen_length(options, timeline);
-    BeamSource source =
-        open_beam(options, sound_beam(options), static_cast<std::uint32_t>(length), scene);
+    BeamSource source = open_beam(options, sound_beam(options), static_cast<std::uint32_t>(length), scene);
     const SoundLoop loop = made_loop(source, timeline, length);
     const std::uint32_t rate = options.sound.rate;
     write_file(output, wave_file(loop.points, options.sound.deflection, rate, options.bits));

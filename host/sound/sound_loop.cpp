@@ -127,7 +127,8 @@ FieldPoint mean_place(const Tour& tour)
         y += point.y;
     }
     const auto mean = [&tour](std::int64_t sum) {
-        return static_cast<std::int16_t>(std::llround(static_cast<double>(sum) / static_cast<double>(tour.size())));
+        return static_cast<std::int16_t>(
+            std::llround(static_cast<double>(sum) / static_cast<double>(tour.size())));
     };
     return {mean(x), mean(y)};
 }
