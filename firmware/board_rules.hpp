@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/controller_facts.hpp"
+#include "firmware/rp2040_beam.hpp"
 #include "firmware/rp2040_pins.hpp"
 
 #include <array>
@@ -28,10 +29,13 @@ enum class SettingsFault : std::uint8_t {
     converter_missing,   ///< a knob on a pin that cannot measure
     action_not_of_control, ///< buttons and knobs do different things
     input_missing,         ///< a control for an input does not name it
+    beam_beyond_limits,    ///< a number of the beam's profile is not one that it can have
+    beam_too_fast,         ///< more points in a second than the bus clock can carry
+    nothing_to_arm,        ///< a button that arms, but no dangerous beam
 };
 
 /// In the order of SettingsFault.
-inline constexpr std::array<std::string_view, 15> settings_fault_texts{
+inline constexpr std::array<std::string_view, 18> settings_fault_texts{
     "the display's controller does not speak this bus",
     "the glass does not lie within the controller's memory",
     "the glass is no multiple of what the controller can address",
@@ -47,6 +51,9 @@ inline constexpr std::array<std::string_view, 15> settings_fault_texts{
     "the pin of a knob cannot measure",
     "the action of a control is not for its kind",
     "a control for an input does not name it",
+    "the beam's profile is beyond its limits",
+    "the bus clock is too slow for the beam's rate",
+    "a button arms, but the beam is no laser",
 };
 
 constexpr std::string_view settings_fault_text(SettingsFault fault)
@@ -117,10 +124,13 @@ struct ClockRange {
 };
 
 /// What a Pico can make, and no less than displays bear: 66 ns are the shortest write cycle of all parallel
-/// ones. Slowest: what the dividers of the units hold (boards/pico/bus_rates.hpp).
+/// ones, and an MCP4922 takes 20 MHz. Slowest: what the dividers of the units hold
+/// (boards/pico/bus_rates.hpp).
 constexpr ClockRange clock_range(BusKind bus)
 {
-    constexpr std::uint32_t chip = 125'000'000;
+    constexpr std::uint32_t chip = rp2040::usual_hz;
+    if (bus == BusKind::dac)
+        return {chip / (rp2040::DacBit::longest * 65'535) + 1, 20'000'000};
     if (bus == BusKind::spi)
         return {chip / (254 * 256) + 1, chip / 2};
     if (bus == BusKind::i2c)
@@ -136,10 +146,13 @@ constexpr bool needs(const BoardSettings& settings, PinRole role)
     case PinRole::data:
         return true;
     case PinRole::dc:
-        return settings.bus != BusKind::i2c;
+        return settings.bus != BusKind::i2c && !leads_beam(settings.bus);
     case PinRole::tearing:
-        return settings.panel.tearing_effect;
+        return settings.panel.tearing_effect && !leads_beam(settings.bus);
     case PinRole::select:
+    case PinRole::ldac:
+    case PinRole::blank:
+        return leads_beam(settings.bus);
     case PinRole::reset:
     case PinRole::backlight:
     case PinRole::log:
@@ -158,13 +171,15 @@ constexpr bool needs_pin(const BoardSettings& settings, PinUser user)
 
 constexpr MaybeMistake bus_not_taken(const BoardSettings& settings)
 {
-    if (facts_of(settings.panel.controller).takes(settings.bus))
+    if (leads_beam(settings.bus) || facts_of(settings.panel.controller).takes(settings.bus))
         return std::nullopt;
     return SettingsMistake{SettingsFault::bus_not_taken};
 }
 
 constexpr MaybeMistake glass_beyond_memory(const BoardSettings& settings)
 {
+    if (leads_beam(settings.bus))
+        return std::nullopt;
     const PanelSettings& panel = settings.panel;
     const Size memory = facts_of(panel.controller).memory;
     constexpr auto lies_within = [](int begin, int length, int most) {
@@ -186,6 +201,8 @@ constexpr Size addressed_pixels(PixelFormat format)
 
 constexpr MaybeMistake glass_ragged(const BoardSettings& settings)
 {
+    if (leads_beam(settings.bus))
+        return std::nullopt;
     const PanelSettings& panel = settings.panel;
     const ControllerFacts& facts = facts_of(panel.controller);
     const Size step = addressed_pixels(facts.format);
@@ -198,7 +215,8 @@ constexpr MaybeMistake glass_ragged(const BoardSettings& settings)
 
 constexpr MaybeMistake rotation_not_done(const BoardSettings& settings)
 {
-    if (facts_of(settings.panel.controller).turns_across || !lies_across(settings.panel.rotation))
+    if (leads_beam(settings.bus) || facts_of(settings.panel.controller).turns_across ||
+        !lies_across(settings.panel.rotation))
         return std::nullopt;
     return SettingsMistake{SettingsFault::rotation_not_done};
 }
@@ -273,11 +291,13 @@ constexpr MaybeMistake pin_shared(const BoardSettings& settings)
     return std::nullopt;
 }
 
+/// Whether clock and data must end at a certain unit of the chip. State machines reach every pin.
+constexpr bool is_unit_bus(BusKind bus) { return bus == BusKind::spi || bus == BusKind::i2c; }
+
 /// Whether a role's wire must end at a certain unit of the chip.
 constexpr bool needs_function(PinRole role, BusKind bus)
 {
-    return role == PinRole::log ||
-           (bus != BusKind::parallel_8 && (role == PinRole::clock || role == PinRole::data));
+    return role == PinRole::log || (is_unit_bus(bus) && (role == PinRole::clock || role == PinRole::data));
 }
 
 constexpr MaybeMistake function_missing(const BoardSettings& settings)
@@ -293,7 +313,7 @@ constexpr MaybeMistake function_missing(const BoardSettings& settings)
 
 constexpr MaybeMistake units_differ(const BoardSettings& settings)
 {
-    if (settings.bus == BusKind::parallel_8)
+    if (!is_unit_bus(settings.bus))
         return std::nullopt;
     const bool is_spi = settings.bus == BusKind::spi;
     const Pin clock_pin = settings.pin(PinRole::clock);
@@ -336,13 +356,42 @@ constexpr MaybeMistake input_missing(const BoardSettings& settings)
     return std::nullopt;
 }
 
+constexpr MaybeMistake beam_beyond_limits(const BoardSettings& settings)
+{
+    if (!leads_beam(settings.bus) || is_within_limits(settings.beam))
+        return std::nullopt;
+    return SettingsMistake{SettingsFault::beam_beyond_limits};
+}
+
+constexpr MaybeMistake beam_too_fast(const BoardSettings& settings)
+{
+    const ClockRange clocks = clock_range(BusKind::dac);
+    if (!leads_beam(settings.bus) || settings.bus_clock < clocks.least || settings.bus_clock > clocks.most ||
+        settings.beam.rate <= rp2040::most_points(settings.bus_clock))
+        return std::nullopt;
+    return SettingsMistake{SettingsFault::beam_too_fast, PinRole::clock};
+}
+
+constexpr MaybeMistake nothing_to_arm(const BoardSettings& settings)
+{
+    if (leads_beam(settings.bus) && settings.beam.is_laser)
+        return std::nullopt;
+    for (std::size_t i = 0; i < settings.controls.size(); ++i) {
+        const Control& control = settings.controls[i];
+        if (control.kind != ControlKind::none && control.action == ControlAction::arm)
+            return SettingsMistake{SettingsFault::nothing_to_arm, PinUser::of_control(i)};
+    }
+    return std::nullopt;
+}
+
 using SettingsRule = MaybeMistake (*)(const BoardSettings&);
 
 /// In the order of SettingsFault.
 inline constexpr std::array<SettingsRule, settings_fault_texts.size()> settings_rules{
-    bus_not_taken,    glass_beyond_memory, glass_ragged,      rotation_not_done,     clock_too_fast,
-    clock_too_slow,   address_reserved,    pin_missing,       pin_not_on_board,      pin_shared,
-    function_missing, units_differ,        converter_missing, action_not_of_control, input_missing,
+    bus_not_taken,      glass_beyond_memory, glass_ragged,      rotation_not_done,     clock_too_fast,
+    clock_too_slow,     address_reserved,    pin_missing,       pin_not_on_board,      pin_shared,
+    function_missing,   units_differ,        converter_missing, action_not_of_control, input_missing,
+    beam_beyond_limits, beam_too_fast,       nothing_to_arm,
 };
 
 /// The first mistake in settings for a Pico; nothing if they can be used as they are.
@@ -366,8 +415,8 @@ consteval const BoardSettings& right_settings()
                                            "controller's granularity");
     static_assert(!rotation_not_done(settings), "settings: the controller cannot turn pictures by quarters");
     static_assert(!clock_too_fast(settings),
-                  "settings: bus_clock is above 62.5 MHz (SPI), 1 MHz (I2C) or a write "
-                  "every 66 ns (parallel)");
+                  "settings: bus_clock is above 62.5 MHz (SPI), 1 MHz (I2C), 20 MHz (DAC) or a "
+                  "write every 66 ns (parallel)");
     static_assert(!clock_too_slow(settings), "settings: bus_clock is 0 or too low to be made");
     static_assert(!address_reserved(settings), "settings: i2c_address is not one of 0x08 to 0x77");
     static_assert(!pin_missing(settings), "settings: the bus, the tearing effect or a control lacks a pin");
@@ -384,6 +433,10 @@ consteval const BoardSettings& right_settings()
     static_assert(!converter_missing(settings), "settings: a knob needs one of the pins 26 to 28");
     static_assert(!action_not_of_control(settings), "settings: a control's action is not for its kind");
     static_assert(!input_missing(settings), "settings: a control for an input does not name it");
+    static_assert(!beam_beyond_limits(settings),
+                  "settings: a number of the beam's profile is beyond its limits");
+    static_assert(!beam_too_fast(settings), "settings: bus_clock is too slow for the beam's rate");
+    static_assert(!nothing_to_arm(settings), "settings: a button arms, but the beam is no laser");
     return settings;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/beam/beam_profile.hpp"
 #include "firmware/panel_settings.hpp"
 #include "firmware/stored_text.hpp"
 
@@ -11,10 +12,19 @@
 namespace kfast {
 
 /// The wires between a chip and its display. Stored.
-enum class BusKind : std::uint8_t { spi, i2c, parallel_8 };
+enum class BusKind : std::uint8_t {
+    spi,
+    i2c,
+    parallel_8,
+    dac, ///< to the two converters that lead a beam, each word by SPI: an MCP4922 or one that is spoken to
+         ///< alike
+};
 
 /// In the order of BusKind.
-inline constexpr std::array<std::string_view, 3> bus_names{"spi", "i2c", "parallel"};
+inline constexpr std::array<std::string_view, 4> bus_names{"spi", "i2c", "parallel", "dac"};
+
+/// Whether there is a beam at the other end rather than a panel.
+constexpr bool leads_beam(BusKind bus) { return bus == BusKind::dac; }
 
 /// What a pin of the chip is wired to. Stored.
 enum class PinRole : std::uint8_t {
@@ -26,11 +36,13 @@ enum class PinRole : std::uint8_t {
     backlight, ///< lit when high, dimmed by pulses
     tearing,   ///< TE: the display tells that it has shown a picture
     log,       ///< the board tells what it does, for a serial terminal at 115200 baud
+    ldac,      ///< LDAC: both converters take over what they were sent
+    blank,     ///< the beam is dark when high
 };
 
 /// In the order of PinRole.
-inline constexpr std::array<std::string_view, 8> pin_role_names{
-    "clock", "data", "select", "dc", "reset", "backlight", "tearing", "log",
+inline constexpr std::array<std::string_view, 10> pin_role_names{
+    "clock", "data", "select", "dc", "reset", "backlight", "tearing", "log", "ldac", "blank",
 };
 
 /// The number of a pin as the chip's maker counts, or no_pin.
@@ -57,18 +69,20 @@ enum class ControlAction : std::uint8_t {
     speed, ///< knob: from backwards to twice as fast, the middle standing still
     brightness, ///< knob: of the display
     input, ///< knob: where an input of the scene stands; button: at its most while pressed, else its least
+    arm,   ///< button: lets a dangerous beam shine, and makes it dark again
 };
 
 /// In the order of ControlAction.
-inline constexpr std::array<std::string_view, 7> control_action_names{
-    "play", "pause", "sleep", "place", "speed", "brightness", "input",
+inline constexpr std::array<std::string_view, 8> control_action_names{
+    "play", "pause", "sleep", "place", "speed", "brightness", "input", "arm",
 };
 
 constexpr bool is_for(ControlAction action, ControlKind kind)
 {
     if (action == ControlAction::input)
         return kind != ControlKind::none;
-    return (kind == ControlKind::button) == (action <= ControlAction::sleep) && kind != ControlKind::none;
+    const bool is_for_button = action <= ControlAction::sleep || action == ControlAction::arm;
+    return (kind == ControlKind::button) == is_for_button && kind != ControlKind::none;
 }
 
 /// Whether it can be about one clip, rather than the whole scene.
@@ -96,9 +110,11 @@ struct Control {
 struct BoardSettings {
     static constexpr std::size_t most_controls = 8;
 
-    PanelSettings panel;
+    PanelSettings panel; ///< unless the bus leads a beam
+    BeamProfile beam;    ///< if the bus leads a beam
     BusKind bus = BusKind::spi;
-    /// Hz: bits of SPI and I²C, writes of a parallel bus. The chip takes the next lower one that it can make.
+    /// Hz: bits of SPI, I²C and of converters, writes of a parallel bus. The chip takes the next lower one
+    /// that it can make.
     std::uint32_t bus_clock = 0;
     std::uint8_t i2c_address = 0x3C;                         ///< seven bits
     std::array<Pin, pin_role_names.size()> pins = no_pins(); ///< in the order of PinRole

@@ -108,6 +108,8 @@ void Controls::press(const Touch& touch, Playhead& playhead)
         return;
     case ControlAction::input:
         return place_input(touch, whole_input);
+    case ControlAction::arm:
+        return;
     case ControlAction::place:
     case ControlAction::speed:
     case ControlAction::brightness:
@@ -131,6 +133,7 @@ void Controls::turn(const Touch& touch, Playhead& playhead)
     case ControlAction::play:
     case ControlAction::pause:
     case ControlAction::sleep:
+    case ControlAction::arm:
         return; // what only a button can do
     }
 }

@@ -49,9 +49,25 @@ inline constexpr BoardSettings parallel_settings = [] {
     return settings;
 }();
 
+/// An oscilloscope with an MCP4922 at x and y. It has no Z levels: what is dark is drawn in haste.
+inline constexpr BoardSettings dac_settings = [] {
+    BoardSettings settings;
+    settings.beam = scope_profile;
+    settings.beam.brightness = BeamBrightness::by_speed;
+    settings.bus = BusKind::dac;
+    settings.bus_clock = 20'000'000;
+    settings.pin(PinRole::clock) = 18;
+    settings.pin(PinRole::data) = 19;
+    settings.pin(PinRole::select) = 17;
+    settings.pin(PinRole::ldac) = 16;
+    settings.pin(PinRole::blank) = 20;
+    return settings;
+}();
+
 static_assert(right_settings<spi_settings>().bus == BusKind::spi);
 static_assert(right_settings<i2c_settings>().bus == BusKind::i2c);
 static_assert(right_settings<parallel_settings>().bus == BusKind::parallel_8);
+static_assert(right_settings<dac_settings>().bus == BusKind::dac);
 
 constexpr const BoardSettings& default_settings(BusKind bus)
 {
@@ -62,6 +78,8 @@ constexpr const BoardSettings& default_settings(BusKind bus)
         return i2c_settings;
     case BusKind::parallel_8:
         return parallel_settings;
+    case BusKind::dac:
+        return dac_settings;
     }
     return spi_settings;
 }

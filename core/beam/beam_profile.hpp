@@ -35,6 +35,15 @@ struct BeamProfile {
     friend constexpr bool operator==(const BeamProfile&, const BeamProfile&) = default;
 };
 
+/// Whether every number is one that its description allows.
+constexpr bool is_within_limits(const BeamProfile& profile)
+{
+    const auto resolution = profile.resolution;
+    const bool is_power_of_two = (resolution & (resolution - 1)) == 0;
+    return profile.rate >= 1000 && profile.rate <= 1'000'000 && profile.lit_step >= 1 &&
+           profile.least_refresh >= 1 && resolution >= 64 && resolution <= 4096 && is_power_of_two;
+}
+
 /// An oscilloscope: its plates take the beam anywhere at once.
 inline constexpr BeamProfile scope_profile{
     .rate = 100'000, .lit_step = 384, .resolution = 256, .park = {field_least, field_least}};

@@ -135,10 +135,19 @@ Finding units_differ_text(const BoardSettings& settings)
             "with this clock, data can be on " + pins_that_carry(PinRole::data, settings.bus, unit)};
 }
 
+Finding beam_too_fast_text(const BoardSettings& settings)
+{
+    const std::uint32_t most = rp2040::most_points(settings.bus_clock);
+    return {"a bus clock of " + quantity_text(settings.bus_clock, frequency) + " cannot carry " +
+                std::to_string(settings.beam.rate) + " points a second",
+            "it can carry " + std::to_string(most)};
+}
+
 Finding action_text(PinUser user, const BoardSettings& settings)
 {
-    return {user_name(user, settings) + " cannot be for " + word_of(settings.controls[user.control()].action),
-            "buttons are for play, pause, sleep and input, knobs for place, speed, brightness and input"};
+    return {
+        user_name(user, settings) + " cannot be for " + word_of(settings.controls[user.control()].action),
+        "buttons are for play, pause, sleep, input and arm, knobs for place, speed, brightness and input"};
 }
 
 }
@@ -188,6 +197,13 @@ Finding text_of(const SettingsMistake& mistake, const BoardSettings& settings)
     case SettingsFault::input_missing:
         return {user_name(*mistake.user, settings) + " does not say for which input it is",
                 "write the name that it has in the scene: input NAME"};
+    case SettingsFault::beam_beyond_limits:
+        return {"a number of the beam's profile is beyond its limits", "see docs/xy.md"};
+    case SettingsFault::beam_too_fast:
+        return beam_too_fast_text(settings);
+    case SettingsFault::nothing_to_arm:
+        return {user_name(*mistake.user, settings) + " arms, but the beam is no laser",
+                "write laser=#true for one that is, or remove the button"};
     }
     return {};
 }
@@ -202,6 +218,8 @@ std::uint32_t rated_clock(const BoardSettings& settings)
         return facts.i2c_hz;
     case BusKind::parallel_8:
         return facts.parallel_hz;
+    case BusKind::dac:
+        break;
     }
     return 0;
 }

@@ -42,6 +42,7 @@ const Labels& labels_of(const BoardSettings& settings)
     case BusKind::parallel_8:
         return parallel;
     case BusKind::spi:
+    case BusKind::dac:
         break;
     }
     return labels_by_spi(settings.panel.controller);
@@ -51,7 +52,7 @@ const Labels& labels_of(const BoardSettings& settings)
 
 std::string_view panel_label(PinRole role, const BoardSettings& settings)
 {
-    return role == PinRole::log ? std::string_view{} : labels_of(settings)[static_cast<std::size_t>(role)];
+    return role >= PinRole::log ? std::string_view{} : labels_of(settings)[static_cast<std::size_t>(role)];
 }
 
 IdleLevel idle_level(PinRole role, const BoardSettings& settings)
@@ -69,6 +70,8 @@ IdleLevel idle_level(PinRole role, const BoardSettings& settings)
     case PinRole::dc:
     case PinRole::tearing:
     case PinRole::log:
+    case PinRole::ldac:
+    case PinRole::blank:
         break;
     }
     return IdleLevel::none;

@@ -14,6 +14,8 @@ BusKind kind_of(kfast::BusKind bus)
         return BusKind::i2c;
     case kfast::BusKind::parallel_8:
         return BusKind::parallel_8;
+    case kfast::BusKind::dac:
+        break;
     }
     return {};
 }

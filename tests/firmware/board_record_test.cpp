@@ -36,10 +36,56 @@ BoardSettings unusual_settings()
 
 }
 
+BoardSettings beam_settings()
+{
+    BoardSettings settings = unusual_settings();
+    settings.bus = BusKind::dac;
+    settings.pin(PinRole::ldac) = 16;
+    settings.pin(PinRole::blank) = 20;
+    settings.controls[3] = {ControlKind::button, ControlAction::arm, 12, {}};
+    settings.beam = {.rate = 123'456,
+                     .lit_step = 655,
+                     .travel_step = 3277,
+                     .corner_dwell = 8,
+                     .lit_dwell = 2,
+                     .arrival_dwell = 6,
+                     .leave_dwell = 3,
+                     .light_delay = 4,
+                     .least_refresh = 20,
+                     .resolution = 4096,
+                     .brightness = BeamBrightness::by_speed,
+                     .park = {-32768, 32767},
+                     .is_laser = true};
+    return settings;
+}
+
 TEST_CASE("settings come back from their record as they were")
 {
     CHECK(read_board_record(board_record({})) == BoardSettings{});
     CHECK(read_board_record(board_record(unusual_settings())) == unusual_settings());
+    CHECK(read_board_record(board_record(beam_settings())) == beam_settings());
+}
+
+TEST_CASE("what is about no beam is a record that older firmware reads")
+{
+    const auto version_of = [](const BoardSettings& settings) {
+        return std::to_integer<int>(board_record(settings)[4]);
+    };
+    CHECK(version_of({}) == 1);
+    CHECK(version_of(unusual_settings()) == 1);
+    CHECK(version_of(beam_settings()) == 2);
+    BoardSettings settings;
+    settings.bus = BusKind::dac;
+    CHECK(version_of(settings) == 2);
+    settings = {};
+    settings.pin(PinRole::blank) = 20;
+    CHECK(version_of(settings) == 2);
+    settings = {};
+    settings.controls[7].action = ControlAction::arm;
+    CHECK(version_of(settings) == 2);
+    settings = {};
+    settings.beam.is_laser = true;
+    CHECK(version_of(settings) == 2);
 }
 
 TEST_CASE("a record may be followed by the rest of its sector")
@@ -64,21 +110,34 @@ TEST_CASE("fields lie where their description says")
     CHECK(std::ranges::equal(bytes.subspan(254, 6), test::bytes({2, 3, 26, 0, 'a', ' '})));
 }
 
+TEST_CASE("fields of a beam lie behind those of panels")
+{
+    const BoardRecord record = board_record(beam_settings());
+    const std::span bytes{record};
+    REQUIRE(bytes.size() == 8 + 274 + 24 + 4);
+    CHECK(std::ranges::equal(bytes.first(8), test::bytes({'K', 'F', 'B', 'S', 2, 0, 0x2A, 0x01})));
+    CHECK(std::ranges::equal(bytes.subspan(8 + 274, 24),
+                             test::bytes({16, 20, 0x40, 0xE2, 0x01, 0x00, 0x8F, 0x02, 0xCD, 0x0C, 8,   2, 6,
+                                          3,  4,  20,   0x00, 0x10, 2,    1,    0x00, 0x80, 0xFF, 0x7F})));
+}
+
 TEST_CASE("a record with any bit wrong is none")
 {
-    const BoardRecord record = board_record(unusual_settings());
-    for (std::size_t bit = 0; bit < 8 * record.size(); ++bit) {
-        BoardRecord damaged = record;
-        damaged[bit / 8] ^= std::byte{1} << bit % 8;
-        CHECK_FALSE(read_board_record(damaged));
+    for (const BoardRecord& record : {board_record(unusual_settings()), board_record(beam_settings())}) {
+        for (std::size_t bit = 0; bit < 8 * record.size(); ++bit) {
+            BoardRecord damaged = record;
+            damaged[bit / 8] ^= std::byte{1} << bit % 8;
+            CHECK_FALSE(read_board_record(damaged));
+        }
     }
 }
 
 TEST_CASE("what is shorter than a record is none")
 {
-    const BoardRecord record = board_record({});
-    for (std::size_t size = 0; size < record.size(); ++size)
-        CHECK_FALSE(read_board_record(std::span{record}.first(size)));
+    for (const BoardRecord& record : {board_record({}), board_record(beam_settings())}) {
+        for (std::size_t size = 0; size < record.size(); ++size)
+            CHECK_FALSE(read_board_record(std::span{record}.first(size)));
+    }
 }
 
 TEST_CASE("whatever has a name can be stored")
@@ -112,6 +171,28 @@ TEST_CASE("a number without a meaning makes a record none, though its checksum i
     settings = {};
     settings.controls[3].action = static_cast<ControlAction>(control_action_names.size());
     CHECK_FALSE(read_board_record(board_record(settings)));
+    settings = {};
+    settings.beam.brightness = static_cast<BeamBrightness>(3);
+    CHECK_FALSE(read_board_record(board_record(settings)));
+}
+
+TEST_CASE("what came with beams has no meaning in a record of version 1")
+{
+    const auto changed = [](std::size_t place, std::uint8_t number) {
+        BoardRecord record = board_record({});
+        record[place] = std::byte{number};
+        Crc32 crc;
+        crc.add(std::span{record}.first(record.size() - 4));
+        for (std::size_t i = 0; i < 4; ++i)
+            record[record.size() - 4 + i] = static_cast<std::byte>(crc.value() >> 8 * i);
+        return read_board_record(record);
+    };
+    constexpr std::size_t bus = 20;
+    constexpr std::size_t first_action = 58 + 1;
+    CHECK(changed(bus, 2));
+    CHECK_FALSE(changed(bus, 3));
+    CHECK(changed(first_action, 6));
+    CHECK_FALSE(changed(first_action, 7));
 }
 
 }

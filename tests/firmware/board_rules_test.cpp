@@ -46,6 +46,20 @@ constexpr BoardSettings parallel_settings()
     return settings;
 }
 
+constexpr BoardSettings dac_settings()
+{
+    BoardSettings settings;
+    settings.beam = scope_profile;
+    settings.bus = BusKind::dac;
+    settings.bus_clock = 20'000'000;
+    settings.pin(PinRole::clock) = 3;
+    settings.pin(PinRole::data) = 7;
+    settings.pin(PinRole::select) = 28;
+    settings.pin(PinRole::ldac) = 0;
+    settings.pin(PinRole::blank) = 9;
+    return settings;
+}
+
 void check_mistake(const BoardSettings& settings, const SettingsMistake& expected)
 {
     const MaybeMistake mistake = first_mistake(settings);
@@ -64,6 +78,7 @@ TEST_CASE("settings that keep all rules have no mistake")
     CHECK_FALSE(first_mistake(spi_settings()));
     CHECK_FALSE(first_mistake(i2c_settings()));
     CHECK_FALSE(first_mistake(parallel_settings()));
+    CHECK_FALSE(first_mistake(dac_settings()));
     static_assert(right_settings<fixed>() == fixed);
 }
 
@@ -308,6 +323,78 @@ TEST_CASE("the pins of a Pico are those of its pinout")
     CHECK(rp2040::pico_pins[28] == 34);
     for (const std::uint8_t ground : rp2040::pico_ground_pins)
         CHECK(std::ranges::find(rp2040::pico_pins, ground) == rp2040::pico_pins.end());
+}
+
+TEST_CASE("a beam needs the wires of its converters, whatever a panel would need")
+{
+    for (const PinRole role :
+         {PinRole::clock, PinRole::data, PinRole::select, PinRole::ldac, PinRole::blank}) {
+        BoardSettings settings = dac_settings();
+        settings.pin(role) = no_pin;
+        check_mistake(settings, {SettingsFault::pin_missing, role});
+    }
+    BoardSettings settings = dac_settings();
+    settings.panel = {.controller = Controller::ssd1306, .glass = {0, 7}, .rotation = Rotation::quarter};
+    settings.panel.tearing_effect = true;
+    CHECK_FALSE(first_mistake(settings));
+}
+
+TEST_CASE("a beam's clock is one that its converters take")
+{
+    BoardSettings settings = dac_settings();
+    settings.bus_clock = 20'000'001;
+    check_mistake(settings, {SettingsFault::clock_too_fast, PinRole::clock});
+    settings.bus_clock = 0;
+    check_mistake(settings, {SettingsFault::clock_too_slow, PinRole::clock});
+}
+
+TEST_CASE("a beam's profile keeps its limits")
+{
+    const auto check_refused = [](auto change) {
+        BoardSettings settings = dac_settings();
+        change(settings.beam);
+        check_mistake(settings, {SettingsFault::beam_beyond_limits});
+    };
+    check_refused([](BeamProfile& beam) { beam.rate = 999; });
+    check_refused([](BeamProfile& beam) { beam.rate = 1'000'001; });
+    check_refused([](BeamProfile& beam) { beam.lit_step = 0; });
+    check_refused([](BeamProfile& beam) { beam.least_refresh = 0; });
+    check_refused([](BeamProfile& beam) { beam.resolution = 32; });
+    check_refused([](BeamProfile& beam) { beam.resolution = 96; });
+    check_refused([](BeamProfile& beam) { beam.resolution = 8192; });
+    BoardSettings panel = spi_settings();
+    panel.beam.rate = 0;
+    CHECK_FALSE(first_mistake(panel));
+}
+
+TEST_CASE("the bus carries as many points as the beam wants")
+{
+    BoardSettings settings = dac_settings();
+    settings.beam.rate = rp2040::most_points(settings.bus_clock);
+    CHECK(settings.beam.rate >= 450'000);
+    CHECK_FALSE(first_mistake(settings));
+    ++settings.beam.rate;
+    check_mistake(settings, {SettingsFault::beam_too_fast, PinRole::clock});
+    settings.beam.rate = 30'000;
+    settings.bus_clock = 1'000'000;
+    check_mistake(settings, {SettingsFault::beam_too_fast, PinRole::clock});
+    settings.bus_clock = 1'200'000;
+    CHECK_FALSE(first_mistake(settings));
+}
+
+TEST_CASE("only a laser is armed")
+{
+    BoardSettings settings = dac_settings();
+    settings.controls[1] = {ControlKind::button, ControlAction::arm, 12, {}};
+    check_mistake(settings, {SettingsFault::nothing_to_arm, PinUser::of_control(1)});
+    settings.beam.is_laser = true;
+    CHECK_FALSE(first_mistake(settings));
+    settings.controls[1] = {ControlKind::knob, ControlAction::arm, 27, {}};
+    check_mistake(settings, {SettingsFault::action_not_of_control, PinUser::of_control(1)});
+    settings = spi_settings();
+    settings.beam.is_laser = true;
+    settings.controls[1] = {ControlKind::button, ControlAction::arm, 12, {}};
+    check_mistake(settings, {SettingsFault::nothing_to_arm, PinUser::of_control(1)});
 }
 
 }

@@ -112,7 +112,7 @@ ControlAction random_action(Draw& draw, ControlKind kind)
 {
     for (;;) {
         const auto action = static_cast<ControlAction>(draw.number(0, control_action_names.size() - 1));
-        if (is_for(action, kind))
+        if (is_for(action, kind) && action != ControlAction::arm) // which only a laser needs
             return action;
     }
 }
