@@ -109,15 +109,6 @@ fs::path export_path(const ExportOptions& options, const char* ending)
     return output_path(output, options.scene);
 }
 
-BeamSource open_beam(const ExportOptions& options, const BeamProfile& profile, std::uint32_t budget,
-                     const SceneFile& scene)
-{
-    BeamSource source{scene.view, profile, budget};
-    put_inputs(chosen_inputs(options.picture.inputs, scene.view), scene.view, source);
-    put_drawings(options.picture.drawings, scene.view, source);
-    return source;
-}
-
 const Command export_command{"export",
                              "Turn a scene into source for programs, an ILDA file or a sound for a scope",
                              "kfast export --header eyes.kfast -o eyes.h\n"

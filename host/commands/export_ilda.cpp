@@ -1,6 +1,7 @@
 #include "host/atomic_file.hpp"
 #include "host/beam/ilda_writer.hpp"
 #include "host/commands/export_kinds.hpp"
+#include "host/commands/sound_beam.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
 
@@ -70,7 +71,8 @@ void export_ilda(const ExportOptions& options)
     const SceneFile scene = load_scene(options.scene);
     const Timeline timeline = chosen_timeline(options.play, scene.view);
     const std::filesystem::path output = export_path(options, ".ild");
-    BeamSource source = open_beam(options, options.beam.value_or(galvo_profile), most_ilda_records, scene);
+    BeamSource source =
+        open_beam(options.beam.value_or(galvo_profile), most_ilda_records, options.picture, scene);
     const Drawn drawn = drawn_frames(source, timeline);
     const std::string name = std::filesystem::path{options.scene}.stem().string();
     write_file(output, ilda_file(name, static_cast<IldaFormat>(options.ilda_format), drawn.frames));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
-#include "host/beam/beam_source.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/commands/sound_options.hpp"
@@ -28,10 +27,6 @@ struct ExportOptions {
 
 /// Where to: as chosen, else the scene's name with this ending.
 std::filesystem::path export_path(const ExportOptions& options, const char* ending);
-
-/// The points of the scene's pictures, with the inputs as chosen. `scene` must outlive it.
-BeamSource open_beam(const ExportOptions& options, const BeamProfile& profile, std::uint32_t budget,
-                     const SceneFile& scene);
 
 void export_header(const ExportOptions& options);
 void export_ilda(const ExportOptions& options);

@@ -1,10 +1,10 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/export_kinds.hpp"
 #include "host/commands/rounded_text.hpp"
+#include "host/commands/sound_beam.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
 #include "host/sound/sound_loop.hpp"
-#include "host/sound/sound_profile.hpp"
 #include "host/sound/wave_file.hpp"
 
 #include <cmath>
@@ -17,13 +17,6 @@ namespace {
 /// 21 minutes at 48 kHz: much less than a WAV can hold, but it takes memory.
 constexpr std::uint64_t most_samples = 60'000'000;
 constexpr std::uint64_t least_samples = 16; ///< BeamPlayer needs room for so many points
-
-BeamProfile sound_beam(const ExportOptions& options)
-{
-    BeamProfile profile = options.beam.value_or(sound_profile);
-    profile.rate = options.sound.rate;
-    return profile;
-}
 
 std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeline)
 {
@@ -72,7 +65,8 @@ void export_wave(const ExportOptions& options)
     const Timeline timeline = chosen_timeline(options.play, scene.view);
     const std::filesystem::path output = export_path(options, ".wav");
     const std::uint64_t length = chosen_length(options, timeline);
-    BeamSource source = open_beam(options, sound_beam(options), static_cast<std::uint32_t>(length), scene);
+    BeamSource source = open_beam(sound_beam(options.beam, options.sound.rate),
+                                  static_cast<std::uint32_t>(length), options.picture, scene);
     const SoundLoop loop = made_loop(source, timeline, length);
     const std::uint32_t rate = options.sound.rate;
     write_file(output, wave_file(loop.points, options.sound.deflection, rate, options.bits));
