@@ -16,7 +16,7 @@ bool check_display(const kdl::Node& board, const Draft& draft, scene::Reading& r
 {
     if (draft.beam == nullptr && draft.panel == nullptr)
         return reading.report.error(board.name_place, "board has neither a panel nor a beam",
-                                    "add panel st7789, or beam scope for a vector display");
+                                    "add \"panel st7789\", or \"beam scope\" for a vector display");
     if (draft.beam != nullptr && draft.panel != nullptr)
         return reading.report.error(draft.beam->name_place, "a board has a panel or a beam, not both",
                                     "remove one of them");

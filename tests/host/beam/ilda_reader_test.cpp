@@ -67,7 +67,8 @@ TEST_CASE("mistakes are told with their place")
     CHECK(failure_with(second + 3, 'B') == "at byte 48: no section begins here, with ILDA");
     CHECK(failure_with(7, 3) == "at byte 7: format 3 is none of 0, 1, 2, 4 and 5");
     CHECK(failure_with(second + 7, 6) == "at byte 55: format 6 is none of 0, 1, 2, 4 and 5");
-    CHECK(failure_with(32 + 4, 0x80) == "at byte 36: a point is told to be the last of the frame, but is not");
+    CHECK(failure_with(32 + 4, 0x80) ==
+          "at byte 36: a point is told to be the last of the frame, but is not");
     CHECK(failure_with(32 + 8 + 4, 0x40) == "at byte 44: the last point of the frame is not told to be it");
 }
 

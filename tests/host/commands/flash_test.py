@@ -14,7 +14,7 @@ from command_case import KFAST, ROOT, CommandTest
 from pretend_firmware import firmware
 
 NOWHERE = ("--port", "9-9.9.9")  # no board is there
-BUSES = ("spi", "i2c", "parallel")
+BUSES = ("spi", "i2c", "parallel", "xy")
 
 # Its outlines find no room.
 LARGE = "kfast 1\ncanvas 240 240 frames=2\nobject dots fill=red {" + "".join(

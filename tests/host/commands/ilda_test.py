@@ -15,11 +15,11 @@ LAYOUTS = {0: ">hhhBB", 1: ">hhBB", 4: ">hhhBBBB", 5: ">hhBBBB"}
 
 SCENE = """kfast 1
 canvas 100 100 fps=10 loop={loop}
-object a stroke="{colour}" stroke-width=2 fill=#null {{
-    key 0 {{ polyline "10,10 90,10 90,90" }}
-    key 3 {{ polyline "10,20 90,20 90,80" }}
+object a stroke="{colour}" width=2 {{
+    key 0 {{ line 10 10 90 10 90 90 }}
+    key 3 {{ line 10 20 90 20 90 80 }}
 }}
-object b stroke="#00ff00" stroke-width=2 fill=#null {{ polyline "30,50 60,50" }}
+object b stroke="#00ff00" width=2 {{ line 30 50 60 50 }}
 """
 
 
@@ -94,7 +94,7 @@ class IldaTest(CommandTest):
         self.assertEqual(self.frames(self.export("still")), told[0], "format 5 is the usual one")
 
     def test_places_are_those_of_the_canvas_and_y_points_up(self):
-        lit = [p for p in self.frames(self.export("still"))[0] if not p.blanked]
+        lit = [p for p in self.frames(self.export("still", "--beam", "scope"))[0] if not p.blanked]
         white = [p for p in lit if p.colour == (255, 255, 255)]
         self.assertAlmostEqual(max(p.x for p in white), 0.4 * 65536, delta=200)
         self.assertAlmostEqual(max(p.y for p in white), 0.4 * 65536, delta=200)
@@ -126,7 +126,7 @@ class IldaTest(CommandTest):
         self.assertEqual(there_and_back[2], there_and_back[4])
         self.assertNotEqual(there_and_back[1], there_and_back[2])
         self.assertEqual(len(self.export("a", "--speed", "0.5")) - 1, 12)
-        self.assertEqual(len(self.export("marked", "--clip", "blink")) - 1, 4)
+        self.assertEqual(len(self.export("marked", "--clip", "blink")) - 1, 5, "with its end")
 
     def test_info_tells_what_is_in_the_file(self):
         points = self.frames(self.export("still", "--ilda-format", 4))
