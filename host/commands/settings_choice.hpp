@@ -13,7 +13,7 @@ namespace kfast {
 struct SettingsOptions {
     std::string config;
     std::string panel;
-    std::string beam;
+    std::string beam = {};
     std::vector<std::string> pins; ///< "dc=8"
 };
 
