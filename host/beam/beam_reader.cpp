@@ -1,7 +1,6 @@
 #include "host/beam/beam_reader.hpp"
 
 #include "host/beam/field_share.hpp"
-#include "host/beam/profile_choice.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/part_rule.hpp"
 #include "host/scene/property_rule.hpp"
@@ -119,15 +118,15 @@ constexpr std::array rules{
     PropertyRule<BeamProfile>{"laser", read_laser},
 };
 
-std::optional<BeamProfile> named_profile(const kdl::Value& value, Reading& reading)
+const ProfileChoice* named_profile(const kdl::Value& value, Reading& reading)
 {
     const auto name = read_text(value, reading);
     if (!name)
-        return std::nullopt;
-    if (const ProfileChoice* const choice = profile_named(*name))
-        return choice->profile;
-    report_unknown_word(value, *name, profile_names(), reading);
-    return std::nullopt;
+        return nullptr;
+    const ProfileChoice* const choice = profile_named(*name);
+    if (choice == nullptr)
+        report_unknown_word(value, *name, profile_names(), reading);
+    return choice;
 }
 
 bool has_time_to_draw(const kdl::Node& node, const BeamProfile& beam, Reading& reading)
@@ -144,14 +143,15 @@ bool has_time_to_draw(const kdl::Node& node, const BeamProfile& beam, Reading& r
 
 std::optional<BeamProfile> read_beam(const kdl::Node& node, Reading& reading)
 {
-    const auto base = named_profile(node.arguments.front(), reading);
-    BeamProfile beam = base.value_or(BeamProfile{});
-    if (!read_properties(node, rules, beam, reading) || !base || !has_time_to_draw(node, beam, reading))
+    const ProfileChoice* const base = named_profile(node.arguments.front(), reading);
+    BeamProfile beam = base != nullptr ? base->profile : BeamProfile{};
+    if (!read_properties(node, rules, beam, reading) || base == nullptr ||
+        !has_time_to_draw(node, beam, reading))
         return std::nullopt;
     return beam;
 }
 
-std::optional<BeamProfile> read_beam_text(const SourceText& source, Diagnostics& diagnostics)
+std::optional<ChosenBeam> read_beam_text(const SourceText& source, Diagnostics& diagnostics)
 {
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors())
@@ -160,7 +160,10 @@ std::optional<BeamProfile> read_beam_text(const SourceText& source, Diagnostics&
     const kdl::Node* const node = only_node(document, beam_form, "a description of a beam", reading);
     if (node == nullptr || !fits(*node, beam_form, reading))
         return std::nullopt;
-    return read_beam(*node, reading);
+    const auto profile = read_beam(*node, reading);
+    if (!profile)
+        return std::nullopt;
+    return ChosenBeam{*profile, profile_named(*node->arguments.front().string())->name};
 }
 
 }

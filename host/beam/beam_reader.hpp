@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
+#include "host/beam/profile_choice.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/reading.hpp"
@@ -20,7 +21,7 @@ inline constexpr scene::NodeForm beam_form{"beam", "beam galvo, or beam galvo ra
 std::optional<BeamProfile> read_beam(const kdl::Node& node, scene::Reading& reading);
 
 /// Reads a text that holds one such node. Any text is allowed; what is wrong goes to `diagnostics`, and there
-/// is a profile exactly when nothing was.
-std::optional<BeamProfile> read_beam_text(const SourceText& source, Diagnostics& diagnostics);
+/// is a beam exactly when nothing was.
+std::optional<ChosenBeam> read_beam_text(const SourceText& source, Diagnostics& diagnostics);
 
 }

@@ -17,14 +17,14 @@ namespace {
 
 constexpr InputKind beam_input{"beam", "a .kdl file", "a description begins with 'beam'"};
 
-BeamProfile profile_of(const SourceText& source)
+ChosenBeam beam_of(const SourceText& source)
 {
     Diagnostics diagnostics;
-    const auto profile = read_beam_text(source, diagnostics);
+    const auto beam = read_beam_text(source, diagnostics);
     const std::size_t errors = report(diagnostics, source).errors;
-    if (!profile)
+    if (!beam)
         throw Failure(source.name + ": " + counted(errors, "error"));
-    return *profile;
+    return *beam;
 }
 
 }
@@ -52,12 +52,12 @@ std::vector<std::string_view> profile_names()
     return names;
 }
 
-BeamProfile chosen_profile(const std::string& name)
+ChosenBeam chosen_beam(const std::string& name)
 {
     if (name.find_first_of("./") != name.npos)
-        return profile_of({name, read_input(name, beam_input)});
+        return beam_of({name, read_input(name, beam_input)});
     if (const ProfileChoice* const choice = profile_named(name))
-        return choice->profile;
+        return {choice->profile, choice->name};
     throw Failure("there is no beam " + kfast::quoted(name) + ": " + suggestion(name, profile_names()) +
                   ", or name the file that describes it, like my-beam.kdl");
 }

@@ -106,7 +106,7 @@ void declare(CLI::App& app)
         ->type_name("LIST")
         ->needs(headless);
     declare_play_options(app, options->play);
-    declare_picture_options(app, options->picture);
+    declare_seen_options(app, options->picture);
     app.footer(app.get_footer() + "\n\n" + key_list());
     app.callback([options] { preview(*options); });
 }

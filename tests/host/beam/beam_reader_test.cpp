@@ -8,7 +8,7 @@ namespace kfast::test {
 namespace {
 
 struct Reading {
-    std::optional<BeamProfile> profile;
+    std::optional<ChosenBeam> beam;
     std::string said;
 };
 
@@ -19,7 +19,7 @@ Reading reading_of(const std::string& text)
     Reading reading{read_beam_text(source, diagnostics), {}};
     for (const Diagnostic& diagnostic : diagnostics.sorted())
         reading.said += format(diagnostic, source);
-    CHECK(reading.profile.has_value() == !diagnostics.has_errors());
+    CHECK(reading.beam.has_value() == !diagnostics.has_errors());
     return reading;
 }
 
@@ -28,8 +28,8 @@ BeamProfile read(const std::string& text)
     const Reading reading = reading_of(text);
     CAPTURE(reading.said);
     CHECK(reading.said.empty());
-    REQUIRE(reading.profile);
-    return *reading.profile;
+    REQUIRE(reading.beam);
+    return reading.beam->profile;
 }
 
 void check_refused(const std::string& text, const std::string& place, std::string_view says,
@@ -41,7 +41,7 @@ void check_refused(const std::string& text, const std::string& place, std::strin
     CHECK(reading.said.find("my.kdl:" + place + ": error:") != std::string::npos);
     CHECK(reading.said.find(says) != std::string::npos);
     CHECK(reading.said.find(remedy) != std::string::npos);
-    CHECK_FALSE(reading.profile);
+    CHECK_FALSE(reading.beam);
 }
 
 }

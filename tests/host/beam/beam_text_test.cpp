@@ -15,7 +15,8 @@ namespace {
 std::optional<BeamProfile> read(const std::string& text)
 {
     Diagnostics diagnostics;
-    return read_beam_text({"my.kdl", text}, diagnostics);
+    const auto beam = read_beam_text({"my.kdl", text}, diagnostics);
+    return beam ? std::optional{beam->profile} : std::nullopt;
 }
 
 template <class Number>

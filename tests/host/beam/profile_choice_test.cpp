@@ -32,6 +32,8 @@ TEST_CASE("a beam is chosen by the name of a profile or of a file")
     const TemporaryFolder folder;
     std::ofstream{folder / "my.kdl"} << "beam galvo rate=(kHz)20\n";
     CHECK(chosen_profile(folder / "my.kdl").rate == 20'000);
+    CHECK(chosen_beam(folder / "my.kdl").base == "galvo");
+    CHECK(chosen_beam("crt").base == "crt");
 }
 
 TEST_CASE("a beam that there is not is refused with a remedy")
