@@ -5,6 +5,7 @@
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
+#include "firmware/beam.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/panel.hpp"
 #include "firmware/placed_input.hpp"
@@ -38,10 +39,9 @@ struct BoardNames {
 // Compound requirements would be torn apart.
 // clang-format off
 
-/// What the run loop asks of a board. boards/template/ is the list to fill in.
+/// What the run loop asks of every board.
 template <class B>
 concept Board = requires(B& board, Microseconds moment, const SceneView& scene, FrameReport report, Error error) {
-    requires Panel<std::remove_reference_t<decltype(board.panel())>>;
     { board.now() } -> std::same_as<Microseconds>;
     /// Returns at once when `moment` is past.
     { board.sleep_until(moment) } -> std::same_as<void>;
@@ -50,30 +50,41 @@ concept Board = requires(B& board, Microseconds moment, const SceneView& scene, 
     { board.scene_bytes() } -> std::same_as<std::span<const std::byte>>;
     /// Memory lent to the player, aligned to 4.
     { board.block() } -> std::same_as<std::span<std::byte>>;
-    /// Two buffers of equal size, aligned to 4: one is drawn while the other is sent. Each holds at
-    /// least as many rows as the panel takes at once.
-    { board.bands() } -> std::same_as<std::array<std::span<std::byte>, 2>>;
-
     /// The loop ends when this is false.
     { board.running() } -> std::same_as<bool>;
     /// `scene` was accepted and begins.
     { board.scene_started(scene) } -> std::same_as<void>;
-    /// The whole picture has arrived in the panel.
+    /// The whole picture has arrived in the panel, or is led by the beam as soon as that before has ended.
     { board.frame_shown(report) } -> std::same_as<void>;
-    /// No scene plays, and why. The panel shows the number of the error.
+    /// No scene plays, and why. A panel shows the number of the error; a beam is dark.
     { board.fault(error) } -> std::same_as<void>;
+};
+
+/// A board with a panel. boards/template/ is the list to fill in.
+template <class B>
+concept PanelBoard = Board<B> && requires(B& board) {
+    requires Panel<std::remove_reference_t<decltype(board.panel())>>;
+    /// Two buffers of equal size, aligned to 4: one is drawn while the other is sent. Each holds at
+    /// least as many rows as the panel takes at once.
+    { board.bands() } -> std::same_as<std::array<std::span<std::byte>, 2>>;
+};
+
+/// A board with a vector display.
+template <class B>
+concept BeamBoard = Board<B> && requires(B& board) {
+    requires Beam<std::remove_reference_t<decltype(board.beam())>>;
 };
 
 /// A board that wants to see what goes to the panel: every area and its pixels, packed row by row.
 template <class B>
-concept WatchingBoard = Board<B> && requires(B& board, Rect area, std::span<const std::byte> pixels) {
+concept WatchingBoard = PanelBoard<B> && requires(B& board, Rect area, std::span<const std::byte> pixels) {
     { board.watch(area, pixels) } -> std::same_as<void>;
 };
 
 /// A board whose panel may have lost what it showed. Asked once before every frame, which is sent
 /// whole if it does.
 template <class B>
-concept RedrawingBoard = Board<B> && requires(B& board) {
+concept RedrawingBoard = PanelBoard<B> && requires(B& board) {
     { board.wants_redraw() } -> std::same_as<bool>;
 };
 
@@ -110,17 +121,19 @@ concept ToldBoard = Board<B> && requires(B& board, LiveScene* player) {
     { board.plays(player) } -> std::same_as<void>;
 };
 
+template <class B>
+concept PoweredPanelBoard = PanelBoard<B> && PoweredPanel<std::remove_reference_t<decltype(std::declval<B&>().panel())>>;
+
 /// A board that can switch its display off: while it wants to rest, time stands still and nothing is shown.
 template <class B>
-concept RestingBoard = SteeredBoard<B> && PoweredPanel<std::remove_reference_t<decltype(std::declval<B&>().panel())>> &&
-    requires(B& board) {
-        { board.wants_rest() } -> std::same_as<bool>;
-    };
+concept RestingBoard = SteeredBoard<B> && (PoweredPanelBoard<B> || BeamBoard<B>) && requires(B& board) {
+    { board.wants_rest() } -> std::same_as<bool>;
+};
 
 /// A board that knows when its display has shown a picture. Asked once for every frame that changes anything,
 /// with its first band drawn; returns when sending may begin.
 template <class B>
-concept SynchronizedBoard = Board<B> && requires(B& board) {
+concept SynchronizedBoard = PanelBoard<B> && requires(B& board) {
     { board.wait_for_blank() } -> std::same_as<void>;
 };
 
@@ -131,10 +144,11 @@ concept ListeningBoard = Board<B> && requires(B& board) {
     { board.listen() } -> std::same_as<void>;
 };
 
-/// A board on which what plays may change: one scene is run after another, and the panel begun once (run_stage()).
+/// A board on which what plays may change: one scene is run after another, and the display begun once (run_stage()).
 template <class B>
 concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
-    /// Before running() is asked for it. False if there is nothing to draw: the panel shows what it shows.
+    /// Before running() is asked for it. False if there is nothing to draw: a panel shows what it shows, a beam
+    /// is dark.
     { board.begin() } -> std::same_as<bool>;
     /// As sleep_until(), but returns as soon as running() is false.
     { board.linger_until(moment) } -> std::same_as<void>;
@@ -142,10 +156,10 @@ concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
     { board.wants_to_run() } -> std::same_as<bool>;
 };
 
-/// A board that shows a test card when it has no scene: when the first four bytes of its place are all 0xFF, as
+/// A board whose panel shows a test card when it has no scene: when the first four bytes of its place are all 0xFF, as
 /// erased flash is, or all 0.
 template <class B>
-concept NamedBoard = Board<B> && requires(const B& board) {
+concept NamedBoard = PanelBoard<B> && requires(const B& board) {
     { board.names() } -> std::same_as<BoardNames>;
 };
 

@@ -60,7 +60,7 @@ private:
 };
 
 /// Fills the panel with what `card.draw_row(PixelRow)` paints, and lets it be seen.
-template <Board B, class C>
+template <PanelBoard B, class C>
 void show_card(B& board, const C& card)
 {
     constexpr PixelFormat format = PanelOf<B>::format;

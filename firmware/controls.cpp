@@ -109,6 +109,7 @@ void Controls::press(const Touch& touch, Playhead& playhead)
     case ControlAction::input:
         return place_input(touch, whole_input);
     case ControlAction::arm:
+        wants_arming_ = !wants_arming_;
         return;
     case ControlAction::place:
     case ControlAction::speed:

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace kfast {
 
@@ -93,6 +94,8 @@ public:
     std::span<const PlacedInput> inputs() const { return std::span{inputs_}.first(input_count_); }
     /// Whether the display is to be off.
     bool wants_rest() const { return wants_rest_; }
+    /// Whether a button to arm was pressed an odd number of times since this was last asked.
+    bool take_arming() { return std::exchange(wants_arming_, false); }
     /// Of the display, as the settings or a knob have it.
     std::uint8_t brightness() const { return brightness_; }
 
@@ -140,6 +143,7 @@ private:
     bool is_speed_asked_ = false; ///< by somebody without a control, and not yet obeyed
     std::optional<Time> sought_;  ///< likewise
     bool wants_rest_ = false;
+    bool wants_arming_ = false;
     std::uint8_t brightness_;
 };
 

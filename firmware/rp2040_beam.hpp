@@ -39,7 +39,7 @@ constexpr DacBit dac_bit(std::uint32_t hz)
 /// them (boards/pico/dac_program.hpp).
 constexpr std::uint32_t cycles_to_send(const DacBit& bit)
 {
-    constexpr std::uint32_t between = 24;
+    constexpr std::uint32_t between = 20;
     constexpr std::uint32_t of_point_clock = 6;
     return bit.divisor * (32 * bit.cycles() + between) + of_point_clock;
 }

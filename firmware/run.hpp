@@ -1,50 +1,16 @@
 #pragma once
 
-#include "core/player.hpp"
 #include "core/playhead.hpp"
-#include "firmware/blank.hpp"
+#include "firmware/beam_show.hpp"
 #include "firmware/board.hpp"
-#include "firmware/fault_card.hpp"
 #include "firmware/frame_clock.hpp"
-#include "firmware/sending.hpp"
-#include "firmware/test_card.hpp"
+#include "firmware/panel_show.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 
 namespace kfast {
-
-/// Draws the picture that `player` shows where it differs from what the panel shows, and sends it. Returns
-/// when the panel has all of it. `Animation` is Player, or draws as it does.
-///
-/// The areas of one buffer are sent one after another; the last of them is on its way while the other buffer
-/// is drawn, and has arrived before its own is drawn again.
-template <Board B, class Animation>
-void draw_frame(B& board, Animation& player)
-{
-    using P = PanelOf<B>;
-    static_assert(P::granularity.height <= tallest_group);
-    std::array bands = board.bands();
-    for (bool is_first = true; true; is_first = false) {
-        if constexpr (ListeningBoard<B>)
-            board.listen();
-        const auto changes =
-            player.template draw_changes<P::format>(bands[0], P::granularity, P::window_bytes);
-        if (changes.empty())
-            break;
-        if constexpr (SynchronizedBoard<B>)
-            if (is_first)
-                board.wait_for_blank();
-        for (const auto& [area, pixels] : changes)
-            send(board, area, pixels);
-        std::swap(bands[0], bands[1]);
-    }
-    wait_for(board.panel());
-}
 
 /// Lets frames pass, and tells the board the events on the way if it asks for them.
 template <Board B>
@@ -75,18 +41,17 @@ void sleep_until_frame(B& board, Microseconds moment)
         board.sleep_until(moment);
 }
 
-/// Keeps the panel asleep as long as the board wants to rest. What it shows when it wakes is not to be seen.
+/// Keeps the display asleep as long as the board wants to rest.
 template <RestingBoard B>
 void rest(B& board, Playhead& playhead, FrameClock& clock)
 {
-    const auto pause = [&board](Microseconds time) { board.sleep_until(board.now() + time); };
-    board.panel().sleep(pause);
+    sleep_display(board);
     while (board.running() && board.wants_rest()) {
         sleep_until_frame(board, clock.due());
         clock.advance(board.now());
         board.steer(playhead);
     }
-    board.panel().wake(pause);
+    wake_display(board);
 }
 
 /// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of
@@ -96,7 +61,7 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
 {
     FrameReport report;
     std::uint32_t frames = 0;
-    bool is_dark = true;
+    [[maybe_unused]] bool is_dark = true;
     while (board.running()) {
         advance(board, playhead, frames);
         if constexpr (SteeredBoard<B>)
@@ -104,7 +69,8 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
         if constexpr (RestingBoard<B>)
             if (board.wants_rest()) {
                 rest(board, playhead, clock);
-                player.redraw();
+                if constexpr (PanelBoard<B>)
+                    player.redraw();
                 is_dark = true;
             }
         if constexpr (InputBoard<B>)
@@ -115,8 +81,9 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
             if (board.wants_redraw())
                 player.redraw();
         draw_frame(board, player);
-        if (std::exchange(is_dark, false))
-            light_panel(board);
+        if constexpr (PanelBoard<B>)
+            if (std::exchange(is_dark, false))
+                light_panel(board);
         report.is_late = reached(board.now(), clock.following());
         board.frame_shown(report);
 
@@ -136,43 +103,23 @@ Playhead playhead_for(B& board, const SceneView& scene)
         return Playhead{scene};
 }
 
-/// Happens once at most, and is compiled for size.
-template <Board B>
-[[gnu::cold]] void show_why_nothing_plays(B& board, Error error)
-{
-    if constexpr (NamedBoard<B>)
-        if (is_blank(board.scene_bytes()))
-            return show_card(board, TestCard{board.names(), board.panel().size()});
-    show_card(board, FaultCard{error, board.panel().size()});
-}
-
-/// Whether anything can be drawn.
-template <Board B>
-bool bands_hold_rows(B& board)
-{
-    return rows_per_band(board.panel(), board.bands()[0].size()) != 0;
-}
-
-/// Says on the panel, if the bands hold a row of it, and to the board why nothing is played.
+/// Says on the display, if it can, and to the board why nothing is played.
 template <Board B>
 [[gnu::cold]] void refuse(B& board, Error error)
 {
-    if (bands_hold_rows(board))
-        show_why_nothing_plays(board, error);
+    show_why_nothing_plays(board, error);
     board.fault(error);
 }
 
-/// Plays the board's scene, on a panel that has begun, until the board stops running, or reports why it
-/// cannot be played: an error of SceneView::parse, or block_too_small, also when the bands do not hold a row.
+/// Plays the board's scene, on a display that has begun, until the board stops running, or reports why it
+/// cannot be played: an error of SceneView::parse, or of player_for().
 template <Board B>
 void run_scene(B& board)
 {
     const auto scene = SceneView::parse(board.scene_bytes());
     if (!scene)
         return refuse(board, scene.error());
-    if (!bands_hold_rows(board))
-        return refuse(board, Error::block_too_small);
-    auto player = Player::create(*scene, board.panel().size(), Fit::contain, board.block());
+    auto player = player_for(board, *scene);
     if (!player)
         return refuse(board, player.error());
 
@@ -184,28 +131,31 @@ void run_scene(B& board)
         board.plays(nullptr);
 }
 
-/// Begins the panel, and runs the board's scene.
+/// Begins the display, and runs the board's scene.
 template <Board B>
 void run(B& board)
 {
-    if (bands_hold_rows(board))
-        begin_panel(board);
+    begin_display(board);
     run_scene(board);
+    hold_display(board);
 }
 
-/// Begins the panel, and runs whatever the board has to play, one after another, as long as it wants to run.
+/// Begins the display, and runs whatever the board has to play, one after another, as long as it wants to
+/// run.
 template <ChangingBoard B>
 void run_stage(B& board)
 {
     constexpr Microseconds nap{100'000};
-    if (bands_hold_rows(board))
-        begin_panel(board);
+    begin_display(board);
     while (board.wants_to_run()) {
         if (board.begin())
             run_scene(board);
+        else
+            hold_display(board);
         while (board.running())
             board.linger_until(board.now() + nap);
     }
+    hold_display(board);
 }
 
 }

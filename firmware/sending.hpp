@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-template <Board B>
+template <PanelBoard B>
 using PanelOf = std::remove_reference_t<decltype(std::declval<B&>().panel())>;
 
 /// The rows that a buffer of `bytes` holds and that the panel takes at once.
@@ -31,7 +31,7 @@ void wait_for(P& panel)
 }
 
 /// Starts to send an area as soon as the one before it has arrived.
-template <Board B>
+template <PanelBoard B>
 void send(B& board, Rect area, std::span<const std::byte> pixels)
 {
     if constexpr (WatchingBoard<B>)
@@ -41,14 +41,14 @@ void send(B& board, Rect area, std::span<const std::byte> pixels)
 }
 
 /// Its start-up tables are not to lie on the stack while pictures are drawn.
-template <Board B>
+template <PanelBoard B>
 [[gnu::noinline]] void begin_panel(B& board)
 {
     board.panel().begin([&board](Microseconds time) { board.sleep_until(board.now() + time); });
 }
 
 /// Lets the panel show what was sent, if it was dark until now.
-template <Board B>
+template <PanelBoard B>
 void light_panel(B& board)
 {
     if constexpr (LightedPanel<PanelOf<B>>)

@@ -41,6 +41,7 @@ enum class Status : std::uint8_t {
     drawing_large,   ///< more strokes or points than the input takes; the drawing before stays
     no_text,         ///< likewise
     no_scene,        ///< nothing was ever written where the scene is to lie
+    no_laser,        ///< there is nothing to arm
 };
 
 /// A later device may have more of them.
@@ -126,6 +127,8 @@ constexpr std::string_view status_text(Status status)
         return "this input of the scene is no text"sv;
     case Status::no_scene:
         return "no scene lies there"sv;
+    case Status::no_laser:
+        return "this board leads no laser: nothing is to be armed"sv;
     }
     return ""sv;
 }

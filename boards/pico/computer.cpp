@@ -21,17 +21,14 @@ constinit std::optional<link::Stage> the_stage;
 constinit std::optional<SlotStore<const ChipFlash>> slots;
 constinit std::optional<link::Conversation<const UsbReports, const ChipFlash>> conversation;
 
-void begin_with(const BoardSettings& settings, std::string_view panel, Size panel_size)
+void begin_with(link::StageFacts facts)
 {
-    the_stage.emplace(link::StageFacts{.settings = settings,
-                                       .serial = {usb_reports.serial_number()},
-                                       .board = {"pico"},
-                                       .panel = {panel},
-                                       .panel_size = panel_size,
-                                       .block = memory::player_block(),
-                                       .built_in = memory::scene_region(),
-                                       .is_dimmable = panel_size != Size{},
-                                       .has_boot_loader = true});
+    facts.serial = {usb_reports.serial_number()};
+    facts.board = {"pico"};
+    facts.block = memory::player_block();
+    facts.built_in = memory::scene_region();
+    facts.has_boot_loader = true;
+    the_stage.emplace(facts);
     slots.emplace(chip_flash, rp2040::slot_places);
     conversation.emplace(usb_reports, *the_stage, *slots);
     conversation->begin();
@@ -39,12 +36,12 @@ void begin_with(const BoardSettings& settings, std::string_view panel, Size pane
 
 }
 
-void Computer::begin(const BoardSettings& settings) const
-{
-    begin_with(settings, controller_name(settings.panel.controller), settings.panel.size());
-}
+void Computer::begin(const link::StageFacts& display) const { begin_with(display); }
 
-void Computer::begin_without_display() const { begin_with(no_settings, {}, {}); }
+void Computer::begin_without_display() const
+{
+    begin_with({.settings = no_settings, .player_bytes = nullptr});
+}
 
 link::Stage& Computer::stage() const { return *the_stage; }
 

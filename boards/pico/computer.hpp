@@ -1,7 +1,6 @@
 #pragma once
 
 #include "boards/pico/clock.hpp"
-#include "firmware/board_settings.hpp"
 #include "firmware/link/stage.hpp"
 #include "firmware/microseconds.hpp"
 
@@ -13,9 +12,9 @@ public:
     /// `clock` must outlive it.
     explicit Computer(const Clock& clock) : clock_{clock} {}
 
-    /// Before anything else. What plays when the board starts is what its stage begins with. `settings` must
-    /// outlive it.
-    void begin(const BoardSettings& settings) const;
+    /// Before anything else. What plays when the board starts is what its stage begins with. `display` tells
+    /// about that and the settings; of the rest the computer knows.
+    void begin(const link::StageFacts& display) const;
     /// Likewise, of a board that can show nothing.
     void begin_without_display() const;
 

@@ -1,19 +1,13 @@
 #pragma once
 
+#include "boards/pico/dma_channel.hpp"
 #include "boards/pico/register.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 /// Memory to a register, at the pace of the register's unit: one channel, for the display's bus.
 namespace kfast::pico::dma {
-
-/// Who asks for the next piece: the numbers of the chip's table.
-enum class Request : std::uint32_t { pio0_tx0 = 0, spi0_tx = 16, spi1_tx = 18 };
-
-/// What is written at once.
-enum class Piece : std::uint32_t { byte, word_16 };
 
 /// Needs start_clocks().
 void begin();

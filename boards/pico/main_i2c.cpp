@@ -1,5 +1,6 @@
 #include "boards/pico/gadget.hpp"
 #include "boards/pico/i2c_bus.hpp"
+#include "boards/pico/panel_display.hpp"
 #include "firmware/image_mark.hpp"
 
 [[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::i2c};
@@ -7,5 +8,5 @@
 int main()
 {
     using namespace kfast;
-    pico::Gadget<pico::I2cBus, mark.bus>{}.live();
+    pico::Gadget<pico::PanelDisplay<pico::I2cBus>, mark.bus>{}.live();
 }

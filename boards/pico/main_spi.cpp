@@ -1,4 +1,5 @@
 #include "boards/pico/gadget.hpp"
+#include "boards/pico/panel_display.hpp"
 #include "boards/pico/spi_bus.hpp"
 #include "firmware/image_mark.hpp"
 
@@ -7,5 +8,5 @@
 int main()
 {
     using namespace kfast;
-    pico::Gadget<pico::SpiBus, mark.bus>{}.live();
+    pico::Gadget<pico::PanelDisplay<pico::SpiBus>, mark.bus>{}.live();
 }

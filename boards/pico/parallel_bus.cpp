@@ -1,71 +1,48 @@
 #include "boards/pico/parallel_bus.hpp"
 
 #include "boards/pico/dma.hpp"
-#include "boards/pico/register.hpp"
+#include "boards/pico/pio_unit.hpp"
 #include "boards/pico/resets.hpp"
 #include "boards/pico/write_program.hpp"
 
 namespace kfast::pico {
 namespace {
 
-// PIO0 and its state machine 0
-constexpr Register control{0x5020'0000};
-constexpr Register fifo_status{0x5020'0004};
-constexpr Register events{0x5020'0008};
-constexpr Register transmit{0x5020'0010};
-constexpr Register program_memory(std::uint32_t at) { return Register{0x5020'0048 + 4 * at}; }
-constexpr Register clock_divisor{0x5020'00C8};
-constexpr Register execution{0x5020'00CC};
-constexpr Register shifting{0x5020'00D0};
-constexpr Register execute_now{0x5020'00D8};
-constexpr Register pin_ranges{0x5020'00DC};
-
-constexpr std::uint32_t machine_enable = 1 << 0;
-constexpr std::uint32_t machine_restart = 1 << 4;
-constexpr std::uint32_t transmit_full = 1 << 16;
-constexpr std::uint32_t transmit_empty = 1 << 24;
-constexpr std::uint32_t stalled = 1 << 24; // in `events`, kept until a 1 is written
-constexpr int divisor_at = 16;
-constexpr int wrap_from_at = 12;
-constexpr std::uint32_t refill_by_itself = 1 << 17; // shifting left, the highest bits first
-constexpr int refill_after_at = 25;
-constexpr std::uint32_t one_side_set_pin = 1u << 29;
-constexpr std::uint32_t one_set_pin = 1u << 26;
-constexpr std::uint32_t eight_out_pins = 8u << 20;
-constexpr int side_set_base_at = 10;
-constexpr int set_base_at = 5;
+constexpr pio::Machine machine{0};
+constexpr std::uint32_t eight_out_pins = 8u << pio::out_pins_at;
 
 constexpr int data_pin_count = 8;
 
 void drive_pins(Pin data, Pin write)
 {
-    pin_ranges.write(one_set_pin | eight_out_pins | static_cast<std::uint32_t>(write) << set_base_at | data);
-    execute_now.write(pio::set_pins_1);
-    execute_now.write(pio::set_directions_1);
-    execute_now.write(pio::mov_osr_ones);
-    execute_now.write(pio::out_directions_8);
-    pin_ranges.write(one_side_set_pin | eight_out_pins |
-                     static_cast<std::uint32_t>(write) << side_set_base_at | data);
+    machine.pin_ranges().write(pio::one_set_pin | eight_out_pins |
+                               static_cast<std::uint32_t>(write) << pio::set_base_at | data);
+    machine.execute_now().write(pio::set_pins(1));
+    machine.execute_now().write(pio::set_directions_1);
+    machine.execute_now().write(pio::mov_osr_ones);
+    machine.execute_now().write(pio::out_directions_8);
+    machine.pin_ranges().write(pio::one_side_set_pin | eight_out_pins |
+                               static_cast<std::uint32_t>(write) << pio::side_set_base_at | data);
 }
 
 void load_program(const WriteCycle& cycle)
 {
     const auto program = pio::write_program(cycle);
     for (std::uint32_t at = 0; at < program.size(); ++at)
-        program_memory(at).write(program[at]);
-    clock_divisor.write(cycle.divisor << divisor_at);
-    execution.write((program.size() - 1) << wrap_from_at);
+        pio::program_memory(at).write(program[at]);
+    machine.clock_divisor().write(cycle.divisor << pio::divisor_at);
+    machine.execution().write((program.size() - 1) << pio::wrap_from_at);
 }
 
 // A byte counts as one piece, a word of two bytes as another: the machine forgets what it has taken of the
 // last one, or it would send the rest of it.
 void run_with_pieces_of(std::uint32_t bits)
 {
-    control.write(0);
-    shifting.write(refill_by_itself | bits << refill_after_at);
-    control.write(machine_restart);
-    execute_now.write(pio::jump_to_0 | pio::side_high);
-    control.write(machine_enable);
+    pio::control.write(0);
+    machine.shifting().write(pio::refill_by_itself | bits << pio::refill_after_at);
+    pio::control.write(pio::machine_restart);
+    machine.execute_now().write(pio::jump(0) | pio::side_high);
+    pio::control.write(pio::machine_enable);
 }
 
 }
@@ -77,7 +54,7 @@ ParallelBus::ParallelBus(const BoardSettings& settings)
     const Pin data = settings.pin(PinRole::data);
     const Pin write = settings.pin(PinRole::clock);
     resets::restart(resets::pio0);
-    control.write(0);
+    pio::control.write(0);
     dma::begin();
     load_program(write_cycle(settings.bus_clock));
     drive_pins(data, write);
@@ -104,27 +81,27 @@ void ParallelBus::start_data(std::span<const std::byte> bytes)
 {
     dc_.high();
     select(8);
-    dma::start(bytes, dma::Piece::byte, transmit, dma::Request::pio0_tx0);
+    dma::start(bytes, dma::Piece::byte, machine.transmit(), dma::Request::pio0_tx0);
 }
 
 void ParallelBus::start_words(std::span<const std::byte> words)
 {
     dc_.high();
     select(16);
-    dma::start(words, dma::Piece::word_16, transmit, dma::Request::pio0_tx0);
+    dma::start(words, dma::Piece::word_16, machine.transmit(), dma::Request::pio0_tx0);
 }
 
-// The machine stalls where WR has risen and no data is left. It may have stalled earlier too, waiting for
-// memory, so the stall that counts is one after it has taken the last piece.
+// The machine stalls where WR has risen and no data is left. It may have pio::stalled earlier too, waiting
+// for memory, so the stall that counts is one after it has taken the last piece.
 bool ParallelBus::busy()
 {
-    if (dma::busy() || (fifo_status.read() & transmit_empty) == 0)
+    if (dma::busy() || (pio::fifo_status.read() & pio::transmit_empty) == 0)
         return true;
     if (!waits_for_last_write_) {
         waits_for_last_write_ = true;
-        events.write(stalled);
+        pio::events.write(pio::stalled);
     }
-    return (events.read() & stalled) == 0;
+    return (pio::events.read() & pio::stalled) == 0;
 }
 
 void ParallelBus::select(std::uint32_t piece_bits)
@@ -141,9 +118,9 @@ void ParallelBus::send(std::span<const std::byte> bytes)
 {
     select(8);
     for (const std::byte byte : bytes) {
-        while ((fifo_status.read() & transmit_full) != 0) {
+        while ((pio::fifo_status.read() & pio::transmit_full) != 0) {
         }
-        transmit.write(std::to_integer<std::uint32_t>(byte) << 24);
+        machine.transmit().write(std::to_integer<std::uint32_t>(byte) << 24);
     }
     while (busy()) {
     }

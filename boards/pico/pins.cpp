@@ -6,7 +6,6 @@
 namespace kfast::pico {
 namespace {
 
-constexpr Register pin_control(Pin pin) { return Register{0x4001'4004 + 8u * pin}; }
 constexpr Register pad_control(Pin pin) { return Register{0x4001'C004 + 4u * pin}; }
 
 constexpr std::uint32_t fast_edges = 1 << 0;

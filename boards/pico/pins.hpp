@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boards/pico/register.hpp"
 #include "firmware/board_settings.hpp"
 
 #include <cstdint>
@@ -24,6 +25,9 @@ enum class Pad : std::uint32_t {
     pulled_up,      ///< an input that is high when nothing is wired to it, or I²C
     converter_input ///< no digital input and no pull: a voltage between the levels would only waste current
 };
+
+/// What the pin is led to, and what is forced upon it.
+constexpr Register pin_control(Pin pin) { return Register{0x4001'4004 + 8u * pin}; }
 
 /// Leads the pin to the function. Nothing for no_pin.
 void connect(Pin pin, PinFunction function, Pad pad);

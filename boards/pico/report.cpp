@@ -13,16 +13,22 @@ std::string_view name_of_bus(BusKind bus) { return bus_names[static_cast<std::si
 
 }
 
-void begun(const PanelSettings& panel)
+void begun(const BoardSettings& settings)
 {
     write_text(log, "KFAST ");
     write_text(log, version);
     write_text(log, " pico ");
-    write_text(log, controller_name(panel.controller));
-    log.write(' ');
-    write_decimal(log, static_cast<std::uint32_t>(panel.size().width));
-    log.write('x');
-    write_decimal(log, static_cast<std::uint32_t>(panel.size().height));
+    if (leads_beam(settings.bus)) {
+        write_text(log, "beam ");
+        write_decimal(log, settings.beam.rate);
+    } else {
+        const Size size = settings.panel.size();
+        write_text(log, controller_name(settings.panel.controller));
+        log.write(' ');
+        write_decimal(log, static_cast<std::uint32_t>(size.width));
+        log.write('x');
+        write_decimal(log, static_cast<std::uint32_t>(size.height));
+    }
     log.write('\n');
 }
 

@@ -10,7 +10,7 @@
 
 /// The lines of the log (log.hpp):
 ///
-///     KFAST <version> pico <controller> <width>x<height>
+///     KFAST <version> pico <controller> <width>x<height>      or: beam <points a second>
 ///     SCENE <bytes> <CRC-32>
 ///     EVENT <name>                                            when it is passed, before the frame
 ///     F <time in 1/1024 frame> <frames skipped so far>        when it has arrived
@@ -18,7 +18,7 @@
 ///     FAULT <exception> at <address>                          from start.cpp, before the watchdog resets
 namespace kfast::pico::report {
 
-void begun(const PanelSettings& panel);
+void begun(const BoardSettings& settings);
 void scene_started(std::span<const std::byte> scene);
 void event_passed(std::string_view name);
 void frame_shown(FrameReport frame);

@@ -31,4 +31,6 @@ std::optional<BoardSettings> settings_for(BusKind bus)
     return read_board_record(record);
 }
 
+MaybeMistake mistake_in(const BoardSettings& settings) { return first_mistake(settings); }
+
 }

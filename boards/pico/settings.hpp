@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_settings.hpp"
+#include "firmware/board_rules.hpp"
 
 #include <optional>
 
@@ -10,5 +10,8 @@ namespace kfast::pico {
 /// lies there is no record that this image can read: then nobody knows how the board is wired. Stored ones
 /// may be for another bus and may break any rule (board_rules.hpp).
 std::optional<BoardSettings> settings_for(BusKind bus);
+
+/// As first_mistake(), from flash, where it takes no RAM.
+MaybeMistake mistake_in(const BoardSettings& settings);
 
 }

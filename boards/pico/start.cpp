@@ -25,9 +25,10 @@ void fault_handler();
 
 void timer_0_handler();
 void usb_handler();
-void io_bank0_handler();
 void uart_handler();
-// Of a bus that not every image has.
+// Of what not every image has.
+[[gnu::weak]] void make_safe();
+[[gnu::weak, gnu::alias("fault_handler")]] void io_bank0_handler() noexcept;
 [[gnu::weak, gnu::alias("fault_handler")]] void i2c0_handler() noexcept;
 [[gnu::weak, gnu::alias("fault_handler")]] void i2c1_handler() noexcept;
 
@@ -50,6 +51,8 @@ void uart_handler();
 {
     using namespace kfast;
     using pico::log;
+    if (make_safe != nullptr)
+        make_safe();
     constexpr std::size_t place_of_pc = 6;
     std::uint32_t exception = 0;
     asm volatile("mrs %0, ipsr" : "=r"(exception));

@@ -81,6 +81,6 @@ private:
     Ssd0323<Bus> panel_{bus_, facts_of(Controller::ssd0323).usual};
 };
 
-static_assert(kfast::Board<Board>);
+static_assert(kfast::PanelBoard<Board>);
 
 }

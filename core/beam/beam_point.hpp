@@ -10,7 +10,7 @@ struct BeamPoint {
     FieldPoint at;
     Colour colour = {.opacity = 0}; ///< black with an opacity of 0 where the beam is blanked, else opaque
 
-    bool is_lit() const { return colour.opacity != 0; }
+    constexpr bool is_lit() const { return colour.opacity != 0; }
     friend constexpr bool operator==(const BeamPoint&, const BeamPoint&) = default;
 };
 

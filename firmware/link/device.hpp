@@ -73,6 +73,12 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     { device.seek(time) } -> std::same_as<void>;
     /// Within ±Playhead::fastest.
     { device.set_speed(speed) } -> std::same_as<void>;
+    /// Lets a dangerous beam shine until disarm(), or until the computer that asked for it is gone. Both fail with
+    /// no_laser.
+    { device.arm() } -> std::same_as<Status>;
+    { device.disarm() } -> std::same_as<Status>;
+    /// The computer has fallen silent for longer than it wanted to, or is gone.
+    { device.lose_computer() } -> std::same_as<void>;
     /// Fails with unsupported where the display has none to set.
     { device.set_brightness(number) } -> std::same_as<Status>;
     /// `number` is one of playing().inputs, and `time` within 0 … whole_input.

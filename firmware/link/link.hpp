@@ -68,8 +68,10 @@ public:
         upload_.drop_unplayed(now);
         if (const auto request = std::exchange(waiting_, std::nullopt))
             take_request(*request, now);
-        if (const auto action = silence_.pass(now))
+        if (const auto action = silence_.pass(now)) {
+            device_.lose_computer();
             carry_out(*action);
+        }
         if (device_.is_idle())
             repertoire_.return_to_start();
     }
@@ -77,6 +79,7 @@ public:
     /// The computer is gone, perhaps for a while.
     void lose_computer()
     {
+        device_.lose_computer();
         if (const auto action = silence_.end())
             carry_out(*action);
     }
@@ -178,6 +181,10 @@ private:
             return take<Drawing>(report, now);
         case Kind::silence:
             return take<Silence>(report, now);
+        case Kind::arm:
+            return take<Arm>(report, now);
+        case Kind::disarm:
+            return take<Disarm>(report, now);
         case Kind::boot_loader:
             return take<EnterBootLoader>(report, now);
         case Kind::data:  // needs no answer
@@ -373,6 +380,9 @@ private:
         const Verdict verdict = look_for_input(part.which.input);
         return verdict.is_ok() ? Verdict{device_.tell(part)} : verdict;
     }
+
+    Deed<Kind::arm> carry_out(const Arm&, Asked) { return device_.arm(); }
+    Deed<Kind::disarm> carry_out(const Disarm&, Asked) { return device_.disarm(); }
 
     Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)
     {

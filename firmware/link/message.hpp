@@ -47,6 +47,8 @@ enum class Kind : std::uint8_t {
     points = 0x38,
     drawing = 0x39,
     silence = 0x3A,
+    arm = 0x3B,
+    disarm = 0x3C,
     boot_loader = 0x3F,
     error = 0x7F, ///< only from the device
 };
@@ -98,6 +100,8 @@ using Commit = Plain<Kind::commit>;
 using Cancel = Plain<Kind::cancel>;
 using Pause = Plain<Kind::pause>;
 using Resume = Plain<Kind::resume>;
+using Arm = Plain<Kind::arm>;
+using Disarm = Plain<Kind::disarm>;
 using EnterBootLoader = Plain<Kind::boot_loader>;
 
 /// What the device is.
@@ -130,6 +134,15 @@ struct Names {
     static constexpr void fields(auto&& io, auto& it) { io(it.firmware, it.board, it.panel); }
 };
 
+/// Whether a dangerous beam may shine.
+enum class Arming : std::uint8_t {
+    none, ///< there is no dangerous beam
+    disarmed,
+    armed,
+};
+/// A later device may have more of them.
+constexpr bool is_known(Arming) { return true; }
+
 /// What plays now.
 struct Playing {
     static constexpr Kind kind = Kind::playing;
@@ -146,11 +159,12 @@ struct Playing {
     Time moment{};                ///< where playing stands
     std::int32_t speed = 0;       ///< Q16 of the authored one
     Name clip{};                  ///< empty: the whole scene
+    Arming arming = Arming::none; ///< also if nothing plays
 
     static constexpr void fields(auto&& io, auto& it)
     {
         io(it.is_playing, it.is_paused, it.home, it.slot, it.brightness, it.inputs, it.canvas, it.frame_rate,
-           it.length, it.moment, it.speed, it.clip);
+           it.length, it.moment, it.speed, it.clip, it.arming);
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include "firmware/link/told_drawing.hpp"
 
+#include "core/beam/beam_player.hpp"
 #include "core/player.hpp"
 #include "firmware/version.hpp"
 
@@ -30,6 +31,16 @@ Name beginning_of(std::string_view text)
 
 }
 
+std::size_t panel_player_bytes(const SceneView& scene, const StageFacts& facts)
+{
+    return Player::block_bytes(scene, facts.panel_size);
+}
+
+std::size_t beam_player_bytes(const SceneView& scene, const StageFacts& facts)
+{
+    return BeamPlayer::block_bytes(scene, facts.settings.beam);
+}
+
 Stage::Stage(const StageFacts& facts)
     : facts_{facts}, now_{built_in_act()}, brightness_{facts.settings.panel.brightness},
       turned_brightness_{facts.settings.panel.brightness}
@@ -54,7 +65,7 @@ DeviceFacts Stage::facts() const
 Playing Stage::playing() const
 {
     if (!now_.scene)
-        return {.brightness = brightness_};
+        return {.brightness = brightness_, .arming = arming()};
     return {.is_playing = true,
             .is_paused = controls_->is_paused(),
             .home = now_.programme.home,
@@ -66,7 +77,8 @@ Playing Stage::playing() const
             .length = now_.scene->length(),
             .moment = moment_,
             .speed = controls_->speed(),
-            .clip = controls_->clip()};
+            .clip = controls_->clip(),
+            .arming = arming()};
 }
 
 InputState Stage::input(std::uint8_t number) const
@@ -98,10 +110,7 @@ std::span<const std::byte> Stage::played() const
     return gave_way_ ? gave_way_->programme.scene : std::span<const std::byte>{};
 }
 
-std::size_t Stage::block_bytes(const SceneView& scene) const
-{
-    return Player::block_bytes(scene, facts_.panel_size);
-}
+std::size_t Stage::block_bytes(const SceneView& scene) const { return facts_.player_bytes(scene, facts_); }
 
 /// Where they lie in the block; its end if they lie elsewhere.
 std::size_t Stage::offset_in_block(std::span<const std::byte> bytes) const
@@ -241,6 +250,8 @@ void Stage::set_up_controls()
 void Stage::steered(const Playhead& playhead)
 {
     moment_ = playhead.moment();
+    if (controls_->take_arming())
+        set_armed(!is_armed_);
     if (controls_->brightness() != turned_brightness_)
         brightness_ = turned_brightness_ = controls_->brightness();
 }
@@ -293,6 +304,49 @@ Status Stage::set_brightness(std::uint8_t brightness)
         return Status::unsupported;
     brightness_ = brightness;
     return Status::ok;
+}
+
+Arming Stage::arming() const
+{
+    if (facts_.set_armed == nullptr)
+        return Arming::none;
+    return is_armed_ ? Arming::armed : Arming::disarmed;
+}
+
+void Stage::set_armed(bool is_armed)
+{
+    is_armed_by_computer_ = false;
+    if (facts_.set_armed == nullptr || is_armed == is_armed_)
+        return;
+    is_armed_ = is_armed;
+    facts_.set_armed(is_armed);
+}
+
+/// What somebody at the board has armed stays theirs: only they need to be there.
+Status Stage::arm()
+{
+    if (facts_.set_armed == nullptr)
+        return Status::no_laser;
+    if (is_armed_)
+        return Status::ok;
+    set_armed(true);
+    is_armed_by_computer_ = true;
+    return Status::ok;
+}
+
+Status Stage::disarm()
+{
+    if (facts_.set_armed == nullptr)
+        return Status::no_laser;
+    set_armed(false);
+    return Status::ok;
+}
+
+/// A computer that is gone cannot disarm any more what it has armed.
+void Stage::lose_computer()
+{
+    if (is_armed_by_computer_)
+        set_armed(false);
 }
 
 void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }

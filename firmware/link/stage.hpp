@@ -21,17 +21,27 @@
 
 namespace kfast::link {
 
+struct StageFacts;
+
+/// What a player for a panel of that size takes of the block.
+std::size_t panel_player_bytes(const SceneView& scene, const StageFacts& facts);
+/// What a player for the beam of the settings takes.
+std::size_t beam_player_bytes(const SceneView& scene, const StageFacts& facts);
+
 /// What a board brings along for its stage. What is referred to outlives it.
 struct StageFacts {
     const BoardSettings& settings;
-    StoredText<24> serial{};               ///< unique to the chip
-    StoredText<24> board{};                ///< its name
-    StoredText<24> panel{};                ///< likewise
-    Size panel_size{};                     ///< empty: there is no display that works
-    std::span<std::byte> block;            ///< lent to the player, aligned to 4
+    StoredText<24> serial{}; ///< unique to the chip
+    StoredText<24> board{};  ///< its name
+    StoredText<24> panel{};  ///< likewise
+    Size panel_size{};       ///< empty: there is no display that works; of a beam its resolution, both ways
+    std::size_t (*player_bytes)(const SceneView&, const StageFacts&) = panel_player_bytes;
+    std::span<std::byte> block{};          ///< lent to the player, aligned to 4
     std::span<const std::byte> built_in{}; ///< where a scene may lie, perhaps with more bytes behind it
     bool is_dimmable = false;              ///< the display has a brightness
     bool has_boot_loader = false;
+    /// Lets a dangerous beam shine, or not. Null: there is none. It begins dark.
+    void (*set_armed)(bool is_armed) = nullptr;
 };
 
 /// What plays on a board, and what shall play next, as its computer (Link), its buttons and its knobs have
@@ -63,6 +73,9 @@ public:
     void resume();
     void seek(Time time);
     void set_speed(std::int32_t speed);
+    Status arm();
+    Status disarm();
+    void lose_computer();
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
     Status set_text(std::uint32_t number, std::string_view text);
@@ -119,6 +132,8 @@ private:
     void bring_on(const Act& act);
     void set_up_controls();
     void steered(const Playhead& playhead);
+    Arming arming() const;
+    void set_armed(bool is_armed);
     Time place_of(std::uint32_t number, const InputView& input) const;
 
     StageFacts facts_;
@@ -138,6 +153,8 @@ private:
     std::uint32_t skipped_ = 0;
     std::uint32_t skipped_of_scene_ = 0;
     std::optional<Microseconds> leaves_;
+    bool is_armed_ = false;
+    bool is_armed_by_computer_ = false;
 };
 
 static_assert(Device<Stage>);

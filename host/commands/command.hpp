@@ -43,6 +43,8 @@ extern const Command play_command;
 extern const Command live_command;
 extern const Command pause_command;
 extern const Command resume_command;
+extern const Command arm_command;
+extern const Command disarm_command;
 extern const Command seek_command;
 extern const Command speed_command;
 extern const Command brightness_command;

@@ -61,6 +61,7 @@ Json json_of(const DeviceFacts& facts)
           {"skipped", facts.statistics.skipped},
           {"link_errors", facts.statistics.link_errors}}},
         {"playing", playing_json(facts.playing)},
+        {"armed", armed_json(facts.playing)},
     };
 }
 

@@ -37,19 +37,36 @@ std::string place_text(const link::Playing& playing)
     return playing.home == link::Home::built_in ? "the built-in scene" : "the scene in RAM";
 }
 
+std::string arming_text(const link::Playing& playing)
+{
+    switch (playing.arming) {
+    case link::Arming::disarmed:
+        return ", disarmed";
+    case link::Arming::armed:
+        return ", armed";
+    default:
+        return "";
+    }
+}
+
+}
+
+Json armed_json(const link::Playing& playing)
+{
+    return playing.arming == link::Arming::none ? Json() : Json(playing.arming == link::Arming::armed);
 }
 
 std::string playing_text(const link::Playing& playing)
 {
     if (!playing.is_playing)
-        return "nothing";
+        return "nothing" + arming_text(playing);
     std::string text = place_text(playing);
     if (!playing.clip.view().empty())
         text += ", clip " + visible(playing.clip.view());
     text += ", frame " + scene::text_of(playing.moment) + " of " + scene::text_of(playing.length);
     if (playing.speed != Playhead::as_authored)
         text += ", speed " + scene::text_of(factor(playing.speed));
-    return text + (playing.is_paused ? ", paused" : "");
+    return text + (playing.is_paused ? ", paused" : "") + arming_text(playing);
 }
 
 Json playing_json(const link::Playing& playing)
@@ -83,7 +100,9 @@ void print_playing(std::span<RemoteDevice> devices, const DeviceOptions& options
     for (std::size_t index = 0; index < devices.size(); ++index) {
         const std::string& name = devices[index].name();
         if (options.json)
-            list.push_back({{"device", name}, {"playing", playing_json(playing[index])}});
+            list.push_back({{"device", name},
+                            {"playing", playing_json(playing[index])},
+                            {"armed", armed_json(playing[index])}});
         else
             std::cout << name << ": plays " << playing_text(playing[index]) << '\n';
     }

@@ -14,6 +14,8 @@ namespace kfast {
 std::string playing_text(const link::Playing& playing);
 /// Null if nothing plays.
 nlohmann::ordered_json playing_json(const link::Playing& playing);
+/// Whether the device's laser may shine; null if it has none.
+nlohmann::ordered_json armed_json(const link::Playing& playing);
 
 /// Prints what each device plays by now, as the options want it.
 void print_playing(std::span<RemoteDevice> devices, const DeviceOptions& options);

@@ -32,6 +32,8 @@ void order(const Message& message, const DeviceOptions& options)
 
 void pause(const Options& options) { order(link::Pause{}, options.device); }
 void resume(const Options& options) { order(link::Resume{}, options.device); }
+void arm(const Options& options) { order(link::Arm{}, options.device); }
+void disarm(const Options& options) { order(link::Disarm{}, options.device); }
 
 /// The frame rate is that of what the device plays.
 Time moment_of(const std::string& text, RemoteDevice& device)
@@ -137,6 +139,18 @@ const Command resume_command{.name = "resume",
                              .summary = "Let a device go on playing",
                              .example = "kfast resume --device all",
                              .declare = declare_plain<resume>,
+                             .group = devices_group};
+
+const Command arm_command{.name = "arm",
+                          .summary = "Let the laser of a device shine",
+                          .example = "kfast arm",
+                          .declare = declare_plain<arm>,
+                          .group = devices_group};
+
+const Command disarm_command{.name = "disarm",
+                             .summary = "Make the laser of a device dark, at once",
+                             .example = "kfast disarm --device all",
+                             .declare = declare_plain<disarm>,
                              .group = devices_group};
 
 const Command seek_command{.name = "seek",

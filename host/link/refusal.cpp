@@ -56,6 +56,8 @@ std::string remedy_of(const link::Failure& told)
     case Status::no_scene:
         return "'kfast upload SCENE --choose' brings one for the start, 'kfast uf2 pack --scene' a built-in "
                "one";
+    case Status::no_laser:
+        return "a beam is dangerous if its board's settings say laser=#true";
     case Status::no_such_clip:
         return "'kfast info SCENE' lists them";
     case Status::no_such_input:

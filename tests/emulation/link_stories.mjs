@@ -230,4 +230,36 @@ function cuts(host, { first, second }, wired) {
     return { played: states.map((memory) => playedAfter(memory, wired.settings)) };
 }
 
-export const stories = { tells, ram, slot, nothing, steers, silence, bootLoader, garbage, card, blind, cuts };
+/** A laser: armed, disarmed, armed again; then the computer falls silent. */
+function arming(host, _files, wired) {
+    const told = { arming: [host.playing().arming], at: [] };
+    const order = (which) => {
+        waitForFrames(host, wired, 5);
+        host.must(which);
+        told.at.push(wired.board.nanos);
+        told.arming.push(host.playing().arming);
+    };
+    order(kind.arm);
+    order(kind.disarm);
+    order(kind.arm);
+    host.must(kind.silence, [...u16(100), 1]);
+    host.wait(300);
+    told.arming.push(host.playing().arming);
+    return told;
+}
+
+function armsNothing(host) {
+    return { errors: [host.ask(kind.arm).error, host.ask(kind.disarm).error], arming: host.playing().arming };
+}
+
+/** Into a slot while the built-in scene plays, which goes on. */
+function keeps(host, { first }, wired) {
+    waitForFrames(host, wired, 3);
+    host.upload(home.slot, 4, first);
+    waitForFrames(host, wired, 3);
+    return {};
+}
+
+export const stories = {
+    arming, armsNothing, keeps, tells, ram, slot, nothing, steers, silence, bootLoader, garbage, card, blind, cuts,
+};

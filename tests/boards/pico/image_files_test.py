@@ -6,7 +6,7 @@ import sys
 import unittest
 
 BUILD = pathlib.Path(sys.argv[1])
-IMAGES = ["pico-spi", "pico-i2c", "pico-parallel"]
+IMAGES = ["pico-spi", "pico-i2c", "pico-parallel", "pico-xy"]
 
 FLASH = 0x10000000
 MARK = 0x1A8

@@ -14,7 +14,7 @@ export const home = { builtIn: 0, slot: 1, ram: 2, here: 3, start: 4 };
 export const kind = {
     hello: 0x01, names: 0x02, playing: 0x03, statistics: 0x04, input: 0x05, begin: 0x10, data: 0x11, commit: 0x12,
     cancel: 0x13, slot: 0x20, erase: 0x21, choose: 0x22, play: 0x30, pause: 0x31, resume: 0x32, seek: 0x33, speed: 0x34,
-    brightness: 0x35, inputs: 0x36, silence: 0x3a, bootLoader: 0x3f, error: 0x7f,
+    brightness: 0x35, inputs: 0x36, silence: 0x3a, arm: 0x3b, disarm: 0x3c, bootLoader: 0x3f, error: 0x7f,
 };
 const fromDevice = 0x80;
 
@@ -143,7 +143,8 @@ export class LinkHost {
     playing() {
         const told = this.must(kind.playing);
         return { plays: !!told.u8(2), isPaused: !!told.u8(3), home: told.u8(4), slot: told.u8(5),
-            brightness: told.u8(6), inputs: told.u8(7), moment: told.i32(20), speed: told.i32(24), clip: told.text(28) };
+            brightness: told.u8(6), inputs: told.u8(7), moment: told.i32(20), speed: told.i32(24), clip: told.text(28),
+            arming: told.u8(52) };
     }
 
     statistics() {

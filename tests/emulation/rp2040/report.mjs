@@ -28,6 +28,7 @@ export function report({ board, bus, busTime, display, led, log, settings, teari
         tearingRises: tearing?.rises ?? [],
         log: log.lines,
         commands: display.commands,
+        ...(settings.bus === 'dac' && { lights: display.lights, stale: display.stale }),
         ...(usb && { usb: usb.told }),
         frames: busTime.frames,
     };
@@ -61,7 +62,7 @@ function registers(mcu, { bus, pins, controls }) {
         controls: controls.map(({ kind, pin }) => ({ kind, ...pinRegisters(mcu.gpio[pin]) })),
         ...(bus === 'spi' && { spi: spiRegisters(mcu.spi[(pins.clock >>> 3) & 1]) }),
         ...(bus === 'i2c' && { i2c: i2cRegisters(mcu.i2c[(pins.clock >>> 1) & 1]) }),
-        ...(bus === 'parallel' && { pio: mcu.pio.map(pioRegisters) }),
+        ...((bus === 'parallel' || bus === 'dac') && { pio: mcu.pio.map(pioRegisters) }),
     };
 }
 

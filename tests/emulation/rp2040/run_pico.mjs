@@ -17,6 +17,7 @@ ${wiringUsage}
   --usb                   a computer sets the board up, and sends it a report every millisecond
   --link STORY            a computer speaks the link with it, as a story of ../link_stories.mjs has it
   --file NAME=FILE        for the story; may be repeated
+  --points FILE           what a beam has shown, 16 bytes for each point (mcp4922.mjs)
   --keep-flash FILE       writes the flash there at the end
   --erase-time MILLISECONDS  that a sector takes (default 45)
 
@@ -28,7 +29,7 @@ const options = {
     trace: { type: 'string' }, report: { type: 'string' },
     for: { type: 'string', default: '1000' }, frames: { type: 'string' },
     usb: { type: 'boolean' }, link: { type: 'string' }, file: { type: 'string', multiple: true, default: [] },
-    'keep-flash': { type: 'string' }, 'erase-time': { type: 'string' },
+    points: { type: 'string' }, 'keep-flash': { type: 'string' }, 'erase-time': { type: 'string' },
 };
 
 /** What lets time pass: the board alone, or a computer with it. */
@@ -61,6 +62,8 @@ function main() {
     const failure = run(wired, Number(values.for));
     if (values['keep-flash'])
         fs.writeFileSync(values['keep-flash'], wired.board.memory);
+    if (values.points)
+        fs.writeFileSync(values.points, wired.display.points());
     wired.trace.write(values.trace);
     fs.writeFileSync(values.report, JSON.stringify(report(wired, failure), null, 1));
     if (failure)

@@ -3,11 +3,17 @@
  * and their delays. rp2040js runs it from a timer of the host, all machines whether enabled or not, without dividers
  * and delays.
  *
- * A machine that waits for its FIFO goes on at its next cycle after the word has come, as the real one does.
+ * A machine that waits for its FIFO, or for a flag, goes on at its next cycle after the word has come or the flag was
+ * set, as the real one does.
  */
 export function timePio(mcu, pio) {
     pio.run = () => {};
     const machines = pio.machines.map((machine) => new TimedMachine(mcu, pio, machine));
+    pio.irqUpdated = () => { // rp2040js's lets waiting machines go on at once
+        pio.checkInterrupts();
+        for (const machine of machines)
+            machine.heed();
+    };
     const write = pio.writeUint32.bind(pio);
     pio.writeUint32 = (offset, value) => {
         write(offset, value);
@@ -75,7 +81,7 @@ class TimedMachine {
         else
             machine.step();
         this.pio.checkChangedPins();
-        this.#starved = machine.waiting && machine.txFIFO.empty && isStarved(machine);
+        this.#starved = machine.waiting && (waitsForFlag(machine) || machine.txFIFO.empty && isStarved(machine));
         if (!this.#starved)
             this.#wait(Math.max(machine.cycles - before, 1));
     }
@@ -91,7 +97,13 @@ class TimedMachine {
         this.pio.txStall &= ~(txStall << machine.index);
         machine.updateDMATx();
         this.pio.checkInterrupts();
-        if (this.#starved)
+        if (this.#starved && !waitsForFlag(machine))
+            this.#resume();
+    }
+
+    /** A flag has changed. */
+    heed() {
+        if (this.#starved && waitsForFlag(this.machine) && this.pio.irq & (1 << this.machine.waitIndex))
             this.#resume();
     }
 
@@ -105,6 +117,12 @@ class TimedMachine {
 
 const txOverflow = 1 << 16;
 const txStall = 1 << 24;
+
+/** Whether a machine that waits does so for a flag to be set. */
+function waitsForFlag(machine) {
+    const flag = 4; // rp2040js's WaitType.IRQ
+    return machine.waitType === flag && machine.waitPolarity;
+}
 
 /** Whether a machine that waits does so for a word to send. */
 function isStarved(machine) {

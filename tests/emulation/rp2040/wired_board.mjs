@@ -9,6 +9,7 @@ import { fail } from './emulation_error.mjs';
 import { HeldData } from './held_data.mjs';
 import { Led } from './led.mjs';
 import { LogLine } from './log_line.mjs';
+import { Mcp4922, ReadBack } from './mcp4922.mjs';
 import { Inputs, noPin } from './pins.mjs';
 import { sceneOffset, settingsOffset } from './settings.mjs';
 import { TearingLine } from './tearing_line.mjs';
@@ -91,6 +92,17 @@ export function chipNumber({ 'chip-number': text }) {
     return Uint8Array.from(Buffer.from(text, 'hex'));
 }
 
+function addPanel(board, settings, trace, busTime) {
+    const display = board.add(new Display(settings, trace, busTime));
+    return { display, bus: board.add(busFor(display)) };
+}
+
+function addBeam(board, inputs, settings) {
+    const beam = board.add(new Mcp4922(settings));
+    board.add(new ReadBack(inputs, settings.pins.data));
+    return { display: beam, bus: beam };
+}
+
 /** A board with everything wired to it that the settings and the options tell. */
 export function wiredBoard(memory, settings, values) {
     const trace = new Trace();
@@ -98,8 +110,8 @@ export function wiredBoard(memory, settings, values) {
     const board = new Board(memory, chipNumber(values));
     busTime.programCounter = () => board.mcu.core.PC;
     const inputs = board.add(new Inputs());
-    const display = board.add(new Display(settings, trace, busTime));
-    const bus = board.add(busFor(display));
+    const { display, bus } = settings.bus === 'dac' ? addBeam(board, inputs, settings)
+        : addPanel(board, settings, trace, busTime);
     const led = board.add(new Led());
     const log = board.add(new LogLine(settings, trace));
     board.add(new Controls(inputs, actions(values)));

@@ -128,6 +128,18 @@ TEST_CASE("playing is steered")
     CHECK(bench.device.is_in_boot_loader);
 }
 
+TEST_CASE("a laser is armed and disarmed, and what is none is not")
+{
+    LinkBench bench;
+    CHECK(bench.refusal(Arm{}) == Verdict{Status::no_laser});
+    CHECK(bench.refusal(Disarm{}) == Verdict{Status::no_laser});
+    bench.device.now.arming = Arming::disarmed;
+    CHECK(bench.does(Arm{}));
+    CHECK(bench.device.now.arming == Arming::armed);
+    CHECK(bench.does(Disarm{}));
+    CHECK(bench.device.now.arming == Arming::disarmed);
+}
+
 TEST_CASE("inputs are set together, or none of them")
 {
     LinkBench bench;

@@ -91,6 +91,9 @@ public:
     void resume() { now.is_paused = false; }
     void seek(Time time) { now.moment = time; }
     void set_speed(std::int32_t speed) { now.speed = speed; }
+    Status arm() { return set_armed(true); }
+    Status disarm() { return set_armed(false); }
+    void lose_computer() { ++computers_lost; }
     Status set_brightness(std::uint8_t brightness)
     {
         now.brightness = brightness;
@@ -108,6 +111,13 @@ public:
     Status enter_boot_loader(Microseconds)
     {
         is_in_boot_loader = true;
+        return Status::ok;
+    }
+    Status set_armed(bool is_armed)
+    {
+        if (now.arming == link::Arming::none)
+            return Status::no_laser;
+        now.arming = is_armed ? link::Arming::armed : link::Arming::disarmed;
         return Status::ok;
     }
     void stop()
@@ -132,6 +142,7 @@ public:
     std::map<std::uint32_t, Time> inputs;
     std::map<std::uint32_t, std::string> texts;
     bool is_in_boot_loader = false;
+    int computers_lost = 0;
     bool says_that_nothing_plays = false;
     int puts_off = 0; ///< how often lend_ram() is to be called in vain
     std::span<std::byte> lent;

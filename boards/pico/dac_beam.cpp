@@ -1,0 +1,134 @@
+#include "boards/pico/dac_beam.hpp"
+
+#include "boards/pico/dac_program.hpp"
+#include "boards/pico/looped_words.hpp"
+#include "boards/pico/pins.hpp"
+#include "boards/pico/pio_unit.hpp"
+#include "boards/pico/resets.hpp"
+#include "boards/pico/shutter.hpp"
+#include "firmware/dac_point.hpp"
+
+#include <array>
+
+namespace kfast::pico {
+namespace {
+
+using looped_words::Loop;
+
+constexpr pio::Machine teller{0};
+constexpr pio::Machine clock{1};
+constexpr std::uint32_t both_machines = 3;
+
+/// 41 ms at 100,000 points a second, as long as most profiles allow; 16 KiB each, of which two take no more
+/// than the bands of a panel.
+constexpr std::size_t most_points = 4096;
+
+std::array<std::array<std::uint32_t, most_points>, 2> pictures;
+std::array<Loop, 2> picture_loops;
+std::uint32_t parked_point;
+Loop parked_loop;
+
+/// Gives a pin to the machine that has a side-set, set or out pin there, and its level at the beginning.
+void drive(const pio::Machine& machine, Pin pin, std::uint32_t level)
+{
+    machine.pin_ranges().write(pio::one_set_pin | static_cast<std::uint32_t>(pin) << pio::set_base_at);
+    machine.execute_now().write(pio::set_pins(level));
+    machine.execute_now().write(pio::set_directions_1);
+}
+
+template <std::size_t size>
+void load(const pio::Machine& machine, const std::array<std::uint32_t, size>& program, std::uint32_t place)
+{
+    for (std::uint32_t at = 0; at < size; ++at)
+        pio::program_memory(place + at).write(program[at]);
+    machine.execution().write((place + size - 1) << pio::wrap_from_at | place << pio::wrap_to_at);
+    machine.shifting().write(0); // to the left, nothing by itself
+}
+
+void give(const pio::Machine& machine, std::uint32_t word, std::uint32_t take_over)
+{
+    machine.transmit().write(word);
+    machine.execute_now().write(pio::pull);
+    machine.execute_now().write(take_over);
+}
+
+std::uint32_t range(Pin pin, int at) { return static_cast<std::uint32_t>(pin) << at; }
+
+void set_up_teller(const BoardSettings& settings, std::uint32_t parked)
+{
+    const Pin bits = settings.pin(PinRole::clock);
+    const Pin data = settings.pin(PinRole::data);
+    const Pin select = settings.pin(PinRole::select);
+    const rp2040::DacBit bit = rp2040::dac_bit(settings.bus_clock);
+    load(teller, pio::telling_program(bit), 0);
+    teller.clock_divisor().write(bit.divisor << pio::divisor_at);
+    drive(teller, bits, 0);
+    drive(teller, data, 1);
+    drive(teller, select, 1);
+    teller.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) | pio::one_set_pin |
+                              range(select, pio::set_base_at) | 1u << pio::out_pins_at |
+                              range(data, pio::out_base_at));
+    give(teller, parked, pio::mov_isr_osr);
+    teller.execute_now().write(pio::jump(0));
+    for (const Pin pin : {bits, data, select})
+        connect(pin, PinFunction::pio0, Pad::fast_output);
+}
+
+void set_up_clock(const BoardSettings& settings, std::uint32_t place)
+{
+    const Pin ldac = settings.pin(PinRole::ldac);
+    const Pin blank = settings.pin(PinRole::blank);
+    const pio::PointClock points = pio::point_clock(rp2040::cycles_per_point(settings.beam.rate));
+    load(clock, pio::point_clock_program(points, place), place);
+    clock.clock_divisor().write(1 << pio::divisor_at);
+    drive(clock, ldac, 1);
+    drive(clock, blank, 1);
+    clock.pin_ranges().write(pio::one_side_set_pin | range(ldac, pio::side_set_base_at) |
+                             range(settings.pin(PinRole::data), pio::in_base_at) | 1u << pio::out_pins_at |
+                             range(blank, pio::out_base_at));
+    give(clock, points.turns, pio::mov_y_osr);
+    clock.execute_now().write(pio::jump(place) | pio::side_high);
+    connect(ldac, PinFunction::pio0, Pad::fast_output);
+    shutter::hand_over();
+}
+
+}
+
+DacBeam::DacBeam(const BoardSettings& settings) : profile_{settings.beam}
+{
+    parked_point = dac_point({.at = profile_.park}, profile_.brightness);
+    parked_loop = Loop{std::span{&parked_point, 1}};
+    resets::restart(resets::pio0);
+    set_up_teller(settings, parked_point);
+    set_up_clock(settings, static_cast<std::uint32_t>(pio::telling_program({}).size()));
+    looped_words::begin(parked_loop, teller.transmit(), dma::Request::pio0_tx0);
+    pio::control.write(both_machines * (pio::machine_enable | pio::divisor_restart));
+}
+
+std::uint32_t DacBeam::room() const { return most_points; }
+
+bool DacBeam::takes_picture() const { return looped_words::has_gone_over(); }
+
+void DacBeam::plot(std::span<const BeamPoint> points)
+{
+    for (const BeamPoint& point : points)
+        pictures[plotted_][points_++] = dac_point(point, profile_.brightness);
+}
+
+void DacBeam::show()
+{
+    picture_loops[plotted_] = Loop{std::span{pictures[plotted_]}.first(points_)};
+    looped_words::go_over_to(picture_loops[plotted_]);
+    plotted_ = 1 - plotted_;
+    points_ = 0;
+    shutter::set_busy(true);
+}
+
+void DacBeam::park()
+{
+    shutter::set_busy(false);
+    looped_words::go_over_to(parked_loop);
+    points_ = 0;
+}
+
+}

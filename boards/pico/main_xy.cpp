@@ -1,0 +1,11 @@
+#include "boards/pico/beam_display.hpp"
+#include "boards/pico/gadget.hpp"
+#include "firmware/image_mark.hpp"
+
+[[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::dac};
+
+int main()
+{
+    using namespace kfast;
+    pico::Gadget<pico::BeamDisplay, mark.bus>{}.live();
+}
