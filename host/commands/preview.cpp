@@ -1,3 +1,4 @@
+#include "host/commands/audio_options.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
@@ -22,6 +23,7 @@ struct PreviewOptions {
     std::optional<std::vector<PreviewKey>> script;
     PlayOptions play;
     PictureOptions picture;
+    AudioOptions audio;
 };
 
 std::vector<PreviewKey> read_script(const std::string& text)
@@ -65,7 +67,8 @@ void preview(const PreviewOptions& options)
     const SceneFile scene = load_scene(options.file);
     const Programme programme =
         chosen_programme(options.play, scene.view, chosen_inputs(options.picture.inputs, scene.view));
-    const auto source = open_source(options.picture, scene);
+    const auto source =
+        heard(open_source(options.picture, scene), options.audio, std::nullopt, options.picture, scene);
     if (options.headless)
         return preview_headless(options, *source, programme);
     if (!options.terminal && play_in_window(*source, programme, options.file, options.loops))
@@ -96,7 +99,7 @@ void declare(CLI::App& app)
             ->check(CLI::Range(1, 1000000));
     CLI::Option* headless =
         app.add_flag("--headless", options->headless, "Show nothing; print the events and a summary");
-    headless->excludes(terminal)->excludes(loops);
+    headless->excludes(terminal)->excludes(loops)->excludes(declare_audio_options(app, options->audio));
     app.add_option_function<std::string>(
            "--keys", [options](const std::string& text) { options->script = read_script(text); },
            "With --headless: press these keys, print what each shows")
