@@ -4,8 +4,12 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_course.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_gait.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_lines.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pace.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pen.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_piece.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_plot.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_route.cpp
@@ -14,6 +18,8 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/beam/strip_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour_improvement.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_turn.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/leg_corners.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/blending.cpp
