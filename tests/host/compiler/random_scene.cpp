@@ -282,7 +282,19 @@ private:
             cover_with_skin(object);
         else if (random_() % 8 == 0)
             object.backbone_keys = backbone_keys();
+        object.beam = beam_style(object, time);
         return object;
+    }
+
+    /// Draws no random number: scenes stay what they are without it.
+    static BeamStyle beam_style(const scene::Object& object, Time time)
+    {
+        BeamStyle style{.parts = static_cast<BeamParts>(time.ticks & (object.fill ? 3 : 1))};
+        if (style.has_hatching()) {
+            style.spacing = 8 + time.ticks % 1000;
+            style.direction = BinaryAngle::from_raw(time.ticks);
+        }
+        return style;
     }
 
     /// Of an input of its own, the number of which is one of `texts_`.
