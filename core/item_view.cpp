@@ -14,6 +14,7 @@ constexpr std::uint32_t stroked_bit = 1 << 4;
 constexpr std::uint32_t even_odd_bit = 1 << 5;
 constexpr std::uint32_t arrivals_bit = 1 << 6;
 constexpr std::uint32_t carried_bit = 1 << 7;
+constexpr std::uint32_t beam_bit = 1 << 7; ///< beside the number of tracks
 
 bool is_known(std::uint32_t head, ItemKind kind)
 {
@@ -31,16 +32,31 @@ bool is_known(std::uint32_t head, ItemKind kind)
     return false;
 }
 
+BeamStyle take_beam_style(ByteReader& bytes)
+{
+    BeamStyle style{.parts = static_cast<BeamParts>(bytes.u8())};
+    if (!style.has_hatching())
+        return style;
+    style.spacing = static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_width + 1));
+    style.direction = BinaryAngle::from_raw(static_cast<std::int32_t>(bytes.varint()));
+    return style;
+}
+
 void take_tracks(ByteReader& bytes, ItemView& item)
 {
-    const std::uint32_t count = bytes.u8();
+    const std::uint32_t head = bytes.u8();
+    const std::uint32_t count = head & ~beam_bit;
     item.tracks = TrackCursor{bytes, count};
-    item.is_known = item.is_known && count != 0;
+    item.is_known = item.is_known && head != 0;
     bool has_path = false;
     TrackCursor cursor = item.tracks;
     while (!cursor.at_end())
         has_path = cursor.next().property == Property::along || has_path;
     bytes = cursor.rest();
+    if ((head & beam_bit) != 0) {
+        item.is_known = item.is_known && item.is_leaf();
+        item.beam = take_beam_style(bytes);
+    }
     if (!has_path)
         return;
     item.path = PathView::take(bytes);

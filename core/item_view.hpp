@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/backbone_view.hpp"
+#include "core/beam_style.hpp"
 #include "core/beat_cursor.hpp"
 #include "core/byte_reader.hpp"
 #include "core/fill_rule.hpp"
@@ -117,6 +118,7 @@ struct ItemView {
     bool is_known = false;            ///< no bit is set without a meaning
     const std::byte* place = nullptr; ///< where it begins in the scene's bytes
     TrackCursor tracks;
+    BeamStyle beam{};         ///< only of an object and a live item
     PathView path;            ///< only if there is a track of Property::along
     ObjectView object;        ///< only of an object; the style also of a live item
     LiveView live{};          ///< only of a live item

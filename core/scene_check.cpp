@@ -51,6 +51,14 @@ bool is_sound(const Binding& binding, std::uint32_t bones)
     return sound;
 }
 
+bool is_sound(const BeamStyle& beam, const ObjectStyle& style)
+{
+    if (beam.parts > BeamParts::both)
+        return false;
+    return !beam.has_hatching() ||
+           (style.is_filled && beam.spacing >= kfb::min_hatch_spacing && beam.spacing <= kfb::max_width);
+}
+
 }
 
 bool SceneCheck::passes()
@@ -137,7 +145,8 @@ bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std
 
 bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, std::uint32_t depth)
 {
-    if (!item.is_known || !check_tracks(item) || (item.path.is_known && !check_path(item)))
+    if (!item.is_known || !check_tracks(item) || !is_sound(item.beam, item.object.style) ||
+        (item.path.is_known && !check_path(item)))
         return false;
     switch (item.kind) {
     case ItemKind::object:

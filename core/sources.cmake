@@ -15,7 +15,13 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_route.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_turn.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/hatching.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/hatching_bytes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/leg_corners.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/nearest_leg.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/strip_order.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/tour.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/tour_improvement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/blending.cpp

@@ -55,6 +55,12 @@ public:
         return line.points > 2 && points(line).front() == points(line).back();
     }
 
+    /// Memory for whoever adds lines: they fill it from both ends.
+    std::span<std::byte> spare()
+    {
+        const std::size_t front = point_count_ * sizeof(FieldPoint);
+        return {reinterpret_cast<std::byte*>(points_) + front, size_ - used_bytes()};
+    }
     /// Something found no room: the picture is not complete.
     bool is_full() const { return is_full_; }
     std::size_t used_bytes() const

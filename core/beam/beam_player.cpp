@@ -1,6 +1,7 @@
 #include "core/beam/beam_player.hpp"
 
 #include "core/beam/beam_tracer.hpp"
+#include "core/beam/hatching_bytes.hpp"
 #include "core/block_cutter.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ struct BlockPlan {
         for (int reach = 16 * std::max(scene.canvas().width, scene.canvas().height);
              reach < profile.resolution; reach *= 4)
             bytes *= 2;
-        return whole_words(bytes) + 64;
+        return whole_words(bytes) + hatching_bytes(scene) + 64;
     }
 
     std::size_t size() const { return lines + legs + live; }
@@ -97,6 +98,7 @@ void BeamPlayer::trace(Time time)
     BeamTracer tracer{on_panel(), moment, profile_.resolution, lines_};
     tracer.run();
     still_ = tracer.still();
+    wider_hatchings_ = tracer.wider_hatchings();
     const std::span<BeamLeg> legs = leg_storage_.first(lines_.size());
     find_route(lines_, profile_.park, legs);
     legs_ = legs;
@@ -113,7 +115,8 @@ void BeamPlayer::measure()
                .blanked_length = amount.blanked_length,
                .lines = static_cast<std::uint32_t>(pace_.legs),
                .haste = pace_.haste,
-               .is_complete = !lines_.is_full() && pace_.legs == lines_.size()};
+               .is_complete = !lines_.is_full() && pace_.legs == lines_.size(),
+               .wider_hatchings = wider_hatchings_};
 }
 
 }

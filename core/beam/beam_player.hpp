@@ -25,7 +25,8 @@ struct BeamReport {
     std::uint64_t blanked_length = 0;
     std::uint32_t lines = 0; ///< that are drawn
     int haste = 0; ///< how often the beam was made a quarter faster (2^(1/4)), to keep within the budget
-    bool is_complete = true; ///< there was room and time for all lines
+    bool is_complete = true;           ///< there was room and time for all lines
+    std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as told
 };
 
 /// Draws any moment of a scene as points of a beam, in memory that the caller lends.
@@ -68,6 +69,7 @@ private:
     std::span<const BeamLeg> legs_;
     BeamPace pace_;
     BeamReport report_;
+    std::uint32_t wider_hatchings_ = 0;
     Still still_;
 };
 

@@ -1,11 +1,152 @@
 #include "core/beam/beam_route.hpp"
 
-namespace kfast {
+#include "core/beam/beam_travel.hpp"
+#include "core/beam/nearest_leg.hpp"
+#include "core/beam/route_effort.hpp"
+#include "core/beam/strip_order.hpp"
+#include "core/beam/tour.hpp"
+#include "core/beam/tour_improvement.hpp"
 
-void find_route(const BeamLines& lines, FieldPoint, std::span<BeamLeg> legs)
+#include <algorithm>
+#include <limits>
+
+namespace kfast {
+namespace {
+
+/// As many as can all be compared with each other in a few milliseconds.
+constexpr std::size_t most_compared = 128;
+
+/// Tries to find a route from several beginnings. There is room for one route only: it is known of the best
+/// one how it was found, and it is found once more if it was not the last.
+class RouteSearch {
+public:
+    RouteSearch(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs)
+        : lines_{lines}, from_{from}, legs_{legs}
+    {
+    }
+
+    void run(std::uint32_t effort);
+
+private:
+    struct Attempt {
+        std::size_t number = 0;
+        std::uint32_t allowed = 0; ///< effort
+        std::uint32_t spent = 0;
+        std::uint64_t travel = std::numeric_limits<std::uint64_t>::max();
+    };
+
+    Attempt attempt(std::size_t number, std::uint32_t allowed);
+    std::size_t attempts() const { return legs_.size() <= most_compared ? 2 * legs_.size() + 1 : 1; }
+    void begin(std::size_t number, RouteEffort& effort);
+    void begin_with_shortest(std::uint32_t effort);
+    void order_by_lines(FieldPoint from, std::uint32_t effort);
+    void keep_order();
+    std::size_t window(std::uint32_t effort) const;
+
+    const BeamLines& lines_;
+    FieldPoint from_;
+    std::span<BeamLeg> legs_;
+};
+
+void RouteSearch::run(std::uint32_t effort)
 {
-    for (std::size_t number = 0; number < lines.size(); ++number)
-        legs[number] = {.line = static_cast<std::uint16_t>(number)};
+    Attempt best = attempt(0, effort);
+    std::uint32_t left = effort - best.spent;
+    bool is_found = true;
+    for (std::size_t number = 1; number < attempts() && left > best.spent && best.travel != 0; ++number) {
+        const Attempt other = attempt(number, left - best.spent);
+        left -= other.spent;
+        is_found = other.travel < best.travel;
+        if (is_found)
+            best = other;
+    }
+    if (!is_found)
+        attempt(best.number, best.allowed);
+}
+
+RouteSearch::Attempt RouteSearch::attempt(std::size_t number, std::uint32_t allowed)
+{
+    RouteEffort effort{allowed};
+    begin(number, effort);
+    Tour tour{lines_, legs_};
+    improve(tour, window(allowed), effort);
+    return {number, allowed, allowed - effort.left(), travel_of(lines_, legs_)};
+}
+
+void RouteSearch::begin(std::size_t number, RouteEffort& effort)
+{
+    if (number == 0)
+        return begin_with_shortest(effort.left());
+    const auto points = lines_.points(lines_.line((number - 1) / 2));
+    order_by_lines(number % 2 == 0 ? points.back() : points.front(), effort.left());
+    effort.spend(static_cast<std::uint32_t>(legs_.size() * legs_.size() / 2));
+}
+
+/// As drawn, item by item, or line by line.
+void RouteSearch::begin_with_shortest(std::uint32_t effort)
+{
+    keep_order();
+    const std::uint64_t as_drawn = travel_of(lines_, legs_);
+    const bool has_items = follow_nearest_items(lines_, from_, most_compared, legs_);
+    const std::uint64_t by_items = has_items ? travel_of(lines_, legs_) : as_drawn;
+    order_by_lines(from_, effort);
+    if (travel_of(lines_, legs_) < std::min(as_drawn, by_items))
+        return;
+    if (by_items < as_drawn)
+        follow_nearest_items(lines_, from_, most_compared, legs_);
+    else
+        keep_order();
+}
+
+void RouteSearch::order_by_lines(FieldPoint from, std::uint32_t effort)
+{
+    const bool is_few = legs_.size() <= most_compared;
+    if (is_few)
+        keep_order();
+    else
+        order_by_strips(lines_, legs_);
+    follow_nearest_lines(lines_, from, is_few ? legs_.size() : window(effort), legs_);
+}
+
+void RouteSearch::keep_order()
+{
+    for (std::size_t number = 0; number < legs_.size(); ++number)
+        legs_[number] = {.line = static_cast<std::uint16_t>(number)};
+}
+
+/// How many legs each one may be compared with, if all of them together may cost the effort.
+std::size_t RouteSearch::window(std::uint32_t effort) const
+{
+    return std::clamp<std::size_t>(effort / legs_.size() / 2, 1, legs_.size());
+}
+
+std::size_t nearest_to(FieldPoint from, const Tour& tour)
+{
+    std::size_t nearest = 0;
+    for (std::size_t place = 1; place < tour.size(); ++place)
+        if (beam_travel(from, tour.begin_of(place)) < beam_travel(from, tour.begin_of(nearest)))
+            nearest = place;
+    return nearest;
+}
+
+}
+
+void find_route(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs, std::uint32_t effort)
+{
+    if (legs.empty())
+        return;
+    RouteSearch{lines, from, legs}.run(effort);
+    Tour tour{lines, legs};
+    tour.begin_at(nearest_to(from, tour));
+}
+
+std::uint64_t travel_of(const BeamLines& lines, std::span<const BeamLeg> legs)
+{
+    std::uint64_t travel = 0;
+    for (std::size_t i = 0; i < legs.size(); ++i)
+        travel += static_cast<std::uint64_t>(
+            beam_travel(end_of(lines, legs[i == 0 ? legs.size() - 1 : i - 1]), begin_of(lines, legs[i])));
+    return travel;
 }
 
 }

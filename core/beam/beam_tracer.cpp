@@ -1,6 +1,7 @@
 #include "core/beam/beam_tracer.hpp"
 
 #include "core/beam/beam_pen.hpp"
+#include "core/beam/hatching.hpp"
 #include "core/channel.hpp"
 #include "core/item_path.hpp"
 #include "core/label_trace.hpp"
@@ -38,6 +39,7 @@ void BeamTracer::trace_scene()
 {
     lines_.clear();
     still_ = {};
+    wider_hatchings_ = 0;
     trace(on_panel_.scene.items(), {on_panel_.canvas});
 }
 
@@ -61,31 +63,32 @@ void BeamTracer::trace(const ItemView& item, const Context& outer)
     if (!item.tracks.at_end())
         context.space = outer.space * state.placement();
     if (item.kind == ItemKind::object)
-        trace_object(item.object, state, context);
+        trace_object(item, state, context);
     else if (item.kind == ItemKind::live)
         trace_live(item, state, context);
     else
         trace(on_panel_.scene.items_in(item), context);
 }
 
-void BeamTracer::trace_object(const ObjectView& object, const ItemState& state, const Context& context)
+void BeamTracer::trace_object(const ItemView& item, const ItemState& state, const Context& context)
 {
-    const ObjectStrokes strokes{on_panel_, object, moment_};
+    const ObjectStrokes strokes{on_panel_, item.object, moment_};
     still_ = still_ & strokes.still();
-    if (object.has_depths)
-        return trace_wires(strokes, state, context);
-    add_lines(object.style, state, context,
-              [&](const Affine& placement, BeamPen& pen) { strokes.trace(placement, pen); });
+    if (item.object.has_depths)
+        return trace_wires(item, strokes, state, context);
+    add_lines(item, state, context,
+              [&](const Affine& placement, auto& pen) { strokes.trace(placement, pen); });
 }
 
 /// Points come as they are seen.
-void BeamTracer::trace_wires(const ObjectStrokes& strokes, const ItemState& state, const Context& context)
+void BeamTracer::trace_wires(const ItemView& item, const ObjectStrokes& strokes, const ItemState& state,
+                             const Context& context)
 {
     const Colour colour = shining(state.stroke(), context.opacity);
-    if (brightness(colour) == 0)
+    if (!item.beam.has_outline() || brightness(colour) == 0)
         return;
     const Projection projection{context.space, on_panel_.camera};
-    BeamPen pen{lines_, Sight{nullptr, coarseness_}, resolution_, colour, context.path};
+    BeamPen pen{lines_, Sight{nullptr, coarseness_}, resolution_, BeamInk::stroke, colour, context.path};
     strokes.trace(projection, pen);
 }
 
@@ -93,7 +96,7 @@ void BeamTracer::trace_live(const ItemView& item, const ItemState& state, const 
 {
     still_ = still_ & Still{.inputs = bit_of_input(item.live.input)};
     const SceneView& scene = on_panel_.scene;
-    add_lines(item.object.style, state, context, [&](const Affine& placement, BeamPen& pen) {
+    add_lines(item, state, context, [&](const Affine& placement, auto& pen) {
         switch (item.live.kind) {
         case LiveKind::drawing:
             return trace_live_strokes(on_panel_.drawings.of(scene, item.live.input), placement, pen);
@@ -107,18 +110,46 @@ void BeamTracer::trace_live(const ItemView& item, const ItemState& state, const 
 
 /// trace(placement, pen) tells the strokes to a pen.
 template <class Trace>
-void BeamTracer::add_lines(const ObjectStyle& style, const ItemState& state, const Context& context,
-                           Trace trace)
+void BeamTracer::add_lines(const ItemView& item, const ItemState& state, const Context& context, Trace trace)
 {
-    const Colour colour = shining(style.is_stroked ? state.stroke() : state.fill(), context.opacity);
-    if (brightness(colour) == 0)
+    if (item.beam.has_hatching())
+        add_hatching(item, state.fill(), context, trace);
+    if (!item.beam.has_outline())
+        return;
+    const bool is_stroked = item.object.style.is_stroked;
+    draw(is_stroked ? BeamInk::stroke : BeamInk::outline, is_stroked ? state.stroke() : state.fill(), context,
+         trace);
+}
+
+template <class Trace>
+void BeamTracer::add_hatching(const ItemView& item, Colour colour, const Context& context, Trace trace)
+{
+    constexpr int widest = 16;
+    for (int wider = coarseness_; wider <= widest; ++wider) {
+        Hatching hatching{lines_.spare(), item.beam, wider, coarseness_};
+        trace(Affine{}, hatching);
+        if (hatching.is_full())
+            continue;
+        wider_hatchings_ += wider > 0 ? 1 : 0;
+        return draw(BeamInk::stroke, colour, context, [&](const Affine& placement, BeamPen& pen) {
+            hatching.trace(item.object.style.fill_rule, placement, pen);
+        });
+    }
+    ++wider_hatchings_;
+}
+
+/// draw_with(placement, pen) draws something, in its own space, with a pen.
+template <class DrawWith>
+void BeamTracer::draw(BeamInk ink, Colour colour, const Context& context, DrawWith draw_with)
+{
+    const Colour seen = shining(colour, context.opacity);
+    if (brightness(seen) == 0)
         return;
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
-    BeamPen pen{lines_,      Sight{is_flat ? nullptr : &projection, coarseness_},
-                resolution_, style.is_stroked ? BeamInk::stroke : BeamInk::outline,
-                colour,      context.path};
-    trace(is_flat ? context.space.plane : Affine{}, pen);
+    const Sight sight{is_flat ? nullptr : &projection, coarseness_};
+    BeamPen pen{lines_, sight, resolution_, ink, seen, context.path};
+    draw_with(is_flat ? context.space.plane : Affine{}, pen);
 }
 
 }

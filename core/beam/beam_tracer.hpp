@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_lines.hpp"
+#include "core/beam/beam_pen.hpp"
 #include "core/item_state.hpp"
 #include "core/item_view.hpp"
 #include "core/moment.hpp"
@@ -26,6 +27,8 @@ public:
     void run();
     /// How long the picture stays as it is.
     const Still& still() const { return still_; }
+    /// Of so many objects the hatching had to be wider than told, to find room.
+    std::uint32_t wider_hatchings() const { return wider_hatchings_; }
 
 private:
     /// Where an item lies and what holds for it from outside.
@@ -40,11 +43,16 @@ private:
     void trace_scene();
     void trace(ItemCursor items, const Context& context);
     void trace(const ItemView& item, const Context& outer);
-    void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
-    void trace_wires(const ObjectStrokes& strokes, const ItemState& state, const Context& context);
+    void trace_object(const ItemView& item, const ItemState& state, const Context& context);
+    void trace_wires(const ItemView& item, const ObjectStrokes& strokes, const ItemState& state,
+                     const Context& context);
     void trace_live(const ItemView& item, const ItemState& state, const Context& context);
     template <class Trace>
-    void add_lines(const ObjectStyle& style, const ItemState& state, const Context& context, Trace trace);
+    void add_lines(const ItemView& item, const ItemState& state, const Context& context, Trace trace);
+    template <class Trace>
+    void add_hatching(const ItemView& item, Colour colour, const Context& context, Trace trace);
+    template <class DrawWith>
+    void draw(BeamInk ink, Colour colour, const Context& context, DrawWith draw_with);
 
     const SceneOnPanel& on_panel_;
     Moment moment_;
@@ -52,6 +60,7 @@ private:
     BeamLines& lines_;
     Still still_;
     int coarseness_ = 0;
+    std::uint32_t wider_hatchings_ = 0;
 };
 
 }

@@ -3,6 +3,8 @@
 #include "host/commands/rounded_text.hpp"
 #include "host/commands/track_facts.hpp"
 
+#include <array>
+#include <cstddef>
 #include <iomanip>
 #include <string>
 
@@ -51,6 +53,18 @@ Json tracks_of(const SceneView& scene, const ItemView& item)
     return tracks;
 }
 
+/// In the words of the scene language: "hatch"; what is hatched also how.
+Json beam_facts(const BeamStyle& style)
+{
+    constexpr std::array words{"none", "outline", "hatch", "both"};
+    Json facts{{"draws", words[static_cast<std::size_t>(style.parts)]}};
+    if (style.has_hatching()) {
+        facts["hatch"] = style.spacing / 16.0;
+        facts["hatch-angle"] = style.direction.raw * 360.0 / BinaryAngle::turn;
+    }
+    return facts;
+}
+
 /// `path` is that of what the items lie in: "", "2.1."
 Json items_of(const SceneView& scene, ItemCursor cursor, const std::string& path)
 {
@@ -62,6 +76,8 @@ Json items_of(const SceneView& scene, ItemCursor cursor, const std::string& path
         if (item.kind == ItemKind::use)
             facts["symbol"] = item.symbol + 1;
         facts["tracks"] = tracks_of(scene, item);
+        if (item.beam != BeamStyle{})
+            facts["beam"] = beam_facts(item.beam);
         if (item.kind == ItemKind::group)
             facts["items"] = items_of(scene, ItemCursor{item.items}, number + '.');
         items.push_back(std::move(facts));
@@ -79,6 +95,15 @@ void print_track(const Json& track, const std::string& indent, std::ostream& out
     out << '\n';
 }
 
+void print_beam(const Json& beam, const std::string& indent, std::ostream& out)
+{
+    out << indent << std::left << std::setw(widest_name) << "beam" << beam["draws"].get<std::string>();
+    if (beam.contains("hatch"))
+        out << ": lines " << rounded_text(beam["hatch"].get<double>()) << " px apart, at "
+            << rounded_text(beam["hatch-angle"].get<double>()) << "°";
+    out << '\n';
+}
+
 void print_items(const Json& items, const std::string& indent, std::ostream& out)
 {
     for (const Json& item : items) {
@@ -88,6 +113,8 @@ void print_items(const Json& items, const std::string& indent, std::ostream& out
         out << '\n';
         for (const Json& track : item["tracks"])
             print_track(track, indent + "  ", out);
+        if (item.contains("beam"))
+            print_beam(item["beam"], indent + "  ", out);
         if (item.contains("items"))
             print_items(item["items"], indent + "  ", out);
     }

@@ -1,6 +1,7 @@
 #include "host/compiler/compile.hpp"
 
 #include "host/compiler/item_names.hpp"
+#include "host/compiler/stroke_order.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
@@ -20,9 +21,11 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors()) // what was not read would only cause errors that follow from these
         return std::nullopt;
-    const std::optional<scene::Scene> scene = scene::read_scene(document, source, diagnostics);
+    std::optional<scene::Scene> scene = scene::read_scene(document, source, diagnostics);
     if (!scene)
         return std::nullopt;
+    if (scene->has_routes)
+        order_strokes(*scene);
     auto bytes = write_scene(*scene, diagnostics);
     if (!bytes)
         return std::nullopt;

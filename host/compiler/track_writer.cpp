@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t smooth_bit = 1 << 6;
 constexpr std::uint32_t fixed_bit = 1 << 7;
+constexpr std::uint32_t beam_bit = 1 << 7;
 
 bool is_fixed(const scene::Track& track) { return track.keys.size() == 1; }
 
@@ -65,6 +66,21 @@ void write_track(const scene::Track& track, LawTable& laws, ClockedBeats& before
     before = std::move(beats);
 }
 
+const BeamStyle* beam_style_of(const scene::Item& item)
+{
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    return object != nullptr && object->beam != BeamStyle{} ? &object->beam : nullptr;
+}
+
+void write_beam_style(const BeamStyle& style, ByteWriter& bytes)
+{
+    bytes.u8(static_cast<std::uint32_t>(style.parts));
+    if (!style.has_hatching())
+        return;
+    bytes.varint(static_cast<std::uint32_t>(style.spacing));
+    bytes.varint(style.direction.raw);
+}
+
 }
 
 ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, bool is_smooth, LawTable& laws)
@@ -88,13 +104,16 @@ std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys)
 std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
 {
     const std::vector<const scene::Track*> tracks = telling_tracks(item);
-    if (tracks.empty())
+    const BeamStyle* beam = beam_style_of(item);
+    if (tracks.empty() && beam == nullptr)
         return {};
     ByteWriter bytes;
-    bytes.u8(static_cast<std::uint32_t>(tracks.size()));
+    bytes.u8(static_cast<std::uint32_t>(tracks.size()) | (beam != nullptr ? beam_bit : 0));
     ClockedBeats before;
     for (const scene::Track* track : tracks)
         write_track(*track, laws, before, bytes);
+    if (beam != nullptr)
+        write_beam_style(*beam, bytes);
     return bytes.bytes();
 }
 

@@ -15,7 +15,7 @@ ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, boo
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys);
 
 /// The tracks of `item` without those that change nothing (docs/format.md, "Tracks"), beginning with their
-/// number; no bytes if none is left.
+/// number, and how a beam draws it; no bytes if nothing is left.
 std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws);
 
 }

@@ -25,6 +25,7 @@ struct Canvas {
     bool has_background = false;
     const kdl::Value* length = nullptr;
     std::optional<int> camera;
+    bool has_routes = false;
 };
 
 bool read_rate(const kdl::Value& value, Canvas& canvas, Reading& reading)
@@ -59,10 +60,15 @@ bool read_camera(const kdl::Value& value, Canvas& canvas, Reading& reading)
     return canvas.camera.has_value();
 }
 
+bool read_route(const kdl::Value& value, Canvas& canvas, Reading& reading)
+{
+    return assign(read_flag(value, reading), canvas.has_routes);
+}
+
 constexpr std::array canvas_rules{
     PropertyRule<Canvas>{"fps", read_rate},      PropertyRule<Canvas>{"background", read_background},
     PropertyRule<Canvas>{"loop", read_loop},     PropertyRule<Canvas>{"frames", keep_length},
-    PropertyRule<Canvas>{"camera", read_camera},
+    PropertyRule<Canvas>{"camera", read_camera}, PropertyRule<Canvas>{"route", read_route},
 };
 
 std::optional<Time> read_length(const kdl::Value& value, Reading& reading)
@@ -90,6 +96,7 @@ void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
     reading.frame_rate = static_cast<std::uint32_t>(std::lround(canvas.frames_per_second * 1000));
     scene.frame_rate = reading.frame_rate;
     scene.loop = canvas.loop;
+    scene.has_routes = canvas.has_routes;
     scene.camera = canvas.camera.value_or(static_cast<int>(usual_camera(scene.canvas)));
     if (canvas.length != nullptr)
         reading.length = read_length(*canvas.length, reading);

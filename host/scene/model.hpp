@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/beam_style.hpp"
 #include "core/bone_quantity.hpp"
 #include "core/clock.hpp"
 #include "core/colour.hpp"
@@ -163,6 +164,8 @@ struct BackboneKey {
     Place place;
 };
 
+using kfast::BeamParts;
+using kfast::BeamStyle;
 using kfast::Cap;
 using kfast::FillRule;
 using kfast::Join;
@@ -212,6 +215,7 @@ struct Object {
     Clock clock = {};                            ///< of both
     std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing carries it then
     std::optional<Label> label = {};      ///< likewise: a text
+    BeamStyle beam = {};                  ///< hatched only if there is a fill
     bool has_depths = false; ///< it is a wire frame: only stroked, nothing carries it, it matches by count
 };
 
@@ -287,7 +291,8 @@ struct Scene {
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
     Time length;                       ///< at least one frame
     Loop loop = Loop::repeat;
-    int camera = 480;            ///< distance of the viewer from the canvas, in pixels, 16 … 32767
+    bool has_routes = false; ///< strokes that never change are put in the order in which a beam travels least
+    int camera = 480;        ///< distance of the viewer from the canvas, in pixels, 16 … 32767
     std::vector<Colour> palette; ///< the colours in use, each once; the first is the background
     std::vector<Input> inputs;
     std::vector<Bones> bones;

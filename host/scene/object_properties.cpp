@@ -5,6 +5,8 @@
 #include "host/scene/value_reader.hpp"
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace kfast::scene {
 namespace {
@@ -70,6 +72,54 @@ constexpr std::array style_rules{
     PropertyRule<Target>{"rule", read_fill_rule, false, "fill"},
 };
 
+constexpr std::array beam_parts{
+    Word<BeamParts>{"outline", BeamParts::outline}, Word<BeamParts>{"hatch", BeamParts::hatch},
+    Word<BeamParts>{"both", BeamParts::both}, Word<BeamParts>{"none", BeamParts::none}};
+constexpr Range hatch_spacings{kfb::min_hatch_spacing / 16.0, widest_stroke};
+constexpr Range hatch_angles{-360, 360};
+
+bool read_beam(const kdl::Value& value, Target& target, Reading& reading)
+{
+    return assign(read_word(value, beam_parts, reading), target.beam.parts);
+}
+
+/// Rounded once to 1/16 px, halves away from zero.
+bool read_hatch(const kdl::Value& value, Target& target, Reading& reading)
+{
+    const auto spacing = read_number(value, hatch_spacings, reading);
+    if (spacing)
+        target.beam.spacing = static_cast<int>(std::lround(*spacing * 16));
+    return spacing.has_value();
+}
+
+/// Rounded once to 1/65536 turn, halves away from zero.
+bool read_hatch_angle(const kdl::Value& value, Target& target, Reading& reading)
+{
+    const auto degrees = read_number(value, hatch_angles, reading);
+    if (degrees)
+        target.beam.direction =
+            BinaryAngle::from_raw(static_cast<std::int32_t>(std::lround(*degrees * BinaryAngle::turn / 360)));
+    return degrees.has_value();
+}
+
+constexpr std::array beam_rules{
+    PropertyRule<Target>{"beam", read_beam},
+    PropertyRule<Target>{"hatch", read_hatch},
+    PropertyRule<Target>{"hatch-angle", read_hatch_angle},
+};
+
+void check_beam(const kdl::Node& node, const BeamStyle& style, Reading& reading)
+{
+    if (style.has_hatching() && !has_property(node, "fill"))
+        reading.report.error(property_place(node, "beam"), "this object has no fill to hatch",
+                             "add fill=COLOUR, or use beam=outline");
+    for (const std::string_view property : {"hatch", "hatch-angle"})
+        if (has_property(node, property) && !style.has_hatching())
+            reading.report.warning(property_place(node, property),
+                                   std::string{property} + " does nothing without a hatching",
+                                   "add beam=hatch or remove " + std::string{property});
+}
+
 constexpr std::array changes{Word<bool>{"canvas", false}, Word<bool>{"bones", true}};
 
 bool read_change(const kdl::Value& value, Target& target, Reading& reading)
@@ -84,7 +134,7 @@ constexpr std::array skin_rules{
 };
 
 constexpr auto object_rules =
-    joined(style_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
+    joined(style_rules, beam_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
            std::array{PropertyRule<Target>{"input", read_own_clock<Target>},
                       PropertyRule<Target>{"live", keep_name<&Target::live>}});
 
@@ -114,6 +164,7 @@ ObjectProperties read_object_properties(const kdl::Node& node, Place place, Read
     if (!has_property(node, "fill") && !has_property(node, "stroke"))
         reading.report.error(place, "this object would not be seen: it has neither fill nor stroke",
                              "add fill=COLOUR or stroke=COLOUR");
+    check_beam(node, properties.beam, reading);
     return properties;
 }
 

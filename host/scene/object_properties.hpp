@@ -15,7 +15,8 @@ struct ObjectProperties {
     ItemValues values;
     KeyClock clock; ///< of its keys
     FillRule fill_rule = FillRule::nonzero;
-    StrokeStyle stroke;               ///< but for colour and width, which are among `values`
+    StrokeStyle stroke; ///< but for colour and width, which are among `values`
+    BeamStyle beam;
     const kdl::Value* skin = nullptr; ///< the name of a skeleton
     const kdl::Value* bone = nullptr; ///< the name of the bone that alone carries the object
     bool turns_changes = false;       ///< see Skin

@@ -85,7 +85,8 @@ public:
         Object object{.fill = properties_.fill_colour(),
                       .fill_rule = properties_.fill_rule,
                       .stroke = properties_.stroke_style(),
-                      .keys = {}};
+                      .keys = {},
+                      .beam = properties_.beam};
         if (is_placed_label(content))
             set_label(content, object);
         else

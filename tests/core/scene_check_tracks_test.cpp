@@ -31,6 +31,12 @@ bool takes_track_keys(const std::vector<RawTrackKey>& keys)
     return takes_tracks(1, moving_track(Property::x, keys));
 }
 
+/// On an object that is stroked alone.
+bool takes_stroked(int count, const Bytes& tracks)
+{
+    return takes_items(joined({bytes({0x14, count}), tracks, bytes({1, 16, 8}), one_key()}));
+}
+
 /// On an object that is filled and stroked.
 bool takes_stroked_track(const Bytes& track)
 {
@@ -100,6 +106,34 @@ TEST_CASE("tracks of colours and widths need what they colour")
         scene.add_symbol(triangle());
         scene.items = joined({bytes({6}), tracks, bytes({0})});
         CHECK_FALSE(is_accepted(scene));
+    }
+}
+
+TEST_CASE("a beam may draw the outline of an object, its hatching, both or nothing")
+{
+    const auto takes_beam = [](const Bytes& style) { return takes_tracks(0x80, style); };
+    CHECK(takes_beam(bytes({0})));
+    CHECK(takes_beam(bytes({1})));
+    CHECK(takes_beam(bytes({2, 8, 0})));
+    CHECK(takes_beam(bytes({3, 0xFF, 0xFF, 0x03, 0xFF, 0xFF, 0x03})));
+    CHECK_FALSE(takes_beam(bytes({4})));
+    CHECK_FALSE(takes_beam(bytes({0xFF, 8, 0})));
+    CHECK_FALSE(takes_beam(bytes({2, 7, 0})));
+    CHECK_FALSE(takes_beam(bytes({2, 0x80, 0x80, 0x04, 0})));
+    CHECK(takes_tracks(0x81, joined({fixed_track(Property::x, 5), bytes({2, 8, 0})})));
+    CHECK_FALSE(takes_tracks(0x80, {}));
+    SUBCASE("what is not filled is not hatched")
+    {
+        CHECK(takes_stroked(0x80, bytes({0})));
+        CHECK_FALSE(takes_stroked(0x80, bytes({2, 8, 0})));
+    }
+    SUBCASE("groups are not drawn themselves")
+    {
+        RawScene scene;
+        scene.items = bytes({0x05, 0x80, 0, 0});
+        CHECK_FALSE(is_accepted(scene));
+        scene.items = bytes({0x01, 0});
+        CHECK(is_accepted(scene));
     }
 }
 

@@ -72,6 +72,8 @@ void check_object(const scene::Object& object, std::size_t colours, const std::v
         demand(object.stroke->width >= 1 && object.stroke->width <= kfb::max_width);
         demand(object.stroke->miter_limit >= 8 && object.stroke->miter_limit <= 255);
     }
+    demand(!object.beam.has_hatching() || (object.fill && object.beam.spacing >= kfb::min_hatch_spacing &&
+                                           object.beam.spacing <= kfb::max_width));
     demand(!object.live || (object.keys.empty() && !object.skin && object.backbone_keys.empty()));
     if (object.live)
         return;

@@ -19,7 +19,7 @@ object dot fill="#f00" z=-20 {
     key 20 x=3 visible=#true
 }
 group {
-    object still fill=white { rect 0 0 5 5 }
+    object still fill=white beam=both hatch=2.5 hatch-angle=45 { rect 0 0 5 5 }
     use wheel { track along "M 0 0 L 30 40" turn=#true { at 0 0; at 60 1 } }
     track scale-y law="bezier(0.42,0,0.58,1)" { at 0 1; at 5 -2 }
 }
@@ -36,6 +36,7 @@ LINES = """\
   group 2
     scale-y    bezier(0.42,0,0.58,1): 0 1, 5 -2
     object 2.1
+      beam       both: lines 2.5 px apart, at 45°
     use 2.2 of symbol 1
       along      constant: 0 0, 60 1; the path is 50 px long, and the item turns with it
   symbol 1
@@ -125,7 +126,8 @@ class TracksTest(CommandTest):
         self.assertEqual(dot["tracks"][2], {"property": "z", "value": -20})
         self.assertEqual(dot["tracks"][4]["keys"], [{"at": 0, "value": False}, {"at": 20, "value": True}])
         still, use = group["items"]
-        self.assertEqual(still, {"item": "object 2.1", "tracks": []})
+        self.assertEqual(still, {
+            "item": "object 2.1", "tracks": [], "beam": {"draws": "both", "hatch": 2.5, "hatch-angle": 45}})
         self.assertEqual((use["item"], use["symbol"]), ("use 2.2", 1))
         self.assertEqual(use["tracks"], [{"property": "along", "smooth": False, "keys": [
             {"at": 0, "value": 0, "law": "constant"}, {"at": 60, "value": 1}], "length": 50, "turn": True}])

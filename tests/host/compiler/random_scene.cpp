@@ -284,6 +284,7 @@ private:
             object.backbone_keys = backbone_keys();
         else if (object.stroke && sometimes())
             make_wires(object);
+        object.beam = beam_style(object, time);
         return object;
     }
 
@@ -304,6 +305,17 @@ private:
                     segment.to = {point().x, 0};
             }
         }
+    }
+
+    /// Draws no random number: scenes stay what they are without it.
+    static BeamStyle beam_style(const scene::Object& object, Time time)
+    {
+        BeamStyle style{.parts = static_cast<BeamParts>(time.ticks & (object.fill ? 3 : 1))};
+        if (style.has_hatching()) {
+            style.spacing = 8 + time.ticks % 1000;
+            style.direction = BinaryAngle::from_raw(time.ticks);
+        }
+        return style;
     }
 
     /// Of an input of its own, the number of which is one of `texts_`.

@@ -295,6 +295,7 @@ private:
 
     void compare_shown(const ItemView& read, const scene::Object& object)
     {
+        CHECK(read.beam == object.beam);
         if (object.label)
             compare_label(read, object);
         else if (object.live)

@@ -125,6 +125,14 @@ TEST_CASE("tracks that change nothing are left out")
     CHECK(growth(wire, {fixed(Property::width, 17)}) == 3);
     CHECK(growth(dot, {fixed(Property::opacity, 0)}) == 3);
     CHECK(growth(dot, {turning}) == 8); // it has keys
+    const auto beam_bytes = [&](const BeamStyle& style) {
+        scene::Object drawn = dot;
+        drawn.beam = style;
+        return size_of({item(drawn)}) - plain;
+    };
+    CHECK(beam_bytes({}) == 0);
+    CHECK(beam_bytes({.parts = BeamParts::none}) == 2);
+    CHECK(beam_bytes({.parts = BeamParts::hatch}) == 4);
     SUBCASE("a pivot counts only where something turns or grows")
     {
         const scene::Track pivot_x = fixed(Property::pivot_x, 5);

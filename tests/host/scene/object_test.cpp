@@ -70,6 +70,29 @@ TEST_CASE("an object may be filled by either rule")
           "3:21 warning: rule does nothing without a fill (add fill=… or remove rule)");
 }
 
+TEST_CASE("an object may say what a beam draws of it")
+{
+    const auto beam = [](const std::string& properties) {
+        return object_at(*read_on_canvas("object o fill=red " + properties + " { empty }").scene).beam;
+    };
+    CHECK(beam("") == BeamStyle{});
+    CHECK(beam("beam=outline") == BeamStyle{});
+    CHECK(beam("beam=none").parts == BeamParts::none);
+    CHECK(beam("beam=hatch") == BeamStyle{.parts = BeamParts::hatch});
+    CHECK(beam("beam=both hatch=2.5 hatch-angle=-90") ==
+          BeamStyle{.parts = BeamParts::both, .spacing = 40, .direction = {0xC000}});
+    const auto findings = [](const std::string& properties) {
+        return read_on_canvas("object o " + properties + " { empty }").findings;
+    };
+    CHECK(findings("fill=red beam=fill") ==
+          "3:19 error: unknown value \"fill\" (allowed: outline, hatch, both, none)");
+    CHECK(findings("stroke=red beam=hatch") ==
+          "3:21 error: this object has no fill to hatch (add fill=COLOUR, or use beam=outline)");
+    CHECK(findings("fill=red hatch=4") ==
+          "3:19 warning: hatch does nothing without a hatching (add beam=hatch or remove hatch)");
+    CHECK(findings("fill=red beam=hatch hatch=0.4").find("3:36 error") == 0);
+}
+
 TEST_CASE("shapes directly in an object are a still drawing at time 0")
 {
     const auto [scene, findings] = read_on_canvas("object o fill=red {\n line 1 2 3 4\n line 5 6 7 8\n}");
@@ -114,7 +137,8 @@ TEST_CASE("an object with mistakes")
           "3:10 error: object has no property \"fil\" (did you mean \"fill\"?)");
     CHECK(read_on_canvas("object o fill=red colour=1 { key 0 { empty } }").findings ==
           "3:19 error: object has no property \"colour\" (allowed: fill, stroke, width, cap, join, miter, "
-          "rule, skin, bone, change, x, y, z, rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, "
+          "rule, beam, hatch, hatch-angle, skin, bone, change, x, y, z, rotate, rotate-x, rotate-y, "
+          "rotate-z, scale, scale-x, scale-y, "
           "…)");
     CHECK(read_on_canvas("object o stroke=red cap=rund { key 0 { empty } }").findings ==
           "3:25 error: unknown value \"rund\" (did you mean \"round\"?)");

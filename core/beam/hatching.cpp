@@ -1,0 +1,99 @@
+#include "core/beam/hatching.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr std::int64_t widest = 1 << 30;
+
+/// Between two lines, in 1/65536 px.
+std::int32_t spacing_of(const BeamStyle& style, int wider)
+{
+    return static_cast<std::int32_t>(std::min((std::int64_t{style.spacing} << 12) << wider, widest));
+}
+
+}
+
+Hatching::Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness)
+    : crossings_{reinterpret_cast<Crossing*>(memory.data())}, most_{memory.size() / bytes_of_crossing},
+      spacing_{spacing_of(style, wider)}, cosine_{cosine(style.direction)}, sine_{sine(style.direction)},
+      sight_{nullptr, coarseness}
+{
+}
+
+void Hatching::begin(Point from) { start_ = last_ = from; }
+
+void Hatching::add(const Segment& segment)
+{
+    sight_.flatten(segment, [this](Point to) { line_to(to); });
+}
+
+/// As FillOutline closes strokes.
+void Hatching::end(Point hub, bool)
+{
+    line_to(hub);
+    line_to(start_);
+}
+
+Hatching::Place Hatching::place(Point at) const
+{
+    const std::int32_t x = at.x.raw();
+    const std::int32_t y = at.y.raw();
+    return {multiply(x, cosine_, 30) + multiply(y, sine_, 30),
+            multiply(y, cosine_, 30) - multiply(x, sine_, 30)};
+}
+
+Point Hatching::point(const Crossing& crossing) const
+{
+    const std::int32_t along = crossing.along;
+    const std::int32_t across = across_of(crossing.line);
+    return {Fixed::from_raw(multiply(along, cosine_, 30) - multiply(across, sine_, 30)),
+            Fixed::from_raw(multiply(along, sine_, 30) + multiply(across, cosine_, 30))};
+}
+
+/// The number of the first line that does not lie before `across`.
+std::int32_t Hatching::first_line_from(std::int32_t across) const
+{
+    const std::int32_t distance = across - spacing_ / 2;
+    return distance / spacing_ + (distance % spacing_ > 0 ? 1 : 0);
+}
+
+/// A line through a corner is crossed where the border leads on behind it, so that the border crosses each
+/// line as often upwards as downwards.
+void Hatching::line_to(Point to)
+{
+    const bool is_up = place(to).across > place(last_).across;
+    const Place low = place(is_up ? last_ : to);
+    const Place high = place(is_up ? to : last_);
+    last_ = to;
+    const std::int32_t behind = first_line_from(high.across);
+    for (std::int32_t line = first_line_from(low.across); line < behind && !is_full_; ++line)
+        cross(line, low, high, is_up);
+}
+
+void Hatching::cross(std::int32_t line, Place low, Place high, bool is_up)
+{
+    if (count_ == most_) {
+        is_full_ = true;
+        return;
+    }
+    const std::int64_t height = std::int64_t{high.across} - low.across;
+    const std::int64_t risen = std::int64_t{across_of(line)} - low.across;
+    const std::int64_t width = std::int64_t{high.along} - low.along;
+    const auto along = static_cast<std::int32_t>(low.along + width * risen / height);
+    crossings_[count_++] = {line, (along & ~1) | (is_up ? 1 : 0)};
+}
+
+void Hatching::sort()
+{
+    const auto is_before = [](const Crossing& a, const Crossing& b) {
+        if (a.line != b.line)
+            return a.line < b.line;
+        return a.line % 2 == 0 ? a.along < b.along : a.along > b.along;
+    };
+    std::make_heap(crossings_, crossings_ + count_, is_before);
+    std::sort_heap(crossings_, crossings_ + count_, is_before);
+}
+
+}

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/affine.hpp"
+#include "core/beam_style.hpp"
+#include "core/fill_rule.hpp"
+#include "core/point.hpp"
+#include "core/point_map.hpp"
+#include "core/segment.hpp"
+#include "core/sight.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// Where the parallel lines of a hatching cross the border of a fill, found while the strokes of an object
+/// are told (LiveStrokes::trace()), in its own space: the lines stay where they are while the drawing
+/// changes, and they turn and grow with the object.
+///
+/// Line n lies n + 1/2 spacings from the origin. Strokes that are not closed are filled as if they were.
+class Hatching {
+public:
+    /// Crossings lie in `memory`, which is aligned to 4 bytes. The lines lie 2^`wider` times as far from each
+    /// other as `style` says; `coarseness` is that of a Sight.
+    Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness);
+
+    void begin(Point from);
+    void add(const Segment& segment);
+    void end(Point hub, bool is_closed);
+
+    /// Not all crossings have found room.
+    bool is_full() const { return is_full_; }
+    /// Tells `pen` the pieces of the lines that lie inside, placed: line by line, in one direction along one
+    /// and in the other along the next. Of the memory, the pen may fill 8 bytes for each piece from the
+    /// front, and 12 from the back: the crossings in their place have been read by then.
+    template <class Pen>
+    void trace(FillRule rule, const Affine& placement, Pen& pen)
+    {
+        sort();
+        const PointMap place{placement};
+        std::int32_t winding = 0;
+        Crossing entry;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Crossing crossing = crossings_[i];
+            const bool was_inside = is_inside(rule, winding);
+            winding += crossing.winding();
+            if (!was_inside)
+                entry = crossing;
+            else if (!is_inside(rule, winding) && entry.along != crossing.along)
+                trace_piece(place(point(entry)), place(point(crossing)), pen);
+        }
+    }
+
+private:
+    /// Its lowest bit says which way the border crosses the line.
+    struct Crossing {
+        std::int32_t line = 0;
+        std::int32_t along = 0; ///< in 1/65536 px
+
+        std::int32_t winding() const { return (along & 1) != 0 ? 1 : -1; }
+    };
+
+    /// A point as seen with the lines running to the right.
+    struct Place {
+        std::int32_t along = 0;
+        std::int32_t across = 0;
+    };
+
+    static constexpr std::size_t bytes_of_crossing =
+        sizeof(Crossing) + 6; ///< and of half a piece at the back
+
+    template <class Pen>
+    static void trace_piece(Point from, Point to, Pen& pen)
+    {
+        pen.begin(from);
+        pen.add(Segment{.from = from, .to = to});
+        pen.end(from, false);
+    }
+
+    Place place(Point at) const;
+    Point point(const Crossing& crossing) const;
+    std::int32_t first_line_from(std::int32_t across) const;
+    std::int32_t across_of(std::int32_t line) const { return line * spacing_ + spacing_ / 2; }
+    void line_to(Point to);
+    void cross(std::int32_t line, Place low, Place high, bool is_up);
+    void sort();
+
+    Crossing* crossings_;
+    std::size_t most_;
+    std::size_t count_ = 0;
+    std::int32_t spacing_; ///< in 1/65536 px
+    std::int32_t cosine_;  ///< Q30, of the direction of the lines
+    std::int32_t sine_;
+    Sight sight_;
+    Point start_;
+    Point last_;
+    bool is_full_ = false;
+};
+
+}

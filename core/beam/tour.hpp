@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/beam/beam_leg.hpp"
+#include "core/beam/beam_lines.hpp"
+#include "core/beam/beam_travel.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// Legs that follow each other in a circle.
+class Tour {
+public:
+    Tour(const BeamLines& lines, std::span<BeamLeg> legs) : lines_{lines}, legs_{legs} {}
+
+    std::size_t size() const { return legs_.size(); }
+    FieldPoint begin_of(std::size_t place) const { return kfast::begin_of(lines_, legs_[place]); }
+    FieldPoint end_of(std::size_t place) const { return kfast::end_of(lines_, legs_[place]); }
+    std::size_t before(std::size_t place) const { return (place == 0 ? size() : place) - 1; }
+    std::size_t behind(std::size_t place) const { return place + 1 == size() ? 0 : place + 1; }
+    /// From the leg before it.
+    std::int32_t travel_to(std::size_t place) const
+    {
+        return beam_travel(end_of(before(place)), begin_of(place));
+    }
+
+    /// Reverses the legs from `first` to `last`, each and all together.
+    void reverse(std::size_t first, std::size_t last);
+    /// Makes the leg at `place` the first.
+    void begin_at(std::size_t place)
+    {
+        std::rotate(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(place), legs_.end());
+    }
+    /// Moves `count` legs from `first` on, so that they stand in front of what was at `place`, which is not
+    /// one of them, and may be size(). Returns where they begin now.
+    std::size_t move(std::size_t first, std::size_t count, std::size_t place);
+
+    /// The points of a leg that begins at any of them; none of an open line.
+    std::span<const FieldPoint> starts_of(std::size_t place) const;
+    void set_start(std::size_t place, std::size_t start)
+    {
+        legs_[place].start = static_cast<std::uint16_t>(start);
+    }
+
+private:
+    const BeamLines& lines_;
+    std::span<BeamLeg> legs_;
+};
+
+}

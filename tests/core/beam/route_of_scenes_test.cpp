@@ -1,0 +1,115 @@
+#include "core/beam/beam_route.hpp"
+#include "core/beam/nearest_leg.hpp"
+#include "tests/core/beam/shortest_tour.hpp"
+#include "tests/core/beam/traced_scene.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+/// In hundredths of the field's side; together for some pictures of a scene.
+struct Travels {
+    int pictures = 0;
+    double lines = 0;
+    double as_drawn = 0;
+    double nearest = 0; ///< from each line to the nearest
+    double route = 0;
+    double shortest = 0; ///< of pictures with few lines
+
+    void add(const BeamLines& drawn)
+    {
+        constexpr std::size_t few = 8;
+        std::vector<BeamLeg> legs(drawn.size());
+        for (std::size_t i = 0; i < legs.size(); ++i)
+            legs[i].line = static_cast<std::uint16_t>(i);
+        ++pictures;
+        lines += static_cast<double>(legs.size());
+        const auto order = hundredths(drawn, legs);
+        as_drawn += order;
+        follow_nearest_lines(drawn, {}, legs.size(), legs);
+        nearest += hundredths(drawn, legs);
+        find_route(drawn, {}, legs);
+        const auto found = hundredths(drawn, legs);
+        route += found;
+        CHECK(found <= order);
+        shortest += drawn.size() <= few ? static_cast<double>(ShortestTour{drawn}.travel()) / 655.36 : found;
+    }
+
+    static double hundredths(const BeamLines& drawn, const std::vector<BeamLeg>& legs)
+    {
+        return static_cast<double>(travel_of(drawn, legs)) / 655.36;
+    }
+};
+
+Travels travels_of(const Bytes& scene)
+{
+    constexpr int most = 12;
+    TracedScene traced{scene};
+    Travels travels;
+    for (int picture = 0; picture < most; ++picture)
+        travels.add(traced.lines({traced.scene().length().ticks / most * picture}));
+    return travels;
+}
+
+/// With a property of its canvas that has strokes put in order.
+std::string with_route(std::string text)
+{
+    const std::size_t canvas = text.find("\ncanvas ");
+    const std::size_t end = text.find('\n', canvas + 1);
+    return text.insert(std::min(text.find("//", canvas), end), " route=#true ");
+}
+
+std::string text_in(const std::filesystem::path& file)
+{
+    std::ifstream in{file};
+    return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+Bytes compiled_file(const std::filesystem::path& file, const std::string& text)
+{
+    Diagnostics diagnostics;
+    const SourceText source{file.string(), text};
+    const auto bytes = compile(source, diagnostics);
+    REQUIRE(bytes);
+    return *bytes;
+}
+
+void compare(const std::filesystem::path& file)
+{
+    const std::string text = text_in(file);
+    const Bytes plain = compiled_file(file, text);
+    const Bytes ordered = compiled_file(file, with_route(text));
+    const Travels travels = travels_of(plain);
+    const Travels with = travels_of(ordered);
+    const auto mean = [](double sum, const Travels& all) {
+        return std::to_string(std::lround(sum / all.pictures));
+    };
+    MESSAGE(file.stem().string() << " | " << mean(travels.lines, travels) << " | "
+                                 << mean(travels.as_drawn, travels) << " | " << mean(travels.nearest, travels)
+                                 << " | " << mean(travels.route, travels) << " | "
+                                 << mean(travels.shortest, travels) << " | " << mean(with.as_drawn, with)
+                                 << " | " << mean(with.route, with) << " | " << plain.size() << " | "
+                                 << ordered.size());
+    CHECK(with.as_drawn <= travels.as_drawn * 1.001);
+    CHECK(travels.route <= travels.shortest * 1.02);
+}
+
+}
+
+TEST_CASE(
+    "no example is drawn with more travel than in its own order, and few with more than the shortest tour")
+{
+    for (const char* folder : {"examples", "examples/reference"})
+        for (const auto& entry :
+             std::filesystem::directory_iterator{std::filesystem::path{KFAST_SOURCE} / folder})
+            if (entry.path().extension() == ".kfast")
+                compare(entry.path());
+}
+
+}
