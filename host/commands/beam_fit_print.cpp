@@ -1,6 +1,5 @@
 #include "host/commands/beam_fit_print.hpp"
 
-#include "host/beam/beam_text.hpp"
 #include "host/commands/fit_memory_print.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
@@ -27,6 +26,7 @@ Json picture_facts(const BeamMoment& picture, const BeamProfile& profile)
             {"lit", fields(report.lit_length)},
             {"travel", fields(report.blanked_length)},
             {"lines", report.lines},
+            {"corners", report.corners},
             {"speed", std::exp2(report.haste / 4.0)},
             {"complete", report.is_complete},
             {"instructions", std::llround(picture.instructions)},
@@ -39,7 +39,11 @@ Json facts_of(const BeamFitFacts& facts)
     return {{"file", file},
             {"board", target.name},
             {"processor", target.processor_name},
-            {"beam", beam_text(*target.beam)},
+            {"beam",
+             {{"rate", target.beam->rate},
+              {"least_refresh", target.beam->least_refresh},
+              {"resolution", target.beam->resolution},
+              {"laser", target.beam->is_laser}}},
             {"fits", report.fits()},
             {"reasons", report.reasons},
             {"notes", report.notes},

@@ -23,8 +23,8 @@ constexpr std::size_t beam_code = 46152;
 
 /// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels, by what
 /// scripts/bench_beam tells of the references: to clip and count lines, and to plot them.
-constexpr double per_corner = 400;
-constexpr double per_point = 250;
+constexpr double per_corner = 1000;
+constexpr double per_point = 100;
 
 /// Others of the same family need about two thirds of them (docs/benchmarks.md).
 double share_of(Processor processor) { return processor == Processor::cortex_m0 ? 1 : 2.0 / 3; }
