@@ -129,7 +129,7 @@ class FitTest(CommandTest):
         report = self.refused("dots.kfast", *self.beam_board(ram=1024))
         self.assertEqual(report["incomplete"], 2)
         self.assertIn("draw fewer lines, or choose a lower least-refresh= (40 now)", report["reasons"][0])
-        self.assertTrue(self.report("dots.kfast", *self.beam_board(ram=1024, beam="scope least-refresh=20", bands="(KiB)20"))["fits"])
+        self.assertTrue(self.report("dots.kfast", *self.beam_board(ram=1024, clock=200, beam="scope least-refresh=20", bands="(KiB)20"))["fits"])
 
     def test_a_beam_with_too_little_memory_time_or_bus(self):
         self.write("box.kfast", BOX)
