@@ -83,7 +83,6 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
         return scene::property_place(*draft.panel, "rotation");
     case SettingsFault::clock_too_fast:
     case SettingsFault::clock_too_slow:
-    case SettingsFault::beam_too_fast:
         return scene::property_place(*draft.bus, "clock");
     case SettingsFault::address_reserved:
         return scene::property_place(*draft.bus, "address");

@@ -368,6 +368,7 @@ TEST_CASE("the beam hurries no more than it has to")
     };
     CHECK(haste(602) == 0);
     CHECK(haste(601) == 1);
+    CHECK(haste(360) == 3);
     CHECK(haste(302) == 4);
     CHECK(haste(301) == 5);
     CHECK(haste(3) == 37);
@@ -405,6 +406,22 @@ TEST_CASE("many sharp and many short pieces keep the beam on its way")
         CHECK(drawn.pace.legs == 2);
         CHECK(drawn.points.size() > budget / 3);
     }
+}
+
+TEST_CASE("lines that are longer than 32 bits hold are drawn from end to end")
+{
+    LineStore store{400'000};
+    std::vector<FieldPoint> zigzag;
+    for (int i = 0; i < 60'000; ++i)
+        zigzag.push_back(i % 2 == 0 ? FieldPoint{-32768, -32768} : FieldPoint{32767, 32767});
+    zigzag.push_back({0, 5});
+    store.add(zigzag);
+    const auto [pace, points] = plotted(store, store.legs(), plain, 16);
+    CHECK(pace.legs == 1);
+    CHECK(pace.amount.lit_length == doctest::Approx(59'999.5 * 92'681).epsilon(0.001));
+    CHECK(points.size() <= 16);
+    CHECK(count_at(points, {-32768, -32768}, true) > 0);
+    CHECK(count_at(points, {0, 5}, true) > 0);
 }
 
 TEST_CASE("a laser never stays lit at one place, over and over")
