@@ -22,11 +22,11 @@ public:
 
     void begin(Point from);
     void add(const Segment& segment);
-    /// In place of add(): a line to a point as it is seen.
-    void line_to(Point seen);
     void end(Point hub, bool is_closed);
 
 private:
+    void line_to(Point seen);
+
     BeamLines& lines_;
     Sight sight_;
     std::int32_t units_; ///< of the field in a pixel
