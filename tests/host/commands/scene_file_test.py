@@ -179,8 +179,8 @@ class InfoTest(CommandTest):
     def test_wire_frames(self):
         scene = ROOT / "examples" / "jitterbug.kfast"
         facts = json.loads(self.run_kfast("info", scene, "--json").stdout)
-        self.assertEqual((facts["objects"], facts["wire_frames"]), (2, 2))
-        self.assertRegex(self.run_kfast("info", scene).stdout, r"objects +2, 2 wire frames among them\n")
+        self.assertEqual((facts["objects"], facts["wire_frames"]), (3, 3))
+        self.assertRegex(self.run_kfast("info", scene).stdout, r"objects +3, 3 wire frames among them\n")
 
     def with_marks(self):
         (self.folder / "marks.kfast").write_text("""kfast 1
