@@ -30,8 +30,8 @@ public:
     {
     }
 
-    /// Tells `outline`, which is a stroke's, each stroke: begin(point), line_to(point) for the others, and
-    /// end(point without a meaning, is_closed). All points are as they are seen.
+    /// Tells `outline`, which is a stroke's, each stroke, as LiveStrokes::trace() does; but points are as
+    /// they are seen, and hubs have no meaning.
     template <class Outline>
     [[gnu::cold]] void trace(Outline& outline)
     {
@@ -58,17 +58,20 @@ private:
         const Pair<Segment>& depths = depths_.next_segment();
         const Pair<Segment> first = flat;
         const Pair<Segment> first_depths = depths;
-        outline.begin(seen({flat.a.from, flat.b.from}, {depths.a.from, depths.b.from}));
+        Segment segment{.to = seen({flat.a.from, flat.b.from}, {depths.a.from, depths.b.from})};
+        outline.begin(segment.to);
         for (std::uint32_t i = 0; i < segments; ++i) {
             if (i != 0) {
                 flat_.next_segment();
                 depths_.next_segment();
             }
             did(Work::line, 2); // flat, and in depth
-            outline.line_to(seen({flat.a.to, flat.b.to}, {depths.a.to, depths.b.to}));
+            segment.from = segment.to;
+            segment.to = seen({flat.a.to, flat.b.to}, {depths.a.to, depths.b.to});
+            outline.add(segment);
         }
         const bool ends_meet = end_where_began(first, flat) && end_where_began(first_depths, depths);
-        outline.end({}, ends_meet && flat_.is_whole());
+        outline.end(segment.to, ends_meet && flat_.is_whole());
     }
 
     static bool end_where_began(const Pair<Segment>& first, const Pair<Segment>& last)

@@ -21,11 +21,11 @@ public:
 
     void begin(Point from);
     void add(const Segment& segment);
-    /// In place of add(): a line to a point as it is seen.
-    void line_to(Point seen);
     void end(Point hub, bool is_closed);
 
 private:
+    void line_to(Point seen);
+
     OutlineStore& outlines_;
     Sight sight_;
     FillOutline fill_;

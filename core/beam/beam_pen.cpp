@@ -72,8 +72,6 @@ bool BeamPen::is_near_last(Place to) const
     return std::abs(to.x - last_.x) < merging_ && std::abs(to.y - last_.y) < merging_;
 }
 
-void BeamPen::line_to(Point seen) { line_to(place(seen)); }
-
 void BeamPen::line_to(Place to)
 {
     skipped_.reset();

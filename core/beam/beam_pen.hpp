@@ -32,8 +32,6 @@ public:
 
     void begin(Point from);
     void add(const Segment& segment);
-    /// In place of add(): a line to a point as it is seen.
-    void line_to(Point seen);
     void end(Point hub, bool is_closed);
     /// Of a broken stroke: it stays open, so that an outline has no seams where the whole stroke has none.
     void end_part();

@@ -64,6 +64,13 @@ std::size_t item_count(const SceneView& scene)
     return count;
 }
 
+std::size_t wire_frame_count(const SceneView& scene)
+{
+    std::size_t count = 0;
+    every_item(scene, [&count](const ItemView& item) { count += item.object.has_depths ? 1 : 0; });
+    return count;
+}
+
 Json number_facts(const SceneView& scene, const InputView& input, Clock clock)
 {
     return {{"name", input.name},
@@ -153,6 +160,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"seconds", timeline.seconds(timeline.stretch.end.ticks)},
         {"loop", name_of(timeline.stretch.loop)},
         {"objects", object_count(scene.view)},
+        {"wire_frames", wire_frame_count(scene.view)},
         {"items", item_count(scene.view)},
         {"symbols", scene.view.symbol_count()},
         {"keys", keys_of(scene.view)},
@@ -228,6 +236,12 @@ void print_event(const Json& event)
               << event["at"].get<double>() << '\n';
 }
 
+/// Behind the number of objects.
+std::string wire_text(std::size_t wire_frames)
+{
+    return wire_frames == 0 ? "" : ", " + counted(wire_frames, "wire frame") + " among them";
+}
+
 void print_text(const Json& facts)
 {
     std::cout << facts["file"].get<std::string>() << '\n'
@@ -237,7 +251,8 @@ void print_text(const Json& facts)
               << "  length      " << facts["frames"].get<double>() << " frames, "
               << facts["seconds"].get<double>() << " s\n"
               << "  loop        " << facts["loop"].get<std::string>() << '\n'
-              << "  objects     " << facts["objects"] << '\n'
+              << "  objects     " << facts["objects"] << wire_text(facts["wire_frames"].get<std::size_t>())
+              << '\n'
               << "  items       " << facts["items"] << '\n'
               << "  symbols     " << facts["symbols"] << '\n'
               << "  keys        " << key_text(facts["keys"], ", at frames ") << '\n'

@@ -25,7 +25,7 @@ struct Seen {
     std::vector<bool> closed;
 
     void begin(Point from) { strokes.push_back({from}); }
-    void line_to(Point to) { strokes.back().push_back(to); }
+    void add(const Segment& segment) { strokes.back().push_back(segment.to); }
     void end(Point, bool is_closed) { closed.push_back(is_closed); }
 };
 

@@ -154,7 +154,7 @@ class InfoTest(CommandTest):
         memory = facts.pop("memory")
         self.assertEqual(facts, {
             "file": "repeat.kfast", "bytes": len(self.compiled()), "canvas": {"width": 60, "height": 40}, "fps": 30,
-            "frames": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "items": 1, "symbols": 0,
+            "frames": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "wire_frames": 0, "items": 1, "symbols": 0,
             "keys": [0, 4, 10], "inputs": [], "clips": [], "events": []})
         self.assertEqual((memory["width"], memory["height"]), (60, 40))
 
@@ -175,6 +175,12 @@ class InfoTest(CommandTest):
         self.assertRegex(text, r"loop +ping-pong\n")
         self.assertRegex(text, r"keys +3, at frames 0 4 10\n")
         self.assertRegex(text, r"memory +\d+ bytes for a panel of 128x64\n")
+
+    def test_wire_frames(self):
+        scene = ROOT / "examples" / "jitterbug.kfast"
+        facts = json.loads(self.run_kfast("info", scene, "--json").stdout)
+        self.assertEqual((facts["objects"], facts["wire_frames"]), (3, 3))
+        self.assertRegex(self.run_kfast("info", scene).stdout, r"objects +3, 3 wire frames among them\n")
 
     def with_marks(self):
         (self.folder / "marks.kfast").write_text("""kfast 1

@@ -505,6 +505,7 @@ private:
             object.keys.clear();
             object.skin = {};
             object.backbone_keys.clear();
+            object.has_depths = false;
             object.live = numbers_ + random_() % drawings;
         } else if (object.keys.size() > 1 && lie_on_input(object.keys) &&
                    lie_on_input(object.backbone_keys)) {

@@ -39,7 +39,7 @@ public:
 
     CarriedDrawing drawing(const Key& key) const
     {
-        const SkinReader skin = scene_.skin(key.skin);
+        const SkinReader skin = scene_.skin(key.more);
         const PackedDrawing drawing = scene_.drawing(key.drawing);
         return {drawing, skin.has_drawing_at_rest() ? scene_.drawing(skin.drawing_at_rest()) : drawing, skin,
                 bones_};

@@ -61,6 +61,14 @@ TEST_CASE("the pivot is the middle of the box of x and y")
           "object o @0 rotation_y[182] pivot_x[320] pivot_y[640]");
 }
 
+TEST_CASE("the pivot of a wire frame counts even if the object does not turn itself")
+{
+    CHECK(items_read("object o stroke=red { wire 10 20 5 30 60 90 }") ==
+          "object o @0 pivot_x[320] pivot_y[640]");
+    CHECK(items_read("object o stroke=red pivot-x=0 pivot-y=1 { wire 10 20 5 30 60 90 }") ==
+          "object o @0 pivot_y[16]");
+}
+
 TEST_CASE("symbols of wires are placed, but not copied")
 {
     const SceneText read =
