@@ -74,7 +74,6 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
 {
     switch (mistake.fault) {
     case SettingsFault::bus_not_taken:
-    case SettingsFault::beam_beyond_limits:
         return draft.bus->arguments.front().place;
     case SettingsFault::glass_beyond_memory:
     case SettingsFault::glass_ragged:
@@ -83,7 +82,6 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
         return scene::property_place(*draft.panel, "rotation");
     case SettingsFault::clock_too_fast:
     case SettingsFault::clock_too_slow:
-    case SettingsFault::beam_too_fast:
         return scene::property_place(*draft.bus, "clock");
     case SettingsFault::address_reserved:
         return scene::property_place(*draft.bus, "address");
