@@ -20,7 +20,7 @@ public:
                 const LiveBackbones* backbones, const Affine& placement);
 
     /// Tells `outline` each stroke: begin(point), add(segment) for all of its segments, and end(hub,
-    /// is_closed).
+    /// is_closed). Of an outline that has end_part(), this ends the parts of a broken stroke instead.
     template <class Outline>
     void trace(Outline& outline)
     {
@@ -43,6 +43,9 @@ private:
             segment = live(both, segment.to);
             outline.add(segment);
         }
+        if constexpr (requires { outline.end_part(); })
+            if (!pair_.is_whole())
+                return outline.end_part();
         const bool ends_meet = first.a == both.a.to && first.b == both.b.to;
         const Pair<Point> hub = pair_.hub();
         outline.end(live(hub.a, hub.b), ends_meet && pair_.is_whole());

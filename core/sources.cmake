@@ -4,12 +4,18 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_course.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_gait.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_lines.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pace.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pen.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_piece.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_plot.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_route.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_tracer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_turn.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/leg_corners.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/blending.cpp

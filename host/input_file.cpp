@@ -47,7 +47,7 @@ public:
     {
         std::string all;
         std::array<char, 65536> block{};
-        while (all.size() <= input_limit) {
+        while (all.size() <= kind_.most_bytes) {
             const ssize_t count = ::read(descriptor_, block.data(), block.size());
             if (count < 0)
                 refuse(in_words(errno, kind_));
@@ -77,9 +77,9 @@ std::string read_input(const fs::path& path, const InputKind& kind)
     std::string content = file.content();
     if (content.empty())
         file.refuse("the file is empty: " + std::string{kind.begins});
-    if (content.size() > input_limit)
-        file.refuse("larger than 16 MB, more than any " + std::string{kind.noun} +
-                    " needs: is it the right file?");
+    if (content.size() > kind.most_bytes)
+        file.refuse("larger than " + std::to_string(kind.most_bytes >> 20) + " MB, more than any " +
+                    std::string{kind.noun} + " needs: is it the right file?");
     return content;
 }
 

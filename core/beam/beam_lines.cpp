@@ -37,6 +37,12 @@ void BeamLines::end()
     end_[-static_cast<std::ptrdiff_t>(line_count_)] = open_;
 }
 
+void BeamLines::drop()
+{
+    point_count_ = open_.first_point;
+    open_.points = 0;
+}
+
 bool BeamLines::has_room_for(std::size_t bytes)
 {
     is_full_ = is_full_ || point_count_ == most_points || used_bytes() + bytes > size_;

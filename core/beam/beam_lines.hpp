@@ -3,6 +3,7 @@
 #include "core/beam/field_point.hpp"
 #include "core/colour.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +23,11 @@ struct BeamLine {
 class BeamLines {
 public:
     static constexpr std::size_t most_points = 0xFFFF;
+    /// Lines that find room in so many bytes.
+    static constexpr std::size_t most_in(std::size_t bytes)
+    {
+        return std::min(bytes / (sizeof(FieldPoint) + sizeof(BeamLine)), most_points);
+    }
 
     BeamLines() = default;
     /// `storage` is aligned to 4 bytes, and its size a multiple of 4.
@@ -32,6 +38,10 @@ public:
     void begin(Colour colour, std::uint32_t item);
     void add(FieldPoint point);
     void end();
+    /// Instead of end(): forgets the line.
+    void drop();
+    /// Of the line that is being told.
+    std::uint32_t open_points() const { return open_.points; }
 
     std::size_t size() const { return line_count_; }
     /// In the order in which they were added.

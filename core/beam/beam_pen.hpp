@@ -8,30 +8,68 @@
 #include "core/sight.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace kfast {
 
+/// What is drawn of an object.
+enum class BeamInk : std::uint8_t {
+    stroke,  ///< its strokes as they are; one without length is a dot
+    outline, ///< the border of its fill: open strokes are closed, as they are for filling, and there are no
+             ///< dots
+};
+
 /// Turns the live strokes of one object (LiveStrokes::trace()) into lines in the field.
+///
+/// Corners are rounded to units of the field, halves up; where lines cross its border is rounded from the
+/// exact crossing of these, whichever way the line runs. What lies beyond the border is cut off: a line that
+/// leaves the field and comes back becomes several, all of them open.
 class BeamPen {
 public:
     /// `resolution` is that of the profile: so many pixels has a side of the panel that stands for the field.
-    BeamPen(BeamLines& lines, const Sight& sight, int resolution, Colour colour, std::uint32_t item)
-        : lines_{lines}, sight_{sight}, units_{field_side / resolution}, colour_{colour}, item_{item}
-    {
-    }
+    BeamPen(BeamLines& lines, const Sight& sight, int resolution, BeamInk ink, Colour colour,
+            std::uint32_t item);
 
     void begin(Point from);
     void add(const Segment& segment);
     void end(Point hub, bool is_closed);
+    /// Of a broken stroke: it stays open, so that an outline has no seams where the whole stroke has none.
+    void end_part();
 
 private:
-    void line_to(Point seen);
+    /// As FieldPoint, but anywhere.
+    struct Place {
+        std::int32_t x = 0;
+        std::int32_t y = 0;
+
+        bool is_in_field() const;
+    };
+
+    static bool is_outside_one_side(Place a, Place b);
+    static std::optional<Place> crossing(Place outside, Place other);
+    static std::optional<std::int32_t> crossing(std::int32_t border, Place from, Place to);
+
+    Place place(Point at) const;
+    void move_to(Place to);
+    void line_to(Place to);
+    void add_cut(Place to);
+    void add_point(Place at);
+    void end_line();
+    void end_stroke();
+    bool is_near_last(Place to) const;
 
     BeamLines& lines_;
     Sight sight_;
-    std::int32_t units_; ///< of the field in a pixel
+    int shift_;            ///< from 1/65536 px to half units of the field
+    std::int32_t merging_; ///< corners that lie so near to the one before are left out
+    BeamInk ink_;
     Colour colour_;
     std::uint32_t item_;
+    Place first_;
+    Place last_;                   ///< that was not left out
+    std::optional<Place> skipped_; ///< behind it
+    bool is_drawing_ = false;      ///< a line in the field has begun
+    bool is_cut_ = false;          ///< a part of the stroke lies outside
 };
 
 }

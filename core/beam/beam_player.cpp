@@ -9,28 +9,56 @@
 namespace kfast {
 namespace {
 
+constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
 /// How the lent block is divided: one part after the other.
 struct BlockPlan {
     std::size_t lines; ///< bytes of each part
     std::size_t legs;
     std::size_t live;
 
-    BlockPlan(const SceneView& scene, std::size_t live_bytes)
-        : lines{scene.outline_bytes() + 64}, legs{lines / sizeof(BeamLine) * sizeof(BeamLeg) / 4 * 4},
+    BlockPlan(const SceneView& scene, const BeamProfile& profile, std::size_t live_bytes)
+        : lines{line_bytes(scene, profile)}, legs{whole_words(BeamLines::most_in(lines) * sizeof(BeamLeg))},
           live{live_bytes}
     {
+    }
+
+    /// A fill takes at least 8 bytes for each piece of its outline, a stroke twice that and more, and both 32
+    /// for each outline (outline_store.hpp). A closed line in the field takes 4 for each piece, and 16, or 20
+    /// for each piece if all of them leave the field and come back: so much there is room for. Curves cross
+    /// the border three times at most, so that the same room is enough for four times as many pieces: they
+    /// double where a field has 4 times as many pixels as the canvas, as in Player. Dots with flat ends,
+    /// which only a beam shows, are not counted there.
+    static std::size_t line_bytes(const SceneView& scene, const BeamProfile& profile)
+    {
+        std::size_t bytes = scene.outline_bytes() * std::size_t{20} / 8;
+        for (int reach = 16 * std::max(scene.canvas().width, scene.canvas().height);
+             reach < profile.resolution; reach *= 4)
+            bytes *= 2;
+        return whole_words(bytes) + 64;
     }
 
     std::size_t size() const { return lines + legs + live; }
 };
 
+/// As they are told: a laser is not always lit where its lines are (StandingLight).
+std::uint32_t lit_points(BeamPlot plot)
+{
+    std::uint32_t lit = 0;
+    std::array<BeamPoint, 32> points;
+    while (const std::size_t count = plot.next(points))
+        for (const BeamPoint& point : std::span{points}.first(count))
+            lit += point.is_lit() ? 1 : 0;
+    return lit;
+}
+
 Size field_panel(const BeamProfile& profile) { return {profile.resolution, profile.resolution}; }
 
 }
 
-std::size_t BeamPlayer::block_bytes(const SceneView& scene, const BeamProfile&)
+std::size_t BeamPlayer::block_bytes(const SceneView& scene, const BeamProfile& profile)
 {
-    return BlockPlan{scene, bytes_for(scene)}.size();
+    return BlockPlan{scene, profile, bytes_for(scene)}.size();
 }
 
 Result<BeamPlayer> BeamPlayer::create(const SceneView& scene, const BeamProfile& profile,
@@ -45,9 +73,9 @@ Result<BeamPlayer> BeamPlayer::create(const SceneView& scene, const BeamProfile&
 BeamPlayer::BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
                        std::span<std::byte> block)
     : LiveScene{scene, field_panel(profile), Fit::contain, block.last(bytes_for(scene))}, profile_{profile},
-      budget_{std::min(budget, profile.rate / profile.least_refresh)}
+      budget_{std::min(budget, profile.rate / std::max<std::uint32_t>(profile.least_refresh, 1))}
 {
-    const BlockPlan plan{scene, bytes_for(scene)};
+    const BlockPlan plan{scene, profile, bytes_for(scene)};
     BlockCutter cutter{block};
     lines_ = BeamLines{cutter.cut(plan.lines)};
     leg_storage_ = cutter.cut_as<BeamLeg>(plan.legs);
@@ -69,7 +97,7 @@ void BeamPlayer::trace(Time time)
     BeamTracer tracer{on_panel(), moment, profile_.resolution, lines_};
     tracer.run();
     still_ = tracer.still();
-    const std::span<BeamLeg> legs = leg_storage_.first(std::min(lines_.size(), leg_storage_.size()));
+    const std::span<BeamLeg> legs = leg_storage_.first(lines_.size());
     find_route(lines_, profile_.park, legs);
     legs_ = legs;
     measure();
@@ -77,14 +105,15 @@ void BeamPlayer::trace(Time time)
 
 void BeamPlayer::measure()
 {
-    report_ = {.lines = static_cast<std::uint32_t>(lines_.size()), .is_complete = !lines_.is_full()};
-    BeamPlot counted = plot();
-    std::array<BeamPoint, 32> points;
-    while (const std::size_t count = counted.next(points)) {
-        report_.points += static_cast<std::uint32_t>(count);
-        for (const BeamPoint& point : std::span{points}.first(count))
-            report_.lit_points += point.is_lit() ? 1 : 0;
-    }
+    pace_ = find_pace(lines_, legs_, profile_, budget_, pace_.haste);
+    const BeamAmount& amount = pace_.amount;
+    report_ = {.points = amount.points,
+               .lit_points = profile_.is_laser ? lit_points(plot()) : amount.lit_points,
+               .lit_length = amount.lit_length,
+               .blanked_length = amount.blanked_length,
+               .lines = static_cast<std::uint32_t>(pace_.legs),
+               .haste = pace_.haste,
+               .is_complete = !lines_.is_full() && pace_.legs == lines_.size()};
 }
 
 }

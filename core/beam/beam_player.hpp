@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_lines.hpp"
+#include "core/beam/beam_pace.hpp"
 #include "core/beam/beam_plot.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
@@ -22,8 +23,8 @@ struct BeamReport {
     std::uint32_t lit_points = 0;
     std::uint64_t lit_length = 0;
     std::uint64_t blanked_length = 0;
-    std::uint32_t lines = 0;
-    int haste = 0;           ///< how often the beam was made twice as fast, to keep within the budget
+    std::uint32_t lines = 0; ///< that are drawn
+    int haste = 0; ///< how often the beam was made a quarter faster (2^(1/4)), to keep within the budget
     bool is_complete = true; ///< there was room and time for all lines
 };
 
@@ -50,7 +51,7 @@ public:
     /// The points of the picture, from its beginning. They can be repeated as they are: the last one is
     /// followed by the first one. At least one: where there is nothing to draw, the beam is parked. Valid
     /// until the next call of show().
-    BeamPlot plot() const { return {lines_, legs_, profile_, report_.haste}; }
+    BeamPlot plot() const { return {lines_, legs_, profile_, pace_}; }
     const BeamProfile& profile() const { return profile_; }
 
 private:
@@ -65,6 +66,7 @@ private:
     BeamLines lines_;
     std::span<BeamLeg> leg_storage_;
     std::span<const BeamLeg> legs_;
+    BeamPace pace_;
     BeamReport report_;
     Still still_;
 };

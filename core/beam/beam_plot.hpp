@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/beam/beam_course.hpp"
 #include "core/beam/beam_lines.hpp"
+#include "core/beam/beam_pace.hpp"
 #include "core/beam/beam_point.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
+#include "core/beam/standing_light.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,27 +14,31 @@
 
 namespace kfast {
 
-/// The points of a picture, one after another.
+/// The points of a picture, one after another. It needs no memory that grows with them.
+///
+/// Where the light is told later than the place, all points are: the places of the first ones are told at the
+/// end of the picture before.
 class BeamPlot {
 public:
-    /// `lines` and `legs` must outlive it. `haste` makes the beam go that often twice as fast, and wait half
-    /// as long.
-    BeamPlot(const BeamLines& lines, std::span<const BeamLeg> legs, const BeamProfile& profile, int haste)
-        : lines_{&lines}, legs_{legs}, profile_{profile}, haste_{haste}
-    {
-    }
+    /// All but `pace` must outlive it.
+    BeamPlot(const BeamLines& lines, std::span<const BeamLeg> legs, const BeamProfile& profile,
+             const BeamPace& pace);
 
     /// Fills the beginning of `points` with the next ones, and returns how many: fewer than fit only at the
     /// end.
     std::size_t next(std::span<BeamPoint> points);
 
 private:
-    const BeamLines* lines_;
-    std::span<const BeamLeg> legs_;
-    BeamProfile profile_;
-    int haste_;
-    std::size_t leg_ = 0;
-    std::size_t vertex_ = 0;
+    void plot_run(std::span<BeamPoint> points);
+    FieldPoint next_place();
+    Colour light() const;
+
+    BeamCourse course_;
+    BeamCourse places_; ///< where the light is late, as many points ahead
+    StandingLight standing_;
+    bool is_late_;
+    bool is_laser_;
+    BeamBrightness brightness_;
 };
 
 }

@@ -103,8 +103,9 @@ void BeamTracer::add_lines(const ObjectStyle& style, const ItemState& state, con
         return;
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
-    BeamPen pen{lines_, Sight{is_flat ? nullptr : &projection, coarseness_}, resolution_, colour,
-                context.path};
+    BeamPen pen{lines_,      Sight{is_flat ? nullptr : &projection, coarseness_},
+                resolution_, style.is_stroked ? BeamInk::stroke : BeamInk::outline,
+                colour,      context.path};
     trace(is_flat ? context.space.plane : Affine{}, pen);
 }
 

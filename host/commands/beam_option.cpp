@@ -1,16 +1,30 @@
 #include "host/commands/beam_option.hpp"
 
-#include "host/beam/profile_choice.hpp"
+#include <functional>
+#include <string>
 
 namespace kfast {
+namespace {
 
-CLI::Option* declare_beam_option(CLI::App& app, std::optional<BeamProfile>& beam)
+CLI::Option* add(CLI::App& app, const std::function<void(const ChosenBeam&)>& set)
 {
     return app
         .add_option_function<std::string>(
-            "--beam", [&beam](const std::string& name) { beam = chosen_profile(name); },
-            "For a vector display: scope, crt or galvo")
+            "--beam", [set](const std::string& name) { set(chosen_beam(name)); },
+            "For a vector display: scope, crt, galvo, or a file that describes one, FILE.kdl")
         ->type_name("PROFILE");
+}
+
+}
+
+CLI::Option* declare_beam_option(CLI::App& app, std::optional<BeamProfile>& beam)
+{
+    return add(app, [&beam](const ChosenBeam& chosen) { beam = chosen.profile; });
+}
+
+CLI::Option* declare_beam_option(CLI::App& app, std::optional<ChosenBeam>& beam)
+{
+    return add(app, [&beam](const ChosenBeam& chosen) { beam = chosen; });
 }
 
 }

@@ -1,63 +1,119 @@
-#include "host/atomic_file.hpp"
+#include "host/commands/beam_option.hpp"
 #include "host/commands/c_name.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/export_kinds.hpp"
+#include "host/commands/number_range.hpp"
 #include "host/commands/output_path.hpp"
-#include "host/commands/picture_options.hpp"
-#include "host/commands/scene_header.hpp"
-#include "host/commands/summary.hpp"
-#include "host/scene_file.hpp"
 
-#include <iostream>
-#include <span>
+#include <array>
+#include <memory>
+#include <vector>
 
 namespace kfast {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct ExportOptions {
-    std::string scene;
-    std::string output;
-    std::optional<std::string> name;
-    PictureOptions picture;
+using Options = std::vector<CLI::Option*>;
+
+/// A kind of file, and what its flag does.
+struct Kind {
+    CLI::Option* flag;
+    void (*run)(const ExportOptions&);
 };
 
-fs::path chosen_output(const ExportOptions& options)
+Kind add_kind(CLI::Option_group& kinds, const char* flag, const char* text, void (*run)(const ExportOptions&))
 {
-    return options.output.empty() ? fs::path{options.scene}.replace_extension(".h")
-                                  : fs::path{options.output};
+    return {kinds.add_flag(flag)->description(text), run};
 }
 
-void export_scene(const ExportOptions& options)
+void belong_to(const Kind& kind, const Options& options)
 {
-    const std::string name = options.name ? *options.name : c_name_for(options.scene);
-    const SceneFile scene = load_scene(options.scene);
-    const fs::path output = output_path(chosen_output(options), options.scene);
-    const SceneHeader header{name, fs::path{options.scene}.filename().string(),
-                             panel_size(options.picture, scene.view)};
-    const std::string text = header_text(header, scene);
-    write_file(output, std::as_bytes(std::span{text}));
-    std::cout << output.string() << ": " << name << "[], "
-              << summary(scene, header.panel, block_bytes(header, scene)) << '\n';
+    for (CLI::Option* option : options)
+        option->needs(kind.flag);
+}
+
+Options declare_header_options(CLI::App& app, ExportOptions& options)
+{
+    CLI::Option* name =
+        app.add_option_function<std::string>(
+               "--name", [&options](const std::string& text) { options.name = checked_c_name(text); },
+               "With --header: what the array is called (default: FILE's name)")
+            ->type_name("NAME");
+    declare_size_options(app, options.picture);
+    return {name, app.get_option("--size"), app.get_option("--panel")};
+}
+
+Options declare_ilda_options(CLI::App& app, ExportOptions& options)
+{
+    return {app.add_option("--ilda-format", options.ilda_format,
+                           "With --ild: 0 3-D and indexed, 1 2-D and indexed, 4 3-D and true colour, 5 2-D "
+                           "and true colour (default: 5)")
+                ->type_name("N")
+                ->check(CLI::IsMember({0, 1, 4, 5}))};
+}
+
+Options declare_wave_options(CLI::App& app, ExportOptions& options)
+{
+    Options all = declare_sound_options(app, options.sound);
+    all.push_back(app.add_option("--bits", options.bits, "With --wav: of a sample, 16 or 24 (default: 16)")
+                      ->type_name("N")
+                      ->check(CLI::IsMember({16, 24})));
+    all.push_back(app.add_option("--seconds", options.seconds,
+                                 "With --wav: how long, by playing again (default: one play)")
+                      ->type_name("T")
+                      ->check(number_within(0.001, 86400)));
+    return all;
+}
+
+/// Of what is drawn for a beam.
+Options declare_beam_options(CLI::App& app, ExportOptions& options)
+{
+    CLI::Option* beam = declare_beam_option(app, options.beam);
+    declare_play_options(app, options.play);
+    declare_input_options(app, options.picture.inputs);
+    declare_drawing_options(app, options.picture.drawings);
+    return {beam, app.get_option("--clip"), app.get_option("--speed"), app.get_option("--input"),
+            app.get_option("--drawing")};
 }
 
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<ExportOptions>();
     app.add_option("FILE", options->scene, "A scene text (.kfast) or compiled scene (.kfb)")->required();
-    app.add_flag("--header")->description("As an array in a header for C and C++")->required();
-    app.add_option("-o,--output", options->output, "The header (default: FILE's name with .h)");
-    app.add_option_function<std::string>(
-           "--name", [options](const std::string& name) { options->name = checked_c_name(name); },
-           "What the array is called (default: FILE's name)")
-        ->type_name("NAME");
-    declare_size_options(app, options->picture);
-    app.callback([options] { export_scene(*options); });
+    CLI::Option_group& group = *app.add_option_group("What to make (one of these)");
+    const std::array kinds{
+        add_kind(group, "--header", "An array in a header for C and C++", export_header),
+        add_kind(group, "--ild", "An ILDA file with the frames of one play, for lasers", export_ilda),
+        add_kind(group, "--wav", "A sound that leads an oscilloscope: x left, y right", export_wave)};
+    group.require_option(1);
+    app.add_option("-o,--output", options->output, "The file (default: FILE's name with .h, .ild or .wav)");
+    belong_to(kinds[0], declare_header_options(app, *options));
+    belong_to(kinds[1], declare_ilda_options(app, *options));
+    belong_to(kinds[2], declare_wave_options(app, *options));
+    for (CLI::Option* option : declare_beam_options(app, *options))
+        option->excludes(kinds[0].flag);
+    app.callback([options, kinds] {
+        for (const auto& [flag, run] : kinds)
+            if (flag->count() > 0)
+                run(*options);
+    });
 }
 
 }
 
-const Command export_command{"export", "Turn a scene into source for programs in C and C++",
-                             "kfast export --header eyes.kfast -o eyes.h", declare};
+fs::path export_path(const ExportOptions& options, const char* ending)
+{
+    const fs::path output =
+        options.output.empty() ? fs::path{options.scene}.replace_extension(ending) : fs::path{options.output};
+    return output_path(output, options.scene);
+}
+
+const Command export_command{"export",
+                             "Turn a scene into source for programs, an ILDA file or a sound for a scope",
+                             "kfast export --header eyes.kfast -o eyes.h\n"
+                             "  kfast export --ild eyes.kfast --beam galvo\n"
+                             "  kfast export --wav eyes.kfast --rate 96000 --seconds 60",
+                             declare};
 
 }

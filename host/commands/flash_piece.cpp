@@ -36,14 +36,22 @@ std::optional<Known> known_firmware(Bytes bytes)
                  "firmware for displays on " + config::word_of(*bus)};
 }
 
+/// "a display st7789, 240 x 320, on spi"
+std::string settings_text(const BoardSettings& settings)
+{
+    const std::string bus = ", on " + config::word_of(settings.bus);
+    if (leads_beam(settings.bus))
+        return "a beam, " + std::to_string(settings.beam.rate) + " points a second" + bus;
+    return "a display " + config::word_of(settings.panel.controller) + ", " +
+           config::size_text(settings.panel.glass) + bus;
+}
+
 std::optional<Known> known_settings(Bytes bytes)
 {
     const auto settings = read_board_record(bytes);
     if (!settings)
         return std::nullopt;
-    return Known{std::min(pico_flash::sector_bytes, bytes.size()),
-                 "settings of a display " + config::word_of(settings->panel.controller) + ", " +
-                     config::size_text(settings->panel.glass) + ", on " + config::word_of(settings->bus)};
+    return Known{std::min(pico_flash::sector_bytes, bytes.size()), "settings of " + settings_text(*settings)};
 }
 
 std::optional<Known> known_scene(Bytes bytes)

@@ -1,5 +1,6 @@
 #include "host/commands/flash_plan.hpp"
 
+#include "core/beam/beam_player.hpp"
 #include "firmware/controller_facts.hpp"
 #include "host/commands/fit_options.hpp"
 #include "host/config/config_input.hpp"
@@ -19,7 +20,7 @@ namespace kfast {
 namespace {
 
 /// In the order of BusKind.
-constexpr std::array buses{BusKind::spi, BusKind::i2c, BusKind::parallel_8};
+constexpr std::array buses{BusKind::spi, BusKind::i2c, BusKind::parallel_8, BusKind::dac};
 
 NamedSettings usual_settings(BusKind bus)
 {
@@ -66,6 +67,18 @@ void require_room(const std::string& name, const fit::Target& target, const fit:
                       ExitStatus::no_room};
 }
 
+/// Every image lends the player 88 KiB (boards/pico/link.ld); points of pictures lie elsewhere.
+void require_room_for_beam(const std::string& name, const SceneView& scene, const BeamProfile& profile)
+{
+    constexpr std::size_t lent = 88 * 1024;
+    const std::size_t needed = BeamPlayer::block_bytes(scene, profile);
+    if (needed > lent)
+        throw Failure{name + ": does not fit pico-xy\n  RAM: it needs " + std::to_string(needed - lent) +
+                          " bytes more than there are\n  Shorten the scene, draw it with fewer points, or "
+                          "take a profile with a lower resolution",
+                      ExitStatus::no_room};
+}
+
 void warn_of_slowness(const std::string& name, const fit::FitReport& report)
 {
     if (!report.slowness.empty())
@@ -91,7 +104,8 @@ FlashPlan::FlashPlan(const PlanWish& wish, std::span<const std::filesystem::path
     : scene_name_{wish.scene}, settings_{wish.settings}
 {
     if (wish.no_firmware && wish.scene.empty() && !settings_.is_made())
-        throw CLI::RequiredError("with --no-firmware, a scene or settings (--config, --panel, --pin)");
+        throw CLI::RequiredError(
+            "with --no-firmware, a scene or settings (--config, --panel, --beam, --pin)");
     if (!wish.scene.empty())
         scene_.emplace(load_scene(wish.scene));
     firmwares_ = firmwares_of(wish, settings_, images);
@@ -121,6 +135,8 @@ NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& told,
 
 void FlashPlan::check_fit(const BoardSettings& settings) const
 {
+    if (leads_beam(settings.bus))
+        return require_room_for_beam(scene_name_, scene_->view, settings.beam);
     const fit::Target target = fit::pico_target(settings);
     const fit::FitReport report = report_on(*scene_, target);
     require_room(scene_name_, target, report);
@@ -152,7 +168,7 @@ FlashContents FlashPlan::contents_for(const std::optional<FoundOnBoard>& found) 
                   << (found ? "the board does not know its display"
                             : "which display the board has is not known")
                   << ", so the firmware is that for " << config::default_configuration(BusKind::spi)
-                  << ": name yours with --panel or --config\n";
+                  << ": name yours with --panel, --beam or --config\n";
     return contents;
 }
 

@@ -1,3 +1,6 @@
+#include "host/beam/beam_source.hpp"
+#include "host/beam/point_hash.hpp"
+#include "host/commands/beam_option.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
@@ -13,6 +16,7 @@ struct HashOptions {
     std::string file;
     PlayOptions play;
     PictureOptions picture;
+    std::optional<BeamProfile> beam;
 };
 
 std::string line(int frame, std::uint32_t hash)
@@ -22,13 +26,23 @@ std::string line(int frame, std::uint32_t hash)
     return text;
 }
 
+/// `source` shows what hash() takes.
+template <class Source>
+void print_hashes(Source& source, const Timeline& timeline)
+{
+    for (int frame = 0; frame < timeline.frame_count(); ++frame)
+        std::cout << line(frame, hash(source.show(timeline.frame_time(frame))));
+}
+
 void print_hashes(const HashOptions& options)
 {
     const SceneFile scene = load_scene(options.file);
     const Timeline timeline = chosen_timeline(options.play, scene.view);
-    const auto source = open_source(options.picture, scene);
-    for (int frame = 0; frame < timeline.frame_count(); ++frame)
-        std::cout << line(frame, hash(source->show(timeline.frame_time(frame))));
+    if (!options.beam)
+        return print_hashes(*open_source(options.picture, scene), timeline);
+    BeamSource points{scene.view, *options.beam};
+    tell_inputs(options.picture, scene, points);
+    print_hashes(points, timeline);
 }
 
 void declare(CLI::App& app)
@@ -37,12 +51,17 @@ void declare(CLI::App& app)
     app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
     declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
+    CLI::Option* beam = declare_beam_option(app, options->beam);
+    for (const char* const other : {"--size", "--panel", "--fit", "--format"})
+        beam->excludes(app.get_option(other));
     app.callback([options] { print_hashes(*options); });
 }
 
 }
 
 const Command hash_command{"hash", "Print the CRC-32 of every frame, the same on every target",
-                           "kfast hash eyes.kfb --size 128x64 --format mono1", declare};
+                           "kfast hash eyes.kfb --size 128x64 --format mono1\n"
+                           "  kfast hash eyes.kfb --beam scope",
+                           declare};
 
 }

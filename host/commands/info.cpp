@@ -1,9 +1,12 @@
+#include "core/beam/beam_profile.hpp"
 #include "host/commands/bone_tracks.hpp"
 #include "host/commands/clock_facts.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/glyph_text.hpp"
+#include "host/commands/ilda_info.hpp"
 #include "host/commands/item_tracks.hpp"
 #include "host/commands/json_text.hpp"
+#include "host/commands/number_range.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
@@ -26,6 +29,7 @@ struct InfoOptions {
     std::string file;
     bool json = false;
     bool tracks = false;
+    std::uint32_t rate = galvo_profile.rate;
     PictureOptions picture;
 };
 
@@ -250,6 +254,8 @@ void print_text(const Json& facts)
 
 void print_info(const InfoOptions& options)
 {
+    if (is_ilda(options.file))
+        return print_ilda_info(options.file, options.rate, options.json);
     const SceneFile scene = load_scene(options.file);
     Json known = facts(options, scene);
     if (options.tracks) {
@@ -265,9 +271,14 @@ void print_info(const InfoOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<InfoOptions>();
-    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("FILE", options->file, "A scene text (.kfast), a compiled scene (.kfb) or an ILDA file")
+        ->required();
     app.add_flag("--json", options->json, "For programs: a JSON object");
     app.add_flag("--tracks", options->tracks, "All that moves and turns items and bones, and when");
+    app.add_option("--rate", options->rate,
+                   "How many points of an ILDA file are played in a second (default: 30000)")
+        ->type_name("HZ")
+        ->check(number_within(1'000, 1'000'000));
     declare_size_options(app, options->picture);
     app.callback([options] { print_info(*options); });
 }
@@ -276,6 +287,8 @@ void declare(CLI::App& app)
 
 const Command info_command{
     "info", "Tell size, length, loop, objects, keys, inputs, clips, events and memory of a scene",
-    "kfast info eyes.kfb --panel ssd0323", declare};
+    "kfast info eyes.kfb --panel ssd0323\n"
+    "  kfast info eyes.ild --rate 40000",
+    declare};
 
 }

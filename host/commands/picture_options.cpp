@@ -1,12 +1,11 @@
 #include "host/commands/picture_options.hpp"
 
+#include "host/commands/named_choice.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/picture/board_source.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/picture/player_source.hpp"
-#include "host/text/suggestion.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -24,27 +23,6 @@ constexpr std::array fits{
     Named<Fit>{"cover", Fit::cover},
     Named<Fit>{"none", Fit::none},
 };
-
-template <class Rows>
-std::string names_of(const Rows& rows)
-{
-    std::string list;
-    for (const auto& row : rows)
-        list.append(list.empty() ? "" : ", ").append(row.name);
-    return list;
-}
-
-template <class Rows>
-const auto& named(const Rows& rows, const std::string& option, const std::string& name)
-{
-    std::vector<std::string_view> known;
-    for (const auto& row : rows) {
-        if (row.name == name)
-            return row;
-        known.push_back(row.name);
-    }
-    throw CLI::ValidationError(option, "'" + name + "' is unknown: " + suggestion(name, known));
-}
 
 using OnText = std::function<void(const std::string&)>;
 
@@ -77,6 +55,8 @@ CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
 /// Its inputs stand as usual.
 std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene)
 {
+    if (options.screen.beam)
+        return open_screen(options.screen, scene, options.size);
     if (options.panel != nullptr)
         return open_board_source(scene.bytes, options.panel->settings);
     const Size size = panel_size(options, scene.view);
@@ -105,16 +85,29 @@ void declare_picture_options(CLI::App& app, PictureOptions& options)
     declare_drawing_options(app, options.drawings);
 }
 
+void declare_seen_options(CLI::App& app, PictureOptions& options)
+{
+    declare_picture_options(app, options);
+    CLI::Option* beam = declare_screen_options(app, options.screen);
+    for (const char* const other : {"--panel", "--fit", "--format"})
+        beam->excludes(app.get_option(other));
+}
+
 Size panel_size(const PictureOptions& options, const SceneView& scene)
 {
     return options.panel != nullptr ? options.panel->settings.size() : options.size.value_or(scene.canvas());
 }
 
+void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source)
+{
+    put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, source);
+    put_drawings(options.drawings, scene.view, source);
+}
+
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
     auto source = open_at_rest(options, scene);
-    put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, *source);
-    put_drawings(options.drawings, scene.view, *source);
+    tell_inputs(options, scene, *source);
     return source;
 }
 

@@ -3,6 +3,7 @@
 #include "core/player.hpp"
 #include "host/commands/drawing_options.hpp"
 #include "host/commands/input_options.hpp"
+#include "host/commands/screen_options.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/panel_choice.hpp"
 #include "host/scene_file.hpp"
@@ -13,18 +14,23 @@
 
 namespace kfast {
 
-/// What a scene is drawn on, as chosen by --size, --fit, --format and --panel, and what its inputs are told.
+/// What a scene is drawn on, as chosen by --size, --fit, --format, --panel and --beam, and what its inputs
+/// are told.
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene
     Fit fit = Fit::contain;
     PixelFormat format = PixelFormat::rgb565;
     const PanelChoice* panel = nullptr; ///< instead of size, fit and format: it is driven as on a board
+    ScreenOptions screen = {};          ///< with a beam instead of fit, format and panel
     InputOptions inputs = {};
     DrawingOptions drawings = {};
 };
 
-/// Adds these options to `app`. `options` must outlive its parsing.
+/// Adds these options to `app`, but not --beam. `options` must outlive its parsing.
 void declare_picture_options(CLI::App& app, PictureOptions& options);
+
+/// Adds all of them, for whoever looks at the pictures.
+void declare_seen_options(CLI::App& app, PictureOptions& options);
 
 /// Adds --panel only. `panel` must outlive the parsing.
 CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
@@ -33,6 +39,9 @@ CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
 void declare_size_options(CLI::App& app, PictureOptions& options);
 
 Size panel_size(const PictureOptions& options, const SceneView& scene);
+
+/// As chosen by --input and --drawing.
+void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);
 
 /// `scene` must outlive the source.
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene);

@@ -1,3 +1,4 @@
+#include "host/commands/audio_options.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
@@ -22,6 +23,7 @@ struct PreviewOptions {
     std::optional<std::vector<PreviewKey>> script;
     PlayOptions play;
     PictureOptions picture;
+    AudioOptions audio;
 };
 
 std::vector<PreviewKey> read_script(const std::string& text)
@@ -65,7 +67,7 @@ void preview(const PreviewOptions& options)
     const SceneFile scene = load_scene(options.file);
     const Programme programme =
         chosen_programme(options.play, scene.view, chosen_inputs(options.picture.inputs, scene.view));
-    const auto source = open_source(options.picture, scene);
+    const auto source = heard(open_source(options.picture, scene), options.audio, options.picture, scene);
     if (options.headless)
         return preview_headless(options, *source, programme);
     if (!options.terminal && play_in_window(*source, programme, options.file, options.loops))
@@ -96,14 +98,14 @@ void declare(CLI::App& app)
             ->check(CLI::Range(1, 1000000));
     CLI::Option* headless =
         app.add_flag("--headless", options->headless, "Show nothing; print the events and a summary");
-    headless->excludes(terminal)->excludes(loops);
+    headless->excludes(terminal)->excludes(loops)->excludes(declare_audio_options(app, options->audio));
     app.add_option_function<std::string>(
            "--keys", [options](const std::string& text) { options->script = read_script(text); },
            "With --headless: press these keys, print what each shows")
         ->type_name("LIST")
         ->needs(headless);
     declare_play_options(app, options->play);
-    declare_picture_options(app, options->picture);
+    declare_seen_options(app, options->picture);
     app.footer(app.get_footer() + "\n\n" + key_list());
     app.callback([options] { preview(*options); });
 }

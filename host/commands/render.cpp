@@ -103,7 +103,7 @@ void declare(CLI::App& app)
     moment->add_flag("--all", options->all, "Every frame; a GIF goes there and back for ping-pong");
     moment->require_option(1);
     declare_play_options(app, options->play);
-    declare_picture_options(app, options->picture);
+    declare_seen_options(app, options->picture);
     app.callback([options] { render_scene(*options); });
 }
 

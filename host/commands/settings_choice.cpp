@@ -1,8 +1,10 @@
 #include "host/commands/settings_choice.hpp"
 
 #include "firmware/rp2040_pins.hpp"
+#include "host/beam/profile_choice.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
+#include "host/config/default_configuration.hpp"
 #include "host/config/mistake_text.hpp"
 #include "host/config/printed_roles.hpp"
 #include "host/config/setting_words.hpp"
@@ -18,6 +20,7 @@ namespace kfast {
 namespace {
 
 constexpr std::string_view prefix = "pico-";
+constexpr std::string_view beam_prefix = "pico-xy-";
 
 CLI::ValidationError wrong_pin(const std::string& text, const std::string& reason)
 {
@@ -28,7 +31,8 @@ std::string configuration_of(const std::string& panel)
 {
     std::vector<std::string_view> known;
     for (const config::Configuration& configuration : config::configurations())
-        known.push_back(configuration.name.substr(prefix.size()));
+        if (!configuration.name.starts_with(beam_prefix))
+            known.push_back(configuration.name.substr(prefix.size()));
     if (std::ranges::find(known, panel) == known.end())
         throw CLI::ValidationError(
             "--panel", "'" + visible(panel) + "' has no ready configuration: " + suggestion(panel, known) +
@@ -75,7 +79,7 @@ std::string text_of(const PinChange& change)
 void apply(const PinChange& change, BoardSettings& settings)
 {
     settings.pin(change.role) = change.pin;
-    if (change.role == PinRole::tearing)
+    if (change.role == PinRole::tearing && !leads_beam(settings.bus))
         settings.panel.tearing_effect = change.pin != no_pin;
 }
 
@@ -105,6 +109,20 @@ void require_rules(const NamedSettings& settings, std::span<const PinChange> cha
         throw Failure{text, ExitStatus::wrong_usage};
 }
 
+/// The ready configuration of that beam, or another one with its profile, which may be that of a file.
+NamedSettings settings_for_beam(const std::string& beam)
+{
+    const std::string ready = std::string{beam_prefix} + beam;
+    if (std::ranges::find(config::configurations(), ready, &config::Configuration::name) !=
+        config::configurations().end())
+        return {config::chosen_settings(ready), ready};
+    const std::string base = config::default_configuration(BusKind::dac);
+    NamedSettings settings{config::chosen_settings(base), base + " with beam " + beam};
+    settings.settings.beam = chosen_profile(beam);
+    require_rules(settings, {});
+    return settings;
+}
+
 }
 
 void declare_settings_options(CLI::App& app, SettingsOptions& options)
@@ -117,6 +135,11 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
                    "The same, by the display: the ready configuration of gc9a01, st7789 …")
         ->type_name("NAME")
         ->excludes(config);
+    app.add_option("--beam", options.beam,
+                   "For a vector display: scope, galvo, crt, or a file of its profile (docs/beam.md)")
+        ->type_name("PROFILE")
+        ->excludes(config)
+        ->excludes(app.get_option("--panel"));
     app.add_option("--pin", options.pins,
                    "A pin that is elsewhere, like dc=8, or none; may be repeated (docs/config.md has the "
                    "roles). Alone, it changes the settings that the board has")
@@ -133,7 +156,9 @@ SettingsChoice::SettingsChoice(const SettingsOptions& options)
         changes_.push_back(change);
     }
     const std::string name = options.panel.empty() ? options.config : configuration_of(options.panel);
-    if (!name.empty())
+    if (!options.beam.empty())
+        base_ = changed(settings_for_beam(options.beam));
+    else if (!name.empty())
         base_ = changed({config::chosen_settings(name), name});
 }
 

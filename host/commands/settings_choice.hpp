@@ -13,10 +13,11 @@ namespace kfast {
 struct SettingsOptions {
     std::string config;
     std::string panel;
+    std::string beam = {};
     std::vector<std::string> pins; ///< "dc=8"
 };
 
-/// Adds --config, --panel and --pin to `app`. `options` must outlive its parsing.
+/// Adds --config, --panel, --beam and --pin to `app`. `options` must outlive its parsing.
 void declare_settings_options(CLI::App& app, SettingsOptions& options);
 
 /// Another GPIO for a role.
@@ -26,7 +27,7 @@ struct PinChange {
 };
 
 /// The settings that a command line is about: those of a configuration, of the ready configuration of a
-/// panel, or those that a board has, with other pins.
+/// panel or a beam, or those that a board has, with other pins.
 class SettingsChoice {
 public:
     /// Throws Failure for a configuration that there is not, or that is wrong, and as on() does; and

@@ -31,17 +31,25 @@ Json json_of(const config::Connection& wire)
             {"purpose", wire.purpose}};
 }
 
+/// What is at the other end, and its name there.
+std::pair<const char*, Json> display_json(const BoardSettings& settings)
+{
+    if (leads_beam(settings.bus))
+        return {"beam", {{"rate", settings.beam.rate}, {"laser", settings.beam.is_laser}}};
+    const Size size = settings.panel.size();
+    return {"panel",
+            {{"name", config::word_of(settings.panel.controller)},
+             {"width", size.width},
+             {"height", size.height}}};
+}
+
 std::string json_text(const BoardSettings& settings, std::span<const config::Connection> wires)
 {
-    const Size size = settings.panel.size();
     Json connections = Json::array();
     for (const config::Connection& wire : wires)
         connections.push_back(json_of(wire));
     const Json json{{"board", "pico"},
-                    {"panel",
-                     {{"name", config::word_of(settings.panel.controller)},
-                      {"width", size.width},
-                      {"height", size.height}}},
+                    display_json(settings),
                     {"bus", config::word_of(settings.bus)},
                     {"firmware", config::image_of(settings.bus)},
                     {"connections", connections}};
@@ -91,13 +99,31 @@ std::string table(std::span<const config::Connection> wires)
     return text;
 }
 
+std::string display_text(const BoardSettings& settings)
+{
+    const std::string text = config::display_text(settings) + " by " + config::word_of(settings.bus);
+    if (leads_beam(settings.bus))
+        return text + ", " + std::to_string(settings.beam.rate) + " points a second";
+    return text + ", picture " + config::size_text(settings.panel.size());
+}
+
+/// What does not come from the Pico.
+std::string outputs_text(const BoardSettings& settings)
+{
+    if (!leads_beam(settings.bus))
+        return {};
+    std::string text = "\nfrom the converters to the display, 0 to 3.3 V\n";
+    for (const auto& [end, axis] : config::converter_outputs)
+        text += "  " + std::string{end} + "  " + std::string{axis} + '\n';
+    return text;
+}
+
 std::string plain_text(const Options& options, std::span<const config::Connection> wires,
                        const BoardSettings& settings)
 {
-    return options.input + ": " + config::word_of(settings.panel.controller) + " by " +
-           config::word_of(settings.bus) + ", picture " + config::size_text(settings.panel.size()) +
-           "\nfirmware: " + config::image_of(settings.bus) + "\n" + table(wires) +
-           "\nThe Pico from above\n\n" + config::pico_drawing(wires);
+    return options.input + ": " + display_text(settings) + "\nfirmware: " + config::image_of(settings.bus) +
+           "\n" + table(wires) + outputs_text(settings) + "\nThe Pico from above\n\n" +
+           config::pico_drawing(wires);
 }
 
 void print_wiring(const Options& options)

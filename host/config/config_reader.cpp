@@ -1,5 +1,7 @@
 #include "host/config/config_reader.hpp"
 
+#include "host/beam/beam_reader.hpp"
+#include "host/config/beam_part.hpp"
 #include "host/config/bus_reader.hpp"
 #include "host/config/control_reader.hpp"
 #include "host/config/mistake_text.hpp"
@@ -20,8 +22,10 @@ namespace {
 using scene::NodeForm, scene::PartRule, scene::Reading, scene::Times, scene::Word;
 
 constexpr std::array part_rules{
-    PartRule<Draft>{{"panel", "panel st7789, or panel st7789 240 320", 1, 3}, read_panel},
-    PartRule<Draft>{{"bus", "bus spi, bus i2c or bus parallel", 1, 1}, read_bus},
+    PartRule<Draft>{
+        {"panel", "panel st7789, or panel st7789 240 320", 1, 3}, read_panel, Times::at_most_once},
+    PartRule<Draft>{beam_form, read_beam_part, Times::at_most_once},
+    PartRule<Draft>{{"bus", "bus spi, bus i2c, bus parallel or bus dac", 1, 1}, read_bus},
     PartRule<Draft>{{"pins", "pins clock=18 data=19 select=17 dc=16 reset=20"}, read_pins},
     PartRule<Draft>{{"clip", "clip NAME", 1, 1}, read_clip, Times::at_most_once},
     PartRule<Draft>{{"button", "button 12 play, button 12 play CLIP or button 12 input NAME", 2, 3},
@@ -43,7 +47,8 @@ void complete(Draft& draft)
     const std::uint32_t most = clock_range(settings.bus).most;
     const std::uint32_t rated = rated_clock(settings);
     settings.bus_clock = draft.clock.value_or(rated == 0 ? most : std::min(rated, most));
-    settings.panel.tearing_effect = draft.tearing.value_or(settings.pin(PinRole::tearing) != no_pin);
+    if (!leads_beam(settings.bus))
+        settings.panel.tearing_effect = draft.tearing.value_or(settings.pin(PinRole::tearing) != no_pin);
 }
 
 Place pin_place(PinUser user, const Draft& draft)
@@ -69,7 +74,6 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
 {
     switch (mistake.fault) {
     case SettingsFault::bus_not_taken:
-    case SettingsFault::beam_beyond_limits:
         return draft.bus->arguments.front().place;
     case SettingsFault::glass_beyond_memory:
     case SettingsFault::glass_ragged:
@@ -78,7 +82,6 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
         return scene::property_place(*draft.panel, "rotation");
     case SettingsFault::clock_too_fast:
     case SettingsFault::clock_too_slow:
-    case SettingsFault::beam_too_fast:
         return scene::property_place(*draft.bus, "clock");
     case SettingsFault::address_reserved:
         return scene::property_place(*draft.bus, "address");
@@ -93,6 +96,10 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
     case SettingsFault::input_missing:
     case SettingsFault::nothing_to_arm:
         return action_place(*mistake.user, draft);
+    case SettingsFault::beam_beyond_limits:
+        return draft.beam->name_place;
+    case SettingsFault::beam_too_fast:
+        return scene::property_place(*draft.beam, "rate");
     }
     return {};
 }
@@ -114,6 +121,7 @@ void read_board(const kdl::Node& node, Draft& draft, Reading& reading)
         return;
     read_word(node.arguments.front(), chips, reading);
     read_parts(node, part_rules, draft, reading);
+    check_display(node, draft, reading);
 }
 
 }

@@ -1,5 +1,6 @@
 #include "host/config/config_text.hpp"
 
+#include "host/beam/beam_text.hpp"
 #include "host/config/mistake_text.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/kdl/canonical.hpp"
@@ -24,11 +25,8 @@ std::string flag_text(bool flag) { return flag ? "#true" : "#false"; }
 std::string brightness_text(std::uint8_t brightness)
 {
     constexpr double full = 255;
-    for (double parts = 1;; parts *= 10) {
-        const double share = std::round(brightness * parts / full) / parts;
-        if (std::lround(share * full) == brightness)
-            return scene::text_of(share);
-    }
+    return scene::shortest_text(brightness / full,
+                                [=](double share) { return std::lround(share * full) == brightness; });
 }
 
 std::string panel_text(const BoardSettings& settings)
@@ -55,11 +53,19 @@ std::string address_text(std::uint8_t address)
     return text.data();
 }
 
+std::string shown_text(const BoardSettings& settings)
+{
+    if (leads_beam(settings.bus))
+        return std::string{note} + "How the beam is led (docs/beam.md)" + std::string{line} +
+               beam_text(settings.beam, line.substr(1));
+    return panel_text(settings);
+}
+
 std::string bus_text(const BoardSettings& settings)
 {
     std::string text{note};
-    text += "The maker of " + word_of(settings.panel.controller) + " allows " +
-            quantity_text(rated_clock(settings), frequency);
+    text += "The maker of " + (leads_beam(settings.bus) ? "MCP4922" : word_of(settings.panel.controller)) +
+            " allows " + quantity_text(rated_clock(settings), frequency);
     if (clock_warning(settings))
         text += "; many bear more";
     text += line;
@@ -101,7 +107,7 @@ std::string clip_text(const StoredName& clip)
 
 std::string config_text(const BoardSettings& settings)
 {
-    std::string text = "board pico {" + panel_text(settings) + bus_text(settings) + pins_text(settings) +
+    std::string text = "board pico {" + shown_text(settings) + bus_text(settings) + pins_text(settings) +
                        clip_text(settings.clip);
     for (const Control& control : settings.controls)
         if (control.kind != ControlKind::none)

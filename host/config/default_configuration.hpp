@@ -12,7 +12,7 @@ namespace kfast::config {
 /// boards/pico/default_settings.hpp has.
 inline std::string default_configuration(BusKind bus)
 {
-    constexpr std::array names{"pico-st7789", "pico-ssd1306-i2c", "pico-ili9341-parallel"};
+    constexpr std::array names{"pico-st7789", "pico-ssd1306-i2c", "pico-ili9341-parallel", "pico-xy-scope"};
     static_assert(names.size() == bus_names.size());
     return names[static_cast<std::size_t>(bus)];
 }

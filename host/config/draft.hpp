@@ -18,6 +18,7 @@ struct Draft {
     std::size_t controls = 0;           ///< of settings.controls
 
     const kdl::Node* panel = nullptr;
+    const kdl::Node* beam = nullptr;
     const kdl::Node* bus = nullptr;
     const kdl::Node* pins = nullptr;
     std::array<const kdl::Node*, BoardSettings::most_controls> control_nodes{};

@@ -198,7 +198,7 @@ Finding text_of(const SettingsMistake& mistake, const BoardSettings& settings)
         return {user_name(*mistake.user, settings) + " does not say for which input it is",
                 "write the name that it has in the scene: input NAME"};
     case SettingsFault::beam_beyond_limits:
-        return {"a number of the beam's profile is beyond its limits", "see docs/xy.md"};
+        return {"a number of the beam's profile is beyond its limits", "docs/beam.md tells them"};
     case SettingsFault::beam_too_fast:
         return beam_too_fast_text(settings);
     case SettingsFault::nothing_to_arm:
@@ -219,7 +219,7 @@ std::uint32_t rated_clock(const BoardSettings& settings)
     case BusKind::parallel_8:
         return facts.parallel_hz;
     case BusKind::dac:
-        break;
+        return clock_range(BusKind::dac).most;
     }
     return 0;
 }

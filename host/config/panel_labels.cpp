@@ -6,8 +6,8 @@
 namespace kfast::config {
 namespace {
 
-/// In the order of PinRole, without the log, which is no pin of a display.
-using Labels = std::array<std::string_view, static_cast<std::size_t>(PinRole::log)>;
+/// In the order of PinRole.
+using Labels = std::array<std::string_view, pin_role_names.size()>;
 
 constexpr Labels colour_by_spi{"SCL, SCK or CLK", "SDA, MOSI or DIN", "CS", "DC, RS or A0",
                                "RES or RST",      "BLK, BL or LED",   "TE"};
@@ -16,6 +16,8 @@ constexpr Labels lit_by_spi{
 constexpr Labels mono_by_spi{"D0, CLK or SCK", "D1, DIN or MOSI", "CS", "DC", "RES or RST", "", ""};
 constexpr Labels by_i2c{"SCL or SCK", "SDA", "", "", "RES or RST", "", ""};
 constexpr Labels parallel{"WR", "D", "CS", "RS or DC", "RST or RES", "BLK, BL or LED", "TE"};
+/// The legs of an MCP4922, and the Z input of what it leads.
+constexpr Labels dac{"SCK (4)", "SDI (5)", "CS (3)", "", "", "", "", "", "LDAC (8)", "Z or BLANK"};
 
 const Labels& labels_by_spi(Controller controller)
 {
@@ -41,8 +43,9 @@ const Labels& labels_of(const BoardSettings& settings)
         return by_i2c;
     case BusKind::parallel_8:
         return parallel;
-    case BusKind::spi:
     case BusKind::dac:
+        return dac;
+    case BusKind::spi:
         break;
     }
     return labels_by_spi(settings.panel.controller);
@@ -52,7 +55,7 @@ const Labels& labels_of(const BoardSettings& settings)
 
 std::string_view panel_label(PinRole role, const BoardSettings& settings)
 {
-    return role >= PinRole::log ? std::string_view{} : labels_of(settings)[static_cast<std::size_t>(role)];
+    return labels_of(settings)[static_cast<std::size_t>(role)];
 }
 
 IdleLevel idle_level(PinRole role, const BoardSettings& settings)

@@ -17,7 +17,9 @@ constexpr std::size_t number_width = 2;
 /// The likeliest of the names that the end may have; other parts than the display by their own name.
 std::string mark_of(const Connection& wire)
 {
-    return wire.part == "display" ? wire.end.substr(0, wire.end.find_first_of(", ")) : wire.part;
+    return wire.part == "display" || wire.part == converter_part
+               ? wire.end.substr(0, wire.end.find_first_of(", "))
+               : wire.part;
 }
 
 Marks marks_of(std::span<const Connection> wires)

@@ -23,6 +23,7 @@ constexpr std::array printed_names{
     PrintedName{"res", PinRole::reset},     PrintedName{"bl", PinRole::backlight},
     PrintedName{"blk", PinRole::backlight}, PrintedName{"led", PinRole::backlight},
     PrintedName{"te", PinRole::tearing},    PrintedName{"uart", PinRole::log},
+    PrintedName{"z", PinRole::blank},       PrintedName{"load", PinRole::ldac},
 };
 
 }

@@ -26,7 +26,16 @@ inline std::string word_of(ControlAction action)
 }
 
 /// The firmware that drives displays on this bus: "pico-spi.bin"
-inline std::string image_name(BusKind bus) { return "pico-" + word_of(bus) + ".bin"; }
+inline std::string image_name(BusKind bus)
+{
+    return "pico-" + (leads_beam(bus) ? "xy" : word_of(bus)) + ".bin";
+}
+
+/// What the settings are for: "st7789", or "a beam"
+inline std::string display_text(const BoardSettings& settings)
+{
+    return leads_beam(settings.bus) ? "a beam" : word_of(settings.panel.controller);
+}
 
 /// The same, where scripts/build puts it: "build/pico/pico-spi.bin"
 inline std::string image_of(BusKind bus) { return "build/pico/" + image_name(bus); }

@@ -18,6 +18,8 @@ constexpr int display_ground = 38;
 constexpr std::array display_roles{PinRole::clock,  PinRole::data,      PinRole::reset,  PinRole::dc,
                                    PinRole::select, PinRole::backlight, PinRole::tearing};
 
+constexpr std::array converter_roles{PinRole::select, PinRole::clock, PinRole::data, PinRole::ldac};
+
 /// Gathers the wires of one part after another.
 class Wiring {
 public:
@@ -25,7 +27,10 @@ public:
 
     std::vector<Connection> connections() &&
     {
-        add_display();
+        if (leads_beam(settings_.bus))
+            add_converter();
+        else
+            add_display();
         for (std::size_t i = 0; i < settings_.controls.size(); ++i)
             add_control(settings_.controls[i], i + 1);
         add_log();
@@ -52,6 +57,23 @@ private:
             add_role(role);
         if (settings_.bus == BusKind::parallel_8)
             add("RD", supply, "nothing is read");
+    }
+
+    /// Its supply is that of the Pico, so that levels of 3.3 V are high for it, and its references are the
+    /// supply: the beam has all of 0 to 3.3 V.
+    void add_converter()
+    {
+        part_ = converter_part;
+        add("VSS (12)", display_ground);
+        add("VDD (1)", supply);
+        for (const PinRole role : converter_roles)
+            add_role(role);
+        add("SHDN (9)", supply, "never off");
+        add("VREFB (11)", supply, "how far y goes");
+        add("VREFA (13)", supply, "how far x goes");
+        part_ = "display";
+        add("GND", nearest_ground(edge_pin(settings_.pin(PinRole::blank))));
+        add_role(PinRole::blank);
     }
 
     void add_role(PinRole role)
@@ -81,6 +103,8 @@ private:
 
     std::string function_of(PinRole role) const
     {
+        if (role == PinRole::blank)
+            return "dark when high";
         return std::string{rp2040::function_name(role, settings_.bus, settings_.pin(role))};
     }
 

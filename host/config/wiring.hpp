@@ -2,11 +2,23 @@
 
 #include "firmware/board_settings.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast::config {
+
+/// The converters that lead a beam, in a case with 14 legs.
+inline constexpr const char* converter_part = "MCP4922";
+
+/// Where their voltages come out, and what they lead.
+struct ConverterOutput {
+    std::string_view end;
+    std::string_view axis;
+};
+inline constexpr std::array<ConverterOutput, 2> converter_outputs{{{"VOUTA (14)", "x"}, {"VOUTB (10)", "y"}}};
 
 /// A wire between a part and the edge of a Pico.
 struct Connection {

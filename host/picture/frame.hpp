@@ -3,13 +3,15 @@
 #include "core/pixel_format.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace kfast {
 
-/// One full picture as a panel holds it: rows from the top, row_bytes(format, width) each.
+/// One full picture as a panel holds it: rows from the top, row_bytes(format, width) each. Without a format
+/// it is that of no panel: 3 bytes a pixel, red, green and blue.
 struct Frame {
-    PixelFormat format = PixelFormat::rgb565;
+    std::optional<PixelFormat> format = PixelFormat::rgb565;
     Size size;
     std::vector<std::byte> pixels;
 };

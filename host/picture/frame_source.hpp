@@ -4,6 +4,8 @@
 #include "host/picture/frame.hpp"
 #include "host/picture/told_inputs.hpp"
 
+#include <string>
+
 namespace kfast {
 
 /// When a picture changes while a scene plays.
@@ -18,6 +20,10 @@ public:
     /// The picture at a moment of the timeline, the scene's very end included. Valid until the next call.
     virtual const Frame& show(Time moment) = 0;
     virtual Pace pace() const { return Pace::smooth; }
+    /// What is to be told about the picture that was shown last, on one line; empty if nothing.
+    virtual std::string facts() const { return {}; }
+    /// From the next picture on, also what nobody sees on the display, where there is such a thing.
+    virtual void reveal(bool /*hidden*/) {}
 };
 
 }

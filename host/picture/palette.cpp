@@ -49,9 +49,14 @@ IndexedPicture quantized(const Picture& picture)
 
 bool Palette::add(const Picture& picture)
 {
-    for (const Colour pixel : picture.pixels)
+    std::optional<Colour> before; // most pixels are as the one before, and need no search
+    for (const Colour pixel : picture.pixels) {
+        if (pixel == before)
+            continue;
+        before = pixel;
         if (words_.insert(word(pixel)).second && words_.size() > most)
             return false;
+    }
     return true;
 }
 
@@ -67,9 +72,13 @@ std::vector<std::uint8_t> Palette::indices(const Picture& picture) const
     std::unordered_map<std::uint32_t, std::uint8_t> places;
     for (const std::uint32_t each : words_)
         places.emplace(each, static_cast<std::uint8_t>(places.size()));
-    std::vector<std::uint8_t> result(picture.pixels.size());
-    std::ranges::transform(picture.pixels, result.begin(),
-                           [&](Colour pixel) { return places.at(word(pixel)); });
+    std::vector<std::uint8_t> result;
+    result.reserve(picture.pixels.size());
+    std::optional<Colour> before;
+    for (const Colour pixel : picture.pixels) {
+        result.push_back(pixel == before ? result.back() : places.at(word(pixel)));
+        before = pixel;
+    }
     return result;
 }
 

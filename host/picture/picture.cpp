@@ -50,20 +50,36 @@ Colour pixel(PixelFormat format, const std::byte* row, int x)
     return {};
 }
 
+Picture without_format(const Frame& frame)
+{
+    Picture picture{frame.size, {}};
+    picture.pixels.reserve(frame.pixels.size() / 3);
+    for (std::size_t i = 0; i + 2 < frame.pixels.size(); i += 3)
+        picture.pixels.push_back({std::to_integer<std::uint8_t>(frame.pixels[i]),
+                                  std::to_integer<std::uint8_t>(frame.pixels[i + 1]),
+                                  std::to_integer<std::uint8_t>(frame.pixels[i + 2])});
+    return picture;
 }
 
-Picture widen(const Frame& frame)
+Picture in_format(const Frame& frame, PixelFormat format)
 {
     Picture picture{frame.size, {}};
     picture.pixels.reserve(static_cast<std::size_t>(frame.size.width) *
                            static_cast<std::size_t>(frame.size.height));
-    const std::size_t stride = row_bytes(frame.format, frame.size.width);
+    const std::size_t stride = row_bytes(format, frame.size.width);
     for (int y = 0; y < frame.size.height; ++y) {
         const std::byte* row = frame.pixels.data() + stride * static_cast<std::size_t>(y);
         for (int x = 0; x < frame.size.width; ++x)
-            picture.pixels.push_back(pixel(frame.format, row, x));
+            picture.pixels.push_back(pixel(format, row, x));
     }
     return picture;
+}
+
+}
+
+Picture widen(const Frame& frame)
+{
+    return frame.format ? in_format(frame, *frame.format) : without_format(frame);
 }
 
 }

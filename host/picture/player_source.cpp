@@ -10,7 +10,7 @@ std::vector<std::uint32_t> block_for(const SceneView& scene, Size panel)
 
 void draw(Player& player, Frame& frame)
 {
-    with_format(frame.format,
+    with_format(*frame.format,
                 [&]<PixelFormat format>() { player.draw_rows<format>(frame.size.height, frame.pixels); });
 }
 

@@ -81,7 +81,7 @@ void play_script(FrameSource& source, const Programme& programme, std::span<cons
             break;
         const Frame& frame = show(source, playback);
         summary.add(frame);
-        out << playback.status() << "  " << hexadecimal(hash(frame)) << '\n';
+        out << status_of(source, playback) << "  " << hexadecimal(hash(frame)) << '\n';
     }
     summary.write(out);
 }

@@ -102,6 +102,8 @@ std::optional<PreviewKey> pressed(SDL_Keycode code)
     case SDLK_MINUS:
     case SDLK_KP_MINUS:
         return PreviewKey::less_input;
+    case SDLK_t:
+        return PreviewKey::travel;
     case SDLK_h:
         return PreviewKey::help;
     case SDLK_q:

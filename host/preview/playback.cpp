@@ -55,6 +55,9 @@ void Playback::press(PreviewKey key, Seconds now)
         return turn_input(1);
     case PreviewKey::less_input:
         return turn_input(-1);
+    case PreviewKey::travel:
+        reveals_travel_ = !reveals_travel_;
+        return;
     case PreviewKey::help:
         return;
     case PreviewKey::quit:
@@ -226,12 +229,19 @@ void Playback::step_key(int direction)
 
 const Frame& show(FrameSource& source, const Playback& playback)
 {
+    source.reveal(playback.reveals_travel());
     for (const InputKnob& input : playback.inputs())
         if (input.range.type == InputType::text)
             source.set_text(input.number, input.text);
         else
             source.set_input(input.number, input.place());
     return source.show(playback.time());
+}
+
+std::string status_of(const FrameSource& source, const Playback& playback)
+{
+    const std::string facts = playback.reveals_travel() ? source.facts() : "";
+    return playback.status() + (facts.empty() ? "" : "  " + facts);
 }
 
 }

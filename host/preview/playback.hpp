@@ -34,6 +34,8 @@ public:
     int frame() const { return shown_.ticks / Time::ticks_per_frame; }
     bool playing() const { return playing_; }
     bool help_open() const { return help_open_; }
+    /// The way of a beam is to be shown where it is not lit.
+    bool reveals_travel() const { return reveals_travel_; }
     bool wants_to_quit() const { return wants_to_quit_; }
     /// When the next frame begins, while playing.
     Seconds next_frame_at() const;
@@ -75,10 +77,13 @@ private:
     std::optional<std::size_t> input_; ///< that keys turn
     bool playing_ = true;
     bool help_open_ = true;
+    bool reveals_travel_ = false;
     bool wants_to_quit_ = false;
 };
 
 /// The picture where `playback` stands.
 const Frame& show(FrameSource& source, const Playback& playback);
+/// Its status, and the facts of the picture that `source` showed last, if its travel is revealed.
+std::string status_of(const FrameSource& source, const Playback& playback);
 
 }

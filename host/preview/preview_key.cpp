@@ -26,6 +26,7 @@ constexpr std::array names{
     Named{"i", PreviewKey::next_input, "next input"},
     Named{"+", PreviewKey::more_input, "more of the input"},
     Named{"-", PreviewKey::less_input, "less of the input"},
+    Named{"t", PreviewKey::travel, "travel of a beam, and its points"},
     Named{"h", PreviewKey::help, "this help, in the window"},
     Named{"q", PreviewKey::quit, "quit"},
     Named{"escape", PreviewKey::quit, "quit"},

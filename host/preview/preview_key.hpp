@@ -22,11 +22,12 @@ enum class PreviewKey {
     next_input,
     more_input,
     less_input,
+    travel,
     help,
     quit
 };
 
-/// `name` as in a list of keys: space n p right left up down r c b i + - h q escape.
+/// `name` as in a list of keys: space n p right left up down r c b i + - t h q escape.
 std::optional<PreviewKey> preview_key(std::string_view name);
 
 /// One line per key, for the help of the window and of the command.

@@ -144,9 +144,10 @@ void take_keys_until(Seconds moment, const Keyboard& keyboard, Playback& playbac
 std::string up(std::ptrdiff_t lines) { return "\x1b[" + std::to_string(lines) + 'A'; }
 
 /// A status that wraps would break the way back up.
-std::string status_line(const Playback& playback)
+std::string status_line(const FrameSource& source, const Playback& playback)
 {
-    return playback.status().substr(0, static_cast<std::size_t>(terminal_size().width - 1)) + "\x1b[J\n";
+    return status_of(source, playback).substr(0, static_cast<std::size_t>(terminal_size().width - 1)) +
+           "\x1b[J\n";
 }
 
 void play(FrameSource& source, Playback& playback)
@@ -157,7 +158,7 @@ void play(FrameSource& source, Playback& playback)
     while (!playback.wants_to_quit() && signal_seen == 0) {
         playback.advance_to(steady_now());
         const std::string picture = picture_text(show(source, playback));
-        write_all(rewind + picture + status_line(playback));
+        write_all(rewind + picture + status_line(source, playback));
         rewind = up(std::ranges::count(picture, '\n') + 1);
         if (!playback.wants_to_quit())
             take_keys_until(playback.playing() ? playback.next_frame_at() : steady_now() + pause, keyboard,

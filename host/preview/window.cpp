@@ -29,7 +29,8 @@ bool take_events(PictureWindow& window, Playback& playback)
 void draw(PictureWindow& window, FrameSource& source, const Playback& playback)
 {
     const auto help = playback.help_open() ? preview_key_help() : std::vector<std::string>{};
-    window.draw(show(source, playback), playback.status(), help);
+    const Frame& frame = show(source, playback);
+    window.draw(frame, status_of(source, playback), help);
 }
 
 void play(PictureWindow& window, FrameSource& source, Playback& playback)

@@ -31,7 +31,7 @@ Frame seen_upright(const Frame& glass, Rotation rotation)
 {
     const Size upright = lies_across(rotation) ? Size{glass.size.height, glass.size.width} : glass.size;
     Frame frame;
-    with_format(glass.format, [&]<PixelFormat format>() {
+    with_format(*glass.format, [&]<PixelFormat format>() {
         constexpr bool is_dithered = format == PixelFormat::mono1_dithered;
         constexpr PixelFormat coding = is_dithered ? PixelFormat::mono1 : format;
         frame = painted_frame<coding>(upright, [&](int x, int y) {

@@ -50,7 +50,7 @@ class Layering(unittest.TestCase):
                     self.assertEqual(1, len(self.mistakes({f"{folder}/a.hpp": f"#include <{header}>\n"})))
 
     def test_refuses_a_library_that_is_not_hidden(self):
-        for header in ["SDL2/SDL.h", "hidapi/hidapi.h", "libusb-1.0/libusb.h", "gpiod.h", "freetype/freetype.h",
+        for header in ["sndfile.h", "hidapi/hidapi.h", "libusb-1.0/libusb.h", "gpiod.h", "freetype/freetype.h",
                        "ft2build.h"]:
             with self.subTest(header=header):
                 line = f"#include <{header}>\n"
@@ -60,6 +60,12 @@ class Layering(unittest.TestCase):
                 self.assertEqual([], self.mistakes({"host/a.cpp": line, "tests/b.cpp": line}))
                 self.assertEqual([], self.mistakes({"host/a_v1.cpp": line, "host/a_v2.cpp": line}))
                 self.assertEqual(1, len(self.mistakes({"host/a_v1.cpp": line, "host/b_v2.cpp": line})))
+
+    def test_lets_two_files_hide_sdl(self):
+        line = "#include <SDL2/SDL.h>\n"
+        self.assertEqual([], self.mistakes({"host/a.cpp": line, "host/b.cpp": line}))
+        self.assertEqual(1, len(self.mistakes({"host/a.cpp": line, "host/b.cpp": line, "host/c.cpp": line})))
+        self.assertEqual(1, len(self.mistakes({"host/a.hpp": line})))
 
 
 if __name__ == "__main__":

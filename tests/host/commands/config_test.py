@@ -9,7 +9,8 @@ import zlib
 from command_case import ROOT, CommandTest
 from pretend_firmware import MARK, firmware
 
-READY = ["pico-st7789", "pico-ili9341", "pico-gc9a01", "pico-ssd1306", "pico-ssd1306-i2c", "pico-ili9341-parallel"]
+READY = ["pico-st7789", "pico-ili9341", "pico-gc9a01", "pico-ssd1306", "pico-ssd1306-i2c", "pico-ili9341-parallel",
+         "pico-xy-scope", "pico-xy-galvo"]
 SETTINGS = 0x1003F000
 SCENE = 0x10040000
 FAMILY = 0xE48BFF56
@@ -92,7 +93,7 @@ class ConfigTest(CommandTest):
         listed = self.run_kfast("config", "--list").stdout.splitlines()
         self.assertEqual([line.split()[0] for line in listed[::2]], READY)
         self.assertTrue(all(len(line.split()) > 5 for line in listed[::2]), "each is described")
-        buses = ["spi"] * 4 + ["i2c", "parallel"]
+        buses = ["spi"] * 4 + ["i2c", "parallel", "xy", "xy"]
         self.assertEqual([line.strip() for line in listed[1::2]],
                          [f"firmware: build/pico/pico-{bus}.bin" for bus in buses])
         for name in READY:
@@ -260,6 +261,18 @@ class WiringTest(CommandTest):
         parallel = self.wires("pico-ili9341-parallel")
         self.assertEqual([parallel["display", f"D{bit}"]["gpio"] for bit in range(8)], list(range(8)))
 
+    def test_a_beam(self):
+        report = json.loads(self.run_kfast("wiring", "pico-xy-galvo", "--json").stdout)
+        self.assertEqual(report["beam"], {"rate": 30000, "laser": True})
+        self.assertEqual((report["bus"], report["firmware"]), ("dac", "build/pico/pico-xy.bin"))
+        self.assertNotIn("panel", report)
+        self.assertEqual(self.wires("pico-xy-galvo")["MCP4922", "LDAC (8)"]["gpio"], 16)
+        told = self.run_kfast("wiring", "pico-xy-galvo").stdout
+        self.assertTrue(told.startswith("pico-xy-galvo: a beam by dac, 30000 points a second\n"
+                                        "firmware: build/pico/pico-xy.bin\n\nMCP4922\n"))
+        self.assertIn("\n  VOUTA (14)  x\n  VOUTB (10)  y\n", told)
+        self.assertRegex(told, r"\n  Z or BLANK +GP20 +pin 26 +right +dark when high\n")
+
     def test_the_firmware_is_named(self):
         for name, bus in (("pico-ssd1306-i2c", "i2c"), ("pico-ili9341-parallel", "parallel"), ("pico-gc9a01", "spi")):
             report = json.loads(self.run_kfast("wiring", name, "--json").stdout)
@@ -335,7 +348,7 @@ class PackTest(CommandTest):
             self.refuse("uf2", "pack", "--firmware", "f.bin", "-o", "b.uf2", status=1, says=says)
 
     def test_firmware_without_a_mark_is_warned_of(self):
-        for image in (firmware(8192, b""), firmware(8192, b"KFPI\3"), firmware(8192, b"KFPJ\0")):
+        for image in (firmware(8192, b""), firmware(8192, b"KFPI\4"), firmware(8192, b"KFPJ\0")):
             (self.folder / "f.bin").write_bytes(image)
             told = self.run_kfast("uf2", "pack", "--firmware", "f.bin", "--config", "pico-ssd1306-i2c", "-o", "a.uf2")
             self.assertRegex(told.stderr, r"^f\.bin: warning: .* for i2c: build/pico/pico-i2c\.bin\n$")

@@ -14,7 +14,7 @@ from command_case import KFAST, ROOT, CommandTest
 from pretend_firmware import firmware
 
 NOWHERE = ("--port", "9-9.9.9")  # no board is there
-BUSES = ("spi", "i2c", "parallel")
+BUSES = ("spi", "i2c", "parallel", "xy")
 
 # Its outlines find no room.
 LARGE = "kfast 1\ncanvas 240 240 frames=2\nobject dots fill=red {" + "".join(
@@ -89,11 +89,18 @@ class RefusalTest(FlashTest):
         self.planned("--panel", "st7789")  # is for another bus
 
     def test_settings(self):
+        (self.folder / "fast.kdl").write_text("beam scope rate=(kHz)900\n")
         for arguments, status, says in (
                 (["--panel", "gc9a02"], 2, 'did you mean "gc9a01"?'),
                 (["--panel", "st7735"], 2, "'st7735' has no ready configuration"),
                 (["--config", "gadget"], 1, "there is no configuration"),
                 (["--config", "pico-st7789", "--panel", "st7789"], 2, "--panel"),
+                (["--panel", "xy-scope"], 2, "'xy-scope' has no ready configuration"),
+                (["--beam", "galvos"], 1, 'did you mean "galvo"?'),
+                (["--beam", "fast.kdl"], 2, "cannot carry 900000 points a second: it can carry 492125"),
+                (["--beam", "galvo", "--panel", "st7789"], 2, "--panel"),
+                (["--beam", "galvo", "--config", "pico-xy-galvo"], 2, "--config"),
+                (["--beam", "scope", "--pin", "ldac=none"], 2, "--pin ldac=none: dac needs a pin for ldac"),
                 (["--pin", "dc"], 2, "'dc': write ROLE=GPIO, like dc=8"),
                 (["--pin", "rst=3"], 2, "'rst=3': here it is called reset"),
                 (["--pin", "dcc=3"], 2, 'did you mean "dc"?'),
@@ -143,6 +150,15 @@ class DryRunTest(FlashTest):
     def test_the_bus_decides_the_firmware(self):
         for number, panel in enumerate(("st7789", "ssd1306-i2c", "ili9341-parallel")):
             self.assertIn(f"firmware of {5000 + number} bytes", self.planned("--panel", panel)["contents"])
+        (self.folder / "slow.kdl").write_text("beam crt rate=(kHz)20\n")
+        for beam, settings in (("scope", "pico-xy-scope"), ("galvo", "pico-xy-galvo"), ("crt", "pico-xy-scope with beam crt"),
+                               ("slow.kdl", "pico-xy-scope with beam slow.kdl")):
+            self.assertEqual(self.planned("--beam", beam)["contents"], f"firmware of 5003 bytes, settings of {settings}")
+        self.assertIn("settings of pico-xy-scope with blank=21,", self.planned(
+            "once.kfast", "--beam", "scope", "--pin", "blank=21")["contents"])
+
+    def test_a_scene_that_has_no_room_beside_the_points_of_a_beam(self):
+        self.refused("large.kfast", "--beam", "scope", status=7, says="large.kfast: does not fit pico-xy\n  RAM: it needs ")
 
     def test_quiet(self):
         result = self.flash("once.kfast", "--panel", "st7789", "--dry-run", "--quiet", *NOWHERE)

@@ -38,7 +38,7 @@ class PretendImages {
 public:
     PretendImages()
     {
-        for (const BusKind bus : {BusKind::spi, BusKind::i2c, BusKind::parallel_8})
+        for (const BusKind bus : {BusKind::spi, BusKind::i2c, BusKind::parallel_8, BusKind::dac})
             write_bytes(file(bus), pretend_image(bus));
     }
 

@@ -44,6 +44,11 @@ class InfoTest(Uf2Test):
                       "10 frames, 1 object"):
             self.assertIn(words, told)
 
+    def test_settings_of_a_beam(self):
+        self.run_kfast("uf2", "pack", "--config", "pico-xy-galvo", "-o", "a.uf2")
+        self.assertIn("0x1003f000  4096 bytes  settings of a beam, 30000 points a second, on dac\n",
+                      self.run_kfast("uf2", "info", "a.uf2").stdout)
+
     def test_json(self):
         _, scene = self.packed()
         told = self.info("all.uf2")

@@ -88,7 +88,7 @@ TEST_CASE("a text tells everything in pixels, Hertz and GPIOs")
                                           .brightness = 204});
     CHECK(settings.bus == BusKind::spi);
     CHECK(settings.bus_clock == 31'250'000);
-    CHECK(settings.pins == std::array<Pin, 8>{18, 19, 17, 16, 20, 21, 22, 0});
+    CHECK(settings.pins == std::array<Pin, 10>{18, 19, 17, 16, 20, 21, 22, 0, no_pin, no_pin});
     CHECK(settings.clip == StoredName{"idle"});
     CHECK(settings.controls[0] == Control{ControlKind::button, ControlAction::play, 12, {"blink"}});
     CHECK(settings.controls[1] == Control{ControlKind::knob, ControlAction::place, 26, {}});
@@ -101,6 +101,51 @@ TEST_CASE("buttons and knobs may be for inputs")
     CHECK(settings.controls[0] == Control{ControlKind::button, ControlAction::input, 12, {"wide open"}});
     CHECK(settings.controls[1] == Control{ControlKind::knob, ControlAction::input, 27, {"gaze"}});
     CHECK(settings.controls[2] == Control{ControlKind::knob, ControlAction::place, 26, {}});
+}
+
+TEST_CASE("a board may lead a beam instead")
+{
+    const BoardSettings settings =
+        read("board pico {\n    beam galvo rate=(kHz)40\n    bus dac clock=(MHz)18\n"
+             "    pins clock=2 data=3 select=4 ldac=5 blank=6 log=0\n"
+             "    button 12 arm\n}\n");
+    BeamProfile beam = galvo_profile;
+    beam.rate = 40'000;
+    CHECK(settings.beam == beam);
+    CHECK(settings.panel == PanelSettings{});
+    CHECK(settings.bus == BusKind::dac);
+    CHECK(settings.bus_clock == 18'000'000);
+    CHECK(settings.pin(PinRole::ldac) == 5);
+    CHECK(settings.pin(PinRole::blank) == 6);
+    CHECK(settings.controls[0] == Control{ControlKind::button, ControlAction::arm, 12, {}});
+
+    const BoardSettings scope =
+        read("board pico { beam scope; bus dac; pins clock=2 data=3 select=4 ldac=5 blank=6 }");
+    CHECK(scope.beam == scope_profile);
+    CHECK(scope.bus_clock == 20'000'000);
+}
+
+TEST_CASE("a beam and its bus go together")
+{
+    const std::string pins = "\n    pins clock=18 data=19 select=17 ldac=16 blank=20\n";
+    const std::string beam = "board pico {\n    beam scope\n    bus dac";
+    check_refused(with("panel st7789 135 240 column=52 row=40 rotation=90 colours=bgr inverted=#false "
+                       "brightness=0.8\n",
+                       "\n"),
+                  "1:1", "neither a panel nor a beam");
+    check_refused("board pico {\n    panel st7789\n    beam scope\n    bus dac" + pins + "}", "3:5",
+                  "a panel or a beam, not both");
+    check_refused("board pico {\n    panel st7789\n    bus dac" + pins + "}", "3:9", "leads a beam");
+    check_refused("board pico {\n    beam scope\n    bus spi\n    pins clock=18 data=19 dc=16\n}", "3:9",
+                  "write bus dac");
+    check_refused(beam + "\n    pins clock=18 data=19 select=17 ldac=16\n}", "4:5",
+                  "dac needs a pin for blank");
+    check_refused(beam + " clock=(MHz)25" + pins + "}", "3:13", "(MHz)20");
+    check_refused("board pico {\n    beam scope rate=(kHz)900\n    bus dac" + pins + "}", "2:16",
+                  "cannot carry 900000 points a second");
+    check_refused(beam + pins + "    button 12 arm\n}", "5:15", "the beam is no laser");
+    check_refused("board pico {\n    beam scop\n    bus dac" + pins + "}", "2:10", "scope");
+    check_refused("board pico {\n    beam scope lit-step=0\n    bus dac" + pins + "}", "2:25", "");
 }
 
 TEST_CASE("what is left out is as in the usual module")

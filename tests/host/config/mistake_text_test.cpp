@@ -34,9 +34,9 @@ TEST_CASE("controls that no text can have are described")
 {
     BoardSettings settings = right_ones();
     settings.controls[2] = {ControlKind::knob, ControlAction::pause, 26, {}};
-    CHECK(said_of(settings) ==
-          "knob 3 cannot be for pause: buttons are for play, pause, sleep and input, knobs for place, speed, "
-          "brightness and input\n");
+    CHECK(said_of(settings) == "knob 3 cannot be for pause: buttons are for play, pause, sleep, input and "
+                               "arm, knobs for place, speed, "
+                               "brightness and input\n");
     settings.controls[2] = {ControlKind::knob, ControlAction::input, 26, {}};
     CHECK(said_of(settings) ==
           "knob 3 does not say for which input it is: write the name that it has in the scene: input NAME\n");

@@ -141,12 +141,55 @@ void draw_controls(Draw& draw, BoardSettings& settings)
             *next++ = control;
 }
 
+std::uint8_t random_points(Draw& draw) { return static_cast<std::uint8_t>(draw.number(0, 255)); }
+
+std::int16_t random_place(Draw& draw)
+{
+    return static_cast<std::int16_t>(draw.number(field_least, field_most));
+}
+
+BeamProfile random_beam(Draw& draw, std::uint32_t most_points)
+{
+    BeamProfile beam;
+    beam.rate = static_cast<std::uint32_t>(draw.number(1000, static_cast<int>(most_points)));
+    beam.lit_step = static_cast<std::uint16_t>(draw.number(1, 65'535));
+    beam.travel_step = static_cast<std::uint16_t>(draw.number(0, 65'535));
+    for (std::uint8_t* points :
+         {&beam.corner_dwell, &beam.lit_dwell, &beam.arrival_dwell, &beam.leave_dwell, &beam.light_delay})
+        *points = random_points(draw);
+    constexpr int least_points = 16; // of a picture
+    const int most_refresh = std::min(255, static_cast<int>(beam.rate) / least_points);
+    beam.least_refresh = static_cast<std::uint8_t>(draw.number(1, most_refresh));
+    beam.resolution = static_cast<std::uint16_t>(64 << draw.number(0, 6));
+    beam.brightness = static_cast<BeamBrightness>(draw.number(0, 2));
+    beam.park = {random_place(draw), random_place(draw)};
+    beam.is_laser = draw.chance();
+    return beam;
+}
+
+void draw_beam(Draw& draw, BoardSettings& settings)
+{
+    constexpr int slowest = 1'000'000; // which carries 1000 points a second
+    settings.bus = BusKind::dac;
+    settings.bus_clock =
+        static_cast<std::uint32_t>(draw.number(slowest, static_cast<int>(clock_range(BusKind::dac).most)));
+    settings.beam = random_beam(draw, rp2040::most_points(settings.bus_clock));
+    for (const PinRole role : {PinRole::clock, PinRole::data, PinRole::select, PinRole::ldac, PinRole::blank})
+        settings.pin(role) = draw.pin();
+    if (settings.beam.is_laser)
+        settings.controls[0] = {ControlKind::button, ControlAction::arm, draw.pin(), {}};
+}
+
 }
 
 BoardSettings random_settings(std::mt19937& random)
 {
     Draw draw{random};
     BoardSettings settings;
+    if (draw.number(0, 3) == 0) {
+        draw_beam(draw, settings);
+        return settings;
+    }
     settings.panel = random_panel(draw);
     settings.bus = random_bus(draw, settings.panel.controller);
     const ClockRange clocks = clock_range(settings.bus);

@@ -90,6 +90,28 @@ TEST_CASE("a parallel bus has eight wires for data, and does not read")
     CHECK(pins.at({"display", "RD"}) == 36);
 }
 
+TEST_CASE("a beam has its converters, and the wire that makes it dark")
+{
+    const auto pins = pins_of(config::chosen_settings("pico-xy-galvo"));
+    CHECK(pins.at({"MCP4922", "VSS (12)"}) == 38);
+    CHECK(pins.at({"MCP4922", "VDD (1)"}) == 36);
+    CHECK(pins.at({"MCP4922", "CS (3)"}) == 22);
+    CHECK(pins.at({"MCP4922", "SCK (4)"}) == 24);
+    CHECK(pins.at({"MCP4922", "SDI (5)"}) == 25);
+    CHECK(pins.at({"MCP4922", "LDAC (8)"}) == 21);
+    CHECK(pins.at({"MCP4922", "SHDN (9)"}) == 36);
+    CHECK(pins.at({"MCP4922", "VREFA (13)"}) == 36);
+    CHECK(pins.at({"MCP4922", "VREFB (11)"}) == 36);
+    CHECK(pins.at({"display", "Z or BLANK"}) == 26);
+    CHECK(pins.at({"display", "GND"}) == 28);
+    CHECK(pins.at({"button 1", "one leg"}) == 16);
+    CHECK(pins.size() == 13);
+    const std::string drawing =
+        config::pico_drawing(config::wiring(config::chosen_settings("pico-xy-scope")));
+    CHECK(drawing.find(" 25 GP19      SDI\n") != std::string::npos);
+    CHECK(drawing.find(" 26 GP20      Z\n") != std::string::npos);
+}
+
 TEST_CASE("controls and the log are wired to the nearest ground")
 {
     BoardSettings settings = config::chosen_settings("pico-ssd1306");

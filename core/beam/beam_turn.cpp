@@ -1,0 +1,36 @@
+#include "core/beam/beam_turn.hpp"
+
+#include <cstdlib>
+
+namespace kfast {
+
+BeamHeading::BeamHeading(FieldVector piece, std::uint32_t length)
+{
+    if (length < shortest)
+        return;
+    const bool is_long = std::abs(piece.x) > field_most || std::abs(piece.y) > field_most;
+    x_ = is_long ? piece.x / 4 : piece.x;
+    y_ = is_long ? piece.y / 4 : piece.y;
+    length_ = is_long ? length / 4 : length;
+}
+
+BeamTurn::BeamTurn(const BeamHeading& before, const BeamHeading& after)
+{
+    if (!before.is_known() || !after.is_known())
+        return;
+    whole_ = before.length_ * after.length_;
+    const std::int32_t along = before.x_ * after.x_ + before.y_ * after.y_;
+    const bool is_straight = along > 0 && static_cast<std::uint32_t>(along) >= whole_;
+    rest_ = is_straight ? 0 : whole_ - static_cast<std::uint32_t>(along);
+}
+
+std::uint32_t BeamTurn::share_of(std::uint32_t most) const
+{
+    if (!is_corner())
+        return 0;
+    const int spare = whole_ >= 1U << 22 ? 10 : 0; // so that most * rest fits
+    const std::uint32_t whole = whole_ >> spare;
+    return (most * (rest_ >> spare) + whole) / (2 * whole);
+}
+
+}

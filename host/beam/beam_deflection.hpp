@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/beam/field_point.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace kfast {
+
+/// How fast a beam gets to where it is told to go: each axis by itself, as a mass on a damped spring that is
+/// pulled there, and never faster than its top speed.
+struct BeamDeflection {
+    double bandwidth; ///< natural frequency, in Hz
+    double damping;   ///< of it; 1: the fastest way without overshoot
+    double top_speed; ///< in widths of the field a second
+};
+
+/// A place in the field where a beam really is, in its units.
+struct BeamPlace {
+    double x = 0;
+    double y = 0;
+};
+
+/// The beam of a vector display on its way. Between two points it goes in steps that are short enough to be
+/// taken for straight.
+class DeflectedBeam {
+public:
+    static constexpr int most_steps = 8;
+
+    /// `rate`: points in a second.
+    DeflectedBeam(const BeamDeflection& deflection, std::uint32_t rate);
+
+    /// At rest.
+    void put(FieldPoint at);
+    /// Lets it be pulled to `target` for the time of one point. Calls `moved` with the ends of each step, all
+    /// of which take equally long.
+    template <class Moved>
+    void pull(FieldPoint target, Moved moved)
+    {
+        for (int step = 0; step < steps_; ++step) {
+            const BeamPlace from{x_.place, y_.place};
+            advance(x_, target.x);
+            advance(y_, target.y);
+            moved(from, BeamPlace{x_.place, y_.place});
+        }
+    }
+    int steps() const { return steps_; }
+    BeamPlace place() const { return {x_.place, y_.place}; }
+
+private:
+    struct Axis {
+        double place = 0;
+        double speed = 0; ///< in units of the field for the time in which the phase of the spring turns by 1
+    };
+    using Matrix = std::array<double, 4>;
+
+    void advance(Axis& axis, double target) const;
+
+    Axis x_;
+    Axis y_;
+    int steps_;
+    Matrix spring_; ///< what a step makes of the distance to the target, and of the speed
+    double longest_step_;
+    double top_speed_;
+};
+
+}

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/beam/beam_point.hpp"
+#include "core/beam/beam_profile.hpp"
+#include "host/beam/beam_display.hpp"
+#include "host/beam/light_sheet.hpp"
+#include "host/picture/frame.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace kfast {
+
+/// A picture that the beam drew over and over: its points are repeated, beginning with the first, from
+/// `begin` until before `end`. Times are counted in points.
+struct DrawnPicture {
+    std::vector<BeamPoint> points; ///< at least one
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+};
+
+/// The screen of a vector display, as a camera sees it: the field in the middle, with a margin.
+class BeamScreen {
+public:
+    /// It is exposed for a line at the profile's usual speed in a picture of that many points, drawn over and
+    /// over.
+    BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size, std::int64_t usual_points);
+
+    /// How long light is seen, in points.
+    std::int64_t memory() const;
+    /// What is seen at the end of the last of `pictures`, which follow each other. There is at least one.
+    const Frame& show(std::span<const DrawnPicture> pictures);
+    /// The way of the beam in the last tour of the last picture, wherever it was not lit: for the next
+    /// pictures.
+    void reveal_travel(bool reveal) { reveals_travel_ = reveal; }
+
+private:
+    void expose(const DrawnPicture& picture);
+    void develop();
+    void draw_travel(const DrawnPicture& picture);
+    void draw_way(BeamPlace from, BeamPlace to);
+    void mark(BeamPlace place);
+    Light light_of(const BeamPoint& point) const;
+    BeamPlace on_screen(BeamPlace place) const;
+    double spot_deviation() const;
+
+    BeamProfile profile_;
+    BeamDisplay display_;
+    Film film_;
+    DeflectedBeam beam_;
+    LightSheet sheet_;
+    double exposure_;
+    double fading_;        ///< what is left of light after the time of a point
+    double freshness_ = 0; ///< what will be left of light that falls now
+    bool reveals_travel_ = false;
+    Frame frame_;
+};
+
+}

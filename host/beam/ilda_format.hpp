@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+
+// The ILDA Image Data Transfer Format: sections, each a header of 32 bytes and its records. All numbers are
+// big-endian. The layout is told where it is written: ilda_writer.cpp.
+
+/// What the records of a section are. There is no 3: it was given up.
+enum class IldaFormat : std::uint8_t {
+    indexed_3d = 0,
+    indexed_2d = 1,
+    palette = 2,
+    true_colour_3d = 4,
+    true_colour_2d = 5,
+};
+
+inline constexpr std::array<char, 4> ilda_magic{'I', 'L', 'D', 'A'};
+inline constexpr std::size_t ilda_header_bytes = 32;
+inline constexpr std::size_t ilda_name_bytes = 8;
+inline constexpr std::size_t most_ilda_records = 0xFFFF; ///< in a section; as many frames has a file
+inline constexpr std::size_t most_ilda_colours = 256;    ///< in a palette
+
+/// Bits of the status of a point.
+inline constexpr std::uint8_t ilda_last_point = 0x80;
+inline constexpr std::uint8_t ilda_blanked = 0x40;
+
+constexpr bool has_depth(IldaFormat format)
+{
+    return format == IldaFormat::indexed_3d || format == IldaFormat::true_colour_3d;
+}
+
+constexpr bool is_indexed(IldaFormat format)
+{
+    return format == IldaFormat::indexed_3d || format == IldaFormat::indexed_2d;
+}
+
+/// Coordinates of two bytes each, the status, and an index or three bytes of colour; of a palette the latter
+/// alone.
+constexpr std::size_t ilda_record_bytes(IldaFormat format)
+{
+    if (format == IldaFormat::palette)
+        return 3;
+    return (has_depth(format) ? 6 : 4) + 1 + (is_indexed(format) ? 1 : 3);
+}
+
+}

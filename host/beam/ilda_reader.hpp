@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/beam/beam_point.hpp"
+#include "host/beam/ilda_format.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// A point of an ILDA file, with the colour that its index stands for.
+struct IldaPoint {
+    BeamPoint point; ///< blanked ones have no colour
+    std::int16_t z = 0;
+};
+
+struct IldaFrame {
+    IldaFormat format = IldaFormat::indexed_3d;
+    std::string name;    ///< up to eight bytes, of any kind
+    std::string company; ///< likewise
+    std::uint16_t number = 0;
+    std::uint16_t frames = 0; ///< how many there are, as the frame tells; 0 if it does not
+    std::uint8_t projector = 0;
+    std::vector<IldaPoint> points; ///< at least one
+};
+
+struct IldaContents {
+    std::vector<IldaFrame> frames;
+    std::size_t palettes = 0;
+};
+
+/// Any bytes. Throws std::invalid_argument where a section is none, breaks off or has a format that there is
+/// not, where the last point of a frame is not told or another one is told to be it, where a colour is in no
+/// palette, where the closing section is missing or something follows it, and for a file without frames. The
+/// text begins with the place: "at byte 1234: …".
+IldaContents read_ilda(std::span<const std::byte> file);
+
+}

@@ -1,0 +1,113 @@
+#include "host/beam/phosphor.hpp"
+
+#include "core/channel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kfast {
+namespace {
+
+constexpr double gamma = 2.2;       // of pictures on the PC
+constexpr double sensitivity = 2.6; // light of 1 becomes 0.93 of white
+constexpr float most_light = 8;     // from here on everything is white
+constexpr int steps = 8192;         // of the square root of light, which is finer where it is dark
+constexpr float spill = 0.05F;      // share of other colours' light that a sensor takes for its own
+
+struct Tint {
+    double red, green, blue;
+};
+
+/// Chosen by the look of photographs.
+constexpr Tint tint_of(Phosphor phosphor)
+{
+    switch (phosphor) {
+    case Phosphor::green:
+        return {0.13, 1, 0.35};
+    case Phosphor::blue:
+        return {0.16, 0.42, 1};
+    case Phosphor::amber:
+        return {1, 0.45, 0.05};
+    case Phosphor::white:
+    case Phosphor::rgb:
+        return {0.86, 0.95, 1};
+    }
+    return {};
+}
+
+double exposed(double light) { return 1 - std::exp(-sensitivity * light); }
+
+std::uint8_t encoded(double share)
+{
+    return static_cast<std::uint8_t>(std::lround(255 * std::pow(std::clamp(share, 0.0, 1.0), 1 / gamma)));
+}
+
+double linear(std::uint8_t channel) { return std::pow(channel / 255.0, gamma); }
+
+std::vector<std::uint8_t> level_table()
+{
+    std::vector<std::uint8_t> levels(steps + 1);
+    for (int i = 0; i <= steps; ++i) {
+        const double root = static_cast<double>(i) / steps;
+        levels[static_cast<std::size_t>(i)] = encoded(exposed(root * root * double{most_light}));
+    }
+    return levels;
+}
+
+/// The colour that is as light as each level.
+std::vector<Colour> colour_table(const Tint& tint)
+{
+    constexpr int brightest = 255;
+    std::vector<Colour> colours;
+    for (int level = 0; level <= brightest; ++level) {
+        const double share = std::min(linear(static_cast<std::uint8_t>(level)), exposed(double{most_light}));
+        const double light = -std::log(1 - share) / sensitivity;
+        colours.push_back({encoded(exposed(light * tint.red)), encoded(exposed(light * tint.green)),
+                           encoded(exposed(light * tint.blue))});
+    }
+    return colours;
+}
+
+}
+
+std::span<const PhosphorName> phosphor_names()
+{
+    static constexpr std::array<PhosphorName, 5> names{{
+        {"green", Phosphor::green},
+        {"blue", Phosphor::blue},
+        {"amber", Phosphor::amber},
+        {"white", Phosphor::white},
+        {"rgb", Phosphor::rgb},
+    }};
+    return names;
+}
+
+Film::Film(Phosphor phosphor)
+    : phosphor_{phosphor}, levels_{level_table()}, colours_{colour_table(tint_of(phosphor))}
+{
+}
+
+Light Film::light_of(Colour colour) const
+{
+    if (channels() == 1)
+        return {static_cast<float>(linear(static_cast<std::uint8_t>(brightness(colour))))};
+    return {static_cast<float>(linear(colour.red)), static_cast<float>(linear(colour.green)),
+            static_cast<float>(linear(colour.blue))};
+}
+
+std::uint8_t Film::level(float light) const
+{
+    const float root = std::sqrt(std::min(light, most_light) / most_light);
+    return levels_[static_cast<std::size_t>(root * steps + 0.5F)];
+}
+
+Colour Film::developed(const Light& light) const
+{
+    if (channels() == 1)
+        return colours_[level(light[0])];
+    const float spilt = spill * (light[0] + light[1] + light[2]);
+    return {level(light[0] + spilt), level(light[1] + spilt), level(light[2] + spilt)};
+}
+
+}

@@ -1,0 +1,25 @@
+#include "host/atomic_file.hpp"
+#include "host/commands/c_name.hpp"
+#include "host/commands/export_kinds.hpp"
+#include "host/commands/scene_header.hpp"
+#include "host/commands/summary.hpp"
+
+#include <iostream>
+#include <span>
+
+namespace kfast {
+
+void export_header(const ExportOptions& options)
+{
+    const std::string name = options.name ? *options.name : c_name_for(options.scene);
+    const SceneFile scene = load_scene(options.scene);
+    const std::filesystem::path output = export_path(options, ".h");
+    const SceneHeader header{name, std::filesystem::path{options.scene}.filename().string(),
+                             panel_size(options.picture, scene.view)};
+    const std::string text = header_text(header, scene);
+    write_file(output, std::as_bytes(std::span{text}));
+    std::cout << output.string() << ": " << name << "[], "
+              << summary(scene, header.panel, block_bytes(header, scene)) << '\n';
+}
+
+}

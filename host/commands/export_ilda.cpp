@@ -1,0 +1,82 @@
+#include "host/atomic_file.hpp"
+#include "host/beam/ilda_writer.hpp"
+#include "host/commands/export_kinds.hpp"
+#include "host/commands/sound_beam.hpp"
+#include "host/counted.hpp"
+#include "host/failure.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace kfast {
+namespace {
+
+/// What one play shows, frame by frame: with ping-pong there and back, and the end of what plays once.
+std::vector<Time> frame_times(const Timeline& timeline)
+{
+    std::vector<Time> times;
+    const std::int64_t period = timeline.period_ticks();
+    for (std::int64_t ticks = 0; ticks < period; ticks += Time::ticks_per_frame)
+        times.push_back(timeline.shown_at(ticks));
+    if (timeline.stretch.loop == Loop::once)
+        times.push_back(timeline.shown_at(period));
+    if (times.size() > most_ilda_records)
+        throw Failure("one play has " + counted(times.size(), "frame") + ", more than the " +
+                      std::to_string(most_ilda_records) + " of an ILDA file: play less with --clip");
+    return times;
+}
+
+struct Drawn {
+    std::vector<BeamPoints> frames;
+    std::size_t points = 0;
+    std::size_t most_points = 0;
+    std::size_t incomplete = 0;
+};
+
+void add_frame(Drawn& drawn, std::span<const BeamPoint> points, const BeamReport& report)
+{
+    if (points.size() > most_ilda_records)
+        throw Failure("frame " + std::to_string(drawn.frames.size()) + " has " +
+                      std::to_string(points.size()) + " points, and an ILDA file no more than " +
+                      std::to_string(most_ilda_records) + " in a frame: draw it coarser with another --beam");
+    drawn.frames.emplace_back(points.begin(), points.end());
+    drawn.points += points.size();
+    drawn.most_points = std::max(drawn.most_points, points.size());
+    drawn.incomplete += !report.is_complete;
+}
+
+Drawn drawn_frames(BeamSource& source, const Timeline& timeline)
+{
+    Drawn drawn;
+    for (const Time time : frame_times(timeline))
+        add_frame(drawn, source.show(time), source.report());
+    return drawn;
+}
+
+void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t rate)
+{
+    std::cout << output.string() << ": " << counted(drawn.frames.size(), "frame") << ", "
+              << counted(drawn.points, "point") << ", at most " << drawn.most_points << " in a frame ("
+              << rate / std::max<std::size_t>(drawn.most_points, 1) << " times a second at " << rate
+              << " points a second)\n";
+    if (drawn.incomplete > 0)
+        std::cerr << "kfast: " << counted(drawn.incomplete, "frame")
+                  << " had no time for all lines: a profile with a lower least-refresh gives more\n";
+}
+
+}
+
+void export_ilda(const ExportOptions& options)
+{
+    const SceneFile scene = load_scene(options.scene);
+    const Timeline timeline = chosen_timeline(options.play, scene.view);
+    const std::filesystem::path output = export_path(options, ".ild");
+    BeamSource source =
+        open_beam(options.beam.value_or(galvo_profile), most_ilda_records, options.picture, scene);
+    const Drawn drawn = drawn_frames(source, timeline);
+    const std::string name = std::filesystem::path{options.scene}.stem().string();
+    write_file(output, ilda_file(name, static_cast<IldaFormat>(options.ilda_format), drawn.frames));
+    tell(output, drawn, source.profile().rate);
+}
+
+}
