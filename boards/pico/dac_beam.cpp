@@ -28,6 +28,9 @@ std::array<Loop, 2> picture_loops;
 std::uint32_t parked_point;
 Loop parked_loop;
 
+/// A laser may shine for 2 ms in one place.
+constexpr std::uint32_t still_lights_in_second = 500;
+
 /// Gives a pin to the machine that has a side-set, set or out pin there, and its level at the beginning.
 void drive(const pio::Machine& machine, Pin pin, std::uint32_t level)
 {
@@ -94,7 +97,8 @@ void set_up_clock(const BoardSettings& settings, std::uint32_t place)
 
 }
 
-DacBeam::DacBeam(const BoardSettings& settings) : profile_{settings.beam}
+DacBeam::DacBeam(const BoardSettings& settings)
+    : profile_{settings.beam}, still_light_{settings.beam.rate / still_lights_in_second}
 {
     parked_point = dac_point({.at = profile_.park}, profile_.brightness);
     parked_loop = Loop{std::span{&parked_point, 1}};
@@ -111,13 +115,18 @@ bool DacBeam::takes_picture() const { return looped_words::has_gone_over(); }
 
 void DacBeam::plot(std::span<const BeamPoint> points)
 {
-    for (const BeamPoint& point : points)
-        pictures[plotted_][points_++] = dac_point(point, profile_.brightness);
+    for (const BeamPoint& point : points) {
+        const std::uint32_t told = dac_point(point, profile_.brightness);
+        pictures[plotted_][points_++] = profile_.is_laser ? still_light_.passed(told) : told;
+    }
 }
 
 void DacBeam::show()
 {
-    picture_loops[plotted_] = Loop{std::span{pictures[plotted_]}.first(points_)};
+    const auto picture = std::span{pictures[plotted_]}.first(points_);
+    if (profile_.is_laser)
+        still_light_.end(picture);
+    picture_loops[plotted_] = Loop{picture};
     looped_words::go_over_to(picture_loops[plotted_]);
     plotted_ = 1 - plotted_;
     points_ = 0;

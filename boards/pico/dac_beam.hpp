@@ -2,6 +2,7 @@
 
 #include "firmware/beam.hpp"
 #include "firmware/board_settings.hpp"
+#include "firmware/still_light.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,7 @@ public:
 
 private:
     const BeamProfile& profile_;
+    StillLight still_light_;  ///< of a laser
     std::size_t plotted_ = 0; ///< the picture that is being plotted
     std::size_t points_ = 0;  ///< of it, until now
 };

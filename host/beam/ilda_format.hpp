@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 namespace kfast {
 
@@ -18,7 +18,7 @@ enum class IldaFormat : std::uint8_t {
     true_colour_2d = 5,
 };
 
-inline constexpr std::string_view ilda_magic = "ILDA";
+inline constexpr std::array<char, 4> ilda_magic{'I', 'L', 'D', 'A'};
 inline constexpr std::size_t ilda_header_bytes = 32;
 inline constexpr std::size_t ilda_name_bytes = 8;
 inline constexpr std::size_t most_ilda_records = 0xFFFF; ///< in a section; as many frames has a file

@@ -86,7 +86,7 @@ private:
         if (file_.size() - at_ < ilda_header_bytes)
             fail_at(file_.size(), at_ == file_.size() ? "the closing section is missing"
                                                       : "the file breaks off in the header of a section");
-        if (text(ilda_magic.size()) != ilda_magic)
+        if (!std::ranges::equal(text(ilda_magic.size()), ilda_magic))
             fail_at(at_ - ilda_magic.size(), "no section begins here, with ILDA");
         at_ += 3; // reserved
         Header header;

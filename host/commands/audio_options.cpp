@@ -36,16 +36,17 @@ CLI::Option* declare_audio_options(CLI::App& app, AudioOptions& options)
     return audio;
 }
 
-std::unique_ptr<FrameSource> heard(std::unique_ptr<FrameSource> picture, const AudioOptions& options,
-                                   const std::optional<BeamProfile>& beam, const PictureOptions& inputs,
-                                   const SceneFile& scene)
+std::unique_ptr<FrameSource> heard(std::unique_ptr<FrameSource> picture, const AudioOptions& audio,
+                                   const PictureOptions& options, const SceneFile& scene)
 {
-    if (!options.is_heard)
+    if (!audio.is_heard)
         return picture;
-    BeamSource source =
-        open_beam(sound_beam(beam, options.sound.rate), BeamSource::any_number, inputs, scene);
-    return std::make_unique<BeamSound>(std::move(picture), std::move(source), options.sound.deflection,
-                                       options.device);
+    const auto& beam = options.screen.beam;
+    const BeamProfile profile =
+        sound_beam(beam ? std::optional{beam->profile} : std::nullopt, audio.sound.rate);
+    return std::make_unique<BeamSound>(std::move(picture),
+                                       open_beam(profile, BeamSource::any_number, options, scene),
+                                       audio.sound.deflection, audio.device);
 }
 
 }

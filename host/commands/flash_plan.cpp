@@ -67,17 +67,15 @@ void require_room(const std::string& name, const fit::Target& target, const fit:
                       ExitStatus::no_room};
 }
 
-/// Of the 88 KiB that an image lends, two pictures of points are not the player's.
+/// Every image lends the player 88 KiB (boards/pico/link.ld); points of pictures lie elsewhere.
 void require_room_for_beam(const std::string& name, const SceneView& scene, const BeamProfile& profile)
 {
     constexpr std::size_t lent = 88 * 1024;
-    constexpr std::size_t bytes_of_point = 4;
-    const std::size_t points = profile.rate / profile.least_refresh;
-    const std::size_t needed = BeamPlayer::block_bytes(scene, profile) + 2 * bytes_of_point * points;
+    const std::size_t needed = BeamPlayer::block_bytes(scene, profile);
     if (needed > lent)
         throw Failure{name + ": does not fit pico-xy\n  RAM: it needs " + std::to_string(needed - lent) +
                           " bytes more than there are\n  Shorten the scene, draw it with fewer points, or "
-                          "take a profile with a lower resolution or rate",
+                          "take a profile with a lower resolution",
                       ExitStatus::no_room};
 }
 

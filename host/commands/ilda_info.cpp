@@ -95,8 +95,9 @@ void print_text(const Json& facts)
 bool is_ilda(const std::string& path)
 {
     std::ifstream file{path, std::ios::binary};
-    std::string begin(ilda_magic.size(), '\0');
-    return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == ilda_magic;
+    auto begin = ilda_magic;
+    begin.fill(0);
+    return file.read(begin.data(), begin.size()) && begin == ilda_magic;
 }
 
 void print_ilda_info(const std::string& path, std::uint32_t rate, bool as_json)

@@ -67,8 +67,7 @@ void preview(const PreviewOptions& options)
     const SceneFile scene = load_scene(options.file);
     const Programme programme =
         chosen_programme(options.play, scene.view, chosen_inputs(options.picture.inputs, scene.view));
-    const auto source =
-        heard(open_source(options.picture, scene), options.audio, std::nullopt, options.picture, scene);
+    const auto source = heard(open_source(options.picture, scene), options.audio, options.picture, scene);
     if (options.headless)
         return preview_headless(options, *source, programme);
     if (!options.terminal && play_in_window(*source, programme, options.file, options.loops))

@@ -15,8 +15,7 @@ BeamSource open_beam(const BeamProfile& profile, std::uint32_t budget, const Pic
                      const SceneFile& scene)
 {
     BeamSource source{scene.view, profile, budget};
-    put_inputs(chosen_inputs(inputs.inputs, scene.view), scene.view, source);
-    put_drawings(inputs.drawings, scene.view, source);
+    tell_inputs(inputs, scene, source);
     return source;
 }
 

@@ -74,7 +74,6 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
 {
     switch (mistake.fault) {
     case SettingsFault::bus_not_taken:
-    case SettingsFault::beam_beyond_limits:
         return draft.bus->arguments.front().place;
     case SettingsFault::glass_beyond_memory:
     case SettingsFault::glass_ragged:

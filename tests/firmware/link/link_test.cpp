@@ -356,7 +356,7 @@ TEST_CASE("reports that mean nothing are refused and counted")
         report.bytes[0] = static_cast<std::byte>(kind);
         report.bytes[1] = std::byte{7};
         const bool is_known = (kind >= 1 && kind <= 5) || (kind >= 0x10 && kind <= 0x13) ||
-                              (kind >= 0x20 && kind <= 0x22) || (kind >= 0x30 && kind <= 0x3A) ||
+                              (kind >= 0x20 && kind <= 0x22) || (kind >= 0x30 && kind <= 0x3C) ||
                               kind == 0x3F;
         if (is_known)
             continue;

@@ -348,7 +348,7 @@ class PackTest(CommandTest):
             self.refuse("uf2", "pack", "--firmware", "f.bin", "-o", "b.uf2", status=1, says=says)
 
     def test_firmware_without_a_mark_is_warned_of(self):
-        for image in (firmware(8192, b""), firmware(8192, b"KFPI\3"), firmware(8192, b"KFPJ\0")):
+        for image in (firmware(8192, b""), firmware(8192, b"KFPI\4"), firmware(8192, b"KFPJ\0")):
             (self.folder / "f.bin").write_bytes(image)
             told = self.run_kfast("uf2", "pack", "--firmware", "f.bin", "--config", "pico-ssd1306-i2c", "-o", "a.uf2")
             self.assertRegex(told.stderr, r"^f\.bin: warning: .* for i2c: build/pico/pico-i2c\.bin\n$")

@@ -117,6 +117,11 @@ class HeardTest(Sounds):
             self.assertGreater(len(heard) - begin, 2000)
             self.assertTrue(heard[begin:] == exported[:len(heard) - begin], "a wave of its own")
 
+    def test_another_profile_is_heard_and_seen(self):
+        heard = [(x / 65536, y / 65536) for x, y in self.heard("scene", "--beam", "crt")]
+        self.assertLess(longest_step(heard), 2048 * 2 + 2)  # in haste, for there are fewer points in a second
+        self.assertGreater(len(set(heard)), 1000)
+
     def test_nothing_clicks_while_pictures_change(self):
         heard = [(x / 65536, y / 65536) for x, y in self.heard("scene")]
         self.assertGreater(len(set(heard)), 1000)
