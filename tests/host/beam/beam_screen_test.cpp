@@ -156,7 +156,15 @@ TEST_CASE("a slow beam rounds corners, unless it waits there")
     CHECK(corner(30) > 200);
 }
 
-TEST_CASE("the beam of a scope leaves nothing where it jumps, and what would be seen is shown on demand")
+TEST_CASE("a picture is upright, in the middle of the screen")
+{
+    const Picture picture = shown(line_scene("line 20 10 60 10"), scope_profile, "scope");
+    CHECK(green_at(picture, pixel_of(40), pixel_of(10)) > 150);
+    CHECK(lightest(picture, 0, 200, pixel_of(20), 200) < 40);
+    CHECK(lightest(picture, pixel_of(70), 200, 0, 200) < 40);
+}
+
+TEST_CASE("the beam of a monitor leaves nothing where it jumps, and what would be seen is shown on demand")
 {
     const std::vector<std::byte> bytes = compiled(line_scene("line 30 30 70 30\n line 30 70 70 70"));
     BeamScreenSource source{*SceneView::parse(bytes), crt_profile, display_of("crt"), small};

@@ -67,6 +67,21 @@ TEST_CASE("the picture at a moment is the last one, and those before are as the 
     CHECK_FALSE(std::ranges::equal(pictures.front().points, points));
 }
 
+TEST_CASE("the very end of a scene is shown although it begins again there")
+{
+    const std::vector<std::byte> moving = compiled(R"(kfast 1
+canvas 100 100 fps=30 loop=repeat
+object bar stroke="#ffffff" { key 0 { line 10 50 90 50 }
+    key 30 { line 10 20 50 80 } }
+)");
+    const SceneView scene = *SceneView::parse(moving);
+    BeamSource source{scene, scope_profile};
+    const std::vector<DrawnPicture> pictures = drawn_pictures(source, scene, scene.length(), 1);
+    CHECK(std::ranges::equal(pictures.back().points, source.show(scene.length())));
+    const std::vector<DrawnPicture> first = drawn_pictures(source, scene, Time{0}, 10'000);
+    CHECK(first[first.size() - 2].points.size() != first.back().points.size()); // as at the end before it
+}
+
 TEST_CASE("the points of a picture are hashed with their places, colours and light")
 {
     const std::array<BeamPoint, 2> points{{
