@@ -112,6 +112,7 @@ void BeamPlayer::measure()
                .lit_length = amount.lit_length,
                .blanked_length = amount.blanked_length,
                .lines = static_cast<std::uint32_t>(pace_.legs),
+               .corners = static_cast<std::uint32_t>(lines_.corners()),
                .haste = pace_.haste,
                .is_complete = !lines_.is_full() && pace_.legs == lines_.size()};
 }

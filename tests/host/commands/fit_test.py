@@ -49,8 +49,31 @@ object large stroke=white width=2 {{ key 0 {{ line {ZIGZAG} }}; key 1 {{ line 0 
 MANY_OBJECTS = "kfast 1\ncanvas 240 240 frames=1\n" + "".join(
     f"object dot{i} fill=red {{ circle {i % 240} {i // 10} r=2 }}\n" for i in range(2_000))
 
+BEAM_BOARD = """board bench {{
+    core cortex-m0+ clock=(MHz){clock}
+    memory flash=(KiB)256 ram=(KiB){ram}
+    bus dac clock=(MHz)20
+    beam {beam}
+    bands {bands}
+}}
+"""
+USUAL_BEAM = {"clock": 100, "ram": 96, "beam": "scope", "bands": "(KiB)16"}
+BOX = """kfast 1
+canvas 256 256 frames=10
+object box stroke=white { key 0 { rect 64 64 128 128 }; key 10 { rect 96 96 64 64 } }
+"""
+DOTS = "kfast 1\ncanvas 256 256 frames=2\nobject dots stroke=white cap=round {\n" + "".join(
+    f"    line {i % 64 * 4} {i // 64 * 4} {i % 64 * 4} {i // 64 * 4}\n" for i in range(2000)) + "}\n"
+
 
 class FitTest(CommandTest):
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def beam_board(self, **changes):
+        (self.folder / "bench.kdl").write_text(BEAM_BOARD.format(**{**USUAL_BEAM, **changes}))
+        return ("--board", "bench.kdl")
+
     def board(self, **changes):
         (self.folder / "desk.kdl").write_text(BOARD.format(**{**USUAL, **changes}))
         return ("--board", "desk.kdl")
@@ -75,6 +98,56 @@ class FitTest(CommandTest):
         self.assertEqual((report["board"], report["processor"]), ("desk", "cortex-m0+"))
         self.assertEqual(report["panel"], {"name": "", "width": 60, "height": 40, "format": "rgb565"})
         self.assertEqual(report["fps"]["wanted"], 30)
+
+    def test_a_scene_for_a_beam(self):
+        self.write("box.kfast", BOX)
+        report = self.report("box.kfast", *self.beam_board())
+        busiest = report["busiest"]
+        self.assertTrue(report["fits"])
+        self.assertEqual((busiest["frame"], busiest["lines"], busiest["lit"], busiest["travel"]), (0, 1, 2, 0))
+        self.assertEqual(busiest["points"], 4 * 86)  # sides of 32768 units, steps of 384
+        self.assertAlmostEqual(busiest["refresh"], 100_000 / 344)
+        self.assertEqual((report["pictures"], report["hasty"], report["incomplete"]), (10, 0, 0))
+        self.assertLess(report["mean_points"], busiest["points"])
+        ram = report["ram"]
+        self.assertEqual(ram["used"], sum(ram[part] for part in ("block", "buffers", "static", "stack", "reserved")))
+        self.assertEqual(ram["buffers"], 2 * 16384)
+        self.assertIn("344 points, drawn 290.7 times a second", self.run_kfast("fit", "box.kfast", *self.beam_board()).stdout)
+
+    def test_the_pico_with_a_beam_plays_the_examples(self):
+        self.assertTrue(self.report(ROOT / "examples" / "reference" / "walker.kfast", "--board", "pico-xy")["fits"])
+
+    def test_a_beam_that_hurries_is_told(self):
+        self.write("box.kfast", BOX)
+        report = self.report("box.kfast", *self.beam_board(beam="scope least-refresh=250 rate=(kHz)60"))
+        self.assertEqual(report["hasty"], 6)  # the box grows small enough
+        self.assertLessEqual(report["busiest"]["points"], 240)
+        self.assertIn("6 pictures of 10 are drawn faster than the profile has it", report["notes"][0])
+
+    def test_lines_that_a_beam_has_no_time_for(self):
+        self.write("dots.kfast", DOTS)
+        report = self.refused("dots.kfast", *self.beam_board(ram=1024))
+        self.assertEqual(report["incomplete"], 2)
+        self.assertIn("draw fewer lines, or choose a lower least-refresh= (40 now)", report["reasons"][0])
+        self.assertTrue(self.report("dots.kfast", *self.beam_board(ram=1024, beam="scope least-refresh=20", bands="(KiB)20"))["fits"])
+
+    def test_a_beam_with_too_little_memory_time_or_bus(self):
+        self.write("box.kfast", BOX)
+        self.assertIn("RAM", self.refused("box.kfast", *self.beam_board(ram=24))["reasons"][0])
+        self.assertIn("speed", self.refused("box.kfast", *self.beam_board(clock=1), "--fps", "200")["reasons"][0])
+        self.assertIn("bus: it takes 588235 points", self.refused("box.kfast", *self.beam_board(beam="scope rate=(kHz)700"))["reasons"][0])
+        self.assertIn("a buffer holds 1024 points", self.report("box.kfast", *self.beam_board(bands="(KiB)4"))["notes"][0])
+
+    def test_compile_refuses_what_a_beam_has_no_time_for(self):
+        self.write("dots.kfast", DOTS)
+        refused = self.run_kfast("compile", "dots.kfast", "-o", "dots.kfb", *self.beam_board(ram=1024), status=1)
+        self.assertIn("does not fit bench", refused.stderr)
+        self.assertFalse((self.folder / "dots.kfb").exists())
+
+    def test_a_beam_has_no_panel(self):
+        self.write("box.kfast", BOX)
+        refused = self.run_kfast("fit", "box.kfast", *self.beam_board(), "--panel", "st7789", status=1)
+        self.assertIn("has a beam, not a panel", refused.stderr)
 
     def test_memory_adds_up(self):
         report = self.report("repeat.kfast", *self.board(reserved=1000))

@@ -79,6 +79,25 @@ TEST_CASE("a description tells everything in bytes, Hertz and pixels")
     CHECK(target.reserved.ram == 3 * 1024);
 }
 
+TEST_CASE("a board has a beam in place of a panel")
+{
+    const Target target = read(R"(board a {
+        core cortex-m0+ clock=(MHz)125
+        memory flash=(MiB)2 ram=(KiB)264
+        bus dac clock=(MHz)20
+        beam galvo rate=(kHz)25
+    })");
+    REQUIRE(target.beam);
+    CHECK(target.beam->rate == 25'000);
+    CHECK(target.beam->is_laser);
+    CHECK(target.bus.kind == BusKind::dac);
+    const std::string begin = "board a { core cortex-m0 clock=(MHz)9; memory flash=(KiB)9 ram=(KiB)9; ";
+    check_refused(begin + "bus dac clock=(MHz)9; beam scope; panel st7789 }", "1:1", "both a panel and a beam");
+    check_refused(begin + "bus spi clock=(MHz)9; beam scope }", "1:1", "a beam needs the bus of a converter");
+    check_refused(begin + "bus dac clock=(MHz)9; panel st7789 }", "1:1", "this bus has no panel");
+    check_refused(begin + "bus dac clock=(MHz)9; beam blue }", "1:99", "allowed: scope");
+}
+
 TEST_CASE("a panel can be named, with another size too")
 {
     CHECK(read(with("320 172 format=grey4 window=9", "ssd1322")).display.size == Size{256, 64});
