@@ -74,8 +74,6 @@ BeamPlace BeamScreen::on_screen(BeamPlace place) const
 /// Where brightness is no matter of levels, every lit point has all the light there is of its hue.
 Light BeamScreen::light_of(const BeamPoint& point) const
 {
-    if (!point.is_lit())
-        return {};
     Light light = film_.light_of(point.colour);
     if (profile_.brightness == BeamBrightness::by_level)
         return light;

@@ -11,9 +11,13 @@ namespace {
 
 constexpr double gamma = 2.2;       // of pictures on the PC
 constexpr double sensitivity = 2.6; // light of 1 becomes 0.93 of white
-constexpr float most_light = 8;     // from here on everything is white
+constexpr float most_light = 5;     // from here on everything is white
 constexpr int steps = 8192;         // of the square root of light, which is finer where it is dark
 constexpr float spill = 0.05F;      // share of other colours' light that a sensor takes for its own
+
+/// Levels of one channel stand for colours whose channels get lighter at different times: they are told apart
+/// up to more light than one channel of rgb.
+constexpr double level_sensitivity = 1;
 
 struct Tint {
     double red, green, blue;
@@ -36,7 +40,7 @@ constexpr Tint tint_of(Phosphor phosphor)
     return {};
 }
 
-double exposed(double light) { return 1 - std::exp(-sensitivity * light); }
+double exposed(double light, double sensitive = sensitivity) { return 1 - std::exp(-sensitive * light); }
 
 std::uint8_t encoded(double share)
 {
@@ -45,12 +49,12 @@ std::uint8_t encoded(double share)
 
 double linear(std::uint8_t channel) { return std::pow(channel / 255.0, gamma); }
 
-std::vector<std::uint8_t> level_table()
+std::vector<std::uint8_t> level_table(double sensitive)
 {
     std::vector<std::uint8_t> levels(steps + 1);
     for (int i = 0; i <= steps; ++i) {
         const double root = static_cast<double>(i) / steps;
-        levels[static_cast<std::size_t>(i)] = encoded(exposed(root * root * double{most_light}));
+        levels[static_cast<std::size_t>(i)] = encoded(exposed(root * root * double{most_light}, sensitive));
     }
     return levels;
 }
@@ -61,8 +65,9 @@ std::vector<Colour> colour_table(const Tint& tint)
     constexpr int brightest = 255;
     std::vector<Colour> colours;
     for (int level = 0; level <= brightest; ++level) {
-        const double share = std::min(linear(static_cast<std::uint8_t>(level)), exposed(double{most_light}));
-        const double light = -std::log(1 - share) / sensitivity;
+        const double share = std::min(linear(static_cast<std::uint8_t>(level)),
+                                      exposed(double{most_light}, level_sensitivity));
+        const double light = -std::log(1 - share) / level_sensitivity;
         colours.push_back({encoded(exposed(light * tint.red)), encoded(exposed(light * tint.green)),
                            encoded(exposed(light * tint.blue))});
     }
@@ -84,7 +89,8 @@ std::span<const PhosphorName> phosphor_names()
 }
 
 Film::Film(Phosphor phosphor)
-    : phosphor_{phosphor}, levels_{level_table()}, colours_{colour_table(tint_of(phosphor))}
+    : phosphor_{phosphor}, levels_{level_table(channels() == 1 ? level_sensitivity : sensitivity)},
+      colours_{colour_table(tint_of(phosphor))}
 {
 }
 

@@ -53,6 +53,27 @@ TEST_CASE("a script shows what each key leads to and stops at a quit")
     CHECK(out.str().find("\n4 frames, hash ") != std::string::npos);
 }
 
+TEST_CASE("travel is revealed by a key, with the facts of the picture, and hidden by it again")
+{
+    class TravelSource : public PaintedSource {
+    public:
+        using PaintedSource::PaintedSource;
+        void reveal(bool hidden) override { revealed.push_back(hidden); }
+        std::string facts() const override { return "7 points"; }
+        std::vector<bool> revealed;
+    };
+    TravelSource source{{1, 1}, [](int, int, int) { return 0; }};
+    std::ostringstream out;
+    const std::vector script{PreviewKey::play_pause, PreviewKey::travel, PreviewKey::next_frame,
+                             PreviewKey::travel};
+    play_script(source, programme(30000, {{}, Time::frame(10), Loop::repeat}), script, out);
+    CHECK(source.revealed == std::vector{false, true, true, false});
+    const std::string text = out.str();
+    CHECK(text.find("paused  event begin  7 points  ") != std::string::npos);
+    CHECK(text.find("7 points") > text.find("paused"));
+    CHECK(text.rfind("7 points") < text.rfind("paused"));
+}
+
 TEST_CASE("events behind the last frame are passed as well, and written so that they cannot disturb")
 {
     std::vector<int> shown;
