@@ -12,7 +12,7 @@ void ObjectOutline::begin(Point from)
 
 void ObjectOutline::add(const Segment& segment)
 {
-    sight_.flatten(segment, [this](Point to) { line_to(to); });
+    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(to); });
 }
 
 void ObjectOutline::end(Point hub, bool is_closed)
@@ -23,12 +23,12 @@ void ObjectOutline::end(Point hub, bool is_closed)
         fill_.end(sight_(hub));
 }
 
-void ObjectOutline::line_to(Point seen)
+void ObjectOutline::line_to(Point to)
 {
     if (stroke_)
-        stroke_->line_to(seen);
+        stroke_->line_to(sight_(to));
     else
-        fill_.line_to(seen);
+        fill_.line_to(sight_(to));
 }
 
 }

@@ -24,7 +24,7 @@ public:
     void end(Point hub, bool is_closed);
 
 private:
-    void line_to(Point seen);
+    void line_to(Point to);
 
     OutlineStore& outlines_;
     Sight sight_;

@@ -14,18 +14,12 @@ public:
     Sight(const Projection* projection, int coarseness) : projection_{projection}, coarseness_{coarseness} {}
 
     Point operator()(Point at) const { return projection_ == nullptr ? at : (*projection_)(at); }
-    /// Calls line_to(point) for the ends of the straight pieces that are seen in the place of `segment`. The
-    /// pieces are projected: the projection of a curve is not the curve of the projected points.
-    template <class LineTo>
-    void flatten(const Segment& segment, LineTo line_to) const
-    {
-        kfast::flatten(segment, pieces_of(segment), [&](Point to) { line_to((*this)(to)); });
-    }
+    /// How many straight pieces are to be seen in the place of `segment`. The pieces are projected: the
+    /// projection of a curve is not the curve of the projected points.
+    int pieces_of(const Segment& segment) const;
     int coarseness() const { return coarseness_; }
 
 private:
-    int pieces_of(const Segment& segment) const;
-
     const Projection* projection_;
     int coarseness_;
 };

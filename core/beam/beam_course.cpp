@@ -170,10 +170,7 @@ void BeamCourse::go(FieldPoint to, std::uint32_t length, std::uint32_t step, boo
     length_ = length;
     is_lit_ = is_lit;
     end_ = to;
-    if (left_ != 0)
-        steps_ = {length, left_};
-    piece_ = {};
-    piece_begin_ = 0;
+    has_set_out_ = false;
 }
 
 FieldPoint BeamCourse::next()
@@ -181,21 +178,36 @@ FieldPoint BeamCourse::next()
     --left_;
     if (rests_ || left_ == 0)
         return end_;
+    if (!has_set_out_)
+        set_out();
     const std::uint32_t distance = steps_.next();
-    while (distance - piece_begin_ > piece_.length())
-        enter_next_piece();
+    if (distance - piece_begin_ > piece_length_)
+        enter_piece_at(distance);
     return piece_.at(distance - piece_begin_);
 }
 
-void BeamCourse::enter_next_piece()
+/// Only here what is told takes divisions: counting takes none of them. One point has been taken already.
+void BeamCourse::set_out()
 {
-    piece_begin_ += piece_.length();
-    if (!is_lit_) {
-        piece_ = {came_from_, end_};
-        return;
+    has_set_out_ = true;
+    steps_ = {length_, left_ + 1};
+    piece_begin_ = 0;
+    piece_length_ = 0;
+}
+
+/// Pieces that no point lies on are passed over.
+void BeamCourse::enter_piece_at(std::uint32_t distance)
+{
+    FieldPoint from = is_lit_ ? line_[piece_corner_] : came_from_;
+    for (;;) {
+        const FieldPoint to = is_lit_ ? line_[++piece_corner_] : end_;
+        const FieldVector way = to - from;
+        piece_begin_ += piece_length_;
+        piece_length_ = way.length();
+        if (distance - piece_begin_ <= piece_length_)
+            return piece_.begin(from, way, piece_length_);
+        from = to;
     }
-    piece_ = {line_[piece_corner_], line_[piece_corner_ + 1]};
-    ++piece_corner_;
 }
 
 }

@@ -52,7 +52,8 @@ private:
     void rest(FieldPoint at, std::uint32_t points, bool is_lit);
     void go(FieldPoint to, std::uint32_t length, std::uint32_t step, bool is_lit);
     std::uint32_t find_end();
-    void enter_next_piece();
+    void set_out();
+    void enter_piece_at(std::uint32_t distance);
     std::uint32_t start_points() const;
     std::uint32_t corner_points() const;
     bool is_joined(std::size_t leg) const;
@@ -79,9 +80,11 @@ private:
     bool is_lit_ = false;
     bool rests_ = true;
     FieldPoint end_;
+    bool has_set_out_ = false; ///< what follows is known
     BeamSteps steps_;
-    BeamPiece piece_;                ///< where it has come to
-    std::uint32_t piece_begin_ = 0;  ///< from the beginning of the run
+    BeamPiece piece_;               ///< where it has come to
+    std::uint32_t piece_begin_ = 0; ///< from the beginning of the run
+    std::uint32_t piece_length_ = 0;
     std::uint32_t piece_corner_ = 0; ///< of the line, where the piece ends
 };
 

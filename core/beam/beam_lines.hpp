@@ -44,6 +44,8 @@ public:
     std::uint32_t open_points() const { return open_.points; }
 
     std::size_t size() const { return line_count_; }
+    /// Points of all of them.
+    std::size_t corners() const { return point_count_; }
     /// In the order in which they were added.
     const BeamLine& line(std::size_t number) const { return end_[-1 - static_cast<std::ptrdiff_t>(number)]; }
     std::span<const FieldPoint> points(const BeamLine& line) const

@@ -39,7 +39,7 @@ BeamPen::BeamPen(BeamLines& lines, const Sight& sight, int resolution, BeamInk i
 
 void BeamPen::begin(Point from)
 {
-    first_ = last_ = place(sight_(from));
+    first_ = last_ = place(from);
     skipped_.reset();
     is_cut_ = !first_.is_in_field();
     if (!is_cut_)
@@ -48,7 +48,7 @@ void BeamPen::begin(Point from)
 
 void BeamPen::add(const Segment& segment)
 {
-    sight_.flatten(segment, [this](Point to) { line_to(place(to)); });
+    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(place(to)); });
 }
 
 void BeamPen::end(Point, bool is_closed)
@@ -61,8 +61,9 @@ void BeamPen::end(Point, bool is_closed)
 void BeamPen::end_part() { end_stroke(); }
 
 /// In pixels the origin is the upper left corner of the field.
-BeamPen::Place BeamPen::place(Point seen) const
+BeamPen::Place BeamPen::place(Point at) const
 {
+    const Point seen = sight_(at);
     const auto units = [this](Fixed pixels) { return ((pixels.raw() >> shift_) + 1) >> 1; };
     return {units(seen.x) - border, border - units(seen.y)};
 }

@@ -49,7 +49,7 @@ private:
     static std::optional<Place> crossing(Place outside, Place other);
     static std::optional<std::int32_t> crossing(std::int32_t border, Place from, Place to);
 
-    Place place(Point seen) const;
+    Place place(Point at) const;
     void move_to(Place to);
     void line_to(Place to);
     void add_cut(Place to);

@@ -11,14 +11,11 @@ constexpr std::uint32_t long_piece = 1U << (slope_bits - 2); ///< beyond it, 1/2
 
 }
 
-BeamPiece::BeamPiece(FieldPoint from, FieldPoint to) : from_{from}
+void BeamPiece::begin(FieldPoint from, FieldVector way, std::uint32_t length)
 {
-    const FieldVector way = to - from;
-    length_ = way.length();
-    if (length_ == 0)
-        return;
-    x_ = {way.x, length_};
-    y_ = {way.y, length_};
+    from_ = from;
+    x_.begin(way.x, length);
+    y_.begin(way.y, length);
 }
 
 FieldPoint BeamPiece::at(std::uint32_t distance) const
@@ -27,12 +24,12 @@ FieldPoint BeamPiece::at(std::uint32_t distance) const
             static_cast<std::int16_t>(from_.y + y_(distance))};
 }
 
-BeamPiece::Slope::Slope(std::int32_t rise, std::uint32_t length) : falls{rise < 0}
+void BeamPiece::Slope::begin(std::int32_t rise, std::uint32_t length)
 {
+    falls = rise < 0;
     const std::uint32_t scaled = static_cast<std::uint32_t>(std::abs(rise)) << slope_bits;
     coarse = scaled / length;
-    if (length > long_piece)
-        fine = ((scaled - coarse * length) << slope_bits) / length;
+    fine = length > long_piece ? ((scaled - coarse * length) << slope_bits) / length : 0;
 }
 
 /// A length is less than 2^17, so that all products fit in 32 bits.

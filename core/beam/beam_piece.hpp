@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/beam/field_length.hpp"
+#include "core/beam/field_vector.hpp"
 
 #include <cstdint>
 
@@ -9,11 +9,10 @@ namespace kfast {
 /// A straight piece of a line.
 class BeamPiece {
 public:
-    BeamPiece() = default;
-    BeamPiece(FieldPoint from, FieldPoint to);
+    /// Another one, of a length that is not 0. (Small processors call a function to copy one.)
+    void begin(FieldPoint from, FieldVector way, std::uint32_t length);
 
-    std::uint32_t length() const { return length_; }
-    /// At a distance, at most length(), from its beginning; rounded to nearest but for 1/4 unit.
+    /// At a distance, at most its length, from its beginning; rounded to nearest but for 1/4 unit.
     FieldPoint at(std::uint32_t distance) const;
 
 private:
@@ -23,24 +22,22 @@ private:
         std::uint32_t fine = 0;
         bool falls = false;
 
-        Slope() = default;
-        Slope(std::int32_t rise, std::uint32_t length);
+        void begin(std::int32_t rise, std::uint32_t length);
         std::int32_t operator()(std::uint32_t distance) const;
     };
 
     FieldPoint from_;
-    std::uint32_t length_ = 0;
     Slope x_;
     Slope y_;
 };
 
-/// Distances that divide a way into equal steps, but for a unit.
+/// Distances that divide a way into equal steps, rounded to nearest.
 class BeamSteps {
 public:
     BeamSteps() = default;
     /// `count` is at least 1.
     BeamSteps(std::uint32_t length, std::uint32_t count)
-        : count_{count}, step_{length / count}, rest_{length % count}
+        : count_{count}, step_{length / count}, rest_{length - count * step_}, error_{count / 2}
     {
     }
 
@@ -60,7 +57,7 @@ private:
     std::uint32_t count_ = 1;
     std::uint32_t step_ = 0;
     std::uint32_t rest_ = 0;
-    std::uint32_t error_ = 0;
+    std::uint32_t error_ = 0; ///< of the distance, in 1 / count, and a half
     std::uint32_t at_ = 0;
 };
 

@@ -24,18 +24,19 @@ struct BlockPlan {
     {
     }
 
-    /// A fill takes 8 bytes for each piece of its outline, a stroke twice that and more (outline_store.hpp),
-    /// and both at least 32 for each outline; a closed line in the field 4 for each piece, and 16. That is
-    /// less, unless every piece leaves the field and comes back: then each is a line of 20 bytes. Dots with
-    /// flat ends, which only a beam shows, are not counted there. Curves of a field with more pixels than the
-    /// canvas have more pieces, as in Player.
+    /// A fill takes at least 8 bytes for each piece of its outline, a stroke twice that and more, and both 32
+    /// for each outline (outline_store.hpp). A closed line in the field takes 4 for each piece, and 16, or 20
+    /// for each piece if all of them leave the field and come back: so much there is room for. Curves cross
+    /// the border three times at most, so that the same room is enough for four times as many pieces: they
+    /// double where a field has 4 times as many pixels as the canvas, as in Player. Dots with flat ends,
+    /// which only a beam shows, are not counted there.
     static std::size_t line_bytes(const SceneView& scene, const BeamProfile& profile)
     {
-        std::size_t bytes = scene.outline_bytes();
-        for (int reach = std::max(scene.canvas().width, scene.canvas().height); reach < profile.resolution;
-             reach *= 4)
+        std::size_t bytes = scene.outline_bytes() * std::size_t{20} / 8;
+        for (int reach = 16 * std::max(scene.canvas().width, scene.canvas().height);
+             reach < profile.resolution; reach *= 4)
             bytes *= 2;
-        return whole_words(bytes * 20 / 8) + hatching_bytes(scene) + 64;
+        return whole_words(bytes) + hatching_bytes(scene) + 64;
     }
 
     std::size_t size() const { return lines + legs + live; }
@@ -113,6 +114,7 @@ void BeamPlayer::measure()
                .lit_length = amount.lit_length,
                .blanked_length = amount.blanked_length,
                .lines = static_cast<std::uint32_t>(pace_.legs),
+               .corners = static_cast<std::uint32_t>(lines_.corners()),
                .haste = pace_.haste,
                .is_complete = !lines_.is_full() && pace_.legs == lines_.size(),
                .wider_hatchings = wider_hatchings_};

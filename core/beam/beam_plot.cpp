@@ -38,7 +38,9 @@ void BeamPlot::plot_run(std::span<BeamPoint> points)
     for (BeamPoint& point : points) {
         const FieldPoint at = course_.next();
         point.at = is_late_ ? next_place() : at;
-        point.colour = is_guarded && !standing_.may_shine(at) ? blanked : colour;
+        point.colour = colour;
+        if (is_guarded && !standing_.may_shine(at))
+            point.colour = blanked;
     }
 }
 

@@ -26,7 +26,7 @@ void Hatching::begin(Point from) { start_ = last_ = from; }
 
 void Hatching::add(const Segment& segment)
 {
-    sight_.flatten(segment, [this](Point to) { line_to(to); });
+    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(to); });
 }
 
 /// As FillOutline closes strokes.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
-#include "core/beam/field_length.hpp"
 #include "core/beam/field_point.hpp"
+#include "core/beam/field_vector.hpp"
 
 #include <algorithm>
 #include <cstdint>

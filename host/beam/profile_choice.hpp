@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast {
 
@@ -15,8 +16,14 @@ struct ProfileChoice {
 };
 
 std::span<const ProfileChoice> profile_choices();
+/// Null if none is called so.
+const ProfileChoice* profile_named(std::string_view name);
+/// Of all of them, for messages.
+std::vector<std::string_view> profile_names();
 
-/// The profile that is called so. Throws Failure for a name that none has.
+/// The profile that is called so, or that the file of this name describes: a name with a dot or a slash is
+/// that of a file. What is wrong with a file is printed to standard error.
+/// Throws Failure for a name that no profile has and for a file that describes none.
 BeamProfile chosen_profile(const std::string& name);
 
 }

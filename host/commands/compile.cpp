@@ -30,7 +30,7 @@ void check_fit(const CompileOptions& options, const SceneFile& scene)
     if (!options.fit.board)
         return;
     const fit::Target target = chosen_target(options.fit);
-    require_fit(options.scene, target, fit_report(options.fit, target, scene));
+    require_fit(options.scene, options.fit, target, scene);
 }
 
 void compile_scene(const CompileOptions& options)

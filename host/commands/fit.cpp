@@ -1,3 +1,4 @@
+#include "host/commands/beam_fit_print.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/fit_options.hpp"
 #include "host/commands/fit_print.hpp"
@@ -13,15 +14,26 @@ struct Options {
     bool json = false;
 };
 
+void print_beam_fit(const Options& options, const fit::Target& target, const SceneFile& scene)
+{
+    const fit::BeamFit report = fit::beam_fit(scene.view, target, options.fit.frames_per_second);
+    const BeamFitFacts facts{options.file, target, report};
+    std::cout << (options.json ? json_text(facts) : fit_text(facts));
+    std::cout.flush(); // before the reasons
+    require_fit(options.file, target, report.reasons);
+}
+
 void print_fit(const Options& options)
 {
     const fit::Target target = chosen_target(options.fit);
     const SceneFile scene = load_scene(options.file);
+    if (target.beam)
+        return print_beam_fit(options, target, scene);
     const fit::FitReport report = fit_report(options.fit, target, scene);
     const FitFacts facts{options.file, scene.view, target, report};
     std::cout << (options.json ? json_text(facts) : fit_text(facts));
     std::cout.flush(); // before the reasons
-    require_fit(options.file, target, report);
+    require_fit(options.file, target, report.reasons());
 }
 
 void declare(CLI::App& app)

@@ -2,6 +2,7 @@
 
 #include "host/commands/number_range.hpp"
 #include "host/failure.hpp"
+#include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"
 
 namespace kfast {
@@ -40,6 +41,8 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
 fit::Target chosen_target(const FitOptions& options)
 {
     fit::Target target = fit::chosen_board(*options.board);
+    if (options.panel && target.beam)
+        throw Failure("--panel: the board " + target.name + " has a beam, not a panel");
     if (options.panel)
         target.display = *options.panel;
     return target;
@@ -62,10 +65,18 @@ std::string misfit_text(const std::string& file, const fit::Target& target,
     return text;
 }
 
-void require_fit(const std::string& file, const fit::Target& target, const fit::FitReport& report)
+void require_fit(const std::string& file, const fit::Target& target, const std::vector<std::string>& reasons)
 {
-    if (!report.fits())
-        throw Failure(misfit_text(file, target, report.reasons()));
+    if (!reasons.empty())
+        throw Failure(misfit_text(file, target, reasons));
+}
+
+void require_fit(const std::string& file, const FitOptions& options, const fit::Target& target,
+                 const SceneFile& scene)
+{
+    require_fit(file, target,
+                target.beam ? fit::beam_fit(scene.view, target, options.frames_per_second).reasons
+                            : fit_report(options, target, scene).reasons());
 }
 
 }

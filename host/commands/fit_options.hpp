@@ -30,7 +30,10 @@ fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, 
 std::string misfit_text(const std::string& file, const fit::Target& target,
                         const std::vector<std::string>& reasons);
 
-/// Throws Failure with all reasons if `scene` does not fit.
-void require_fit(const std::string& file, const fit::Target& target, const fit::FitReport& report);
+/// Throws Failure with all reasons, if there are any.
+void require_fit(const std::string& file, const fit::Target& target, const std::vector<std::string>& reasons);
+/// Likewise if `scene` does not fit.
+void require_fit(const std::string& file, const FitOptions& options, const fit::Target& target,
+                 const SceneFile& scene);
 
 }

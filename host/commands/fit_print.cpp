@@ -1,5 +1,6 @@
 #include "host/commands/fit_print.hpp"
 
+#include "host/commands/fit_memory_print.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
 #include "host/fit/wording.hpp"
@@ -7,12 +8,10 @@
 #include "host/text/glyph.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace kfast {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using namespace fit;
 
 double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
@@ -23,22 +22,6 @@ Json panel_facts(const Display& display)
             {"width", display.size.width},
             {"height", display.size.height},
             {"format", name_of(display.format)}};
-}
-
-Json flash_facts(const FlashNeed& need, std::size_t available)
-{
-    return {{"player", need.player},
-            {"scene", need.scene},
-            {"reserved", need.reserved},
-            {"used", need.sum()},
-            {"available", available}};
-}
-
-Json ram_facts(const RamNeed& need, std::size_t available)
-{
-    return {{"block", need.block},   {"bands", need.bands},       {"static", need.fixed},
-            {"stack", need.stack},   {"reserved", need.reserved}, {"used", need.sum()},
-            {"available", available}};
 }
 
 Json frame_facts(const FrameCost& frame)
@@ -91,7 +74,7 @@ Json facts_of(const FitFacts& facts)
             {"reasons", report.reasons()},
             {"notes", report.notes},
             {"flash", flash_facts(report.flash, target.flash)},
-            {"ram", ram_facts(report.ram, target.ram)},
+            {"ram", ram_facts(report.ram, target.ram, "bands")},
             {"first_picture", frame_facts(report.speed.first)},
             {"median", frame_facts(report.speed.median())},
             {"worst", worst_facts(report)},
@@ -104,17 +87,6 @@ Json facts_of(const FitFacts& facts)
               {"bus_median", rate(report.speed.by_bus.median)},
               {"bus_worst", rate(report.speed.by_bus.worst)}}},
             {"link", link_facts(report.link)}};
-}
-
-std::string line(const std::string& name, const std::string& text)
-{
-    return "  " + name + std::string(name.size() < 12 ? 12 - name.size() : 1, ' ') + text + '\n';
-}
-
-std::string memory_line(const std::string& name, std::size_t used, std::size_t available,
-                        const std::string& parts)
-{
-    return line(name, std::to_string(used) + " of " + bytes_text(available) + ": " + parts);
 }
 
 std::string time_text(const FrameCost& frame)
@@ -152,26 +124,26 @@ std::string fit_text(const FitFacts& facts)
     const Display& display = target.display;
     const Speed& speed = report.speed;
     std::string text = file + " on " + visible(target.name) + '\n';
-    text += line("board", target.processor_name + " at " + frequency_text(target.clock) + ", " +
-                              std::string{display.name} + (display.name.empty() ? "" : " ") +
-                              std::to_string(display.size.width) + 'x' + std::to_string(display.size.height) +
-                              ' ' + std::string{name_of(display.format)} + ", bus at " +
-                              frequency_text(target.bus.clock));
+    text += fit_line(
+        "board", target.processor_name + " at " + frequency_text(target.clock) + ", " +
+                     std::string{display.name} + (display.name.empty() ? "" : " ") +
+                     std::to_string(display.size.width) + 'x' + std::to_string(display.size.height) + ' ' +
+                     std::string{name_of(display.format)} + ", bus at " + frequency_text(target.bus.clock));
     text += memory_line("flash", report.flash.sum(), target.flash, parts_text(report.flash));
     text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram));
-    text += line("first", time_text(speed.first));
-    text += line("median", time_text(speed.median()));
-    text += line("worst", time_text(speed.worst()));
-    text += line("", "frame " + frame_text(speed.worst().moment) + heaviest_text(report));
+    text += fit_line("first", time_text(speed.first));
+    text += fit_line("median", time_text(speed.median()));
+    text += fit_line("worst", time_text(speed.worst()));
+    text += fit_line("", "frame " + frame_text(speed.worst().moment) + heaviest_text(report));
     if (speed.noise)
-        text += line("noise", time_text(*speed.noise));
-    text += line("by CPU", limits_text(speed.by_cpu));
-    text += line("by bus", limits_text(speed.by_bus));
+        text += fit_line("noise", time_text(*speed.noise));
+    text += fit_line("by CPU", limits_text(speed.by_cpu));
+    text += fit_line("by bus", limits_text(speed.by_bus));
     for (const LinkUpdate& update : report.link)
-        text += line("link", link_text(update));
+        text += fit_line("link", link_text(update));
     for (const std::string& note : report.notes)
-        text += line("note", note);
-    return text + line("fits", report.fits() ? "yes" : "no");
+        text += fit_line("note", note);
+    return text + fit_line("fits", report.fits() ? "yes" : "no");
 }
 
 std::string json_text(const FitFacts& facts) { return json_text(facts_of(facts)); }

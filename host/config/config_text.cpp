@@ -24,11 +24,8 @@ std::string flag_text(bool flag) { return flag ? "#true" : "#false"; }
 std::string brightness_text(std::uint8_t brightness)
 {
     constexpr double full = 255;
-    for (double parts = 1;; parts *= 10) {
-        const double share = std::round(brightness * parts / full) / parts;
-        if (std::lround(share * full) == brightness)
-            return scene::text_of(share);
-    }
+    return scene::shortest_text(brightness / full,
+                                [=](double share) { return std::lround(share * full) == brightness; });
 }
 
 std::string panel_text(const BoardSettings& settings)

@@ -1,11 +1,14 @@
 #include "host/fit/board_reader.hpp"
 
+#include "host/beam/beam_reader.hpp"
 #include "host/fit/display_reader.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/part_rule.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/quantity_reader.hpp"
+
+#include <algorithm>
 
 namespace kfast::fit {
 namespace {
@@ -31,6 +34,7 @@ constexpr std::array bus_words{
     Word<BusKind>{"parallel-8", BusKind::parallel_8},
     Word<BusKind>{"parallel-16", BusKind::parallel_16},
     Word<BusKind>{"i2c", BusKind::i2c},
+    Word<BusKind>{"dac", BusKind::dac},
 };
 
 bool read_bytes(const kdl::Value& value, Range range, std::size_t& bytes, Reading& reading)
@@ -116,6 +120,12 @@ bool read_panel(const kdl::Node& node, Target& target, Reading& reading)
     return assign(read_display(node, reading), target.display);
 }
 
+bool read_board_beam(const kdl::Node& node, Target& target, Reading& reading)
+{
+    target.beam = read_beam(node, reading);
+    return target.beam.has_value();
+}
+
 bool read_bands(const kdl::Node& node, Target& target, Reading& reading)
 {
     return refuse_properties(node, reading) &&
@@ -127,16 +137,40 @@ bool read_reserved(const kdl::Node& node, Target& target, Reading& reading)
     return read_properties(node, reserved_rules, target, reading);
 }
 
+constexpr NodeForm panel_form{"panel", "panel st7789", 0, 3};
+
 constexpr std::array part_rules{
     PartRule<Target>{{"core", "core cortex-m0+ clock=(MHz)125", 1, 1}, read_core},
     PartRule<Target>{{"memory", "memory flash=(MiB)2 ram=(KiB)264"}, read_memory},
     PartRule<Target>{{"bus", "bus spi clock=(MHz)62.5", 1, 1}, read_bus},
-    PartRule<Target>{{"panel", "panel st7789", 0, 3}, read_panel},
+    PartRule<Target>{panel_form, read_panel, Times::at_most_once},
+    PartRule<Target>{beam_form, read_board_beam, Times::at_most_once},
     PartRule<Target>{{"bands", "bands (KiB)4", 1, 1}, read_bands, Times::at_most_once},
     PartRule<Target>{{"reserved", "reserved flash=(KiB)40 ram=(KiB)8"}, read_reserved, Times::at_most_once},
 };
 
-constexpr NodeForm board_form{"board", "board NAME { core …; memory …; bus …; panel … }", 1, 1, true};
+constexpr NodeForm board_form{"board", "board NAME { core …; memory …; bus …; panel … or beam … }", 1, 1,
+                              true};
+
+bool has_part(const kdl::Node& node, std::string_view name)
+{
+    return std::ranges::any_of(node.children, [name](const kdl::Node& part) { return part.name == name; });
+}
+
+/// A panel, or a beam that a converter leads.
+void require_display(const kdl::Node& node, const Target& target, Reading& reading)
+{
+    const bool has_beam = has_part(node, beam_form.name);
+    if (!has_beam)
+        require_part(panel_form, node, reading);
+    else if (has_part(node, panel_form.name))
+        reading.report.error(node.name_place, "this board has both a panel and a beam",
+                             "leave one of them out");
+    if (target.bus.clock != 0 && has_beam != (target.bus.kind == BusKind::dac))
+        reading.report.error(node.name_place,
+                             has_beam ? "a beam needs the bus of a converter" : "this bus has no panel",
+                             has_beam ? "bus dac clock=(MHz)20" : "beam scope");
+}
 
 void read_board(const kdl::Node& node, Target& target, Reading& reading)
 {
@@ -145,6 +179,7 @@ void read_board(const kdl::Node& node, Target& target, Reading& reading)
     if (const auto name = read_name(node.arguments.front(), reading))
         target.name = *name;
     read_parts(node, part_rules, target, reading);
+    require_display(node, target, reading);
 }
 
 }

@@ -1,13 +1,9 @@
 #include "host/fit/scene_run.hpp"
 
-#include "host/input_text.hpp"
-
 #include <algorithm>
 
 namespace kfast::fit {
 namespace {
-
-constexpr int least_frames_with_inputs = 64;
 
 /// As the scene says, but what would end comes round again: it may be played again at any time.
 Stretch steady_stretch(const SceneView& scene)
@@ -49,14 +45,12 @@ WorkCount FrameWork::work() const
 }
 
 SceneRun::SceneRun(const SceneView& scene, const Target& target, Fit fit)
-    : target_{target}, texts_{long_texts(scene)}, stretch_{steady_stretch(scene)}, frames_{frames_in_turn(
-                                                                                       stretch_)},
+    : target_{target}, stretch_{steady_stretch(scene)}, frames_{frames_in_turn(stretch_)},
       stride_{(frames_ + most_frames - 1) / most_frames}, block_{block_for(scene, target.display.size)},
       band_{band_for(target)}, player_{*Player::create(scene, target.display.size, fit,
-                                                       std::as_writable_bytes(std::span{block_}))}
+                                                       std::as_writable_bytes(std::span{block_}))},
+      inputs_{player_}
 {
-    for (std::uint32_t input = 0; input < scene.input_count(); ++input)
-        usual_drawings_.push_back(is_drawing(input) ? told_drawing(player_.drawing(input)) : ToldDrawing{});
 }
 
 void SceneRun::visit_first(Time offset, const VisitFrame& visit)
@@ -82,107 +76,33 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
     put_inputs_and_draw(Time{}, visit); // as buttons do: all of them pressed at once, and let go
     put_inputs_and_draw(whole_input, visit);
     put_inputs_and_draw(Time{}, visit);
-    const int turn = std::max(frames_, least_frames_with_inputs);
+    const int turn = std::max(frames_, BusyInputs::turn);
     for (int frame = 0; frame < turn; frame += stride_) {
         if (frame == 0 || stride_ > 1) {
-            put_inputs(frame + turn - 1);
+            inputs_.put(frame + turn - 1);
             draw(moment_of((frame + frames_ - 1) % frames_, {}), [](const FrameWork&) {});
         }
-        put_inputs(frame);
+        inputs_.put(frame);
         draw(moment_of(frame % frames_, {}), visit);
     }
-    put_usual_inputs();
-}
-
-void SceneRun::put_usual_inputs()
-{
-    std::uint32_t number = 0;
-    for (InputCursor inputs = player_.scene().inputs(); !inputs.at_end(); ++number) {
-        const InputView input = inputs.next();
-        if (input.type == InputType::number)
-            player_.set_input(number, input.place_of(input.usual));
-        else if (input.type == InputType::drawing)
-            player_.set_drawing(number, strokes_of(usual_drawings_[number]));
-    }
-    for (const LongText& text : texts_)
-        player_.set_text(text.input, text.usual);
-}
-
-void SceneRun::put_drawing(std::uint32_t input, Bustle bustle, int frame)
-{
-    player_.set_drawing(input, strokes_of(busy_drawing(player_.scene(), input, bustle, frame)));
+    inputs_.put_usual();
 }
 
 void SceneRun::visit_noise(const VisitFrame& visit)
 {
     if (LiveDrawings::bytes_for(player_.scene()) == 0)
         return;
-    const auto put_noise = [this](int frame) {
-        for (std::uint32_t input = 0; input < player_.scene().input_count(); ++input)
-            if (is_drawing(input))
-                put_drawing(input, Bustle::noise, frame);
-    };
-    put_noise(0);
+    inputs_.put_noise(0);
     draw(moment_of(0, {}), [](const FrameWork&) {});
-    put_noise(1);
+    inputs_.put_noise(1);
     draw(moment_of(0, {}), visit);
-    put_usual_inputs();
+    inputs_.put_usual();
 }
 
 void SceneRun::put_inputs_and_draw(Time place, const VisitFrame& visit)
 {
-    for (std::uint32_t input = 0; input < player_.scene().input_count(); ++input)
-        if (is_drawing(input))
-            put_drawing(input, Bustle::waves, place.ticks);
-        else if (is_number(input))
-            player_.set_input(input, place);
-    put_texts(place == Time{} ? 0 : 1);
+    inputs_.put_all(place);
     draw(moment_of(0, {}), visit);
-}
-
-/// The slowest goes there and back in as many frames as are seen at least.
-void SceneRun::put_inputs(int frame)
-{
-    const std::int32_t there_and_back = 2 * whole_input.ticks;
-    const std::int64_t step = there_and_back / least_frames_with_inputs;
-    for (std::uint32_t input = 0; input < player_.scene().input_count(); ++input) {
-        if (is_drawing(input)) {
-            put_drawing(input, Bustle::waves, frame);
-            continue;
-        }
-        if (!is_number(input))
-            continue;
-        const auto way = static_cast<std::int32_t>(frame * step * (input + 1) % there_and_back);
-        player_.set_input(input, {std::min(way, there_and_back - way)});
-    }
-    put_texts(frame);
-}
-
-void SceneRun::put_texts(int frame)
-{
-    for (const LongText& text : texts_)
-        player_.set_text(text.input, text.texts[static_cast<std::size_t>(frame) % text.texts.size()]);
-}
-
-std::vector<SceneRun::LongText> SceneRun::long_texts(const SceneView& scene)
-{
-    std::vector<LongText> texts;
-    std::uint32_t number = 0;
-    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
-        const InputView input = inputs.next();
-        if (input.type != InputType::text)
-            continue;
-        const TextInput& text = input.text;
-        std::vector<std::size_t> points = glyph_points(scene, number, text);
-        const auto take_most = [&] {
-            const auto most = std::ranges::max_element(points);
-            *most = 0;
-            return full_text(text, static_cast<std::uint32_t>(most - points.begin()));
-        };
-        const std::string first = take_most();
-        texts.push_back({number, {first, take_most()}, usual_text(text)});
-    }
-    return texts;
 }
 
 void SceneRun::visit_end(const VisitFrame& visit)

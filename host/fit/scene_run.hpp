@@ -2,18 +2,15 @@
 
 #include "core/player.hpp"
 #include "core/stretch.hpp"
-#include "host/fit/busy_drawing.hpp"
+#include "host/fit/busy_inputs.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_log.hpp"
-#include "host/told_drawing.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -45,10 +42,9 @@ public:
     void visit_first(Time offset, const VisitFrame& visit);
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
-    /// Likewise, while all inputs of the scene go there and back, each faster than the one before: at least
-    /// 64 frames, and three before them in which all inputs leap from end to end. Drawings among them wave
-    /// (Bustle::waves), and texts change with every frame, from as many of the character with most points as
-    /// there may be to as many of the next one. Nothing if it has none; they stand as usual afterwards.
+    /// Likewise, while all inputs of the scene are busy (BusyInputs): at least BusyInputs::turn frames, and
+    /// three before them in which all inputs leap from end to end. Nothing if it has none; they stand as
+    /// usual afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
     /// A picture in which all drawings among the inputs are noise, after another such picture; nothing if
     /// there are none. They are as usual afterwards.
@@ -62,34 +58,17 @@ public:
 
 private:
     void draw(Time moment, const VisitFrame& visit);
-    bool is(InputType type, std::uint32_t input) const { return player_.scene().input(input).type == type; }
-    bool is_drawing(std::uint32_t input) const { return is(InputType::drawing, input); }
-    bool is_number(std::uint32_t input) const { return is(InputType::number, input); }
-    void put_inputs(int frame);
-    void put_usual_inputs();
-    void put_drawing(std::uint32_t input, Bustle bustle, int frame);
-    void put_texts(int frame);
     void put_inputs_and_draw(Time place, const VisitFrame& visit);
     Time moment_of(int frame, Time offset) const;
 
-    /// What a text of the scene is in turn.
-    struct LongText {
-        std::uint32_t input;
-        std::array<std::string, 2> texts;
-        std::string usual;
-    };
-
-    static std::vector<LongText> long_texts(const SceneView& scene);
-
     const Target& target_;
-    std::vector<LongText> texts_;
     Stretch stretch_;
     int frames_; ///< until the picture comes round again
     int stride_;
     std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
     std::vector<std::byte> band_;
     Player player_;
-    std::vector<ToldDrawing> usual_drawings_; ///< of each input; empty of numbers
+    BusyInputs inputs_;
     std::optional<LargestOutlines> overfull_;
 };
 

@@ -1,25 +1,28 @@
 #pragma once
 
+#include "core/beam/beam_profile.hpp"
 #include "host/fit/display.hpp"
 #include "host/fit/processor.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace kfast::fit {
 
-enum class BusKind : std::uint8_t { spi, parallel_8, parallel_16, i2c };
+enum class BusKind : std::uint8_t { spi, parallel_8, parallel_16, i2c, dac };
 
-/// The wires to the panel.
+/// The wires to the panel, or to the converter that leads a beam.
 struct Bus {
     BusKind kind = BusKind::spi;
-    double clock = 0; ///< Hz: bits of spi and i2c, writes of the parallel ones
+    double clock = 0; ///< Hz: bits of spi, i2c and dac, writes of the parallel ones
 
     double bytes_per_second() const
     {
         switch (kind) {
         case BusKind::spi:
+        case BusKind::dac:
             return clock / 8;
         case BusKind::i2c:
             return clock / 9; // every byte is acknowledged
@@ -38,7 +41,7 @@ struct Reserved {
     std::size_t ram = 0;
 };
 
-/// A board with its panel, as a fit report sees it. Memory in bytes.
+/// A board with its panel or beam, as a fit report sees it. Memory in bytes.
 struct Target {
     std::string name;
     Processor processor = Processor::cortex_m0;
@@ -48,8 +51,10 @@ struct Target {
     std::size_t flash = 0;
     std::size_t ram = 0;
     Bus bus;
-    Display display;
-    std::size_t band_bytes = 4096; ///< of each of the two buffers that rows are drawn into
+    Display display;                 ///< unless there is a beam
+    std::optional<BeamProfile> beam; ///< instead of a panel
+    std::size_t band_bytes =
+        4096; ///< of each of the two buffers that rows are drawn into, or the points of a beam, 4 for each
     Reserved reserved;
 };
 

@@ -8,6 +8,7 @@
 #include "host/text/suggestion.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -37,6 +38,18 @@ std::int32_t thousandths(double number);
 
 /// As few digits as tell the number: "0.0625"
 std::string text_of(double number);
+
+/// Only as many decimals as it takes: `is_same` tells whether a rounded number still stands for `number`,
+/// which it must at some point.
+template <class IsSame>
+std::string shortest_text(double number, IsSame is_same)
+{
+    for (double parts = 1;; parts *= 10) {
+        const double rounded = std::round(number * parts) / parts;
+        if (is_same(rounded))
+            return text_of(rounded);
+    }
+}
 
 /// The remedy for a number that is not inside: "allowed: 0 to 1".
 std::string allowed(Range range);

@@ -24,8 +24,8 @@ class Run:
     stack: int = 0
 
 
-def image_for(folder, cpu):
-    return pathlib.Path(folder, f"bench-{cpu}.elf")
+def image_for(folder, cpu, program="bench"):
+    return pathlib.Path(folder, f"{program}-{cpu}.elf")
 
 
 def command(image, cpu, scene, profile):
@@ -37,9 +37,9 @@ def command(image, cpu, scene, profile):
             "-device", f"loader,addr={PROFILE_WANTED:#x},data={int(profile)},data-len=4"]
 
 
-def play(folder, cpu, scene, profile=False):
+def play(folder, cpu, scene, profile=False, program="bench"):
     """Plays a compiled scene for two turns."""
-    done = subprocess.run(command(image_for(folder, cpu), cpu, scene, profile), stdin=subprocess.DEVNULL,
+    done = subprocess.run(command(image_for(folder, cpu, program), cpu, scene, profile), stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=TIMEOUT)
     run = parse(done.stdout)
     if done.returncode != 0 or not done.stdout.endswith("end\n"):

@@ -9,10 +9,10 @@ INSTRUCTIONS_PER_SAMPLE = 641 / 3.2  # Sampler::period_ticks
 MOST_ROWS = 30
 
 
-def print_profile(folder, cpu, scene):
-    frames = play(folder, cpu, scene.compiled, profile=True).samples
+def print_profile(folder, cpu, scene, program="bench"):
+    frames = play(folder, cpu, scene.compiled, profile=True, program=program).samples
     counts = collections.Counter(address for frame in frames for address in frame)
-    places = source_places(image_for(folder, cpu), counts)
+    places = source_places(image_for(folder, cpu, program), counts)
     unit = INSTRUCTIONS_PER_SAMPLE / len(frames)
     print(f"{scene.name} on {cpu}: {sum(counts.values()) * unit:,.0f} instructions per frame, mean of {len(frames)}")
     print_table("functions as compiled", counts, unit, lambda address: places[address][-1].function)

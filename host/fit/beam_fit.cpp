@@ -1,0 +1,163 @@
+#include "host/fit/beam_fit.hpp"
+
+#include "host/counted.hpp"
+#include "host/fit/beam_run.hpp"
+#include "host/fit/cost_table.hpp"
+#include "host/fit/wording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace kfast::fit {
+namespace {
+
+constexpr std::size_t point_bytes = 4;
+constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pause between them
+constexpr double slack = 1.0001;
+constexpr double readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
+
+/// Of the program that plays for a beam, with the core (tests/bench/image/beam).
+constexpr std::size_t beam_code = 46152;
+
+/// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels, by what
+/// scripts/bench_beam tells of the references: to clip and count lines, and to plot them.
+constexpr double per_corner = 400;
+constexpr double per_point = 250;
+
+/// Others of the same family need about two thirds of them (docs/benchmarks.md).
+double share_of(Processor processor) { return processor == Processor::cortex_m0 ? 1 : 2.0 / 3; }
+
+double instructions_of(const BeamPicture& picture, const Target& target)
+{
+    const double beam = per_corner * picture.report.corners + per_point * picture.report.points;
+    return instructions(picture.work, costs_of(target.processor)) + beam * share_of(target.processor);
+}
+
+RamNeed ram_for_beam(const SceneView& scene, const Target& target)
+{
+    RamNeed need = ram_need(scene, target);
+    need.block = BeamPlayer::block_bytes(scene, *target.beam);
+    return need;
+}
+
+void check_memory(const std::string& what, std::size_t used, std::size_t available, const std::string& parts,
+                  std::vector<std::string>& reasons)
+{
+    if (used > available)
+        reasons.push_back(what + ": " + bytes_text(used) + " are needed (" + parts + "), " +
+                          std::to_string(available) + " are there: " + std::to_string(used - available) +
+                          " too many");
+}
+
+void check_bus(const Target& target, std::vector<std::string>& reasons)
+{
+    const double most = std::floor(target.bus.clock / bits_of_point);
+    if (target.beam->rate > most)
+        reasons.push_back("bus: it takes " + std::to_string(static_cast<std::uint32_t>(most)) +
+                          " points a second, but the beam has " + std::to_string(target.beam->rate) +
+                          "; choose a lower rate= or a faster clock=");
+}
+
+void check_pictures(const BeamFit& fit, const Target& target, std::vector<std::string>& reasons)
+{
+    if (fit.incomplete == 0)
+        return;
+    const auto first =
+        std::ranges::find_if(fit.pictures, [](const BeamMoment& it) { return !it.report.is_complete; });
+    reasons.push_back("lines: " + counted(fit.incomplete, "picture") + " of " +
+                      std::to_string(fit.pictures.size()) + " cannot be drawn whole, that of frame " +
+                      frame_text(first->moment) +
+                      " for one; draw fewer lines, or choose a lower least-refresh= (" +
+                      std::to_string(target.beam->least_refresh) + " now) or a higher rate=");
+}
+
+void check_speed(const BeamFit& fit, std::vector<std::string>& reasons)
+{
+    std::vector<double> seconds;
+    std::ranges::transform(fit.pictures, std::back_inserter(seconds), &BeamMoment::cpu_seconds);
+    std::ranges::sort(seconds);
+    const double median = seconds[seconds.size() / 2];
+    if (median * fit.wanted_rate > slack)
+        reasons.push_back("speed: every second picture takes " + milliseconds_text(median) +
+                          " or more, but " + rate_text(fit.wanted_rate) + " leave " +
+                          milliseconds_text(1 / fit.wanted_rate) + " for each; " + rate_text(1 / median) +
+                          " can be reached");
+}
+
+void note_haste(const BeamFit& fit, std::vector<std::string>& notes)
+{
+    if (fit.hasty == 0)
+        return;
+    const auto dearest = std::ranges::max_element(
+        fit.pictures, {}, [](const BeamMoment& picture) { return picture.report.haste; });
+    const double times = std::exp2(dearest->report.haste / 4.0);
+    std::array<char, 16> factor{};
+    std::snprintf(factor.data(), factor.size(), "%.1f", times);
+    notes.push_back(
+        counted(fit.hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
+        " are drawn faster than the profile has it, up to " + factor.data() + " times: lines are darker" +
+        (dearest->report.haste > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
+}
+
+void note_room(const Target& target, std::vector<std::string>& notes)
+{
+    const std::uint32_t room = room_for_points(target);
+    const std::uint32_t wanted = target.beam->rate / std::max<std::uint32_t>(target.beam->least_refresh, 1);
+    if (room < wanted)
+        notes.push_back("a buffer holds " + std::to_string(room) + " points, but the beam has time for " +
+                        std::to_string(wanted) + " in a picture");
+}
+
+}
+
+std::uint32_t room_for_points(const Target& target)
+{
+    return static_cast<std::uint32_t>(std::max<std::size_t>(target.band_bytes / point_bytes, 16));
+}
+
+double BeamFit::mean_points() const
+{
+    double sum = 0;
+    for (const BeamMoment& picture : pictures)
+        sum += picture.report.points;
+    return sum / static_cast<double>(pictures.size());
+}
+
+double refresh(const BeamMoment& picture, const BeamProfile& profile)
+{
+    return static_cast<double>(profile.rate) / picture.report.points;
+}
+
+BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second)
+{
+    const double cycles = target.cycles != 0 ? target.cycles : costs_of(target.processor).cycles;
+    BeamFit fit;
+    fit.flash = {beam_code, scene.size(), target.reserved.flash};
+    fit.ram = ram_for_beam(scene, target);
+    fit.wanted_rate = frames_per_second != 0 ? frames_per_second : scene.frame_rate() / 1000.0;
+    BeamRun run{scene, target};
+    run.visit_all([&](const BeamPicture& picture) {
+        const double count = instructions_of(picture, target);
+        fit.pictures.push_back({picture.moment, picture.report, count, count * cycles / target.clock});
+        fit.hasty += picture.report.haste != 0 ? 1 : 0;
+        fit.incomplete += picture.report.is_complete ? 0 : 1;
+        fit.dearest_seconds = std::max(fit.dearest_seconds, fit.pictures.back().cpu_seconds);
+    });
+    std::ranges::stable_sort(fit.pictures, {},
+                             [](const BeamMoment& picture) { return picture.report.points; });
+    check_memory("flash", fit.flash.sum(), target.flash, parts_text(fit.flash), fit.reasons);
+    check_memory("RAM", fit.ram.sum(), target.ram, parts_text(fit.ram), fit.reasons);
+    check_bus(target, fit.reasons);
+    check_pictures(fit, target, fit.reasons);
+    check_speed(fit, fit.reasons);
+    note_haste(fit, fit.notes);
+    note_room(target, fit.notes);
+    if (run.stride() > 1)
+        fit.notes.push_back("the scene is long: one frame of " + std::to_string(run.stride()) +
+                            " was looked at");
+    return fit;
+}
+
+}

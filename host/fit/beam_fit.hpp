@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/beam/beam_player.hpp"
+#include "core/scene_view.hpp"
+#include "host/fit/memory_need.hpp"
+#include "host/fit/target.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kfast::fit {
+
+/// Points that find room in one of the two buffers of a board with a beam.
+std::uint32_t room_for_points(const Target& target);
+
+/// One picture of a scene, as a board draws it.
+struct BeamMoment {
+    Time moment;
+    BeamReport report;
+    double instructions = 0; ///< to compute it and to plot it once
+    double cpu_seconds = 0;
+};
+
+/// Whether a scene fits a board with a beam, and what its pictures take.
+struct BeamFit {
+    FlashNeed flash;
+    RamNeed ram;                      ///< the buffers for points in place of bands
+    std::vector<BeamMoment> pictures; ///< those with least points first
+    std::size_t hasty = 0;            ///< of them, drawn faster than the profile has it
+    std::size_t incomplete = 0;       ///< of them, not all lines are drawn
+    double dearest_seconds = 0;       ///< of the CPU
+    double wanted_rate = 0;           ///< frames per second
+    std::vector<std::string> reasons; ///< why it does not fit, and what can be done; none if it does
+    std::vector<std::string> notes;   ///< what one should know besides
+
+    bool fits() const { return reasons.empty(); }
+    const BeamMoment& busiest() const { return pictures.back(); }
+    double mean_points() const;
+};
+
+/// How often a picture is drawn in a second.
+double refresh(const BeamMoment& picture, const BeamProfile& profile);
+
+/// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
+BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second);
+
+}

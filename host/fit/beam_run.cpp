@@ -1,0 +1,75 @@
+#include "host/fit/beam_run.hpp"
+
+#include "host/fit/beam_fit.hpp"
+#include "host/fit/work_log.hpp"
+
+#include <algorithm>
+
+namespace kfast::fit {
+namespace {
+
+int frames_in_turn(const Stretch& stretch)
+{
+    const std::int32_t ticks = stretch.length().ticks * (stretch.loop == Loop::ping_pong ? 2 : 1);
+    return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
+}
+
+std::vector<std::uint32_t> block_for(const SceneView& scene, const BeamProfile& profile)
+{
+    return std::vector<std::uint32_t>((BeamPlayer::block_bytes(scene, profile) + 3) / 4);
+}
+
+}
+
+BeamRun::BeamRun(const SceneView& scene, const Target& target)
+    : stretch_{stretch_of(scene)}, frames_{frames_in_turn(stretch_)}, stride_{(frames_ + most_frames - 1) /
+                                                                              most_frames},
+      block_{block_for(scene, *target.beam)}, player_{*BeamPlayer::create(
+                                                  scene, *target.beam, room_for_points(target),
+                                                  std::as_writable_bytes(std::span{block_}))},
+      inputs_{player_}
+{
+}
+
+void BeamRun::visit_all(const VisitPicture& visit)
+{
+    for (int frame = 0; frame < frames_; frame += stride_)
+        show(moment_of(frame), visit);
+    if (stretch_.loop == Loop::once)
+        show(stretch_.begin + stretch_.length(), visit);
+    if (player_.scene().input_count() != 0)
+        visit_busy(visit);
+}
+
+void BeamRun::visit_busy(const VisitPicture& visit)
+{
+    for (const Time place : {Time{}, whole_input, Time{}}) {
+        inputs_.put_all(place);
+        show(moment_of(0), visit);
+    }
+    const int turn = std::max(frames_, BusyInputs::turn);
+    for (int frame = 0; frame < turn; frame += stride_) {
+        inputs_.put(frame);
+        show(moment_of(frame % frames_), visit);
+    }
+    inputs_.put_noise(0);
+    show(moment_of(0), visit);
+    inputs_.put_usual();
+}
+
+void BeamRun::show(Time moment, const VisitPicture& visit)
+{
+    WorkLog log;
+    player_.show_moment(moment);
+    BeamPicture picture{.moment = moment, .report = player_.report()};
+    for (const auto& [path, count] : log.by_item())
+        picture.work += count;
+    visit(picture);
+}
+
+Time BeamRun::moment_of(int frame) const
+{
+    return stretch_.begin + wrap(Time::frame(frame), stretch_.length(), stretch_.loop);
+}
+
+}

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/beam/beam_player.hpp"
+#include "core/stretch.hpp"
+#include "host/fit/busy_inputs.hpp"
+#include "host/fit/target.hpp"
+#include "host/fit/work_count.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace kfast::fit {
+
+/// What it takes to draw one picture with a beam.
+struct BeamPicture {
+    Time moment;
+    BeamReport report;
+    WorkCount work{}; ///< of evaluating the scene
+};
+
+using VisitPicture = std::function<void(const BeamPicture&)>;
+
+/// Plays one turn of a scene as a board with a beam does, in steps of a frame. Of a scene that is longer than
+/// `most_frames`, some frames are left out.
+class BeamRun {
+public:
+    static constexpr int most_frames = 4096;
+
+    /// `scene` must outlive it. `target` has a beam.
+    BeamRun(const SceneView& scene, const Target& target);
+
+    /// All frames; those again with busy inputs (BusyInputs), if there are some, three in which all inputs
+    /// leap from end to end, and one in which all drawings are noise; and the very end of a scene that plays
+    /// once.
+    void visit_all(const VisitPicture& visit);
+    /// 1, or of how many frames one is visited.
+    int stride() const { return stride_; }
+
+private:
+    void visit_busy(const VisitPicture& visit);
+    void show(Time moment, const VisitPicture& visit);
+    Time moment_of(int frame) const;
+
+    Stretch stretch_;
+    int frames_; ///< until the picture comes round again
+    int stride_;
+    std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
+    BeamPlayer player_;
+    BusyInputs inputs_;
+};
+
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/live_scene.hpp"
+#include "host/fit/busy_drawing.hpp"
+#include "host/told_drawing.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kfast::fit {
+
+/// Tells a player what its scene's inputs could be told at worst.
+class BusyInputs {
+public:
+    /// Frames in which the slowest input goes there and back.
+    static constexpr int turn = 64;
+
+    /// `player` has the usual inputs, and must outlive it.
+    explicit BusyInputs(LiveScene& player);
+
+    /// Numbers go there and back, each faster than the one before; drawings wave (Bustle::waves); texts
+    /// change with every frame, from as many of the character with most points as there may be to as many of
+    /// the next one.
+    void put(int frame);
+    /// Numbers stand at `place`.
+    void put_all(Time place);
+    /// Drawings are noise.
+    void put_noise(int frame);
+    void put_usual();
+
+private:
+    /// What a text of the scene is in turn.
+    struct LongText {
+        std::uint32_t input;
+        std::array<std::string, 2> texts;
+        std::string usual;
+    };
+
+    static std::vector<LongText> long_texts(const SceneView& scene);
+
+    bool is(InputType type, std::uint32_t input) const { return player_.scene().input(input).type == type; }
+    bool is_drawing(std::uint32_t input) const { return is(InputType::drawing, input); }
+    bool is_number(std::uint32_t input) const { return is(InputType::number, input); }
+    void put_drawing(std::uint32_t input, Bustle bustle, int frame);
+    void put_texts(int frame);
+
+    LiveScene& player_;
+    std::vector<LongText> texts_;
+    std::vector<ToldDrawing> usual_drawings_; ///< of each input; empty of numbers
+};
+
+}

@@ -1,0 +1,431 @@
+#include "core/beam/beam_pace.hpp"
+#include "core/beam/beam_plot.hpp"
+#include "core/channel.hpp"
+#include "tests/core/beam/line_store.hpp"
+#include "tests/rounds.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace kfast::test {
+namespace {
+
+constexpr std::uint32_t any_budget = std::numeric_limits<std::uint32_t>::max();
+
+using Points = std::vector<BeamPoint>;
+
+Points all_of(BeamPlot plot, std::size_t piece = 7)
+{
+    Points points;
+    std::vector<BeamPoint> some(piece);
+    while (const std::size_t count = plot.next(some))
+        points.insert(points.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+    return points;
+}
+
+struct Plotted {
+    BeamPace pace;
+    Points points;
+};
+
+Plotted plotted(const LineStore& store, const std::vector<BeamLeg>& legs, const BeamProfile& profile,
+                std::uint32_t budget = any_budget)
+{
+    const BeamPace pace = find_pace(store.lines, legs, profile, budget, 0);
+    return {pace, all_of({store.lines, legs, profile, pace})};
+}
+
+double distance(FieldPoint a, FieldPoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// How far a point lies from the lines.
+double distance_to(const LineStore& store, FieldPoint at)
+{
+    double nearest = 1e9;
+    for (std::size_t number = 0; number < store.lines.size(); ++number) {
+        const std::vector<FieldPoint> line = store.points(number);
+        nearest = std::min(nearest, distance(at, line[0]));
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const double x = line[i].x - line[i - 1].x;
+            const double y = line[i].y - line[i - 1].y;
+            const double along = ((at.x - line[i - 1].x) * x + (at.y - line[i - 1].y) * y) / (x * x + y * y);
+            const double share = std::clamp(along, 0.0, 1.0);
+            nearest = std::min(
+                nearest, std::hypot(line[i - 1].x + share * x - at.x, line[i - 1].y + share * y - at.y));
+        }
+    }
+    return nearest;
+}
+
+std::size_t count_at(const Points& points, FieldPoint at, bool is_lit)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(
+        points, [&](const BeamPoint& point) { return point.at == at && point.is_lit() == is_lit; }));
+}
+
+BeamProfile random_profile(RandomLines& random)
+{
+    const auto small = [&random](std::uint32_t most) {
+        return static_cast<std::uint8_t>(random.number(most));
+    };
+    BeamProfile profile{.rate = 1000 + random.number(99'000)};
+    profile.lit_step = static_cast<std::uint16_t>(64 + random.number(4000));
+    profile.travel_step = static_cast<std::uint16_t>(random.number(1) * (64 + random.number(9000)));
+    profile.corner_dwell = small(20);
+    profile.lit_dwell = small(5);
+    profile.arrival_dwell = small(9);
+    profile.leave_dwell = small(9);
+    profile.light_delay = small(1) == 0 ? std::uint8_t{0} : small(20);
+    return profile;
+}
+
+constexpr BeamProfile plain{.lit_step = 100, .park = {-32768, -32768}};
+
+}
+
+TEST_CASE("lengths are not too short, and hardly too long")
+{
+    std::mt19937 random{7};
+    for (int round = 0; round < 100'000; ++round) {
+        const int bits = 1 + static_cast<int>(random() % 17);
+        const auto coordinate = [&] {
+            return static_cast<std::int32_t>(random() % (1U << bits)) - (1 << (bits - 1));
+        };
+        const std::int32_t x = coordinate();
+        const FieldVector way{x, coordinate()};
+        const double length = std::hypot(way.x, way.y);
+        REQUIRE(way.length() >= length);
+        REQUIRE(way.length() <= length * 1.005 + 1);
+    }
+    CHECK(FieldVector{65535, 65535}.length() <= 92'690);
+    CHECK(FieldVector{-65535, 0}.length() == 65535);
+}
+
+TEST_CASE("where there is nothing, the beam is parked, blanked")
+{
+    const LineStore store;
+    CHECK(plotted(store, {}, plain).points == Points{{{-32768, -32768}}});
+    CHECK(plotted(store, {}, galvo_profile).points == Points{{galvo_profile.park}});
+}
+
+TEST_CASE("a line is cut into even steps, and lit from its beginning to its end")
+{
+    LineStore store;
+    store.add({{0, 0}, {0, 250}}, {1, 2, 3, 255});
+    const Colour colour{1, 2, 3, 255};
+    CHECK(plotted(store, store.legs(), plain).points ==
+          Points{{{0, 0}}, {{0, 0}, colour}, {{0, 83}, colour}, {{0, 167}, colour}, {{0, 250}, colour}});
+}
+
+TEST_CASE("legs are followed backwards, and closed lines from where they start")
+{
+    LineStore store;
+    store.add({{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}});
+    std::vector<BeamLeg> legs = store.legs();
+    const auto places = [&] {
+        std::vector<FieldPoint> all;
+        for (const BeamPoint& point : plotted(store, legs, plain).points) {
+            CHECK(point.is_lit());
+            all.push_back(point.at);
+        }
+        return all;
+    };
+    CHECK(places() == std::vector<FieldPoint>{{100, 0}, {100, 100}, {0, 100}, {0, 0}});
+    legs[0].start = 2;
+    CHECK(places() == std::vector<FieldPoint>{{0, 100}, {0, 0}, {100, 0}, {100, 100}});
+    legs[0].is_reversed = true;
+    CHECK(places() == std::vector<FieldPoint>{{100, 0}, {0, 0}, {0, 100}, {100, 100}});
+}
+
+TEST_CASE("the beam waits at corners, by how sharp they are, and at both ends")
+{
+    BeamProfile profile = plain;
+    profile.corner_dwell = 8;
+    profile.lit_dwell = 3;
+    profile.arrival_dwell = 5;
+    profile.leave_dwell = 2;
+    profile.travel_step = 1000;
+    LineStore store;
+    store.add({{0, 0}, {1000, 0}, {1000, 1000}, {1000, 0}, {1900, -100}});
+    const Points points = plotted(store, store.legs(), profile).points;
+    CHECK(count_at(points, {0, 0}, true) == 1 + 3);
+    CHECK(count_at(points, {0, 0}, false) == 1 + 5);
+    CHECK(count_at(points, {1000, 1000}, true) == 1 + 8);
+    CHECK(count_at(points, {1900, -100}, true) == 1 + 3);
+    CHECK(count_at(points, {1900, -100}, false) == 2);
+    // One right angle, and one of 96 degrees.
+    CHECK(count_at(points, {1000, 0}, true) == 1 + 4 + 1 + 4);
+    // 1903 units of way back.
+    const auto blanked = std::ranges::count_if(points, [](const BeamPoint& p) { return !p.is_lit(); });
+    CHECK(blanked == 2 + 2 + 5);
+}
+
+TEST_CASE("distance is carried over the corners of curves: pieces do not matter")
+{
+    LineStore fine;
+    LineStore coarse;
+    fine.add({{0, 0}, {33, 0}, {70, 0}, {71, 0}, {99, 0}, {180, 0}, {450, 0}});
+    coarse.add({{0, 0}, {450, 0}});
+    CHECK(plotted(fine, fine.legs(), plain).points == plotted(coarse, coarse.legs(), plain).points);
+
+    LineStore circle;
+    std::vector<FieldPoint> corners;
+    for (int i = 0; i <= 64; ++i)
+        corners.push_back(
+            {static_cast<std::int16_t>(std::lround(20000 * std::cos(i * 3.14159265358979 / 32))),
+             static_cast<std::int16_t>(std::lround(20000 * std::sin(i * 3.14159265358979 / 32)))});
+    circle.add(corners);
+    const Points points = plotted(circle, circle.legs(), plain).points;
+    CHECK(points.size() == doctest::Approx(2 * 3.14159 * 20000 / 100).epsilon(0.005));
+    for (std::size_t i = 1; i < points.size(); ++i)
+        CHECK(distance(points[i - 1].at, points[i].at) > 97);
+}
+
+TEST_CASE("lines that begin where others end are drawn on without a break")
+{
+    LineStore store;
+    store.add({{0, 0}, {500, 0}}, {255, 0, 0, 255});
+    store.add({{500, 0}, {500, 500}}, {0, 255, 0, 255});
+    store.add({{0, 0}, {500, 500}}, {0, 0, 255, 255});
+    std::vector<BeamLeg> legs = store.legs();
+    legs[2].is_reversed = true;
+    BeamProfile profile = plain;
+    profile.arrival_dwell = profile.leave_dwell = profile.lit_dwell = 5;
+    profile.corner_dwell = 4;
+    const Points points = plotted(store, legs, profile).points;
+    CHECK(std::ranges::all_of(points, &BeamPoint::is_lit));
+    // 5, 5 and 8 steps, a right angle, two of 135 degrees
+    CHECK(points.size() == 5 + 5 + 8 + 2 + 3 + 3);
+}
+
+TEST_CASE("dots are lit for some points")
+{
+    LineStore store;
+    store.add({{0, 0}});
+    store.add({{9000, 0}});
+    BeamProfile profile = plain;
+    profile.lit_dwell = 2;
+    const Points points = plotted(store, store.legs(), profile).points;
+    CHECK(count_at(points, {0, 0}, true) == 8);
+    CHECK(count_at(points, {9000, 0}, true) == 8);
+    CHECK(points.size() == 18);
+}
+
+TEST_CASE("the light is told later than the place, all around the picture")
+{
+    RandomLines random{3};
+    for (int round = 0; round < rounds(200); ++round) {
+        LineStore store;
+        random.fill(store, 5, 20);
+        const std::vector<BeamLeg> legs = random.legs(store);
+        BeamProfile profile = random_profile(random);
+        profile.light_delay = 0;
+        const Points plain_points = plotted(store, legs, profile).points;
+        profile.light_delay = static_cast<std::uint8_t>(random.number(255));
+        const Points late = plotted(store, legs, profile).points;
+        REQUIRE(late.size() == plain_points.size());
+        for (std::size_t i = 0; i < late.size(); ++i) {
+            REQUIRE(late[i].at == plain_points[(i + profile.light_delay) % late.size()].at);
+            REQUIRE(late[i].colour == plain_points[i].colour);
+        }
+    }
+}
+
+TEST_CASE("brightness is told by level, by speed or not at all")
+{
+    LineStore store;
+    store.add({{0, 0}, {10'000, 0}}, {128, 128, 128, 255});
+    store.add({{0, 9}, {10'000, 9}}, {255, 255, 255, 255});
+    store.add({{0, 99}, {10'000, 99}}, {1, 1, 1, 255});
+    const std::vector<BeamLeg> legs = store.legs();
+    const auto points_on = [&](BeamBrightness brightness, std::int16_t y) {
+        BeamProfile profile = plain;
+        profile.brightness = brightness;
+        const Points points = plotted(store, legs, profile).points;
+        for (const BeamPoint& point : points)
+            if (point.is_lit() && brightness != BeamBrightness::by_level)
+                CHECK(point.colour == Colour{255, 255, 255, 255});
+        return std::ranges::count_if(points, [y](const BeamPoint& p) { return p.is_lit() && p.at.y == y; });
+    };
+    CHECK(points_on(BeamBrightness::by_level, 0) == 101);
+    CHECK(points_on(BeamBrightness::by_level, 99) == 101);
+    CHECK(points_on(BeamBrightness::none, 0) == 101);
+    CHECK(points_on(BeamBrightness::by_speed, 9) == 101);
+    CHECK(points_on(BeamBrightness::by_speed, 0) == 52);  // steps of 100 * 255 / 128
+    CHECK(points_on(BeamBrightness::by_speed, 99) == 14); // no darker than 32: 100 * 255 / 32
+}
+
+TEST_CASE("random lines are drawn within the field, evenly, and only where they are")
+{
+    RandomLines random{1};
+    for (int round = 0; round < rounds(600); ++round) {
+        CAPTURE(round);
+        LineStore store;
+        random.fill(store, 6, 30);
+        const std::vector<BeamLeg> legs = random.legs(store);
+        BeamProfile profile = random_profile(random);
+        profile.light_delay = 0;
+        const auto [pace, points] = plotted(store, legs, profile);
+        CHECK(pace.haste == 0);
+        REQUIRE(!points.empty());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const BeamPoint& point = points[i];
+            const BeamPoint& before = points[(i == 0 ? points.size() : i) - 1];
+            const double step = distance(before.at, point.at);
+            if (point.is_lit()) {
+                REQUIRE(step <= profile.lit_step + 2);
+                REQUIRE(distance_to(store, point.at) <= 1.1);
+            } else {
+                REQUIRE(point.colour == Colour{.opacity = 0});
+                REQUIRE((profile.travel_step == 0 || step <= profile.travel_step + 2));
+            }
+        }
+    }
+}
+
+TEST_CASE("the corners of random lines are among their points")
+{
+    RandomLines random{2};
+    for (int round = 0; round < rounds(300); ++round) {
+        LineStore store;
+        random.fill(store, 4, 20);
+        const std::vector<BeamLeg> legs = random.legs(store);
+        const Points points = plotted(store, legs, plain).points;
+        for (std::size_t number = 0; number < store.lines.size(); ++number) {
+            const std::vector<FieldPoint> line = store.points(number);
+            if (!store.lines.is_closed(store.lines.line(number))) {
+                CHECK(count_at(points, line.front(), true) > 0);
+                CHECK(count_at(points, line.back(), true) > 0);
+            }
+            for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+                const double before = distance(line[i - 1], line[i]);
+                const double after = distance(line[i], line[i + 1]);
+                const double along = (line[i].x - line[i - 1].x) * double(line[i + 1].x - line[i].x) +
+                                     (line[i].y - line[i - 1].y) * double(line[i + 1].y - line[i].y);
+                if (std::min(before, after) >= 100 && along < 0.86 * before * after)
+                    CHECK(count_at(points, line[i], true) > 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("points do not depend on how many are asked for at once, nor on an earlier haste")
+{
+    RandomLines random{5};
+    for (int round = 0; round < rounds(200); ++round) {
+        LineStore store;
+        random.fill(store, 8, 30);
+        const std::vector<BeamLeg> legs = random.legs(store);
+        BeamProfile profile = random_profile(random);
+        profile.is_laser = random.number(1) == 0;
+        const std::uint32_t budget = 16 + random.number(2000);
+        const auto [pace, points] = plotted(store, legs, profile, budget);
+        const int guess = static_cast<int>(random.number(BeamGait::most_haste));
+        const BeamPace again = find_pace(store.lines, legs, profile, budget, guess);
+        CHECK(again.haste == pace.haste);
+        CHECK(again.legs == pace.legs);
+        CHECK(all_of({store.lines, legs, profile, again}, 1 + random.number(99)) == points);
+    }
+}
+
+TEST_CASE("a picture keeps to its budget, whatever there is to draw, and is what was counted")
+{
+    RandomLines random{6};
+    for (int round = 0; round < rounds(400); ++round) {
+        CAPTURE(round);
+        LineStore store{400'000};
+        random.fill(store, 1U << random.number(10), 1U << random.number(6));
+        const std::vector<BeamLeg> legs = random.legs(store);
+        BeamProfile profile = random_profile(random);
+        profile.lit_step = static_cast<std::uint16_t>(1 + random.number(65534));
+        const std::uint32_t budget = 3 + random.number(1U << random.number(12));
+        const auto [pace, points] = plotted(store, legs, profile, budget);
+        CHECK(points.size() <= budget);
+        CHECK(points.size() == pace.amount.points);
+        const auto lit = std::ranges::count_if(points, &BeamPoint::is_lit);
+        CHECK(static_cast<std::uint32_t>(lit) == pace.amount.lit_points);
+        if (store.lines.size() * 3 <= budget)
+            CHECK(pace.legs == store.lines.size());
+        else if (pace.legs < store.lines.size())
+            CHECK(pace.legs * 3 + 3 > budget);
+    }
+}
+
+TEST_CASE("the beam hurries no more than it has to")
+{
+    LineStore store;
+    store.add({{-30'000, 0}, {30'000, 0}});
+    const auto haste = [&](std::uint32_t budget) {
+        const Plotted drawn = plotted(store, store.legs(), plain, budget);
+        CHECK(drawn.points.size() <= budget);
+        return drawn.pace.haste;
+    };
+    CHECK(haste(602) == 0);
+    CHECK(haste(601) == 1);
+    CHECK(haste(302) == 4);
+    CHECK(haste(301) == 5);
+    CHECK(haste(3) == 37);
+    CHECK(plotted(store, store.legs(), plain, 2).pace.legs == 0);
+}
+
+TEST_CASE("lengths are what the beam goes along")
+{
+    LineStore store;
+    store.add({{0, 0}, {300, 0}, {300, 400}});
+    store.add({{600, 800}, {0, 800}});
+    const BeamAmount amount = plotted(store, store.legs(), plain).pace.amount;
+    CHECK(amount.lit_length == 300 + 400 + 600);
+    CHECK(amount.blanked_length == doctest::Approx(500 + 800).epsilon(0.003));
+}
+
+TEST_CASE("many sharp and many short pieces keep the beam on its way")
+{
+    LineStore store{400'000};
+    std::vector<FieldPoint> zigzag;
+    for (int i = 0; i < 20'000; ++i)
+        zigzag.push_back(
+            {static_cast<std::int16_t>(i % 2 == 0 ? -32768 : 32767), static_cast<std::int16_t>(i - 10'000)});
+    store.add(zigzag);
+    std::vector<FieldPoint> fine;
+    for (int i = 0; i < 20'000; ++i)
+        fine.push_back({static_cast<std::int16_t>(i % 3), static_cast<std::int16_t>(i - 10'000)});
+    store.add(fine);
+    BeamProfile profile = plain;
+    profile.lit_step = 1;
+    profile.corner_dwell = 255;
+    for (const std::uint32_t budget : {16U, 100U, 2500U, 100'000U}) {
+        const Plotted drawn = plotted(store, store.legs(), profile, budget);
+        CHECK(drawn.points.size() <= budget);
+        CHECK(drawn.pace.legs == 2);
+        CHECK(drawn.points.size() > budget / 3);
+    }
+}
+
+TEST_CASE("a laser never stays lit at one place, over and over")
+{
+    LineStore store;
+    for (int i = 0; i < 40; ++i)
+        store.add({{100, 100}, {static_cast<std::int16_t>(100 + 3 * i), 120}});
+    store.add({{100, 100}});
+    const std::vector<BeamLeg> all = store.legs();
+    for (const std::size_t legs : {std::size_t{1}, std::size_t{40}, std::size_t{41}})
+        for (const std::uint32_t budget : {16U, 100U, 1500U}) {
+            const std::vector<BeamLeg> some{all.end() - static_cast<std::ptrdiff_t>(legs), all.end()};
+            BeamProfile profile = galvo_profile;
+            profile.corner_dwell = profile.lit_dwell = 200;
+            const Points points = plotted(store, some, profile, budget).points;
+            const auto lit = static_cast<std::size_t>(std::ranges::count_if(points, &BeamPoint::is_lit));
+            CHECK(lit >= 1);
+            CHECK(lit <= 30);
+            CHECK(lit * 10 <= std::max<std::size_t>(points.size(), 10));
+            CHECK(points.size() >= std::min<std::uint32_t>(budget, 300) / 2);
+        }
+}
+
+}
