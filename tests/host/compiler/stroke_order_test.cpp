@@ -28,12 +28,13 @@ std::vector<Points> all_ways(const scene::Stroke& stroke)
     }
     std::vector<Points> ways{points, {points.rbegin(), points.rend()}};
     const bool is_closed = points.size() > 2 && points.front() == points.back();
-    for (std::size_t shift = 1; is_closed && shift + 1 < points.size(); ++shift) {
-        Points turned(points.begin(), points.end() - 1);
-        std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(shift));
-        turned.push_back(turned.front());
-        ways.push_back(turned);
-    }
+    for (std::size_t shift = 1; is_closed && shift + 1 < points.size(); ++shift)
+        for (std::size_t way = 0; way < 2; ++way) {
+            Points turned(ways[way].begin(), ways[way].end() - 1);
+            std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(shift));
+            turned.push_back(turned.front());
+            ways.push_back(turned);
+        }
     return ways;
 }
 
