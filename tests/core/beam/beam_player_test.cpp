@@ -304,7 +304,7 @@ TEST_CASE("lit points lie where the stroke of the picture on a panel is")
 TEST_CASE("lines of the examples lie on what a panel shows")
 {
     constexpr Size panel{256, 256};
-    for (const auto& file : std::filesystem::directory_iterator{KFAST_SOURCE "/examples"}) {
+    for (const auto& file : std::filesystem::directory_iterator{KFAST_EXAMPLES}) {
         // On a panel the card turned over is as dark as what lies behind it.
         if (file.path().extension() != ".kfast" || file.path().stem() == "card")
             continue;
