@@ -88,7 +88,7 @@ void DrawingReader::read(std::span<const kdl::Node* const> nodes)
 void DrawingReader::read_strokes(const kdl::Node& node)
 {
     has_strokes_ = true;
-    if (!refuse_flat_wires(node))
+    if (!goes_with_others(node))
         return;
     if (node.name == use_name)
         return copy(node);
@@ -103,8 +103,8 @@ void DrawingReader::read_strokes(const kdl::Node& node)
             return;
 }
 
-/// Whether `node` has a depth if the nodes before it have, and else not.
-bool DrawingReader::refuse_flat_wires(const kdl::Node& node)
+/// Whether `node` has a depth as the nodes before it have, or none as they; reports the first that differs.
+bool DrawingReader::goes_with_others(const kdl::Node& node)
 {
     const bool has_depth = is_wire(node.name);
     if (has_depths_.value_or(has_depth) != has_depth && !std::exchange(is_mixed_, true))
