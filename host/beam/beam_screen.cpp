@@ -51,7 +51,7 @@ Frame black(Size size)
 
 BeamScreen::BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size,
                        std::int64_t usual_points)
-    : profile_{profile}, display_{display}, film_{display.phosphor}, beam_{display.deflection, profile.rate},
+    : display_{display}, film_{display.phosphor}, beam_{display.deflection, profile.rate},
       sheet_{size, film_.channels()}, fading_{fading_of(display, profile.rate)}, frame_{black(size)}
 {
     exposure_ = exposure_of(profile, fading_, size, spot_deviation(), usual_points);
@@ -69,18 +69,6 @@ BeamPlace BeamScreen::on_screen(BeamPlace place) const
     const Size size = sheet_.size();
     const double scale = 1 / units_per_pixel(size);
     return {(size.width - 1) / 2.0 + place.x * scale, (size.height - 1) / 2.0 - place.y * scale};
-}
-
-/// Where brightness is no matter of levels, every lit point has all the light there is of its hue.
-Light BeamScreen::light_of(const BeamPoint& point) const
-{
-    Light light = film_.light_of(point.colour);
-    if (profile_.brightness == BeamBrightness::by_level)
-        return light;
-    const float brightest = std::ranges::max(light);
-    for (float& value : light)
-        value = brightest > 0 ? value / brightest : 0;
-    return light;
 }
 
 const Frame& BeamScreen::show(std::span<const DrawnPicture> pictures)
@@ -104,7 +92,7 @@ void BeamScreen::expose(const DrawnPicture& picture)
     for (std::int64_t time = picture.begin; time < picture.end; ++time) {
         const BeamPoint& point = picture.points[next];
         next = next + 1 == picture.points.size() ? 0 : next + 1;
-        Light light = light_of(point);
+        Light light = film_.light_of(point.colour);
         for (float& value : light)
             value *= static_cast<float>(freshness_);
         beam_.pull(point.at, [&](BeamPlace from, BeamPlace to) {

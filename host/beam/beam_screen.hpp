@@ -41,11 +41,9 @@ private:
     void draw_travel(const DrawnPicture& picture);
     void draw_way(BeamPlace from, BeamPlace to);
     void mark(BeamPlace place);
-    Light light_of(const BeamPoint& point) const;
     BeamPlace on_screen(BeamPlace place) const;
     double spot_deviation() const;
 
-    BeamProfile profile_;
     BeamDisplay display_;
     Film film_;
     DeflectedBeam beam_;

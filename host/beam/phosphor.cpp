@@ -59,6 +59,14 @@ std::vector<std::uint8_t> level_table(double sensitive)
     return levels;
 }
 
+std::vector<float> light_table()
+{
+    std::vector<float> light;
+    for (int channel = 0; channel <= 255; ++channel)
+        light.push_back(static_cast<float>(linear(static_cast<std::uint8_t>(channel))));
+    return light;
+}
+
 /// The colour that is as light as each level.
 std::vector<Colour> colour_table(const Tint& tint)
 {
@@ -89,7 +97,8 @@ std::span<const PhosphorName> phosphor_names()
 }
 
 Film::Film(Phosphor phosphor)
-    : phosphor_{phosphor}, levels_{level_table(channels() == 1 ? level_sensitivity : sensitivity)},
+    : phosphor_{phosphor}, light_{light_table()}, levels_{level_table(channels() == 1 ? level_sensitivity
+                                                                                      : sensitivity)},
       colours_{colour_table(tint_of(phosphor))}
 {
 }
@@ -97,9 +106,8 @@ Film::Film(Phosphor phosphor)
 Light Film::light_of(Colour colour) const
 {
     if (channels() == 1)
-        return {static_cast<float>(linear(static_cast<std::uint8_t>(brightness(colour))))};
-    return {static_cast<float>(linear(colour.red)), static_cast<float>(linear(colour.green)),
-            static_cast<float>(linear(colour.blue))};
+        return {light_[brightness(colour)]};
+    return {light_[colour.red], light_[colour.green], light_[colour.blue]};
 }
 
 std::uint8_t Film::level(float light) const

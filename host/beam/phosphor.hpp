@@ -43,6 +43,7 @@ private:
     std::uint8_t level(float light) const;
 
     Phosphor phosphor_;
+    std::vector<float> light_;         ///< of a channel of the scene's colours
     std::vector<std::uint8_t> levels_; ///< of light in steps
     std::vector<Colour> colours_;      ///< of levels, with one channel
 };
