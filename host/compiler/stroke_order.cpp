@@ -14,7 +14,7 @@
 namespace kfast {
 namespace {
 
-/// A second or so for the most strokes of which all are compared with each other.
+/// So much that it is hardly ever spent.
 constexpr std::uint32_t effort = 20'000'000;
 
 bool is_closed(const scene::Stroke& stroke)
