@@ -13,8 +13,14 @@
 namespace kfast {
 namespace {
 
-/// As many as can all be compared with each other in a few milliseconds.
+/// As many as are all compared with each other.
 constexpr std::size_t most_compared = 128;
+
+/// For more attempts than the first, which gain little, this part of the effort.
+constexpr std::uint32_t more_attempts_share = 4;
+
+/// In legs along the tour.
+constexpr std::size_t near = 16;
 
 /// Tries to find a route from several beginnings. There is room for one route only: it is known of the best
 /// one how it was found, and it is found once more if it was not the last.
@@ -51,7 +57,7 @@ private:
 void RouteSearch::run(std::uint32_t effort)
 {
     Attempt best = attempt(0, effort);
-    std::uint32_t left = effort - best.spent;
+    std::uint32_t left = std::min(effort - best.spent, effort / more_attempts_share);
     bool is_found = true;
     for (std::size_t number = 1; number < attempts() && left > best.spent && best.travel != 0; ++number) {
         const Attempt other = attempt(number, left - best.spent);
@@ -69,7 +75,10 @@ RouteSearch::Attempt RouteSearch::attempt(std::size_t number, std::uint32_t allo
     RouteEffort effort{allowed};
     begin(number, effort);
     Tour tour{lines_, legs_};
-    improve(tour, window(allowed), effort);
+    const std::size_t widest = window(allowed);
+    for (std::size_t width = near; width < widest; width *= 4) // most of what helps is near
+        improve(tour, width, effort);
+    improve(tour, widest, effort);
     return {number, allowed, allowed - effort.left(), travel_of(lines_, legs_)};
 }
 

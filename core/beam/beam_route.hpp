@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// How much is done at most for a route, in travels compared: a few milliseconds of a Cortex-M0+.
+/// How much is done at most for a route, in travels compared.
 inline constexpr std::uint32_t usual_route_effort = 16384;
 
 /// Fills `legs`, which has one for each of `lines`, with the order in which they are drawn and how, so that

@@ -6,7 +6,7 @@
 namespace kfast {
 namespace {
 
-/// 2^bits strips, so many that a third of the mean distance of lines in a strip is its height.
+/// 2^bits is the power of two nearest to the square root of a third of the number of lines, at most 2^7.
 int strip_bits_for(std::size_t lines)
 {
     int bits = 0;

@@ -14,7 +14,7 @@
 namespace kfast {
 namespace {
 
-/// A second or so for the most strokes of which all are compared with each other.
+/// So much that it is hardly ever spent.
 constexpr std::uint32_t effort = 20'000'000;
 
 bool is_closed(const scene::Stroke& stroke)
@@ -43,7 +43,8 @@ scene::Stroke begun_at(scene::Stroke stroke, std::size_t segments)
     if (segments == 0)
         return stroke;
     stroke.from = stroke.segments[segments - 1].to;
-    std::ranges::rotate(stroke.segments, stroke.segments.begin() + static_cast<std::ptrdiff_t>(segments));
+    std::rotate(stroke.segments.begin(), stroke.segments.begin() + static_cast<std::ptrdiff_t>(segments),
+                stroke.segments.end());
     return stroke;
 }
 
@@ -101,7 +102,7 @@ std::vector<BeamLeg> route_of(const BeamLines& lines)
     for (std::size_t place = 1; place < legs.size(); ++place)
         if (travel_to(place) > travel_to(first))
             first = place;
-    std::ranges::rotate(legs, legs.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(legs.begin(), legs.begin() + static_cast<std::ptrdiff_t>(first), legs.end());
     return legs;
 }
 

@@ -31,7 +31,7 @@ std::vector<Points> all_ways(const scene::Stroke& stroke)
     for (std::size_t shift = 1; is_closed && shift + 1 < points.size(); ++shift)
         for (std::size_t way = 0; way < 2; ++way) {
             Points turned(ways[way].begin(), ways[way].end() - 1);
-            std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(shift));
+            std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(shift), turned.end());
             turned.push_back(turned.front());
             ways.push_back(turned);
         }
