@@ -114,7 +114,8 @@ bool is_small(const scene::Drawing& drawing)
 
 bool never_changes(const scene::Object& object)
 {
-    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && object.stroke && !object.fill;
+    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && !object.has_depths &&
+           object.stroke && !object.fill;
 }
 
 void order_strokes_of(std::vector<scene::Item>& items)
