@@ -140,4 +140,10 @@ TEST_CASE("only strokes that never change are put in order, and only if the canv
     CHECK(compiled(text_scene("", "stroke=white")) == compiled(text_scene("route=#false", "stroke=white")));
 }
 
+TEST_CASE("wire frames stay as they are")
+{
+    const std::string box = "\nobject o stroke=white { cuboid 20 20 -30 90 60 60; wire 200 9 0 9 200 0 }";
+    CHECK(compiled("kfast 1\ncanvas 256 256" + box) == compiled("kfast 1\ncanvas 256 256 route=#true" + box));
+}
+
 }
