@@ -86,19 +86,24 @@ void check_speed(const BeamFit& fit, std::vector<std::string>& reasons)
                           " can be reached");
 }
 
+/// Of those that are drawn whole: the others are a reason not to fit.
 void note_haste(const BeamFit& fit, std::vector<std::string>& notes)
 {
-    if (fit.hasty == 0)
+    int most = 0;
+    std::size_t hasty = 0;
+    for (const BeamMoment& picture : fit.pictures)
+        if (picture.report.is_complete && picture.report.haste > 0) {
+            ++hasty;
+            most = std::max<int>(most, picture.report.haste);
+        }
+    if (hasty == 0)
         return;
-    const auto dearest = std::ranges::max_element(
-        fit.pictures, {}, [](const BeamMoment& picture) { return picture.report.haste; });
-    const double times = std::exp2(dearest->report.haste / 4.0);
     std::array<char, 16> factor{};
-    std::snprintf(factor.data(), factor.size(), "%.1f", times);
-    notes.push_back(
-        counted(fit.hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
-        " are drawn faster than the profile has it, up to " + factor.data() + " times: lines are darker" +
-        (dearest->report.haste > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
+    std::snprintf(factor.data(), factor.size(), "%.1f", std::exp2(most / 4.0));
+    notes.push_back(counted(hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
+                    " are drawn faster than the profile has it, up to " + factor.data() +
+                    " times: lines are darker" +
+                    (most > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
 }
 
 void note_room(const Target& target, std::vector<std::string>& notes)
@@ -148,7 +153,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     std::ranges::stable_sort(fit.pictures, {},
                              [](const BeamMoment& picture) { return picture.report.points; });
     check_memory("flash", fit.flash.sum(), target.flash, parts_text(fit.flash), fit.reasons);
-    check_memory("RAM", fit.ram.sum(), target.ram, parts_text(fit.ram), fit.reasons);
+    check_memory("RAM", fit.ram.sum(), target.ram, parts_text(fit.ram, "buffers"), fit.reasons);
     check_bus(target, fit.reasons);
     check_pictures(fit, target, fit.reasons);
     check_speed(fit, fit.reasons);
