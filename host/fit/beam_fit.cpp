@@ -22,16 +22,21 @@ constexpr double readable_haste = 4; ///< beyond twice the speed, lines grow too
 constexpr std::size_t beam_code = 46152;
 
 /// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels, by what
-/// scripts/bench_beam tells of the references: to clip and count lines, and to plot them.
+/// scripts/bench_beam tells of the references and of scenes with up to 53 lines: to clip and count lines, to
+/// plot them, and to find their order.
 constexpr double per_corner = 1000;
 constexpr double per_point = 100;
+
+double instructions_of_route(std::uint32_t lines) { return lines < 2 ? 0 : 135'000 * std::pow(lines, 0.6); }
 
 /// Others of the same family need about two thirds of them (docs/benchmarks.md).
 double share_of(Processor processor) { return processor == Processor::cortex_m0 ? 1 : 2.0 / 3; }
 
 double instructions_of(const BeamPicture& picture, const Target& target)
 {
-    const double beam = per_corner * picture.report.corners + per_point * picture.report.points;
+    const BeamReport& report = picture.report;
+    const double beam =
+        per_corner * report.corners + per_point * report.points + instructions_of_route(report.lines);
     return instructions(picture.work, costs_of(target.processor)) + beam * share_of(target.processor);
 }
 
