@@ -63,16 +63,17 @@ inline constexpr BeamProfile crt_profile{.rate = 100'000,
 
 /// A laser with mirrors: 30,000 points a second, as the ILDA test pattern wants them. That is how often they
 /// are told a place, not how often they can leap: so a step is 1/100 of the width lit (as in lzr), 1/20
-/// blanked. A sharp corner waits 8 points, an arrival 6, an end and a leaving 2, within what OpenLase uses
-/// (8; 8 to 12; 2 to 3; 1 to 10). The light is 4 points late, of 0 to 16 that controllers allow. 1500 points
-/// are a picture: 20 of them a second are what eyes take for a picture of a laser. No laser was measured.
+/// blanked. A sharp corner waits 8 points, an arrival 6, an end 2, a leaving 4, within what OpenLase uses (8;
+/// 8 to 12; 2 to 3; 1 to 10). The light is 4 points late, of 0 to 16 that controllers allow, and the mirrors
+/// leave when it is out. 1500 points are a picture: 20 of them a second are what eyes take for a picture of a
+/// laser. No laser was measured.
 inline constexpr BeamProfile galvo_profile{.rate = 30'000,
                                            .lit_step = 655,
                                            .travel_step = 3277,
                                            .corner_dwell = 8,
                                            .lit_dwell = 2,
                                            .arrival_dwell = 6,
-                                           .leave_dwell = 2,
+                                           .leave_dwell = 4,
                                            .light_delay = 4,
                                            .least_refresh = 20,
                                            .resolution = 128,

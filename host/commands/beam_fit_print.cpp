@@ -45,7 +45,7 @@ Json facts_of(const BeamFitFacts& facts)
               {"resolution", target.beam->resolution},
               {"laser", target.beam->is_laser}}},
             {"fits", report.fits()},
-            {"reasons", report.reasons},
+            {"reasons", report.reasons()},
             {"notes", report.notes},
             {"flash", flash_facts(report.flash, target.flash)},
             {"ram", ram_facts(report.ram, target.ram, "buffers")},

@@ -20,7 +20,7 @@ void print_beam_fit(const Options& options, const fit::Target& target, const Sce
     const BeamFitFacts facts{options.file, target, report};
     std::cout << (options.json ? json_text(facts) : fit_text(facts));
     std::cout.flush(); // before the reasons
-    require_fit(options.file, target, report.reasons);
+    require_fit(options.file, target, report.reasons());
 }
 
 void print_fit(const Options& options)

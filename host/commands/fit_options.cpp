@@ -75,7 +75,7 @@ void require_fit(const std::string& file, const FitOptions& options, const fit::
                  const SceneFile& scene)
 {
     require_fit(file, target,
-                target.beam ? fit::beam_fit(scene.view, target, options.frames_per_second).reasons
+                target.beam ? fit::beam_fit(scene.view, target, options.frames_per_second).reasons()
                             : fit_report(options, target, scene).reasons());
 }
 

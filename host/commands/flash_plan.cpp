@@ -1,6 +1,5 @@
 #include "host/commands/flash_plan.hpp"
 
-#include "core/beam/beam_player.hpp"
 #include "firmware/controller_facts.hpp"
 #include "host/commands/fit_options.hpp"
 #include "host/config/config_input.hpp"
@@ -9,6 +8,7 @@
 #include "host/config/firmware_images.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
+#include "host/fit/beam_fit.hpp"
 #include "host/fit/fit_report.hpp"
 #include "host/fit/pico_target.hpp"
 
@@ -59,23 +59,12 @@ fit::FitReport report_on(const SceneFile& scene, const fit::Target& target)
     return fit::fit_report({.scene = scene.view, .item_names = scene.item_names, .target = target});
 }
 
-void require_room(const std::string& name, const fit::Target& target, const fit::FitReport& report)
+void require_room(const std::string& name, const fit::Target& target,
+                  const std::vector<std::string>& shortages)
 {
-    if (!report.shortages.empty())
-        throw Failure{misfit_text(name, target, report.shortages) +
+    if (!shortages.empty())
+        throw Failure{misfit_text(name, target, shortages) +
                           "\n  Shorten the scene, or draw it with fewer points; 'kfast fit' tells more",
-                      ExitStatus::no_room};
-}
-
-/// Every image lends the player 88 KiB (boards/pico/link.ld); points of pictures lie elsewhere.
-void require_room_for_beam(const std::string& name, const SceneView& scene, const BeamProfile& profile)
-{
-    constexpr std::size_t lent = 88 * 1024;
-    const std::size_t needed = BeamPlayer::block_bytes(scene, profile);
-    if (needed > lent)
-        throw Failure{name + ": does not fit pico-xy\n  RAM: it needs " + std::to_string(needed - lent) +
-                          " bytes more than there are\n  Shorten the scene, draw it with fewer points, or "
-                          "take a profile with a lower resolution",
                       ExitStatus::no_room};
 }
 
@@ -84,6 +73,21 @@ void warn_of_slowness(const std::string& name, const fit::FitReport& report)
     if (!report.slowness.empty())
         std::cerr << name << ": warning: it plays slower than it wants on this board: " << report.slowness
                   << '\n';
+}
+
+void check_panel(const std::string& name, const SceneFile& scene, const fit::Target& target)
+{
+    const fit::FitReport report = report_on(scene, target);
+    require_room(name, target, report.shortages);
+    warn_of_slowness(name, report);
+}
+
+void check_beam(const std::string& name, const SceneFile& scene, const fit::Target& target)
+{
+    const fit::BeamFit report = fit::beam_fit(scene.view, target, 0);
+    require_room(name, target, report.shortages);
+    for (const std::string& weakness : report.weaknesses)
+        std::cerr << name << ": warning: " << weakness << '\n';
 }
 
 /// A board that has no firmware, or one for another bus, would stay dark.
@@ -135,12 +139,11 @@ NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& told,
 
 void FlashPlan::check_fit(const BoardSettings& settings) const
 {
-    if (leads_beam(settings.bus))
-        return require_room_for_beam(scene_name_, scene_->view, settings.beam);
     const fit::Target target = fit::pico_target(settings);
-    const fit::FitReport report = report_on(*scene_, target);
-    require_room(scene_name_, target, report);
-    warn_of_slowness(scene_name_, report);
+    if (target.beam)
+        check_beam(scene_name_, *scene_, target);
+    else
+        check_panel(scene_name_, *scene_, target);
 }
 
 FlashContents FlashPlan::checked_contents(const std::optional<FoundOnBoard>& found) const
@@ -181,7 +184,7 @@ void FlashPlan::require_room_with(std::string_view panel, Size size) const
     settings.panel = facts_of(static_cast<Controller>(controller - controller_names.begin())).usual;
     settings.panel.glass = size;
     const fit::Target target = fit::pico_target(settings);
-    require_room(scene_name_, target, report_on(*scene_, target));
+    require_room(scene_name_, target, report_on(*scene_, target).shortages);
 }
 
 }

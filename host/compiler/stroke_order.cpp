@@ -112,12 +112,10 @@ bool is_small(const scene::Drawing& drawing)
     return drawing.strokes.size() > 1 && scene::point_count(drawing) < BeamLines::most_points;
 }
 
-/// Not so wire frames: how far their strokes are apart depends on how they are turned, and the drawing of
-/// their depths has the same strokes.
 bool never_changes(const scene::Object& object)
 {
-    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && object.stroke && !object.fill &&
-           !object.has_depths;
+    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && !object.has_depths &&
+           object.stroke && !object.fill;
 }
 
 void order_strokes_of(std::vector<scene::Item>& items)

@@ -19,7 +19,7 @@ constexpr double slack = 1.0001;
 constexpr double readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
 
 /// Of the program that plays for a beam, with the core (tests/bench/image/beam).
-constexpr std::size_t beam_code = 46152;
+constexpr std::size_t beam_code = 57168;
 
 /// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels, by what
 /// scripts/bench_beam tells of the references and of scenes with up to 53 lines: to clip and count lines, to
@@ -48,47 +48,47 @@ RamNeed ram_for_beam(const SceneView& scene, const Target& target)
 }
 
 void check_memory(const std::string& what, std::size_t used, std::size_t available, const std::string& parts,
-                  std::vector<std::string>& reasons)
+                  std::vector<std::string>& shortages)
 {
     if (used > available)
-        reasons.push_back(what + ": " + bytes_text(used) + " are needed (" + parts + "), " +
-                          std::to_string(available) + " are there: " + std::to_string(used - available) +
-                          " too many");
+        shortages.push_back(what + ": " + bytes_text(used) + " are needed (" + parts + "), " +
+                            std::to_string(available) + " are there: " + std::to_string(used - available) +
+                            " too many");
 }
 
-void check_bus(const Target& target, std::vector<std::string>& reasons)
+void check_bus(const Target& target, std::vector<std::string>& weaknesses)
 {
     const double most = std::floor(target.bus.clock / bits_of_point);
     if (target.beam->rate > most)
-        reasons.push_back("bus: it takes " + std::to_string(static_cast<std::uint32_t>(most)) +
-                          " points a second, but the beam has " + std::to_string(target.beam->rate) +
-                          "; choose a lower rate= or a faster clock=");
+        weaknesses.push_back("bus: it takes " + std::to_string(static_cast<std::uint32_t>(most)) +
+                             " points a second, but the beam has " + std::to_string(target.beam->rate) +
+                             "; choose a lower rate= or a faster clock=");
 }
 
-void check_pictures(const BeamFit& fit, const Target& target, std::vector<std::string>& reasons)
+void check_pictures(const BeamFit& fit, const Target& target, std::vector<std::string>& weaknesses)
 {
     if (fit.incomplete == 0)
         return;
     const auto first =
         std::ranges::find_if(fit.pictures, [](const BeamMoment& it) { return !it.report.is_complete; });
-    reasons.push_back("lines: " + counted(fit.incomplete, "picture") + " of " +
-                      std::to_string(fit.pictures.size()) + " cannot be drawn whole, that of frame " +
-                      frame_text(first->moment) +
-                      " for one; draw fewer lines, or choose a lower least-refresh= (" +
-                      std::to_string(target.beam->least_refresh) + " now) or a higher rate=");
+    weaknesses.push_back("lines: " + counted(fit.incomplete, "picture") + " of " +
+                         std::to_string(fit.pictures.size()) + " cannot be drawn whole, that of frame " +
+                         frame_text(first->moment) +
+                         " for one; draw fewer lines, or choose a lower least-refresh= (" +
+                         std::to_string(target.beam->least_refresh) + " now) or a higher rate=");
 }
 
-void check_speed(const BeamFit& fit, std::vector<std::string>& reasons)
+void check_speed(const BeamFit& fit, std::vector<std::string>& weaknesses)
 {
     std::vector<double> seconds;
     std::ranges::transform(fit.pictures, std::back_inserter(seconds), &BeamMoment::cpu_seconds);
     std::ranges::sort(seconds);
     const double median = seconds[seconds.size() / 2];
     if (median * fit.wanted_rate > slack)
-        reasons.push_back("speed: every second picture takes " + milliseconds_text(median) +
-                          " or more, but " + rate_text(fit.wanted_rate) + " leave " +
-                          milliseconds_text(1 / fit.wanted_rate) + " for each; " + rate_text(1 / median) +
-                          " can be reached");
+        weaknesses.push_back("speed: every second picture takes " + milliseconds_text(median) +
+                             " or more, but " + rate_text(fit.wanted_rate) + " leave " +
+                             milliseconds_text(1 / fit.wanted_rate) + " for each; " + rate_text(1 / median) +
+                             " can be reached");
 }
 
 /// Of those that are drawn whole: the others are a reason not to fit.
@@ -127,6 +127,13 @@ std::uint32_t room_for_points(const Target& target)
     return static_cast<std::uint32_t>(std::max<std::size_t>(target.band_bytes / point_bytes, 16));
 }
 
+std::vector<std::string> BeamFit::reasons() const
+{
+    std::vector<std::string> all = shortages;
+    all.insert(all.end(), weaknesses.begin(), weaknesses.end());
+    return all;
+}
+
 double BeamFit::mean_points() const
 {
     double sum = 0;
@@ -157,11 +164,11 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     });
     std::ranges::stable_sort(fit.pictures, {},
                              [](const BeamMoment& picture) { return picture.report.points; });
-    check_memory("flash", fit.flash.sum(), target.flash, parts_text(fit.flash), fit.reasons);
-    check_memory("RAM", fit.ram.sum(), target.ram, parts_text(fit.ram, "buffers"), fit.reasons);
-    check_bus(target, fit.reasons);
-    check_pictures(fit, target, fit.reasons);
-    check_speed(fit, fit.reasons);
+    check_memory("flash", fit.flash.sum(), target.flash, parts_text(fit.flash), fit.shortages);
+    check_memory("RAM", fit.ram.sum(), target.ram, parts_text(fit.ram, "buffers"), fit.shortages);
+    check_bus(target, fit.weaknesses);
+    check_pictures(fit, target, fit.weaknesses);
+    check_speed(fit, fit.weaknesses);
     note_haste(fit, fit.notes);
     note_room(target, fit.notes);
     if (run.stride() > 1)

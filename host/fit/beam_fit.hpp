@@ -26,16 +26,19 @@ struct BeamMoment {
 /// Whether a scene fits a board with a beam, and what its pictures take.
 struct BeamFit {
     FlashNeed flash;
-    RamNeed ram;                      ///< the buffers for points in place of bands
-    std::vector<BeamMoment> pictures; ///< those with least points first
-    std::size_t hasty = 0;            ///< of them, drawn faster than the profile has it
-    std::size_t incomplete = 0;       ///< of them, not all lines are drawn
-    double dearest_seconds = 0;       ///< of the CPU
-    double wanted_rate = 0;           ///< frames per second
-    std::vector<std::string> reasons; ///< why it does not fit, and what can be done; none if it does
-    std::vector<std::string> notes;   ///< what one should know besides
+    RamNeed ram;                         ///< the buffers for points in place of bands
+    std::vector<BeamMoment> pictures;    ///< those with least points first
+    std::size_t hasty = 0;               ///< of them, drawn faster than the profile has it
+    std::size_t incomplete = 0;          ///< of them, not all lines are drawn
+    double dearest_seconds = 0;          ///< of the CPU
+    double wanted_rate = 0;              ///< frames per second
+    std::vector<std::string> shortages;  ///< of memory, and how much is missing; none if it can be played
+    std::vector<std::string> weaknesses; ///< why it is not drawn as it should be, and what can be done
+    std::vector<std::string> notes;      ///< what one should know besides
 
-    bool fits() const { return reasons.empty(); }
+    /// Why it does not fit: shortages and weaknesses. None if it does.
+    std::vector<std::string> reasons() const;
+    bool fits() const { return shortages.empty() && weaknesses.empty(); }
     const BeamMoment& busiest() const { return pictures.back(); }
     double mean_points() const;
 };

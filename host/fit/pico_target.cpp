@@ -24,6 +24,12 @@ BusKind kind_of(kfast::BusKind bus)
 
 Target pico_target(const BoardSettings& settings)
 {
+    if (leads_beam(settings.bus)) {
+        Target target = chosen_board("pico-xy");
+        target.beam = settings.beam;
+        target.bus.clock = settings.bus_clock;
+        return target;
+    }
     Target target = chosen_board("pico");
     target.display = *display_named(controller_name(settings.panel.controller));
     target.display.size = settings.panel.size();

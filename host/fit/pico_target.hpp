@@ -5,7 +5,7 @@
 
 namespace kfast::fit {
 
-/// A Raspberry Pi Pico with the display and the bus of these settings.
+/// A Raspberry Pi Pico with the display, or the beam, and the bus of these settings.
 Target pico_target(const BoardSettings& settings);
 
 }

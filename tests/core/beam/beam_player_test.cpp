@@ -278,6 +278,25 @@ TEST_CASE("thousands of dots are drawn as far as there is time")
     CHECK(all.player.report().lines == 3000);
 }
 
+TEST_CASE(
+    "a drawing of 10,000 points is drawn whole within the budget of a board, from the canvas to far outside")
+{
+    std::mt19937 random{21};
+    std::string zigzag = "line";
+    for (int i = 0; i < 10'000; ++i)
+        zigzag += " " + std::to_string(random() % 200) + " " + std::to_string(random() % 200);
+    GuardedBeam beam{compiled("kfast 1\ncanvas 200 200\nobject o stroke=white { " + zigzag +
+                              "; key 0 x=0 scale=1; key 30 x=0 scale=64; key 60 x=2000 scale=1 }"),
+                     scope_profile, 4096};
+    for (int frame = 0; frame < 60; frame += 5) {
+        beam.player.show(Time::frame(frame));
+        beam.check();
+        CHECK((beam.player.report().is_complete || frame > 0));
+    }
+    beam.player.show_moment(Time::frame(60));
+    CHECK(beam.player.report().lines == 0);
+}
+
 TEST_CASE("lit points lie where the stroke of the picture on a panel is")
 {
     const std::string shapes = R"(

@@ -52,7 +52,7 @@ TEST_CASE("a text of a beam tells every property, on lines that can be read")
     beam.rate = 12'500;
     CHECK(beam_text(beam, "    ") ==
           R"(beam galvo rate=(kHz)12.5 lit-step=1 travel-step=5 corner-dwell=8 lit-dwell=2 arrival-dwell=6 \
-        leave-dwell=2 light-delay=4 least-refresh=20 resolution=128 brightness=level park-x=0 \
+        leave-dwell=4 light-delay=4 least-refresh=20 resolution=128 brightness=level park-x=0 \
         park-y=0 laser=#true)");
     CHECK(beam_text(scope_profile).starts_with("beam scope rate=(kHz)100 lit-step=0.586 travel-step=0 "));
     CHECK(beam_text(crt_profile).starts_with("beam crt rate=(kHz)100 lit-step=0.39 travel-step=3.125 "));

@@ -23,4 +23,18 @@ TEST_CASE("a Pico has the display and the bus of its settings")
     }
 }
 
+TEST_CASE("a Pico with a vector display has the beam of its settings")
+{
+    BoardSettings settings;
+    settings.bus = kfast::BusKind::dac;
+    settings.bus_clock = 10'000'000;
+    settings.beam = galvo_profile;
+    settings.beam.rate = 20'000;
+    const Target target = pico_target(settings);
+    CHECK(target.name == "pico-xy");
+    CHECK(target.beam == settings.beam);
+    CHECK(target.bus.kind == BusKind::dac);
+    CHECK(target.bus.clock == 1e7);
+}
+
 }
