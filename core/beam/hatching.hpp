@@ -47,7 +47,7 @@ public:
             winding += crossing.winding();
             if (!was_inside)
                 entry = crossing;
-            else if (!is_inside(rule, winding) && entry.along != crossing.along)
+            else if (!is_inside(rule, winding) && length(entry, crossing) >= least_length)
                 trace_piece(place(point(entry)), place(point(crossing)), pen);
         }
     }
@@ -67,6 +67,9 @@ private:
         std::int32_t across = 0;
     };
 
+    /// Of a piece, in 1/65536 px. A corner that lies on a line would shine as a dot otherwise.
+    static constexpr std::int32_t least_length = 65536 / 16;
+
     static constexpr std::size_t bytes_of_crossing =
         sizeof(Crossing) + 6; ///< and of half a piece at the back
 
@@ -76,6 +79,11 @@ private:
         pen.begin(from);
         pen.add(Segment{.from = from, .to = to});
         pen.end(from, false);
+    }
+
+    static constexpr std::int32_t length(const Crossing& entry, const Crossing& exit)
+    {
+        return entry.along < exit.along ? exit.along - entry.along : entry.along - exit.along;
     }
 
     Place place(Point at) const;

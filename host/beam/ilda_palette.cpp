@@ -45,12 +45,22 @@ std::span<const Colour> default_ilda_palette() { return palette; }
 
 IldaPalette::IldaPalette() : colours_{palette.begin(), palette.end()} {}
 
+IldaPalette::IldaPalette(std::span<const std::vector<BeamPoint>> frames) : IldaPalette{}
+{
+    for (const std::vector<BeamPoint>& points : frames)
+        add(points);
+}
+
 void IldaPalette::add(std::span<const BeamPoint> points)
 {
-    for (const BeamPoint& point : points)
-        if (point.is_lit() && colours_.size() < most_ilda_colours &&
-            std::ranges::find(colours_, point.colour) == colours_.end())
+    for (const BeamPoint& point : points) {
+        if (!point.is_lit() || std::ranges::find(colours_, point.colour) != colours_.end())
+            continue;
+        if (colours_.size() < most_ilda_colours)
             colours_.push_back(point.colour);
+        else
+            is_too_small_ = true;
+    }
 }
 
 std::uint8_t IldaPalette::index(Colour colour) const

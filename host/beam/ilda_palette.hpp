@@ -17,6 +17,8 @@ std::span<const Colour> default_ilda_palette();
 class IldaPalette {
 public:
     IldaPalette();
+    /// With what is lit in all these pictures.
+    explicit IldaPalette(std::span<const std::vector<BeamPoint>> frames);
 
     /// Makes room for what is lit among them, as far as there is some.
     void add(std::span<const BeamPoint> points);
@@ -26,9 +28,12 @@ public:
     std::span<const Colour> colours() const { return colours_; }
     /// It says more than the default one.
     bool is_needed() const { return colours_.size() > default_ilda_palette().size(); }
+    /// Not all colours have found room.
+    bool is_too_small() const { return is_too_small_; }
 
 private:
     std::vector<Colour> colours_;
+    bool is_too_small_ = false;
 };
 
 }

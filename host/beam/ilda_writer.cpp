@@ -103,9 +103,7 @@ private:
 std::vector<std::byte> ilda_file(std::string_view name, IldaFormat format, std::span<const BeamPoints> frames)
 {
     IldaWriter writer{name, format, frames.size()};
-    IldaPalette palette;
-    for (const BeamPoints& points : frames)
-        palette.add(points);
+    const IldaPalette palette{frames};
     if (is_indexed(format) && palette.is_needed())
         writer.palette(palette.colours());
     for (std::size_t number = 0; number < frames.size(); ++number)

@@ -88,7 +88,7 @@ std::string fit_text(const BeamFitFacts& facts)
     text += fit_line("board", target.processor_name + " at " + frequency_text(target.clock) + ", a beam of " +
                                   std::to_string(profile.rate) + " points a second");
     text += memory_line("flash", report.flash.sum(), target.flash, parts_text(report.flash));
-    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram));
+    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram, "buffers"));
     text += fit_line("mean", one_digit(report.mean_points()) + " points");
     text += fit_line("busiest", points_text(report.busiest(), profile));
     text += fit_line("", way_text(report.busiest()));

@@ -1,4 +1,5 @@
 #include "host/atomic_file.hpp"
+#include "host/beam/ilda_palette.hpp"
 #include "host/beam/ilda_writer.hpp"
 #include "host/commands/export_kinds.hpp"
 #include "host/commands/sound_beam.hpp"
@@ -30,6 +31,7 @@ struct Drawn {
     std::vector<BeamPoints> frames;
     std::size_t points = 0;
     std::size_t most_points = 0;
+    std::size_t hasty = 0;
     std::size_t incomplete = 0;
 };
 
@@ -42,6 +44,7 @@ void add_frame(Drawn& drawn, std::span<const BeamPoint> points, const BeamReport
     drawn.frames.emplace_back(points.begin(), points.end());
     drawn.points += points.size();
     drawn.most_points = std::max(drawn.most_points, points.size());
+    drawn.hasty += report.haste > 0;
     drawn.incomplete += !report.is_complete;
 }
 
@@ -59,9 +62,21 @@ void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t
               << counted(drawn.points, "point") << ", at most " << drawn.most_points << " in a frame ("
               << rate / std::max<std::size_t>(drawn.most_points, 1) << " times a second at " << rate
               << " points a second)\n";
+    if (drawn.hasty > 0)
+        std::cerr
+            << "kfast: " << counted(drawn.hasty, "frame")
+            << " had to be drawn faster than the profile has it, in longer steps: mirrors may not follow; "
+               "draw fewer lines, or choose a profile with a lower least-refresh\n";
     if (drawn.incomplete > 0)
         std::cerr << "kfast: " << counted(drawn.incomplete, "frame")
                   << " had no time for all lines: a profile with a lower least-refresh gives more\n";
+}
+
+void tell_colours(const Drawn& drawn, IldaFormat format)
+{
+    if (is_indexed(format) && IldaPalette{drawn.frames}.is_too_small())
+        std::cerr << "kfast: there are more colours than a palette has, and some become the nearest one: "
+                     "--ilda-format 5 or 4 has all\n";
 }
 
 }
@@ -75,8 +90,10 @@ void export_ilda(const ExportOptions& options)
         open_beam(options.beam.value_or(galvo_profile), most_ilda_records, options.picture, scene);
     const Drawn drawn = drawn_frames(source, timeline);
     const std::string name = std::filesystem::path{options.scene}.stem().string();
-    write_file(output, ilda_file(name, static_cast<IldaFormat>(options.ilda_format), drawn.frames));
+    const auto format = static_cast<IldaFormat>(options.ilda_format);
+    write_file(output, ilda_file(name, format, drawn.frames));
     tell(output, drawn, source.profile().rate);
+    tell_colours(drawn, format);
 }
 
 }

@@ -130,7 +130,7 @@ std::string fit_text(const FitFacts& facts)
                      std::to_string(display.size.width) + 'x' + std::to_string(display.size.height) + ' ' +
                      std::string{name_of(display.format)} + ", bus at " + frequency_text(target.bus.clock));
     text += memory_line("flash", report.flash.sum(), target.flash, parts_text(report.flash));
-    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram));
+    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram, "bands"));
     text += fit_line("first", time_text(speed.first));
     text += fit_line("median", time_text(speed.median()));
     text += fit_line("worst", time_text(speed.worst()));

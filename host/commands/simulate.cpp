@@ -82,6 +82,10 @@ BoardSettings settings_of(const SimulateOptions& options)
     settings.panel = options.panel->settings;
     if (!options.config.empty())
         settings = config::chosen_settings(options.config);
+    if (leads_beam(settings.bus))
+        throw Failure(options.config +
+                      ": these settings lead a beam, and the simulated board has a panel: see "
+                      "the scene with kfast preview --beam");
     settings.controls = {}; // nobody can touch them
     return settings;
 }

@@ -31,7 +31,7 @@ void check_ram(const FitReport& report, const Target& target, std::vector<std::s
     if (need.sum() <= target.ram)
         return;
     const LargestOutlines& outlines = report.speed.outlines;
-    shortages.push_back(excess("RAM", need.sum(), target.ram, parts_text(need)) +
+    shortages.push_back(excess("RAM", need.sum(), target.ram, parts_text(need, "bands")) +
                         "; the largest outlines are those of frame " + frame_text(outlines.moment) + ", " +
                         bytes_text(outlines.bytes) + ", of which " + std::to_string(outlines.item_bytes) +
                         " are of " + report.largest_object);

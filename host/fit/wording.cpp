@@ -62,10 +62,10 @@ std::string parts_text(const FlashNeed& need)
         std::array<Part, 3>{{{"player", need.player}, {"scene", need.scene}, {"reserved", need.reserved}}});
 }
 
-std::string parts_text(const RamNeed& need)
+std::string parts_text(const RamNeed& need, std::string_view buffers)
 {
     return list_of(std::array<Part, 5>{{{"block", need.block},
-                                        {"bands", need.bands},
+                                        {buffers, need.bands},
                                         {"static", need.fixed},
                                         {"stack", need.stack},
                                         {"reserved", need.reserved}}});

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 /// Figures as a fit report tells them.
 namespace kfast::fit {
@@ -21,6 +22,7 @@ std::string frequency_text(double hertz);
 
 /// "player 14000, scene 426": what is more than nothing.
 std::string parts_text(const FlashNeed& need);
-std::string parts_text(const RamNeed& need);
+/// `buffers` is what the two of them are called.
+std::string parts_text(const RamNeed& need, std::string_view buffers);
 
 }

@@ -4,12 +4,19 @@
 #include "host/text/glyph.hpp"
 
 #include <SDL.h>
+#include <bit>
 #include <utility>
 
 namespace kfast {
 namespace {
 
-constexpr Uint16 samples_at_once = 512; ///< 11 ms at 48 kHz: keys are answered at once
+/// A power of two, of 11 to 21 ms: keys are answered at once, and SDL's thread comes in time at high rates,
+/// too.
+Uint16 samples_at_once(std::uint32_t rate)
+{
+    constexpr std::uint32_t buffers_a_second = 94;
+    return static_cast<Uint16>(std::bit_ceil(rate / buffers_a_second));
+}
 
 /// SDL's sound, while there is one of these.
 class Audio {
@@ -32,7 +39,7 @@ public:
         wanted.freq = static_cast<int>(rate);
         wanted.format = AUDIO_S32SYS;
         wanted.channels = 2;
-        wanted.samples = samples_at_once;
+        wanted.samples = samples_at_once(rate);
         wanted.callback = fill;
         wanted.userdata = this;
         device_ = SDL_OpenAudioDevice(name.empty() ? nullptr : name.c_str(), 0, &wanted, nullptr, 0);

@@ -166,6 +166,18 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a corner that lies on a line of the hatching is no dot")
+{
+    const auto corner = [](int x, int y) { return Point{Fixed::pixels(x), Fixed::pixels(y)}; };
+    const BeamStyle style{.parts = BeamParts::hatch, .spacing = 64}; // lines at 2, 6, 10 … pixels
+    CHECK(
+        hatched({{corner(50, 10), corner(80, 60), corner(20, 60)}}, style, FillRule::nonzero).pieces.size() ==
+        12);
+    CHECK(
+        hatched({{corner(50, 11), corner(80, 60), corner(20, 60)}}, style, FillRule::nonzero).pieces.size() ==
+        12);
+}
+
 TEST_CASE("neighbouring lines of a hatching run in opposite directions")
 {
     const Polygon square{

@@ -77,6 +77,8 @@ TEST_CASE("where there are more than 256 colours, the nearest one is taken")
     IldaPalette palette;
     palette.add(many);
     CHECK(palette.colours().size() == 256);
+    CHECK(palette.is_too_small());
+    CHECK_FALSE(IldaPalette{frames}.is_too_small());
     CHECK(palette.index({191, 1, 1}) == 255);
     CHECK(palette.index({201, 1, 1}) == 255);
     CHECK(palette.index({254, 1, 0}) == 0); // red

@@ -112,7 +112,17 @@ class FitTest(CommandTest):
         ram = report["ram"]
         self.assertEqual(ram["used"], sum(ram[part] for part in ("block", "buffers", "static", "stack", "reserved")))
         self.assertEqual(ram["buffers"], 2 * 16384)
-        self.assertIn("344 points, drawn 290.7 times a second", self.run_kfast("fit", "box.kfast", *self.beam_board()).stdout)
+        told = self.run_kfast("fit", "box.kfast", *self.beam_board()).stdout
+        self.assertIn("344 points, drawn 290.7 times a second", told)
+        self.assertIn("buffers 32768", told)
+
+    def test_the_order_of_lines_takes_its_time(self):
+        self.write("one.kfast", "kfast 1\ncanvas 100 100\nobject o stroke=white { line 10 10 90 10 }\n")
+        lines = "; ".join(f"line 10 {y} 90 {y}" for y in range(10, 70, 5))
+        self.write("twelve.kfast", f"kfast 1\ncanvas 100 100\nobject o stroke=white {{ {lines} }}\n")
+        one, twelve = (self.report(f"{name}.kfast", *self.beam_board())["busiest"]["instructions"]
+                       for name in ("one", "twelve"))
+        self.assertGreater(twelve - one, 600_000)
 
     def test_the_pico_with_a_beam_plays_the_examples(self):
         self.assertTrue(self.report(ROOT / "examples" / "reference" / "walker.kfast", "--board", "pico-xy")["fits"])
@@ -129,7 +139,8 @@ class FitTest(CommandTest):
         report = self.refused("dots.kfast", *self.beam_board(ram=1024))
         self.assertEqual(report["incomplete"], 2)
         self.assertIn("draw fewer lines, or choose a lower least-refresh= (40 now)", report["reasons"][0])
-        self.assertTrue(self.report("dots.kfast", *self.beam_board(ram=1024, clock=200, beam="scope least-refresh=20", bands="(KiB)20"))["fits"])
+        self.assertEqual((report["hasty"], report["notes"]), (2, []), "a factor would say nothing")
+        self.assertTrue(self.report("dots.kfast", *self.beam_board(ram=1024, clock=1000, beam="scope least-refresh=20", bands="(KiB)20"))["fits"])
 
     def test_a_beam_with_too_little_memory_time_or_bus(self):
         self.write("box.kfast", BOX)

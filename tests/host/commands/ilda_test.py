@@ -86,6 +86,19 @@ class IldaTest(CommandTest):
                     self.assertEqual({p.z for p in points}, {0})
                     self.assertLessEqual({p.colour for p in points}, {None, (255, 255, 255), (0, 255, 0)})
 
+    def test_frames_in_haste_and_colours_without_room_are_told(self):
+        (self.folder / "few.kdl").write_text("beam galvo rate=(kHz)1 least-refresh=60\n")
+        (self.folder / "fading.kfast").write_text("kfast 1\ncanvas 100 100 fps=100 frames=300\nobject a stroke=red {\n"
+                                                  "  key 0 stroke=red { line 10 10 90 90 }\n"
+                                                  "  key 299 stroke=\"#0010ff\"\n}\n")
+        for arguments, says in ((["still"], ""), (["still", "--beam", "few.kdl"], "3 frames had to be drawn faster"),
+                                (["fading"], ""), (["fading", "--ilda-format", "0"], "more colours than a palette has")):
+            with self.subTest(arguments=arguments):
+                name, *more = arguments
+                told = self.run_kfast("export", "--ild", f"{name}.kfast", "-o", "a.ild", *more).stderr
+                self.assertIn(says, told)
+                self.assertEqual(told == "", says == "")
+
     def test_all_formats_tell_the_same_points(self):
         told = [self.frames(self.export("still", "--ilda-format", code)) for code in (0, 1, 4, 5)]
         self.assertTrue(any(p.blanked for p in told[0][0]) and any(not p.blanked for p in told[0][0]))

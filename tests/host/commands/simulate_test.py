@@ -136,6 +136,10 @@ class SimulateTest(CommandTest):
         board.stop()
         self.is_shown(self.simulated("still.kfast"), self.hashes("still.kfast"))
 
+    def test_a_configuration_of_a_beam_has_no_display_to_simulate(self):
+        self.refuse("simulate", "--headless", "--socket", self.folder / "plug", "--config", "pico-xy-scope",
+                    status=1, says="kfast preview --beam")
+
     def test_the_display_of_a_configuration(self):
         board = self.simulated("gauge.kfast", "--config", "pico-ssd1306", "--picture", "last.png")
         board.wait_for(lambda: len(board.frames()) > 4)
