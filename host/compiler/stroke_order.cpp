@@ -112,9 +112,11 @@ bool is_small(const scene::Drawing& drawing)
     return drawing.strokes.size() > 1 && scene::point_count(drawing) < BeamLines::most_points;
 }
 
+/// Edges of wire frames are joined to strokes anyway, and which is near depends on how they are turned.
 bool never_changes(const scene::Object& object)
 {
-    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && object.stroke && !object.fill;
+    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && object.stroke && !object.fill &&
+           !object.has_depths;
 }
 
 void order_strokes_of(std::vector<scene::Item>& items)
