@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t point_bytes = 4;
 constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pause between them
 constexpr double slack = 1.0001;
-constexpr double readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
+constexpr int readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
 
 /// Of the program that plays for a beam, with the core (tests/bench/image/beam).
 constexpr std::size_t beam_code = 46152;
@@ -86,19 +86,36 @@ void check_speed(const BeamFit& fit, std::vector<std::string>& reasons)
                           " can be reached");
 }
 
+/// How fast those are drawn that cannot be drawn whole, as fast as can be, says nothing.
 void note_haste(const BeamFit& fit, std::vector<std::string>& notes)
 {
-    if (fit.hasty == 0)
+    std::size_t hasty = 0;
+    int most = 0;
+    for (const BeamMoment& picture : fit.pictures) {
+        if (picture.report.haste == 0 || !picture.report.is_complete)
+            continue;
+        ++hasty;
+        most = std::max(most, picture.report.haste);
+    }
+    if (hasty == 0)
         return;
-    const auto dearest = std::ranges::max_element(
-        fit.pictures, {}, [](const BeamMoment& picture) { return picture.report.haste; });
-    const double times = std::exp2(dearest->report.haste / 4.0);
     std::array<char, 16> factor{};
-    std::snprintf(factor.data(), factor.size(), "%.1f", times);
-    notes.push_back(
-        counted(fit.hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
-        " are drawn faster than the profile has it, up to " + factor.data() + " times: lines are darker" +
-        (dearest->report.haste > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
+    std::snprintf(factor.data(), factor.size(), "%.1f", std::exp2(most / 4.0));
+    notes.push_back(counted(hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
+                    " are drawn faster than the profile has it, up to " + factor.data() +
+                    " times: lines are darker" +
+                    (most > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
+}
+
+void note_hatchings(const BeamFit& fit, std::vector<std::string>& notes)
+{
+    const auto widened = [](const BeamMoment& picture) { return picture.report.wider_hatchings != 0; };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(fit.pictures, widened));
+    if (count != 0)
+        notes.push_back(counted(count, "picture") + " of " + std::to_string(fit.pictures.size()) +
+                        (count == 1 ? " has" : " have") +
+                        " hatchings with wider spaces than told, as there is no room for all of their "
+                        "lines: take a larger hatch=, or hatch less");
 }
 
 void note_room(const Target& target, std::vector<std::string>& notes)
@@ -153,6 +170,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     check_pictures(fit, target, fit.reasons);
     check_speed(fit, fit.reasons);
     note_haste(fit, fit.notes);
+    note_hatchings(fit, fit.notes);
     note_room(target, fit.notes);
     if (run.stride() > 1)
         fit.notes.push_back("the scene is long: one frame of " + std::to_string(run.stride()) +
