@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t point_bytes = 4;
 constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pause between them
 constexpr double slack = 1.0001;
-constexpr double readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
+constexpr int readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
 
 /// Of the program that plays for a beam, with the core (tests/bench/image/beam).
 constexpr std::size_t beam_code = 57168;
@@ -111,6 +111,17 @@ void note_haste(const BeamFit& fit, std::vector<std::string>& notes)
                     (most > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
 }
 
+void note_hatchings(const BeamFit& fit, std::vector<std::string>& notes)
+{
+    const auto widened = [](const BeamMoment& picture) { return picture.report.wider_hatchings != 0; };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(fit.pictures, widened));
+    if (count != 0)
+        notes.push_back(counted(count, "picture") + " of " + std::to_string(fit.pictures.size()) +
+                        (count == 1 ? " has" : " have") +
+                        " hatchings with wider spaces than told, as there is no room for all of their "
+                        "lines: take a larger hatch=, or hatch less");
+}
+
 void note_room(const Target& target, std::vector<std::string>& notes)
 {
     const std::uint32_t room = room_for_points(target);
@@ -170,6 +181,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     check_pictures(fit, target, fit.weaknesses);
     check_speed(fit, fit.weaknesses);
     note_haste(fit, fit.notes);
+    note_hatchings(fit, fit.notes);
     note_room(target, fit.notes);
     if (run.stride() > 1)
         fit.notes.push_back("the scene is long: one frame of " + std::to_string(run.stride()) +

@@ -1,46 +1,17 @@
-#include "core/beam/beam_pace.hpp"
-#include "core/beam/beam_plot.hpp"
-#include "core/channel.hpp"
-#include "tests/core/beam/line_store.hpp"
+#include "tests/core/beam/plotted.hpp"
 #include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <initializer_list>
 #include <random>
 #include <vector>
 
 namespace kfast::test {
 namespace {
-
-constexpr std::uint32_t any_budget = std::numeric_limits<std::uint32_t>::max();
-
-using Points = std::vector<BeamPoint>;
-
-Points all_of(BeamPlot plot, std::size_t piece = 7)
-{
-    Points points;
-    std::vector<BeamPoint> some(piece);
-    while (const std::size_t count = plot.next(some))
-        points.insert(points.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
-    return points;
-}
-
-struct Plotted {
-    BeamPace pace;
-    Points points;
-};
-
-Plotted plotted(const LineStore& store, const std::vector<BeamLeg>& legs, const BeamProfile& profile,
-                std::uint32_t budget = any_budget)
-{
-    const BeamPace pace = find_pace(store.lines, legs, profile, budget, 0);
-    return {pace, all_of({store.lines, legs, profile, pace})};
-}
 
 double distance(FieldPoint a, FieldPoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
@@ -62,30 +33,6 @@ double distance_to(const LineStore& store, FieldPoint at)
     }
     return nearest;
 }
-
-std::size_t count_at(const Points& points, FieldPoint at, bool is_lit)
-{
-    return static_cast<std::size_t>(std::ranges::count_if(
-        points, [&](const BeamPoint& point) { return point.at == at && point.is_lit() == is_lit; }));
-}
-
-BeamProfile random_profile(RandomLines& random)
-{
-    const auto small = [&random](std::uint32_t most) {
-        return static_cast<std::uint8_t>(random.number(most));
-    };
-    BeamProfile profile{.rate = 1000 + random.number(99'000)};
-    profile.lit_step = static_cast<std::uint16_t>(64 + random.number(4000));
-    profile.travel_step = static_cast<std::uint16_t>(random.number(1) * (64 + random.number(9000)));
-    profile.corner_dwell = small(20);
-    profile.lit_dwell = small(5);
-    profile.arrival_dwell = small(9);
-    profile.leave_dwell = small(9);
-    profile.light_delay = small(1) == 0 ? std::uint8_t{0} : small(20);
-    return profile;
-}
-
-constexpr BeamProfile plain{.lit_step = 100, .park = {-32768, -32768}};
 
 }
 
@@ -349,117 +296,6 @@ TEST_CASE("points do not depend on how many are asked for at once, nor on an ear
         CHECK(again.legs == pace.legs);
         CHECK(all_of({store.lines, legs, profile, again}, 1 + random.number(99)) == points);
     }
-}
-
-TEST_CASE("a picture keeps to its budget, whatever there is to draw, and is what was counted")
-{
-    RandomLines random{6};
-    for (int round = 0; round < rounds(400); ++round) {
-        CAPTURE(round);
-        LineStore store{400'000};
-        random.fill(store, 1U << random.number(10), 1U << random.number(6));
-        const std::vector<BeamLeg> legs = random.legs(store);
-        BeamProfile profile = random_profile(random);
-        profile.lit_step = static_cast<std::uint16_t>(1 + random.number(65534));
-        const std::uint32_t budget = 3 + random.number(1U << random.number(12));
-        const auto [pace, points] = plotted(store, legs, profile, budget);
-        CHECK(points.size() <= budget);
-        CHECK(points.size() == pace.amount.points);
-        const auto lit = std::ranges::count_if(points, &BeamPoint::is_lit);
-        CHECK(static_cast<std::uint32_t>(lit) == pace.amount.lit_points);
-        if (store.lines.size() * 3 <= budget)
-            CHECK(pace.legs == store.lines.size());
-        else if (pace.legs < store.lines.size())
-            CHECK(pace.legs * 3 + 3 > budget);
-    }
-}
-
-TEST_CASE("the beam hurries no more than it has to")
-{
-    LineStore store;
-    store.add({{-30'000, 0}, {30'000, 0}});
-    const auto haste = [&](std::uint32_t budget) {
-        const Plotted drawn = plotted(store, store.legs(), plain, budget);
-        CHECK(drawn.points.size() <= budget);
-        return drawn.pace.haste;
-    };
-    CHECK(haste(602) == 0);
-    CHECK(haste(601) == 1);
-    CHECK(haste(360) == 3);
-    CHECK(haste(302) == 4);
-    CHECK(haste(301) == 5);
-    CHECK(haste(3) == 37);
-    CHECK(plotted(store, store.legs(), plain, 2).pace.legs == 0);
-}
-
-TEST_CASE("lengths are what the beam goes along")
-{
-    LineStore store;
-    store.add({{0, 0}, {300, 0}, {300, 400}});
-    store.add({{600, 800}, {0, 800}});
-    const BeamAmount amount = plotted(store, store.legs(), plain).pace.amount;
-    CHECK(amount.lit_length == 300 + 400 + 600);
-    CHECK(amount.blanked_length == doctest::Approx(500 + 800).epsilon(0.003));
-}
-
-TEST_CASE("many sharp and many short pieces keep the beam on its way")
-{
-    LineStore store{400'000};
-    std::vector<FieldPoint> zigzag;
-    for (int i = 0; i < 20'000; ++i)
-        zigzag.push_back(
-            {static_cast<std::int16_t>(i % 2 == 0 ? -32768 : 32767), static_cast<std::int16_t>(i - 10'000)});
-    store.add(zigzag);
-    std::vector<FieldPoint> fine;
-    for (int i = 0; i < 20'000; ++i)
-        fine.push_back({static_cast<std::int16_t>(i % 3), static_cast<std::int16_t>(i - 10'000)});
-    store.add(fine);
-    BeamProfile profile = plain;
-    profile.lit_step = 1;
-    profile.corner_dwell = 255;
-    for (const std::uint32_t budget : {16U, 100U, 2500U, 100'000U}) {
-        const Plotted drawn = plotted(store, store.legs(), profile, budget);
-        CHECK(drawn.points.size() <= budget);
-        CHECK(drawn.pace.legs == 2);
-        CHECK(drawn.points.size() > budget / 3);
-    }
-}
-
-TEST_CASE("lines that are longer than 32 bits hold are drawn from end to end")
-{
-    LineStore store{400'000};
-    std::vector<FieldPoint> zigzag;
-    for (int i = 0; i < 60'000; ++i)
-        zigzag.push_back(i % 2 == 0 ? FieldPoint{-32768, -32768} : FieldPoint{32767, 32767});
-    zigzag.push_back({0, 5});
-    store.add(zigzag);
-    const auto [pace, points] = plotted(store, store.legs(), plain, 16);
-    CHECK(pace.legs == 1);
-    CHECK(pace.amount.lit_length == doctest::Approx(59'999.5 * 92'681).epsilon(0.001));
-    CHECK(points.size() <= 16);
-    CHECK(count_at(points, {-32768, -32768}, true) > 0);
-    CHECK(count_at(points, {0, 5}, true) > 0);
-}
-
-TEST_CASE("a laser never stays lit at one place, over and over")
-{
-    LineStore store;
-    for (int i = 0; i < 40; ++i)
-        store.add({{100, 100}, {static_cast<std::int16_t>(100 + 3 * i), 120}});
-    store.add({{100, 100}});
-    const std::vector<BeamLeg> all = store.legs();
-    for (const std::size_t legs : {std::size_t{1}, std::size_t{40}, std::size_t{41}})
-        for (const std::uint32_t budget : {16U, 100U, 1500U}) {
-            const std::vector<BeamLeg> some{all.end() - static_cast<std::ptrdiff_t>(legs), all.end()};
-            BeamProfile profile = galvo_profile;
-            profile.corner_dwell = profile.lit_dwell = 200;
-            const Points points = plotted(store, some, profile, budget).points;
-            const auto lit = static_cast<std::size_t>(std::ranges::count_if(points, &BeamPoint::is_lit));
-            CHECK(lit >= 1);
-            CHECK(lit <= 30);
-            CHECK(lit * 10 <= std::max<std::size_t>(points.size(), 10));
-            CHECK(points.size() >= std::min<std::uint32_t>(budget, 300) / 2);
-        }
 }
 
 }

@@ -134,6 +134,14 @@ class FitTest(CommandTest):
         self.assertLessEqual(report["busiest"]["points"], 240)
         self.assertIn("6 pictures of 10 are drawn faster than the profile has it", report["notes"][0])
 
+    def test_hatchings_that_find_no_room_as_told_are_noted(self):
+        scene = "kfast 1\ncanvas 240 240 frames=2\nobject o fill=white beam=hatch hatch=0.5 {{ rect {} }}\n"
+        self.write("wide.kfast", scene.format("-2000 -2000 4000 4000"))
+        self.assertIn("2 pictures of 2 have hatchings with wider spaces than told",
+                      " ".join(self.report("wide.kfast", *self.beam_board())["notes"]))
+        self.write("wide.kfast", scene.format("20 20 200 200"))
+        self.assertNotIn("hatchings", " ".join(self.report("wide.kfast", *self.beam_board())["notes"]))
+
     def test_lines_that_a_beam_has_no_time_for(self):
         self.write("dots.kfast", DOTS)
         report = self.refused("dots.kfast", *self.beam_board(ram=1024))
