@@ -3,9 +3,12 @@ include(${PROJECT_SOURCE_DIR}/cmake/native_program.cmake)
 include(${PROJECT_SOURCE_DIR}/core/sources.cmake)
 include(${PROJECT_SOURCE_DIR}/firmware/sources.cmake)
 
-# Flash is short, so all is compiled for size but what every row of a picture goes through.
+# Flash is short, so all is compiled for size but what every row of a picture, or every corner and point of a beam, goes
+# through.
 set(KFAST_EVERY_ROW
-    chain_edge changed_strips coverage_row covered_span player row_parts run_list slab_sweep sweep sweep_line)
+    chain_edge changed_strips coverage_row covered_span player row_parts run_list slab_sweep sweep sweep_line
+    beam/beam_course beam/beam_lines beam/beam_pace beam/beam_piece beam/beam_plot beam/beam_route beam/beam_turn beam/leg_corners
+    beam/nearest_leg beam/tour beam/tour_improvement)
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 

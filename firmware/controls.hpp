@@ -73,6 +73,18 @@ public:
         }
     }
 
+    /// Between two calls of steer(), which may be seconds: reads the buttons that arm, and no others.
+    template <TouchedPins Pins>
+    void watch_arming(Pins& pins, Microseconds now)
+    {
+        for (Touch& touch : touches_) {
+            const Control& control = touch.control;
+            if (control.kind == ControlKind::button && control.action == ControlAction::arm &&
+                has_switched(touch, pins.pressed(control.pin), now) && touch.pressed)
+                wants_arming_ = !wants_arming_;
+        }
+    }
+
     // What somebody asks for who has no control. It is done by the next steer().
     void pause() { set_paused(true); }
     void resume() { set_paused(false); }

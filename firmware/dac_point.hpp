@@ -2,6 +2,7 @@
 
 #include "core/beam/beam_point.hpp"
 #include "core/beam/beam_profile.hpp"
+#include "core/channel.hpp"
 
 #include <cstdint>
 
@@ -13,21 +14,18 @@ constexpr std::uint32_t dac_level(std::int16_t place)
     return static_cast<std::uint32_t>(place - field_least) >> 4;
 }
 
-/// How bright a point is, 0 … 255; 0: the beam is dark. Lightness as ITU-R BT.601 weighs colours.
-constexpr std::uint32_t dac_brightness(const BeamPoint& point, BeamBrightness brightness)
+/// How bright a point is, 0 … 255; 0: the beam is dark.
+constexpr std::uint32_t dac_brightness(const BeamPoint& point, BeamBrightness told)
 {
     if (!point.is_lit())
         return 0;
-    if (brightness != BeamBrightness::by_level)
-        return 255;
-    const Colour colour = point.colour;
-    return (77u * colour.red + 150u * colour.green + 29u * colour.blue + 128u) >> 8;
+    return told == BeamBrightness::by_level ? brightness(point.colour) : 255;
 }
 
 /// A point for a DAC of two converters: brightness in the highest 8 bits, 12 of x, 12 of y.
-constexpr std::uint32_t dac_point(const BeamPoint& point, BeamBrightness brightness)
+constexpr std::uint32_t dac_point(const BeamPoint& point, BeamBrightness told)
 {
-    return dac_brightness(point, brightness) << 24 | dac_level(point.at.x) << 12 | dac_level(point.at.y);
+    return dac_brightness(point, told) << 24 | dac_level(point.at.x) << 12 | dac_level(point.at.y);
 }
 
 }

@@ -16,6 +16,22 @@ public:
 
     DacBeam& beam() { return beam_; }
 
+    // The button that disarms is looked at wherever time passes, however slow or large the scene is.
+    void listen()
+    {
+        watch_arming();
+        StageBoard::listen();
+    }
+    void linger_until(Microseconds moment)
+    {
+        constexpr Microseconds look{10'000};
+        do {
+            watch_arming();
+            const Microseconds soon = now() + look;
+            StageBoard::linger_until(reached(soon, moment) ? moment : soon);
+        } while (!stage().wants_to_begin() && !reached(now(), moment));
+    }
+
 private:
     DacBeam& beam_;
 };

@@ -23,10 +23,15 @@ constexpr std::uint32_t both_machines = 3;
 /// than the bands of a panel.
 constexpr std::size_t most_points = 4096;
 
-std::array<std::array<std::uint32_t, most_points>, 2> pictures;
-std::array<Loop, 2> picture_loops;
-std::uint32_t parked_point;
-Loop parked_loop;
+/// Wherever these lie, no loop is right in front of another (looped_words.hpp).
+template <std::size_t size>
+struct Picture {
+    std::array<std::uint32_t, size> points;
+    Loop loop;
+};
+
+std::array<Picture<most_points>, 2> pictures;
+Picture<1> parked;
 
 /// A laser may shine for 2 ms in one place.
 constexpr std::uint32_t still_lights_in_second = 500;
@@ -57,7 +62,7 @@ void give(const pio::Machine& machine, std::uint32_t word, std::uint32_t take_ov
 
 std::uint32_t range(Pin pin, int at) { return static_cast<std::uint32_t>(pin) << at; }
 
-void set_up_teller(const BoardSettings& settings, std::uint32_t parked)
+void set_up_teller(const BoardSettings& settings, std::uint32_t usual_point)
 {
     const Pin bits = settings.pin(PinRole::clock);
     const Pin data = settings.pin(PinRole::data);
@@ -71,7 +76,7 @@ void set_up_teller(const BoardSettings& settings, std::uint32_t parked)
     teller.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) | pio::one_set_pin |
                               range(select, pio::set_base_at) | 1u << pio::out_pins_at |
                               range(data, pio::out_base_at));
-    give(teller, parked, pio::mov_isr_osr);
+    give(teller, usual_point, pio::mov_isr_osr);
     teller.execute_now().write(pio::jump(0));
     for (const Pin pin : {bits, data, select})
         connect(pin, PinFunction::pio0, Pad::fast_output);
@@ -100,12 +105,12 @@ void set_up_clock(const BoardSettings& settings, std::uint32_t place)
 DacBeam::DacBeam(const BoardSettings& settings)
     : profile_{settings.beam}, still_light_{settings.beam.rate / still_lights_in_second}
 {
-    parked_point = dac_point({.at = profile_.park}, profile_.brightness);
-    parked_loop = Loop{std::span{&parked_point, 1}};
+    parked.points[0] = dac_point({.at = profile_.park}, profile_.brightness);
+    parked.loop = Loop{parked.points};
     resets::restart(resets::pio0);
-    set_up_teller(settings, parked_point);
+    set_up_teller(settings, parked.points[0]);
     set_up_clock(settings, static_cast<std::uint32_t>(pio::telling_program({}).size()));
-    looped_words::begin(parked_loop, teller.transmit(), dma::Request::pio0_tx0);
+    looped_words::begin(parked.loop, teller.transmit(), dma::Request::pio0_tx0);
     pio::control.write(both_machines * (pio::machine_enable | pio::divisor_restart));
 }
 
@@ -117,17 +122,18 @@ void DacBeam::plot(std::span<const BeamPoint> points)
 {
     for (const BeamPoint& point : points) {
         const std::uint32_t told = dac_point(point, profile_.brightness);
-        pictures[plotted_][points_++] = profile_.is_laser ? still_light_.passed(told) : told;
+        pictures[plotted_].points[points_++] = profile_.is_laser ? still_light_.passed(told) : told;
     }
 }
 
 void DacBeam::show()
 {
-    const auto picture = std::span{pictures[plotted_]}.first(points_);
+    auto& [words, loop] = pictures[plotted_];
+    const auto picture = std::span{words}.first(points_);
     if (profile_.is_laser)
         still_light_.end(picture);
-    picture_loops[plotted_] = Loop{picture};
-    looped_words::go_over_to(picture_loops[plotted_]);
+    loop = Loop{picture};
+    looped_words::go_over_to(loop);
     plotted_ = 1 - plotted_;
     points_ = 0;
     shutter::set_busy(true);
@@ -136,7 +142,7 @@ void DacBeam::show()
 void DacBeam::park()
 {
     shutter::set_busy(false);
-    looped_words::go_over_to(parked_loop);
+    looped_words::go_over_to(parked.loop);
     points_ = 0;
 }
 

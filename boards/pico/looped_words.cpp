@@ -52,8 +52,8 @@ void go_over_to(const Loop& loop)
     next = &loop;
 }
 
-// While `starter` reads it stands elsewhere; at the end of the loop before, perhaps, but that was not asked
-// for.
+// While `starter` reads it stands elsewhere: at the beginning of a loop or in its middle. The beginning of
+// the one that runs is not the end of what was asked for, as these do not lie side by side.
 bool has_gone_over()
 {
     const bool result = starter.read_address().read() == address_of(next + 1);

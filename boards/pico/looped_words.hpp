@@ -28,7 +28,7 @@ private:
 void begin(const Loop& first, Register target, dma::Request request);
 
 /// `loop` is gone over to when the one that runs has come to its end. It and its words stay as they are until
-/// another one runs.
+/// another one runs. Not one that lies right in front of the one that runs (has_gone_over()).
 void go_over_to(const Loop& loop);
 
 /// Whether the one that was last gone over to runs, and no other is read any more.

@@ -91,8 +91,8 @@ void ParallelBus::start_words(std::span<const std::byte> words)
     dma::start(words, dma::Piece::word_16, machine.transmit(), dma::Request::pio0_tx0);
 }
 
-// The machine stalls where WR has risen and no data is left. It may have pio::stalled earlier too, waiting
-// for memory, so the stall that counts is one after it has taken the last piece.
+// The machine stalls where WR has risen and no data is left. It may have stalled earlier too, waiting for
+// memory, so the stall that counts is one after it has taken the last piece.
 bool ParallelBus::busy()
 {
     if (dma::busy() || (pio::fifo_status.read() & pio::transmit_empty) == 0)

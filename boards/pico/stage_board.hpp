@@ -78,6 +78,7 @@ public:
     }
 
 protected:
+    void watch_arming() { stage_.watch_arming(control_pins_, now()); }
     const Computer& computer() const { return computer_; }
     const link::Stage& stage() const { return stage_; }
     bool is_drawing() const { return is_drawing_; }

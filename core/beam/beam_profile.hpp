@@ -48,7 +48,7 @@ constexpr bool is_within_limits(const BeamProfile& profile)
 /// below which phosphor flickers, it goes 14 times across the field. It rests in a corner, for not every one
 /// has a Z input.
 inline constexpr BeamProfile scope_profile{
-    .rate = 100'000, .lit_step = 384, .resolution = 256, .park = {field_least, field_least}};
+    .rate = 100'000, .lit_step = 384, .resolution = 128, .park = {field_least, field_least}};
 
 /// A monitor with coils, which have to settle. Steps and waiting are those of v.st's settings for a Vectrex
 /// (https://github.com/osresearch/vst): 4 and 32 of 4096 steps of the DAC a point, 10 points before it shines

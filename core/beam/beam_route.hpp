@@ -10,7 +10,7 @@
 namespace kfast {
 
 /// How much is done at most for a route, in travels compared.
-inline constexpr std::uint32_t usual_route_effort = 16384;
+inline constexpr std::uint32_t usual_route_effort = 8192;
 
 /// Fills `legs`, which has one for each of `lines`, with the order in which they are drawn and how, so that
 /// the blanked beam travels little between them and from the last back to the first (beam_travel()): never

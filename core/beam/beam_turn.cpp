@@ -3,12 +3,19 @@
 #include <cstdlib>
 
 namespace kfast {
+namespace {
+
+/// In x and y. A turn right round from (32767, 32767) would take 59,000 more than 32 bits hold, as lengths
+/// are told a little too long.
+constexpr std::int32_t longest_exact = field_most - 1;
+
+}
 
 BeamHeading::BeamHeading(FieldVector piece, std::uint32_t length)
 {
     if (length < shortest)
         return;
-    const bool is_long = std::abs(piece.x) > field_most || std::abs(piece.y) > field_most;
+    const bool is_long = std::abs(piece.x) > longest_exact || std::abs(piece.y) > longest_exact;
     x_ = is_long ? piece.x / 4 : piece.x;
     y_ = is_long ? piece.y / 4 : piece.y;
     length_ = is_long ? length / 4 : length;

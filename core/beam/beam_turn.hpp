@@ -20,7 +20,7 @@ public:
 private:
     friend class BeamTurn;
 
-    std::int32_t x_ = 0; ///< so that the products of two fit in 32 bits
+    std::int32_t x_ = 0; ///< so that the products of two, added up, fit in 32 bits
     std::int32_t y_ = 0;
     std::uint32_t length_ = 0;
 };

@@ -40,6 +40,7 @@ public:
 
     /// The points of a leg that begins at any of them; none of an open line.
     std::span<const FieldPoint> starts_of(std::size_t place) const;
+    std::size_t start_of(std::size_t place) const { return legs_[place].start; }
     void set_start(std::size_t place, std::size_t start)
     {
         legs_[place].start = static_cast<std::uint16_t>(start);

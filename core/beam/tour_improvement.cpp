@@ -8,6 +8,7 @@ namespace kfast {
 namespace {
 
 constexpr std::size_t most_moved = 3;
+constexpr std::size_t most_looked_at = 16;
 
 class Improvement {
 public:
@@ -16,20 +17,20 @@ public:
     {
     }
 
-    /// Goes round the tour once. Whether something has become shorter.
-    bool run()
+    /// Goes round the tour until nothing has become shorter all around.
+    void run()
     {
-        is_better_ = false;
-        for (std::size_t place = 0; place < tour_.size() && !effort_.is_spent(); ++place) {
-            choose_start(place);
-            reverse_from(place);
-            for (std::size_t count = 1; count <= most_moved && place + count < tour_.size(); ++count)
-                move_from(place, count);
+        std::size_t unchanged = 0;
+        for (std::size_t place = 0; unchanged < tour_.size() && !effort_.is_spent();
+             place = tour_.behind(place)) {
+            is_better_ = false;
+            change_at(place);
+            unchanged = is_better_ ? 0 : unchanged + 1;
         }
-        return is_better_;
     }
 
 private:
+    void change_at(std::size_t place);
     void choose_start(std::size_t place);
     void reverse_from(std::size_t first);
     void move_from(std::size_t first, std::size_t count);
@@ -41,6 +42,15 @@ private:
     bool is_better_ = false;
 };
 
+void Improvement::change_at(std::size_t place)
+{
+    choose_start(place);
+    reverse_from(place);
+    for (std::size_t count = 1; count <= most_moved && place + count < tour_.size(); ++count)
+        move_from(place, count);
+}
+
+/// Of a line with many points every so many are looked at, and then those around the best.
 void Improvement::choose_start(std::size_t place)
 {
     const std::span<const FieldPoint> starts = tour_.starts_of(place);
@@ -48,17 +58,33 @@ void Improvement::choose_start(std::size_t place)
         return;
     const FieldPoint from = tour_.end_of(tour_.before(place));
     const FieldPoint to = tour_.begin_of(tour_.behind(place));
-    const FieldPoint now = tour_.begin_of(place);
-    std::int32_t least = beam_travel(from, now) + beam_travel(now, to);
-    effort_.spend(static_cast<std::uint32_t>(2 * starts.size()));
-    for (std::size_t start = 0; start < starts.size(); ++start) {
-        const std::int32_t travel = beam_travel(from, starts[start]) + beam_travel(starts[start], to);
-        if (travel >= least)
-            continue;
-        least = travel;
-        tour_.set_start(place, start);
-        is_better_ = true;
+    const auto travel_by = [&](FieldPoint start) { return beam_travel(from, start) + beam_travel(start, to); };
+    const std::size_t known = tour_.start_of(place);
+    std::size_t best = known;
+    std::int32_t least = travel_by(starts[known]);
+    const auto look_at = [&](std::size_t start) {
+        const std::int32_t travel = travel_by(starts[start]);
+        if (travel < least) {
+            least = travel;
+            best = start;
+        }
+    };
+    const std::size_t step = starts.size() / most_looked_at + 1;
+    for (std::size_t start = 0; start < starts.size(); start += step)
+        look_at(start);
+    std::size_t before = best;
+    std::size_t behind = best;
+    for (std::size_t away = 1; away < step; ++away) {
+        before = (before == 0 ? starts.size() : before) - 1;
+        behind = behind + 1 == starts.size() ? 0 : behind + 1;
+        look_at(before);
+        look_at(behind);
     }
+    effort_.spend(static_cast<std::uint32_t>(2 * starts.size() / step + 4 * step));
+    if (best == known)
+        return;
+    tour_.set_start(place, best);
+    is_better_ = true;
 }
 
 /// All stretches from `first` on, the first one of those that make the tour shorter.
@@ -130,9 +156,7 @@ bool Improvement::move_to(std::size_t first, std::size_t count, std::size_t plac
 
 void improve(Tour& tour, std::size_t window, RouteEffort& effort)
 {
-    Improvement improvement{tour, window, effort};
-    while (!effort.is_spent() && improvement.run()) {
-    }
+    Improvement{tour, window, effort}.run();
 }
 
 }

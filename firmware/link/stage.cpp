@@ -250,10 +250,15 @@ void Stage::set_up_controls()
 void Stage::steered(const Playhead& playhead)
 {
     moment_ = playhead.moment();
-    if (controls_->take_arming())
-        set_armed(!is_armed_);
+    obey_arming();
     if (controls_->brightness() != turned_brightness_)
         brightness_ = turned_brightness_ = controls_->brightness();
+}
+
+void Stage::obey_arming()
+{
+    if (controls_->take_arming())
+        set_armed(!is_armed_);
 }
 
 void Stage::frame_shown(const FrameReport& report)

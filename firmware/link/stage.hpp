@@ -103,6 +103,15 @@ public:
         controls_->steer(playhead, pins, now);
         steered(playhead);
     }
+    /// Between two calls of steer(), and when nothing plays any more.
+    template <TouchedPins Pins>
+    void watch_arming(Pins& pins, Microseconds now)
+    {
+        if (!controls_)
+            return;
+        controls_->watch_arming(pins, now);
+        obey_arming();
+    }
     std::span<const PlacedInput> inputs() const { return controls_->inputs(); }
     bool wants_rest() const { return controls_->wants_rest(); }
     void frame_shown(const FrameReport& report);
@@ -132,6 +141,7 @@ private:
     void bring_on(const Act& act);
     void set_up_controls();
     void steered(const Playhead& playhead);
+    void obey_arming();
     Arming arming() const;
     void set_armed(bool is_armed);
     Time place_of(std::uint32_t number, const InputView& input) const;

@@ -112,6 +112,8 @@ bool is_small(const scene::Drawing& drawing)
     return drawing.strokes.size() > 1 && scene::point_count(drawing) < BeamLines::most_points;
 }
 
+/// The depths of a wire frame have to stay in step with its strokes, and an order that is short as they are
+/// drawn is not when they are turned.
 bool never_changes(const scene::Object& object)
 {
     return object.keys.size() == 1 && carrier_of(object) == Carrier::none && !object.has_depths &&

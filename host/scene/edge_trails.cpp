@@ -114,7 +114,7 @@ private:
         const auto added = std::ranges::find_if(walk, [this](const Step& step) { return is_added(step); });
         const bool is_whole = added == walk.end();
         if (!is_whole)
-            std::ranges::rotate(walk, added + 1);
+            std::rotate(walk.begin(), added + 1, walk.end());
         Trail trail;
         for (const Step& step : walk) {
             trail.push_back(step.vertex);

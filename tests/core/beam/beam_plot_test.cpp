@@ -166,6 +166,23 @@ TEST_CASE("the beam waits at corners, by how sharp they are, and at both ends")
     CHECK(blanked == 2 + 2 + 5);
 }
 
+TEST_CASE("a turn right round is one however long the ways are")
+{
+    BeamProfile profile = plain;
+    profile.corner_dwell = 8;
+    for (const std::int16_t far : std::initializer_list<std::int16_t>{100, 32765, 32766, 32767}) {
+        const auto back = static_cast<std::int16_t>(-far);
+        for (const FieldPoint end :
+             {FieldPoint{far, far}, FieldPoint{far, back}, FieldPoint{far, 0}, FieldPoint{back, far}}) {
+            CAPTURE(end.x);
+            CAPTURE(end.y);
+            LineStore store;
+            store.add({{0, 0}, end, {0, 0}, {0, 50}});
+            CHECK(count_at(plotted(store, store.legs(), profile).points, end, true) == 1 + 8);
+        }
+    }
+}
+
 TEST_CASE("distance is carried over the corners of curves: pieces do not matter")
 {
     LineStore fine;

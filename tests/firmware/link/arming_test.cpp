@@ -56,6 +56,16 @@ public:
         }
     }
 
+    /// While no frame is drawn.
+    void press_between_frames()
+    {
+        for (const bool is_down : {true, true, false, false}) {
+            finger_.is_down = is_down;
+            now_ = now_ + Microseconds{50'000};
+            stage_->watch_arming(finger_, now_);
+        }
+    }
+
     static inline bool is_armed = false;
 
 private:
@@ -87,6 +97,19 @@ TEST_CASE("a button arms a laser, and disarms it")
     bench.press();
     CHECK_FALSE(Bench::is_armed);
     CHECK(bench.stage().playing().arming == Arming::disarmed);
+}
+
+TEST_CASE("a button disarms between frames, and when nothing plays any more")
+{
+    Bench bench;
+    bench.press();
+    bench.press_between_frames();
+    CHECK_FALSE(Bench::is_armed);
+    bench.press();
+    CHECK(Bench::is_armed);
+    bench.stage().fault();
+    bench.press_between_frames();
+    CHECK_FALSE(Bench::is_armed);
 }
 
 TEST_CASE("a computer arms a laser, and it is dark when the computer is gone")
