@@ -100,7 +100,7 @@ void BeamPlayer::trace(Time time)
     still_ = tracer.still();
     wider_hatchings_ = tracer.wider_hatchings();
     const std::span<BeamLeg> legs = leg_storage_.first(lines_.size());
-    find_route(lines_, profile_.park, legs);
+    compared_ = find_route(lines_, profile_.park, legs);
     legs_ = legs;
     measure();
 }
@@ -115,6 +115,7 @@ void BeamPlayer::measure()
                .blanked_length = amount.blanked_length,
                .lines = static_cast<std::uint32_t>(pace_.legs),
                .corners = static_cast<std::uint32_t>(lines_.corners()),
+               .compared = compared_,
                .haste = pace_.haste,
                .is_complete = !lines_.is_full() && pace_.legs == lines_.size(),
                .wider_hatchings = wider_hatchings_};

@@ -25,6 +25,7 @@ struct BeamReport {
     std::uint64_t blanked_length = 0;
     std::uint32_t lines = 0;           ///< that are drawn
     std::uint32_t corners = 0;         ///< of all lines, their ends included
+    std::uint32_t compared = 0;        ///< travels, more or less, to find the order of the lines
     int haste = 0;                     ///< the beam is 2^(haste / 4) times as fast, to keep within the budget
     bool is_complete = true;           ///< there was room and time for all lines
     std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as told
@@ -70,6 +71,7 @@ private:
     std::span<const BeamLeg> legs_;
     BeamPace pace_;
     BeamReport report_;
+    std::uint32_t compared_ = 0;
     std::uint32_t wider_hatchings_ = 0;
     Still still_;
 };

@@ -45,8 +45,8 @@ constexpr bool is_within_limits(const BeamProfile& profile)
 }
 
 /// An oscilloscope: its plates take the beam anywhere at once, so that it jumps and waits nowhere. In 1/40 s,
-/// below which phosphor flickers, it goes 14 times across the field. It rests in a corner, for not every one
-/// has a Z input.
+/// below which phosphor flickers, it goes 14 times across the field. Curves keep to 1/2048 of its side, two
+/// steps of a 12-bit converter. It rests in a corner, for not every one has a Z input.
 inline constexpr BeamProfile scope_profile{
     .rate = 100'000, .lit_step = 384, .resolution = 128, .park = {field_least, field_least}};
 

@@ -31,7 +31,8 @@ public:
     {
     }
 
-    void run(std::uint32_t effort);
+    /// Returns what was spent of it.
+    std::uint32_t run(std::uint32_t effort);
 
 private:
     struct Attempt {
@@ -54,20 +55,23 @@ private:
     std::span<BeamLeg> legs_;
 };
 
-void RouteSearch::run(std::uint32_t effort)
+std::uint32_t RouteSearch::run(std::uint32_t effort)
 {
     Attempt best = attempt(0, effort);
+    std::uint32_t spent = best.spent;
     std::uint32_t left = std::min(effort - best.spent, effort / more_attempts_share);
     bool is_found = true;
     for (std::size_t number = 1; number < attempts() && left > best.spent && best.travel != 0; ++number) {
         const Attempt other = attempt(number, left - best.spent);
         left -= other.spent;
+        spent += other.spent;
         is_found = other.travel < best.travel;
         if (is_found)
             best = other;
     }
     if (!is_found)
-        attempt(best.number, best.allowed);
+        spent += attempt(best.number, best.allowed).spent;
+    return spent;
 }
 
 RouteSearch::Attempt RouteSearch::attempt(std::size_t number, std::uint32_t allowed)
@@ -140,13 +144,15 @@ std::size_t nearest_to(FieldPoint from, const Tour& tour)
 
 }
 
-void find_route(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs, std::uint32_t effort)
+std::uint32_t find_route(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs,
+                         std::uint32_t effort)
 {
     if (legs.empty())
-        return;
-    RouteSearch{lines, from, legs}.run(effort);
+        return 0;
+    const std::uint32_t spent = RouteSearch{lines, from, legs}.run(effort);
     Tour tour{lines, legs};
     tour.begin_at(nearest_to(from, tour));
+    return spent;
 }
 
 std::uint64_t travel_of(const BeamLines& lines, std::span<const BeamLeg> legs)

@@ -15,12 +15,13 @@ inline constexpr std::uint32_t usual_route_effort = 8192;
 /// Fills `legs`, which has one for each of `lines`, with the order in which they are drawn and how, so that
 /// the blanked beam travels little between them and from the last back to the first (beam_travel()): never
 /// more than with all lines as they were added, each from its first point. Of this tour, which is closed, the
-/// beginning is the leg that begins nearest to `from`.
+/// beginning is the leg that begins nearest to `from`. Returns how many travels it has compared, more or
+/// less.
 ///
 /// Takes time in proportion to n log n at most, whatever the effort, and no memory but `legs`. What comes out
 /// depends on nothing but what goes in.
-void find_route(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs,
-                std::uint32_t effort = usual_route_effort);
+std::uint32_t find_route(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs,
+                         std::uint32_t effort = usual_route_effort);
 
 /// The blanked travel of the closed tour.
 std::uint64_t travel_of(const BeamLines& lines, std::span<const BeamLeg> legs);

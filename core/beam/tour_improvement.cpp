@@ -58,7 +58,9 @@ void Improvement::choose_start(std::size_t place)
         return;
     const FieldPoint from = tour_.end_of(tour_.before(place));
     const FieldPoint to = tour_.begin_of(tour_.behind(place));
-    const auto travel_by = [&](FieldPoint start) { return beam_travel(from, start) + beam_travel(start, to); };
+    const auto travel_by = [&](FieldPoint start) {
+        return beam_travel(from, start) + beam_travel(start, to);
+    };
     const std::size_t known = tour_.start_of(place);
     std::size_t best = known;
     std::int32_t least = travel_by(starts[known]);
@@ -154,9 +156,6 @@ bool Improvement::move_to(std::size_t first, std::size_t count, std::size_t plac
 
 }
 
-void improve(Tour& tour, std::size_t window, RouteEffort& effort)
-{
-    Improvement{tour, window, effort}.run();
-}
+void improve(Tour& tour, std::size_t window, RouteEffort& effort) { Improvement{tour, window, effort}.run(); }
 
 }

@@ -17,6 +17,9 @@ struct BeamPicture {
     Time moment;
     BeamReport report;
     WorkCount work{}; ///< of evaluating the scene
+
+    /// It was not the one before, which is not computed again.
+    bool is_new() const { return work != WorkCount{}; }
 };
 
 using VisitPicture = std::function<void(const BeamPicture&)>;

@@ -1,5 +1,5 @@
-"""Checks that kfast fit --board pico speaks of the memory that the images have: lent_memory_test.py <folder of the
-build> <kfast>"""
+"""Checks that kfast fit --board pico and pico-xy speaks of the memory that the images have: lent_memory_test.py <folder
+of the build> <kfast>"""
 
 import json
 import pathlib
@@ -11,7 +11,6 @@ import unittest
 
 BUILD = pathlib.Path(sys.argv[1])
 KFAST = pathlib.Path(sys.argv[2]).resolve()
-IMAGES = ["pico-spi", "pico-i2c", "pico-parallel"]
 UNUSED = 4096  # that fit may leave of the block: the images grow and shrink a little with every change
 
 SCENE = "kfast 1\ncanvas 240 240\nobject dot fill=white { rect 0 0 9 9 }\n"
@@ -31,19 +30,19 @@ def symbols(image):
     return found
 
 
-def fit_report():
+def fit_report(board):
     with tempfile.TemporaryDirectory(prefix="kfast") as folder:
         scene = pathlib.Path(folder, "dot.kfast")
         scene.write_text(SCENE)
-        told = subprocess.run([KFAST, "fit", scene, "--board", "pico", "--json"], check=True, stdout=subprocess.PIPE,
+        told = subprocess.run([KFAST, "fit", scene, "--board", board, "--json"], check=True, stdout=subprocess.PIPE,
                               text=True, timeout=60)
     return json.loads(told.stdout)
 
 
-class LentMemory(unittest.TestCase):
+class LentMemory:
     def setUp(self):
-        self.fit = fit_report()
-        self.images = {image: symbols(image) for image in IMAGES}
+        self.fit = fit_report(self.board)
+        self.images = {image: symbols(image) for image in self.image_names}
 
     def between(self, name):
         return [image[f"{name}_end"][0] - image[f"{name}_begin"][0] for image in self.images.values()]
@@ -52,19 +51,33 @@ class LentMemory(unittest.TestCase):
         ram = self.fit["ram"]
         room = ram["available"] - ram["used"] + ram["block"]
         lent = min(self.between("player_block"))
-        self.assertLessEqual(room, lent, "what fits must find room: more ram= of host/fit/boards/pico.kdl")
-        self.assertGreater(room, lent - UNUSED, "less ram= of host/fit/boards/pico.kdl will do")
+        self.assertLessEqual(room, lent, f"what fits must find room: more ram= of host/fit/boards/{self.board}.kdl")
+        self.assertGreater(room, lent - UNUSED, f"less ram= of host/fit/boards/{self.board}.kdl will do")
 
-    def test_bands(self):
+    def test_buffers(self):
         for image in self.images.values():
             # Linking as a whole may decorate the names of what only one file knows.
-            sizes = [size for name, (_, size) in image.items() if "band_buffers" in name]
-            self.assertEqual(sizes, [self.fit["ram"]["bands"]])
+            sizes = [size for name, (_, size) in image.items() if re.fullmatch(rf"{self.buffers}(\.\w+)*", name)]
+            self.assertEqual(sizes, [self.fit["ram"][self.buffers_field]])
 
     def test_room_of_the_scene(self):
         flash = self.fit["flash"]
         room = flash["available"] - flash["used"] + flash["scene"]
-        self.assertEqual(self.between("scene_region"), [room] * len(IMAGES))
+        self.assertEqual(self.between("scene_region"), [room] * len(self.images))
+
+
+class LentMemoryOfPanels(LentMemory, unittest.TestCase):
+    board = "pico"
+    image_names = ("pico-spi", "pico-i2c", "pico-parallel")
+    buffers = "band_buffers"
+    buffers_field = "bands"
+
+
+class LentMemoryOfBeam(LentMemory, unittest.TestCase):
+    board = "pico-xy"
+    image_names = ("pico-xy",)
+    buffers = "pictures"
+    buffers_field = "buffers"
 
 
 if __name__ == "__main__":

@@ -56,6 +56,9 @@ void play(BeamPlayer& player, Meter& meter)
         write_field(" update ", costs[static_cast<std::size_t>(Phase::update)]);
         write_field(" draw ", costs[static_cast<std::size_t>(Phase::draw)]);
         write_field(" points ", player.report().points);
+        write_field(" lines ", player.report().lines);
+        write_field(" corners ", player.report().corners);
+        write_field(" compared ", player.report().compared);
         write_field(" haste ", static_cast<std::uint32_t>(player.report().haste));
         write_field(" crc ", crc.value());
         semihosting::write("\n");
