@@ -81,7 +81,7 @@ class BeamTest(CommandTest):
         out = self.run_kfast("preview", "lines.kfast", "--beam", "crt", "--size", "50x50", "--headless",
                              "--keys", "space t t").stdout.splitlines()
         self.assertNotIn("points", out[0])
-        self.assertRegex(out[1], r"  \d+ points  \d+ Hz  lit 1\.2  blanked 1\.\d  [0-9a-f]{8}$")
+        self.assertRegex(out[1], r"  \d+ points  \d+ Hz  lit 1\.2  blanked 0\.8  [0-9a-f]{8}$")
         self.assertNotEqual(out[1].split()[-1], out[0].split()[-1])
         self.assertEqual(out[2], out[0])
 
