@@ -133,9 +133,10 @@ TEST_CASE("a beam shows the points of every frame")
     VectorBoard board{scene, 25};
     run(board);
     REQUIRE(board.beam().pictures.size() == 25);
-    for (int frame = 0; frame < 25; ++frame) {
-        CHECK(board.reports[frame].time == Time::frame(frame % 10));
-        CHECK(board.beam().pictures[frame] == picture_at(scene, Time::frame(frame % 10)));
+    for (std::size_t frame = 0; frame < 25; ++frame) {
+        const Time shown = Time::frame(static_cast<int>(frame % 10));
+        CHECK(board.reports[frame].time == shown);
+        CHECK(board.beam().pictures[frame] == picture_at(scene, shown));
     }
     CHECK(board.beam().pictures[0] != board.beam().pictures[5]);
     CHECK(board.faults.empty());
