@@ -1,0 +1,26 @@
+#include "host/art/affine.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace kfast::art {
+
+scene::Outline Affine::of(const scene::Outline& outline) const
+{
+    scene::Outline result{of(outline.from), {}, outline.closed};
+    result.curves.reserve(outline.curves.size());
+    for (const scene::Curve& curve : outline.curves)
+        result.curves.push_back(curve.cubic ? scene::cubic_to(of(curve.c1), of(curve.c2), of(curve.to))
+                                            : scene::line_to(of(curve.to)));
+    return result;
+}
+
+Affine turned(double degrees)
+{
+    const double angle = degrees * std::numbers::pi / 180;
+    const double sine = std::sin(angle);
+    const double cosine = std::cos(angle);
+    return {cosine, sine, -sine, cosine, 0, 0};
+}
+
+}

@@ -1,0 +1,31 @@
+#include "host/art/budget.hpp"
+
+#include "host/failure.hpp"
+
+#include <string>
+
+namespace kfast::art {
+namespace {
+
+void take(std::size_t& taken, std::size_t count, std::size_t most, const char* noun)
+{
+    if (count > most - taken)
+        throw Failure("more than " + std::to_string(most) + ' ' + noun +
+                      ", parts counted wherever they are used: take something out of the file");
+    taken += count;
+}
+
+}
+
+void Budget::take_node() { take(nodes_, 1, most_nodes, "layers, groups and shapes"); }
+void Budget::take_points(std::size_t count) { take(points_, count, most_points, "points in all keys"); }
+void Budget::take_keys(std::size_t count) { take(keys_, count, most_keys, "keys"); }
+
+void Budget::check_depth(int depth)
+{
+    if (depth > deepest)
+        throw Failure("layers and groups lie more than " + std::to_string(deepest) +
+                      " deep in each other, or use themselves: flatten some of them");
+}
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+namespace kfast::art {
+
+/// What an importer may build: a small file can ask for any amount, by uses of uses. Each throws Failure when
+/// that is exceeded.
+class Budget {
+public:
+    static constexpr std::size_t most_nodes = 65'535;
+    static constexpr std::size_t most_points = std::size_t{1} << 22; ///< in all keys of drawings
+    static constexpr std::size_t most_keys = std::size_t{1} << 20;   ///< of channels
+    static constexpr int deepest = 64; ///< groups, layers and uses in each other
+
+    void take_node();
+    void take_points(std::size_t count);
+    void take_keys(std::size_t count);
+    static void check_depth(int depth);
+
+private:
+    std::size_t nodes_ = 0;
+    std::size_t points_ = 0;
+    std::size_t keys_ = 0;
+};
+
+}

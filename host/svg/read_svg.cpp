@@ -1,0 +1,12 @@
+#include "host/svg/read_svg.hpp"
+
+#include "host/failure.hpp"
+
+namespace kfast::svg {
+
+art::Document read_svg(const SourceText& source, art::Losses&)
+{
+    throw Failure(source.name + ": not read yet");
+}
+
+}

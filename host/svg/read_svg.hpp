@@ -1,0 +1,13 @@
+#pragma once
+
+#include "host/art/document.hpp"
+#include "host/art/losses.hpp"
+#include "host/text/source.hpp"
+
+namespace kfast::svg {
+
+/// Reads a drawing of SVG. What the scene will not have is added to `losses`. Throws Failure, which names
+/// the file and the place, when the text is none, or asks for more than art::Budget allows.
+art::Document read_svg(const SourceText& source, art::Losses& losses);
+
+}
