@@ -1,8 +1,9 @@
 #pragma once
 
 #include "host/art/animated.hpp"
-#include "host/scene_text/ease_pieces.hpp"
+#include "host/art/ease_part.hpp"
 #include "host/scene_text/grid.hpp"
+#include "host/scene_text/law_text.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -24,6 +25,9 @@ struct StoredKey {
 /// Lets times rise that rounding has brought together, by a tick each, and end with the scene.
 void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length);
 
+/// The parts of an ease of which each is a law of scenes; mostly the ease itself.
+std::vector<art::EasePart> law_parts(const art::Ease& ease);
+
 /// Keys with eases that scenes have.
 template <typename Value>
 std::vector<art::Key<Value>> with_laws(const art::Animated<Value>& animated)
@@ -36,10 +40,10 @@ std::vector<art::Key<Value>> with_laws(const art::Animated<Value>& animated)
             keys.push_back(*key);
             continue;
         }
-        for (const EasePiece& piece : ease_pieces(key->ease))
-            keys.push_back({art::mixed(key->time, next->time, piece.time),
-                            piece.way == 0 ? key->value : mixed(key->value, next->value, piece.way),
-                            piece.ease});
+        for (const art::EasePart& part : law_parts(key->ease))
+            keys.push_back({art::mixed(key->time, next->time, part.from),
+                            part.way_from == 0 ? key->value : mixed(key->value, next->value, part.way_from),
+                            part.ease});
     }
     return keys;
 }

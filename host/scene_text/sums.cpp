@@ -1,85 +1,21 @@
 #include "host/scene_text/sums.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace kfast::scene_text {
-namespace {
 
 using art::Channel;
 
-/// Between two keys of either.
-constexpr int most_steps = 16;
-
-bool is_straight(const Channel& channel)
-{
-    return std::ranges::all_of(
-        channel.keys, [](const art::Key<double>& key) { return key.ease.kind == art::EaseKind::linear; });
-}
-
-template <typename Operation>
-Channel key_by_key(const Channel& left, const Channel& right, Operation operation)
-{
-    Channel result = left;
-    for (std::size_t i = 0; i < result.keys.size(); ++i)
-        result.keys[i].value = operation(left.keys[i].value, right.keys[i].value);
-    return result;
-}
-
-std::vector<double> times_of(const Channel& left, const Channel& right)
-{
-    std::vector<double> times;
-    for (const Channel* channel : {&left, &right})
-        for (const auto& key : channel->keys)
-            times.push_back(key.time);
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    return times;
-}
-
-/// The ease of the way that leads from `time`: holds count, all else becomes straight.
-bool holds(const Channel& channel, double time)
-{
-    const auto next = std::ranges::upper_bound(channel.keys, time, {}, &art::Key<double>::time);
-    return next == channel.keys.begin() || next == channel.keys.end() ||
-           std::prev(next)->ease.kind == art::EaseKind::hold;
-}
-
-template <typename Operation>
-Channel sampled(const Channel& left, const Channel& right, Operation operation, int steps)
-{
-    const std::vector<double> times = times_of(left, right);
-    Channel result{std::vector<art::Key<double>>{}};
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const bool both_hold = holds(left, times[i]) && holds(right, times[i]);
-        const double next = i + 1 < times.size() ? times[i + 1] : times[i];
-        const int pieces = next == times[i] || both_hold ? 1 : steps;
-        for (int piece = 0; piece < pieces; ++piece) {
-            const double time = art::mixed(times[i], next, static_cast<double>(piece) / pieces);
-            result.keys.push_back({time,
-                                   operation(left.at(time), right.at(time)),
-                                   {both_hold ? art::EaseKind::hold : art::EaseKind::linear}});
-        }
-    }
-    return result;
-}
-
-template <typename Operation>
-Channel combined(const Channel& left, const Channel& right, Operation operation, bool is_exact)
-{
-    if (go_alike(left, right) && is_exact)
-        return key_by_key(left, right, operation);
-    return sampled(left, right, operation,
-                   is_exact && is_straight(left) && is_straight(right) ? 1 : most_steps);
-}
-
-}
-
 bool go_alike(const Channel& left, const Channel& right)
 {
-    return std::ranges::equal(left.keys, right.keys, [](const auto& one, const auto& other) {
-        return one.time == other.time && one.ease == other.ease;
-    });
+    if (left.keys.size() != right.keys.size())
+        return false;
+    for (std::size_t i = 0; i < left.keys.size(); ++i) {
+        const bool is_last = i + 1 == left.keys.size();
+        if (left.keys[i].time != right.keys[i].time || (!is_last && left.keys[i].ease != right.keys[i].ease))
+            return false;
+    }
+    return true;
 }
 
 bool has_sum(const Channel& left, const Channel& right)
@@ -89,20 +25,47 @@ bool has_sum(const Channel& left, const Channel& right)
 
 bool has_product(const Channel& left, const Channel& right) { return left.is_still() || right.is_still(); }
 
-Channel sum(const Channel& left, const Channel& right)
+Channel sum(const Channel& left, const Channel& right, double tolerance)
 {
     if (right.is_still())
         return shifted(left, right.value());
-    return left.is_still() ? shifted(right, left.value()) : combined(left, right, std::plus{}, true);
+    if (left.is_still())
+        return shifted(right, left.value());
+    if (!go_alike(left, right))
+        return art::baked_channel([&](double time) { return left.at(time) + right.at(time); },
+                                  baking_of({&left, &right}, tolerance));
+    Channel result = left;
+    for (std::size_t i = 0; i < result.keys.size(); ++i)
+        result.keys[i].value += right.keys[i].value;
+    return result;
 }
 
-Channel difference(const Channel& left, const Channel& right) { return sum(left, scaled(right, -1)); }
+Channel difference(const Channel& left, const Channel& right, double tolerance)
+{
+    return sum(left, scaled(right, -1), tolerance);
+}
 
-Channel product(const Channel& left, const Channel& right)
+Channel product(const Channel& left, const Channel& right, double tolerance)
 {
     if (right.is_still())
         return scaled(left, right.value());
-    return left.is_still() ? scaled(right, left.value()) : combined(left, right, std::multiplies{}, false);
+    if (left.is_still())
+        return scaled(right, left.value());
+    return art::baked_channel([&](double time) { return left.at(time) * right.at(time); },
+                              baking_of({&left, &right}, tolerance));
+}
+
+art::Baking baking_of(std::initializer_list<const Channel*> channels, double tolerance)
+{
+    art::Baking baking;
+    baking.tolerance = tolerance;
+    for (const Channel* channel : channels)
+        for (const auto& key : channel->keys)
+            baking.critical.push_back(key.time);
+    const auto [first, last] = std::ranges::minmax(baking.critical);
+    baking.from = first;
+    baking.to = last;
+    return baking;
 }
 
 Channel scaled(Channel channel, double factor)

@@ -13,6 +13,9 @@ namespace {
 using art::Channel;
 using art::Transform;
 
+/// Of what coordinates are rounded to.
+constexpr double half_step = 1.0 / 32;
+
 bool same(const StoredKey<std::int32_t>& one, const StoredKey<std::int32_t>& other)
 {
     return one.ticks == other.ticks && one.value == other.value && one.law == other.law;
@@ -68,14 +71,16 @@ private:
     {
         if (transform_.path)
             return add_path(*transform_.path);
-        add_plain("x", difference(transform_.x, transform_.anchor_x), coordinates, 0);
-        add_plain("y", difference(transform_.y, transform_.anchor_y), coordinates, 0);
+        add_plain("x", difference(transform_.x, transform_.anchor_x, half_step), coordinates, 0);
+        add_plain("y", difference(transform_.y, transform_.anchor_y, half_step), coordinates, 0);
     }
 
     void add_path(const art::MotionPath& motion)
     {
         const art::Drawing path = on_grid(motion.path);
         kdl::Node track = named_node("track", text("along"), text(path_data(path.outlines.front())));
+        if (motion.turns)
+            set(track, "turn", truth(true));
         add_values(track, stored_keys(motion.share, length_, shares), shares);
         item_.children.push_back(std::move(track));
     }
