@@ -72,7 +72,7 @@ void move_opacity(Node& node)
     put_into_group(node, {std::move(part)});
 }
 
-void part_paints(Node& node, std::int32_t length)
+void part_paints_of(Node& node, std::int32_t length)
 {
     if (auto* const figure = std::get_if<Figure>(&node.content); figure != nullptr) {
         if (needs_two(*figure, length))
@@ -89,7 +89,7 @@ void part_paints(Node& node, std::int32_t length)
 void part_paints(std::vector<Node>& nodes, std::int32_t length)
 {
     for (Node& node : nodes)
-        part_paints(node, length);
+        part_paints_of(node, length);
 }
 
 }
