@@ -95,9 +95,10 @@ std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys
         way.begin /= path.length();
         way.end /= path.length();
     }
+    reading.budget.take_keys(keys.size());
     reading.budget.take_points(path.outline().curves.size() + 1);
     place_in_scene(ways, reading.time);
-    return art::MotionPath{{{path.outline()}}, joined(ways, reading.budget), turns};
+    return art::MotionPath{{{path.outline()}}, joined(ways), turns};
 }
 
 bool is_split(const Json* position)
