@@ -54,7 +54,8 @@ bool is_zip(std::string_view bytes)
 
 void ZipFile::Close::operator()(zip* archive) const { zip_discard(archive); }
 
-ZipFile::ZipFile(std::string name, std::string_view bytes) : name_{std::move(name)}, archive_{opened(name_, bytes)}
+ZipFile::ZipFile(std::string name, std::string_view bytes)
+    : name_{std::move(name)}, archive_{opened(name_, bytes)}
 {
     const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
     if (std::cmp_greater(count, most_members))

@@ -25,8 +25,8 @@ public:
     const std::vector<std::string>& members() const { return members_; }
     bool has(std::string_view path) const;
 
-    /// Throws when there is none of that path, it is encrypted, packed in a way that is not known, damaged, or
-    /// larger than `most_bytes`, whatever the file says of its size.
+    /// Throws when there is none of that path, it is encrypted, packed in a way that is not known, damaged,
+    /// or larger than `most_bytes`, whatever the file says of its size.
     std::string content(std::string_view path, std::size_t most_bytes) const;
 
 private:
