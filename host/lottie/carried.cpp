@@ -1,6 +1,7 @@
 #include "host/lottie/carried.hpp"
 
-#include "host/lottie/measured_outline.hpp"
+#include "host/art/curve_length.hpp"
+
 
 #include <algorithm>
 #include <array>
@@ -32,8 +33,7 @@ scene::Spot position_at(const art::Transform& transform, double time)
 {
     if (!transform.path || transform.path->path.outlines.empty())
         return {transform.x.at(time), transform.y.at(time)};
-    const MeasuredOutline path{transform.path->path.outlines.front()};
-    return path.at(transform.path->share.at(time) * path.length());
+    return art::spot_along(transform.path->path.outlines.front(), transform.path->share.at(time));
 }
 
 bool is_shown(const std::vector<art::Span>& shown, double time)
