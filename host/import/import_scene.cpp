@@ -28,7 +28,7 @@ Imported import_scene(const std::string& name, std::string content, const Option
 {
     Imported imported;
     art::Document document = read({name, std::move(content)}, imported.losses);
-    art::crop(document);
+    art::crop(document, imported.losses);
     art::simplify(document, options.tolerance);
     imported.text = scene_text::scene_text(document, name, options.tolerance, imported.losses);
     return imported;
