@@ -31,8 +31,10 @@ double piece_length(Spot from, const Curve& curve, double begin, double end)
     constexpr double offset = 0.774596669241483377; // the square root of 3/5
     const double middle = (begin + end) / 2;
     const double half = (end - begin) / 2;
-    return half * (5 * speed(from, curve, middle - half * offset) + 8 * speed(from, curve, middle) +
-                   5 * speed(from, curve, middle + half * offset)) / 9;
+    return half *
+           (5 * speed(from, curve, middle - half * offset) + 8 * speed(from, curve, middle) +
+            5 * speed(from, curve, middle + half * offset)) /
+           9;
 }
 
 double length_until(Spot from, const Curve& curve, double parameter)

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "host/art/affine.hpp"
 #include "host/art/budget.hpp"
 #include "host/art/document.hpp"
 #include "host/art/losses.hpp"
 #include "host/lottie/member.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>

@@ -23,7 +23,7 @@ bool is_shown(const art::Node& node, double time)
 Spot direction_along(const scene::Outline& path, double share)
 {
     constexpr double step = 1e-4;
-    return spot_along(path, share + step) - spot_along(path, share - step);
+    return art::spot_along(path, share + step) - art::spot_along(path, share - step);
 }
 
 double growth(const Affine& matrix) { return std::sqrt(std::abs(matrix.determinant())); }
@@ -140,7 +140,7 @@ Affine matrix_at(const art::Transform& transform, double time)
     if (transform.path) {
         const scene::Outline& path = transform.path->path.outlines.front();
         const double share = transform.path->share.at(time);
-        position = spot_along(path, share);
+        position = art::spot_along(path, share);
         const Spot direction = direction_along(path, share);
         if (transform.path->turns)
             turn += std::atan2(direction.y, direction.x) / degree;

@@ -85,7 +85,8 @@ std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey
 }
 
 /// Nothing if it leads nowhere.
-std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys, const Reading& reading, bool turns)
+std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys, const Reading& reading,
+                                                bool turns)
 {
     GrowingPath path{spot_of(keys.front().begin)};
     std::vector<Way<double>> ways = grow_along(path, keys);

@@ -18,10 +18,12 @@ public:
         const std::string id = text_at(layer.json, "refId");
         const auto asset = animation.assets.find(id);
         if (asset == animation.assets.end())
-            throw WrongMember(layer.json, "its composition " + quoted(id) + " is not among the assets: export the "
-                                          "file again");
+            throw WrongMember(layer.json, "its composition " + kfast::quoted(id) +
+                                              " is not among the assets: export the "
+                                              "file again");
         if (std::ranges::find(animation.open, id) != animation.open.end())
-            throw WrongMember(layer.json, "the composition " + quoted(id) + " uses itself: take this layer out");
+            throw WrongMember(layer.json,
+                              "the composition " + kfast::quoted(id) + " uses itself: take this layer out");
         layers_ = &array_at(*asset->second, "layers");
         animation_.open.push_back(id);
     }
@@ -99,11 +101,11 @@ bool covers_canvas(const Layer& layer, const Box& bounds, double time, const Ani
     const auto matrix = canvas_matrix(&layer.around, time);
     if (!matrix)
         return false;
-    const art::Drawing frame{{matrix->of(scene::Outline{
-        {bounds.left, bounds.top},
-        {scene::line_to({bounds.right, bounds.top}), scene::line_to({bounds.right, bounds.bottom}),
-         scene::line_to({bounds.left, bounds.bottom})},
-        true})}};
+    const art::Drawing frame{{matrix->of(scene::Outline{{bounds.left, bounds.top},
+                                                        {scene::line_to({bounds.right, bounds.top}),
+                                                         scene::line_to({bounds.right, bounds.bottom}),
+                                                         scene::line_to({bounds.left, bounds.bottom})},
+                                                        true})}};
     return contains(frame, Box{0, 0, animation.width, animation.height}.corners());
 }
 
@@ -115,8 +117,8 @@ void check_edges(const Layer& layer, std::span<const art::Node> nodes, const Ani
         return;
     for (const double time : sample_times(layer.seen, weight(nodes)))
         if (!box_at(nodes, time).lies_within(bounds) && !covers_canvas(layer, bounds, time, animation)) {
-            layer.reading.losses.add({"edge of a precomposition", layer.reading.layer, time,
-                                      "what reaches beyond it is seen"});
+            layer.reading.losses.add(
+                {"edge of a precomposition", layer.reading.layer, time, "what reaches beyond it is seen"});
             return;
         }
 }
@@ -126,11 +128,10 @@ void check_edges(const Layer& layer, std::span<const art::Node> nodes, const Ani
 std::vector<art::Node> read_precomposition(const Layer& layer, Animation& animation)
 {
     const Opened opened{layer, animation};
-    std::vector<art::Node> nodes =
-        find_member(layer.json, "tm")
-            ? read_remapped(layer, opened.layers(), animation)
-            : read_composition({opened.layers(), &layer.around, layer.seen}, animation,
-                               inner_reading(layer, stretched(layer)));
+    std::vector<art::Node> nodes = find_member(layer.json, "tm")
+                                       ? read_remapped(layer, opened.layers(), animation)
+                                       : read_composition({opened.layers(), &layer.around, layer.seen},
+                                                          animation, inner_reading(layer, stretched(layer)));
     check_edges(layer, nodes, animation);
     return nodes;
 }

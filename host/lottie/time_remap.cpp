@@ -11,6 +11,7 @@ namespace kfast::lottie {
 namespace {
 
 using art::EaseKind;
+using art::mixed;
 
 void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double from, double to)
 {
@@ -25,18 +26,19 @@ void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double
 
 /// The stretch of a way between two of its moments.
 template <typename Value>
-void add_stretch(std::vector<Way<Value>>& ways, const art::Key<Value>& key, const art::Key<Value>& next, double from,
-                 double to)
+void add_stretch(std::vector<Way<Value>>& ways, const art::Key<Value>& key, const art::Key<Value>& next,
+                 double from, double to)
 {
     if (key.ease.kind == EaseKind::hold) {
         ways.push_back({from, to, key.value, key.value, key.ease});
         return;
     }
     const double span = next.time - key.time;
-    for (const art::EasePart& part : art::ease_parts(key.ease, (from - key.time) / span, (to - key.time) / span))
+    for (const art::EasePart& part :
+         art::ease_parts(key.ease, (from - key.time) / span, (to - key.time) / span))
         ways.push_back({key.time + part.from * span, key.time + part.to * span,
-                        mixed(key.value, next.value, part.way_from), mixed(key.value, next.value, part.way_to),
-                        part.ease});
+                        mixed(key.value, next.value, part.way_from),
+                        mixed(key.value, next.value, part.way_to), part.ease});
 }
 
 /// The ways between two frames of the composition, in its own times.
@@ -112,7 +114,8 @@ std::vector<art::Span> retimed(const std::vector<art::Span>& spans, const std::v
     };
     for (const TimePiece& piece : pieces) {
         std::vector<art::Span> here;
-        const double slope = piece.begin == piece.end ? 0 : (piece.to - piece.from) / (piece.end - piece.begin);
+        const double slope =
+            piece.begin == piece.end ? 0 : (piece.to - piece.from) / (piece.end - piece.begin);
         for (const art::Span& span : spans) {
             const double from = std::max(span.from, std::min(piece.begin, piece.end));
             const double to = std::min(span.to, std::max(piece.begin, piece.end));
@@ -154,7 +157,8 @@ std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& s
             add_eased(pieces, frame, from, to);
         } else {
             const auto value = [&](double time) {
-                return mixed(keys[i].value, keys[i + 1].value, (time - keys[i].time) / (keys[i + 1].time - keys[i].time));
+                return art::mixed(keys[i].value, keys[i + 1].value,
+                                  (time - keys[i].time) / (keys[i + 1].time - keys[i].time));
             };
             pieces.push_back({from, to, value(from), value(to)});
         }
