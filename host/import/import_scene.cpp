@@ -106,7 +106,7 @@ Imported made_of(art::Document document, const std::string& name, const Options&
 {
     Imported imported;
     fit_canvas(document, options.size, losses);
-    art::crop(document);
+    art::crop(document, losses);
     art::simplify(document, options.tolerance);
     imported.text = scene_text::scene_text(document, name, options.tolerance, losses);
     if (imported.text.size() > most_scene_text_bytes)
