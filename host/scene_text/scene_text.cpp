@@ -78,7 +78,7 @@ std::string scene_text(const Document& document, std::string_view origin, double
     Document arranged = document;
     check_finite(arranged);
     const std::int32_t length = ticks_of(arranged);
-    art::crop(arranged);
+    art::crop(arranged, losses);
     arrange(arranged.nodes, {length, tolerance, losses});
     Writing writing{length, losses};
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
