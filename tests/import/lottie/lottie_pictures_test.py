@@ -6,7 +6,8 @@ Where an animation NAME_by_hand.json lies beside it, rlottie draws that instead.
 rlottie 0.1 has not, or has otherwise than the format and its first player, lottie-web, have it: it turns stars twice as
 far, draws parts of points that a star has not whole, lets the first copy of a repeater lie lowest in any case, leaves out
 the last one while their number is none, counts their opacity to one copy more than there are, and knows no skew, no
-rounded corners, and no dashes without length. Gradients are compared with the colours that stand in for them."""
+rounded corners, and no dashes without length; corners of polygons it rounds as far whatever their number. It measures
+curves roughly: dashes are compared along lines. Gradients are compared with the colours that stand in for them."""
 
 import json
 import pathlib
