@@ -4,6 +4,7 @@
 #include "host/scene_text/nodes.hpp"
 #include "host/scene_text/paint_keys.hpp"
 #include "host/scene_text/shape_text.hpp"
+#include "host/scene_text/skin_text.hpp"
 #include "host/scene_text/track_text.hpp"
 #include "host/scene_text/visible_keys.hpp"
 
@@ -49,6 +50,8 @@ public:
         add_line();
         add_visibility();
         add_shapes();
+        if (figure_.skin)
+            add_skin(object_, *figure_.skin, writing_.rigs[figure_.skin->rig]);
         add_width();
         add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_.length);
         return std::move(object_);
