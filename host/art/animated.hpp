@@ -9,6 +9,8 @@
 
 namespace kfast::art {
 
+constexpr double mixed(double from, double to, double share) { return from + share * (to - from); }
+
 /// A value at a moment; the ease governs the way to the next key.
 template <typename Value>
 struct Key {
@@ -47,8 +49,6 @@ struct Animated {
 
     friend bool operator==(const Animated&, const Animated&) = default;
 };
-
-constexpr double mixed(double from, double to, double share) { return from + share * (to - from); }
 
 /// A number over time.
 using Channel = Animated<double>;

@@ -1,6 +1,6 @@
 #include "host/art/curve_length.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace kfast::art {
 namespace {
@@ -8,53 +8,99 @@ namespace {
 using scene::Curve;
 using scene::Spot;
 
-Spot between(Spot a, Spot b, double share) { return a + share * (b - a); }
+constexpr int pieces = 16;
 
-/// The polar form of a cubic Bézier: its control points over other stretches are values of it.
-Spot blossom(Spot from, const Curve& curve, double r, double s, double t)
+double speed(Spot from, const Curve& curve, double t)
 {
-    const Spot first = between(from, curve.c1, r);
-    const Spot second = between(curve.c1, curve.c2, r);
-    const Spot third = between(curve.c2, curve.to, r);
-    return between(between(first, second, s), between(second, third, s), t);
+    const double rest = 1 - t;
+    const Spot velocity = 3 * rest * rest * (curve.c1 - from) + 6 * rest * t * (curve.c2 - curve.c1) +
+                          3 * t * t * (curve.to - curve.c2);
+    return distance(Spot{}, velocity);
 }
 
-}
-
-Spot spot_at(Spot from, const Curve& curve, double parameter)
+/// Of a cubic between two parameters, by Gauss-Legendre's rule of three points.
+double piece_length(Spot from, const Curve& curve, double begin, double end)
 {
-    return curve.cubic ? blossom(from, curve, parameter, parameter, parameter)
-                       : between(from, curve.to, parameter);
+    constexpr double offset = 0.774596669241483377; // the square root of 3/5
+    const double middle = (begin + end) / 2;
+    const double half = (end - begin) / 2;
+    return half *
+           (5 * speed(from, curve, middle - half * offset) + 8 * speed(from, curve, middle) +
+            5 * speed(from, curve, middle + half * offset)) /
+           9;
 }
 
-CurvePiece piece(Spot from, const Curve& curve, double begin, double end)
+double length_until(Spot from, const Curve& curve, double parameter)
+{
+    double length = 0;
+    for (int i = 0; i < pieces; ++i)
+        length += piece_length(from, curve, parameter * i / pieces, parameter * (i + 1) / pieces);
+    return length;
+}
+
+}
+
+double curve_length(Spot from, const Curve& curve)
+{
+    return curve.cubic ? length_until(from, curve, 1) : distance(from, curve.to);
+}
+
+double curve_parameter(Spot from, const Curve& curve, double length)
+{
+    const double whole = curve_length(from, curve);
+    if (length <= 0 || length >= whole)
+        return length <= 0 ? 0 : 1;
+    double t = length / whole;
+    if (!curve.cubic)
+        return t;
+    double low = 0;
+    double high = 1;
+    for (int step = 0; step < 40; ++step) {
+        const double off = length_until(from, curve, t) - length;
+        if (std::abs(off) < 1e-10 * whole)
+            break;
+        (off < 0 ? low : high) = t;
+        // By Newton's method, or by halves where that leads astray.
+        const double next = t - off / speed(from, curve, t);
+        t = next > low && next < high ? next : (low + high) / 2;
+    }
+    return t;
+}
+
+Spot spot_on(Spot from, const Curve& curve, double t)
 {
     if (!curve.cubic)
-        return {between(from, curve.to, begin), scene::line_to(between(from, curve.to, end))};
-    return {spot_at(from, curve, begin),
-            scene::cubic_to(blossom(from, curve, begin, begin, end), blossom(from, curve, begin, end, end),
-                            spot_at(from, curve, end))};
+        return (1 - t) * from + t * curve.to;
+    const double rest = 1 - t;
+    return rest * rest * rest * from + 3 * rest * rest * t * curve.c1 + 3 * rest * t * t * curve.c2 +
+           t * t * t * curve.to;
 }
 
-CurveLength::CurveLength(Spot from, const Curve& curve)
+double outline_length(const scene::Outline& outline)
 {
-    Spot last = from;
-    for (std::size_t i = 1; i <= steps; ++i) {
-        const Spot next = spot_at(from, curve, static_cast<double>(i) / steps);
-        lengths_[i] = lengths_[i - 1] + scene::distance(last, next);
-        last = next;
+    double length = 0;
+    Spot from = outline.from;
+    for (const Curve& curve : outline.curves) {
+        length += curve_length(from, curve);
+        from = curve.to;
     }
+    return length;
 }
 
-double CurveLength::parameter_at(double length) const
+Spot spot_along(const scene::Outline& outline, double share)
 {
-    const auto next = std::ranges::upper_bound(lengths_, length);
-    if (next == lengths_.begin())
-        return 0;
-    if (next == lengths_.end())
-        return 1;
-    const double before = *(next - 1);
-    return (static_cast<double>(next - lengths_.begin() - 1) + (length - before) / (*next - before)) / steps;
+    double left = share * outline_length(outline);
+    Spot from = outline.from;
+    if (share <= 0)
+        return from;
+    for (const Curve& curve : outline.curves) {
+        const double length = curve_length(from, curve);
+        if (left < length)
+            return spot_on(from, curve, curve_parameter(from, curve, left));
+        left -= length;
+        from = curve.to;
+    }
+    return from;
 }
 
 }

@@ -16,6 +16,26 @@ using scene::Curve;
 using scene::Outline;
 using scene::Spot;
 
+Spot between(Spot a, Spot b, double share) { return a + share * (b - a); }
+
+/// The polar form of a cubic Bézier: its control points over other stretches are values of it.
+Spot blossom(Spot from, const Curve& curve, double r, double s, double t)
+{
+    const Spot first = between(from, curve.c1, r);
+    const Spot second = between(curve.c1, curve.c2, r);
+    const Spot third = between(curve.c2, curve.to, r);
+    return between(between(first, second, s), between(second, third, s), t);
+}
+
+/// From where a curve is at `begin` to `end`, both parameters.
+Curve stretch(Spot from, const Curve& curve, double begin, double end)
+{
+    if (!curve.cubic)
+        return scene::line_to(between(from, curve.to, end));
+    return scene::cubic_to(blossom(from, curve, begin, begin, end), blossom(from, curve, begin, end, end),
+                           spot_on(from, curve, end));
+}
+
 /// Where in the pattern one is.
 class Rhythm {
 public:
@@ -81,32 +101,32 @@ public:
 private:
     void cut(Spot from, const Curve& curve)
     {
-        const CurveLength length{from, curve};
+        const double whole = curve_length(from, curve);
         double gone = 0;
-        while (gone + rhythm_.left() < length.whole()) {
+        while (gone + rhythm_.left() < whole) {
             const double end = gone + rhythm_.left();
-            draw(from, curve, length, gone, end);
+            draw(from, curve, gone, end);
             end_dash(nullptr);
             has_gaps_ = true;
             gone = end;
             rhythm_.next();
         }
-        draw(from, curve, length, gone, length.whole());
-        rhythm_.go(length.whole() - gone);
+        draw(from, curve, gone, whole);
+        rhythm_.go(whole - gone);
     }
 
-    void draw(Spot from, const Curve& curve, const CurveLength& length, double begin, double end)
+    void draw(Spot from, const Curve& curve, double begin, double end)
     {
         if (!rhythm_.is_drawn()) {
             budget_.take_points(1); // gaps cost time
             return;
         }
         budget_.take_points(2);
-        const CurvePiece part = piece(from, curve, length.parameter_at(begin), length.parameter_at(end));
+        const double first = curve_parameter(from, curve, begin);
         if (!dash_)
-            dash_ = Outline{part.from, {}, false};
+            dash_ = Outline{spot_on(from, curve, first), {}, false};
         if (end > begin)
-            dash_->curves.push_back(part.curve);
+            dash_->curves.push_back(stretch(from, curve, first, curve_parameter(from, curve, end)));
     }
 
     /// The dash that goes on with `first`, if there is one, takes its place.

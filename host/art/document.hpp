@@ -88,6 +88,7 @@ struct Group {
 struct MotionPath {
     Drawing path;  ///< one open outline with at least one curve
     Channel share; ///< of its length
+    bool turns = false; ///< its direction is added to the rotation about z
     friend bool operator==(const MotionPath&, const MotionPath&) = default;
 };
 

@@ -26,13 +26,6 @@ bool equal(const Outline& left, const Outline& right)
 
 Spot mixed(Spot from, Spot to, double share) { return from + share * (to - from); }
 
-Curve as_cubic(Spot from, const Curve& curve)
-{
-    if (curve.cubic)
-        return curve;
-    return scene::cubic_to(mixed(from, curve.to, 1.0 / 3), mixed(from, curve.to, 2.0 / 3), curve.to);
-}
-
 Curve mixed(const Curve& from, const Curve& to, double share)
 {
     return {from.cubic, mixed(from.c1, to.c1, share), mixed(from.c2, to.c2, share),
@@ -55,6 +48,13 @@ Outline mixed(const Outline& from, const Outline& to, double share)
     return result;
 }
 
+}
+
+Curve as_cubic(Spot from, const Curve& curve)
+{
+    if (curve.cubic)
+        return curve;
+    return scene::cubic_to(mixed(from, curve.to, 1.0 / 3), mixed(from, curve.to, 2.0 / 3), curve.to);
 }
 
 bool operator==(const Drawing& left, const Drawing& right)

@@ -11,18 +11,6 @@ double cubic(double first, double second, double parameter)
            parameter * parameter * parameter;
 }
 
-/// Its x rises, for x1 and x2 are 0 to 1.
-double parameter_at(const Ease& ease, double x)
-{
-    double low = 0;
-    double high = 1;
-    for (int step = 0; step < 52; ++step) {
-        const double middle = (low + high) / 2;
-        (cubic(ease.x1, ease.x2, middle) < x ? low : high) = middle;
-    }
-    return (low + high) / 2;
-}
-
 }
 
 double share_of_way(const Ease& ease, double time)
@@ -34,6 +22,18 @@ double share_of_way(const Ease& ease, double time)
     if (ease.kind == EaseKind::linear)
         return time;
     return cubic(ease.y1, ease.y2, parameter_at(ease, time));
+}
+
+double parameter_at(const Ease& ease, double time)
+{
+    // x rises with the parameter, for x1 and x2 are 0 to 1.
+    double low = 0;
+    double high = 1;
+    for (int step = 0; step < 52; ++step) {
+        const double middle = (low + high) / 2;
+        (cubic(ease.x1, ease.x2, middle) < time ? low : high) = middle;
+    }
+    return (low + high) / 2;
 }
 
 }

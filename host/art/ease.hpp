@@ -24,4 +24,7 @@ struct Ease {
 /// The share of the way at `time`, a share of the time from 0 to 1.
 double share_of_way(const Ease& ease, double time);
 
+/// The parameter of a cubic ease's curve at `time`, a share from 0 to 1.
+double parameter_at(const Ease& ease, double time);
+
 }

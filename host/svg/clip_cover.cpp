@@ -18,7 +18,7 @@ std::vector<Spot> corners_of(const scene::Outline& outline)
     for (const scene::Curve& curve : outline.curves) {
         const Spot from = corners.back();
         for (int step = curve.cubic ? 1 : steps; step <= steps; ++step)
-            corners.push_back(art::spot_at(from, curve, static_cast<double>(step) / steps));
+            corners.push_back(art::spot_on(from, curve, static_cast<double>(step) / steps));
     }
     return corners;
 }

@@ -32,7 +32,7 @@ public:
         Spot from = outline.from;
         for (const scene::Curve& curve : outline.curves) {
             for (int step = curve.cubic ? 1 : steps; step <= steps; ++step)
-                add(art::spot_at(from, curve, static_cast<double>(step) / steps), margin);
+                add(art::spot_on(from, curve, static_cast<double>(step) / steps), margin);
             from = curve.to;
         }
     }

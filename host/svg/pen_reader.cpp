@@ -29,13 +29,8 @@ double length_of(const art::Drawing& drawing)
 {
     double sum = 0;
     for (const scene::Outline& outline : drawing.outlines) {
-        scene::Spot from = outline.from;
-        for (const scene::Curve& curve : outline.curves) {
-            sum += art::CurveLength{from, curve}.whole();
-            from = curve.to;
-        }
-        if (outline.closed)
-            sum += scene::distance(from, outline.from);
+        const scene::Spot end = outline.curves.empty() ? outline.from : outline.curves.back().to;
+        sum += art::outline_length(outline) + (outline.closed ? scene::distance(end, outline.from) : 0);
     }
     return sum;
 }

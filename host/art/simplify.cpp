@@ -2,8 +2,6 @@
 
 namespace kfast::art {
 
-void scale(Document&, double) {}
-void crop(Document&) {}
 void simplify(Document&, double) {}
 
 }

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "host/art/document.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace kfast::test {
+
+/// Art of any kind, always the same for a seed.
+class RandomArt {
+public:
+    explicit RandomArt(unsigned seed) : engine_{seed} {}
+
+    double number(double low, double high)
+    {
+        return std::uniform_real_distribution<double>{low, high}(engine_);
+    }
+    int integer(int low, int high) { return std::uniform_int_distribution<int>{low, high}(engine_); }
+    bool chance(double share) { return number(0, 1) < share; }
+    scene::Spot spot(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
+
+    art::Ease ease()
+    {
+        switch (integer(0, 3)) {
+        case 0:
+            return {};
+        case 1:
+            return {art::EaseKind::hold};
+        case 2:
+            return {art::EaseKind::cubic, number(0, 1), number(0, 1), number(0, 1), number(0, 1)};
+        default:
+            return {art::EaseKind::cubic, number(0, 1), number(-1, 2), number(0, 1), number(-1, 2)};
+        }
+    }
+
+    /// Rising and at least 1/16 apart.
+    std::vector<double> times(double from, double to)
+    {
+        std::vector<double> list;
+        for (double time = number(from, to); time < to; time += number(0.0625, (to - from) / 2))
+            list.push_back(time);
+        return list;
+    }
+
+    art::Channel channel(double from, double to, double reach)
+    {
+        std::vector<art::Key<double>> keys;
+        for (const double time : times(from, to))
+            keys.push_back({time, number(-reach, reach), ease()});
+        return art::Channel{std::move(keys)};
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+}
