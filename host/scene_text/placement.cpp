@@ -26,9 +26,9 @@ bool near(double one, double other) { return std::abs(one - other) <= tiny * std
 
 std::array<const Channel*, 12> channels_of(const Transform& transform)
 {
-    return {&transform.anchor_x, &transform.anchor_y, &transform.x,        &transform.y,
-            &transform.z,        &transform.scale_x,  &transform.scale_y,  &transform.rotate,
-            &transform.rotate_x, &transform.rotate_y, &transform.skew,     &transform.skew_axis};
+    return {&transform.anchor_x, &transform.anchor_y, &transform.x,       &transform.y,
+            &transform.z,        &transform.scale_x,  &transform.scale_y, &transform.rotate,
+            &transform.rotate_x, &transform.rotate_y, &transform.skew,    &transform.skew_axis};
 }
 
 }
@@ -53,7 +53,10 @@ bool leans(const Transform& transform) { return !is(transform.skew, 0); }
 
 Affine shape_at(const Transform& transform, double time)
 {
-    const Affine lean = leans(transform) ? art::leant(std::clamp(transform.skew.at(time), -steepest, steepest), transform.skew_axis.at(time)) : Affine{};
+    const Affine lean = leans(transform)
+                            ? art::leant(std::clamp(transform.skew.at(time), -steepest, steepest),
+                                         transform.skew_axis.at(time))
+                            : Affine{};
     return art::turned(transform.rotate.at(time)) *
            art::grown(transform.scale_x.at(time), transform.scale_y.at(time)) * lean;
 }

@@ -30,7 +30,7 @@ struct Placement {
     double scale_x = 1;
     double scale_y = 1;
 
-    bool is_even() const;    ///< grows alike in both directions, if mirrored
+    bool is_even() const; ///< grows alike in both directions, if mirrored
     bool is_mirrored() const { return scale_x * scale_y < 0; }
     bool turns() const { return rotate != 0; }
 };

@@ -79,7 +79,7 @@ std::string scene_text(const Document& document, std::string_view origin, double
     check_finite(arranged);
     const std::int32_t length = ticks_of(arranged);
     art::crop(arranged);
-    arrange(arranged, tolerance, losses);
+    arrange(arranged.nodes, {length, tolerance, losses});
     Writing writing{length, losses};
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
     const std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
