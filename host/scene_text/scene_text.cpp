@@ -1,12 +1,94 @@
 #include "host/scene_text/scene_text.hpp"
 
+#include "host/art/prepare.hpp"
 #include "host/failure.hpp"
+#include "host/kdl/readable.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene_text/arrange.hpp"
+#include "host/scene_text/grid.hpp"
+#include "host/scene_text/item_text.hpp"
+#include "host/scene_text/marker_text.hpp"
+#include "host/scene_text/nodes.hpp"
+#include "host/scene_text/rig_text.hpp"
+#include "host/scene_text/writing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace kfast::scene_text {
+namespace {
 
-std::string scene_text(const art::Document&, std::string_view, double, art::Losses&)
+using art::Document;
+
+constexpr std::array<std::string_view, 3> loop_words{"once", "repeat", "ping-pong"};
+constexpr double usual_frame_rate = 30;
+constexpr std::array<std::string_view, 2> crowded{"at", "points"};
+
+std::size_t whole_pixels(double size)
 {
-    throw Failure("not written yet");
+    const double pixels = std::max(std::round(size), 1.0);
+    if (pixels > scene::widest_canvas)
+        throw Failure("the canvas would be " + std::to_string(std::lround(std::min(size, 1e9))) +
+                      " pixels wide or high; a scene has at most " + std::to_string(scene::widest_canvas) +
+                      "; make the picture smaller");
+    return static_cast<std::size_t>(pixels);
+}
+
+std::int32_t ticks_of(const Document& document)
+{
+    if (document.frames > scene::most_frames)
+        throw Failure("the animation is longer than " + std::to_string(scene::most_frames) +
+                      " frames, the longest scene; cut it into several");
+    return std::max(on_grid(document.frames, times), Time::ticks_per_frame);
+}
+
+kdl::Node canvas_node(const Document& document, Writing& writing)
+{
+    kdl::Node canvas =
+        named_node("canvas", number(whole_pixels(document.width)), number(whole_pixels(document.height)));
+    if (document.frame_rate != usual_frame_rate)
+        set(canvas, "fps", number(on_grid(document.frame_rate, frame_rates), frame_rates));
+    set(canvas, "frames", number(writing.length, times));
+    if (document.loop != Loop::repeat)
+        set(canvas, "loop", text(std::string{loop_words[static_cast<std::size_t>(document.loop)]}));
+    if (document.background)
+        set(canvas, "background",
+            text(writing.colours.word(stored_colour(*document.background, 1), "background")));
+    return canvas;
+}
+
+std::string first_lines(std::string_view origin)
+{
+    const std::string name = clean_name(origin, "");
+    return name.empty() ? "kfast 1\n" : "// Made from " + name + ".\n\nkfast 1\n";
+}
+
+/// With an empty line in front of it.
+std::string section(const std::vector<kdl::Node>& nodes)
+{
+    return nodes.empty() ? std::string{} : '\n' + kdl::readable(nodes, crowded);
+}
+
+}
+
+std::string scene_text(const Document& document, std::string_view origin, double tolerance,
+                       art::Losses& losses)
+{
+    Document arranged = document;
+    check_finite(arranged);
+    const std::int32_t length = ticks_of(arranged);
+    art::crop(arranged, losses);
+    arrange(arranged.nodes, {length, tolerance, losses});
+    Writing writing{length, losses};
+    writing.rigs = rig_names(arranged.rigs);
+    const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
+    const std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
+    const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
+    const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
+    return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
+           section(items) + section(markers);
 }
 
 }

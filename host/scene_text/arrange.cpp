@@ -1,0 +1,17 @@
+#include "host/scene_text/arrange.hpp"
+
+#include "host/scene_text/folding.hpp"
+#include "host/scene_text/paints.hpp"
+#include "host/scene_text/unseen.hpp"
+
+namespace kfast::scene_text {
+
+void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
+{
+    join_parts(nodes);
+    drop_unseen(nodes, arranging.length);
+    part_paints(nodes, arranging.length);
+    fold(nodes);
+}
+
+}

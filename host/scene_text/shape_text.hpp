@@ -1,0 +1,20 @@
+#pragma once
+
+#include "host/art/drawing.hpp"
+#include "host/kdl/document.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kfast::scene_text {
+
+/// With all of its points where they are stored, held within the range of coordinates.
+art::Drawing on_grid(const art::Drawing& drawing);
+
+/// The data of a path, in lines if it is long.
+std::string path_data(const scene::Outline& outline);
+
+/// The shapes that draw it; `empty` if it is.
+std::vector<kdl::Node> shape_nodes(const art::Drawing& drawing);
+
+}

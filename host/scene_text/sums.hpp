@@ -1,0 +1,29 @@
+#pragma once
+
+#include "host/art/animated.hpp"
+#include "host/art/baked_drawing.hpp"
+
+#include <initializer_list>
+
+namespace kfast::scene_text {
+
+/// Whether their keys stand at the same times with the same eases, so that they go alike.
+bool go_alike(const art::Channel& left, const art::Channel& right);
+
+/// Whether sum() and product() of these are exact.
+bool has_sum(const art::Channel& left, const art::Channel& right);
+bool has_product(const art::Channel& left, const art::Channel& right);
+
+/// Exact if has_sum(), and else within the tolerance.
+art::Channel sum(const art::Channel& left, const art::Channel& right, double tolerance);
+art::Channel difference(const art::Channel& left, const art::Channel& right, double tolerance);
+/// Exact if has_product(), and else within the tolerance.
+art::Channel product(const art::Channel& left, const art::Channel& right, double tolerance);
+
+/// From the first to the last key of all, with those as its critical times.
+art::Baking baking_of(std::initializer_list<const art::Channel*> channels, double tolerance);
+
+art::Channel scaled(art::Channel channel, double factor);
+art::Channel shifted(art::Channel channel, double offset);
+
+}
