@@ -8,8 +8,8 @@
 namespace kfast::svg {
 
 /// Reads a drawing of SVG, a scene of one frame unless it is animated or has layers that are keys. What the
-/// scene will not have is added to `losses`. Throws Failure, which names the file and the place, when the text
-/// is none, or asks for more than art::Budget allows.
+/// scene will not have is added to `losses`. Throws Failure, which names the file and the place, when the
+/// text is none, or asks for more than art::Budget allows.
 art::Document read_svg(const SourceText& source, const KeyOptions& options, art::Losses& losses);
 
 /// With the usual options.
