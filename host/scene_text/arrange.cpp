@@ -1,7 +1,10 @@
 #include "host/scene_text/arrange.hpp"
 
+#include "host/scene_text/depth.hpp"
 #include "host/scene_text/folding.hpp"
+#include "host/scene_text/leaning.hpp"
 #include "host/scene_text/paints.hpp"
+#include "host/scene_text/ranges.hpp"
 #include "host/scene_text/unseen.hpp"
 
 namespace kfast::scene_text {
@@ -12,6 +15,10 @@ void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
     drop_unseen(nodes, arranging.length);
     part_paints(nodes, arranging.length);
     fold(nodes);
+    straighten(nodes, arranging);
+    fold(nodes);
+    limit_depth(nodes, arranging);
+    fit_ranges(nodes, arranging);
 }
 
 }
