@@ -5,6 +5,7 @@
 #include "host/kdl/readable.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene_text/arrange.hpp"
+#include "host/scene_text/camera.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/item_text.hpp"
 #include "host/scene_text/marker_text.hpp"
@@ -56,6 +57,8 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
     if (document.background)
         set(canvas, "background",
             text(writing.colours.word(stored_colour(*document.background, 1), "background")));
+    if (const auto camera = camera_of(document))
+        set(canvas, "camera", number(*camera));
     return canvas;
 }
 
