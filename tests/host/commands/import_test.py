@@ -162,7 +162,8 @@ class KeyDrawingTest(ImportCase):
         self.assertTrue((self.folder / "pose10.kfast").is_file())
 
     def test_wrong_drawings_and_times(self):
-        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", status=1, says="pose")
+        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", status=1,
+                    says="2 key drawings but 1 times")
         self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "9", "3", status=1, says="pose")
         self.refuse("import", "--keys", "pose10.svg", "dot.json", "--at", "0", "3", status=1,
                     says="dot.json: is no SVG file, as key drawings are")
