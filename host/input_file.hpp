@@ -10,6 +10,9 @@ namespace kfast {
 /// Few kinds of files that kfast reads come near it; what is larger was named by mistake.
 inline constexpr std::size_t input_limit = std::size_t{16} << 20;
 
+/// Much less than of a compiled scene, for a parsed text takes up to 90 times its size in memory.
+inline constexpr std::size_t most_scene_text_bytes = std::size_t{4} << 20;
+
 /// What a file is to be, for the messages.
 struct InputKind {
     std::string_view noun;   ///< "scene"
@@ -18,8 +21,11 @@ struct InputKind {
     std::size_t most_bytes = input_limit;
 };
 
-inline constexpr InputKind scene_input{"scene", "a .kfast or .kfb file",
-                                       "a scene begins with 'kfast 1' and a canvas"};
+/// What a scene is loaded from.
+inline constexpr std::string_view scene_files =
+    "a .kfast or .kfb file, or a .json, .lottie, .svg or .sif file";
+
+inline constexpr InputKind scene_input{"scene", scene_files, "a scene begins with 'kfast 1' and a canvas"};
 inline constexpr InputKind font_input{"font", "a .ttf or .otf file", "copy it again"};
 
 /// The content of a file. Throws Failure when it cannot be read, is empty, or larger than its kind allows.

@@ -37,4 +37,10 @@ DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source)
     return {errors, list.size() - errors};
 }
 
+void print_warning(const std::string& name, const std::string& text)
+{
+    const std::string line = name + ": warning: " + text + '\n';
+    std::cerr << (colour_wanted() ? coloured(line, Severity::warning) : line);
+}
+
 }

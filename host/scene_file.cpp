@@ -2,8 +2,11 @@
 
 #include "host/counted.hpp"
 #include "host/failure.hpp"
+#include "host/import/import_scene.hpp"
+#include "host/import/loss_list.hpp"
 #include "host/input_file.hpp"
 #include "host/reported_compile.hpp"
+#include "host/reported_diagnostics.hpp"
 
 #include <span>
 #include <string>
@@ -15,9 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "KFB";
-
-/// Much less than of a compiled scene, for a parsed text takes up to 90 times its size in memory.
-constexpr std::size_t text_limit = std::size_t{4} << 20;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
 {
@@ -31,7 +31,7 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
     case Error::truncated:
         return "the compiled scene breaks off before its end: copy it again, or " + again;
     case Error::bad_magic:
-        return "not a compiled scene: name a .kfast or .kfb file";
+        return "not a compiled scene: name " + std::string{scene_files};
     case Error::unsupported_version: {
         const int its = bytes.size() > magic.size() ? std::to_integer<int>(bytes[magic.size()]) : 0;
         return std::string("made by ") + (its > int{kfb::version} ? "a newer" : "another") +
@@ -59,8 +59,8 @@ SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)
 SceneFile from_text(const fs::path& path, std::string text)
 {
     if (text.find('\0') != std::string::npos)
-        refuse(path, "neither a scene nor a compiled scene: name a .kfast or .kfb file");
-    if (text.size() > text_limit)
+        refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
+    if (text.size() > most_scene_text_bytes)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
     CompiledText compiled = compile_and_report({path.string(), std::move(text), path.parent_path().string()});
     if (!compiled.bytes)
@@ -72,11 +72,34 @@ SceneFile from_text(const fs::path& path, std::string text)
     return scene;
 }
 
+void tell(const fs::path& path, const art::Losses& losses, OnLoss on_loss)
+{
+    if (losses.empty() || on_loss == OnLoss::report)
+        return;
+    const std::string number = importing::loss_count(losses);
+    if (on_loss == OnLoss::refuse)
+        refuse(path, number + ":\n" + importing::loss_list(losses, importing::ListLength::cut));
+    print_warning(path.string(), number + ": 'kfast check " + path.string() + "' lists them");
 }
 
-SceneFile load_scene(const fs::path& path)
+SceneFile from_other_program(const fs::path& path, std::string content, const ImportChoice& choice)
+{
+    importing::Imported imported = importing::import_scene(path.string(), std::move(content), choice.options);
+    tell(path, imported.losses, choice.on_loss);
+    SceneFile scene = checked(path, std::move(imported.compiled.bytes));
+    scene.was_text = true;
+    scene.item_names = std::move(imported.compiled.item_names);
+    scene.losses = std::move(imported.losses);
+    return scene;
+}
+
+}
+
+SceneFile load_scene(const fs::path& path, const ImportChoice& choice)
 {
     std::string content = read_input(path, scene_input);
+    if (importing::can_import(content))
+        return from_other_program(path, std::move(content), choice);
     if (!content.starts_with(magic))
         return from_text(path, std::move(content));
     const auto bytes = std::as_bytes(std::span{content});

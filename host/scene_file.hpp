@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/scene_view.hpp"
+#include "host/art/losses.hpp"
+#include "host/import/options.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -22,13 +24,27 @@ struct SceneFile {
     SceneView view;
     bool was_text = false;               ///< compiled just now, rather than read as a .kfb
     std::size_t warnings = 0;            ///< of the compiler
+    art::Losses losses;                  ///< of a file of another program
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
 };
 
-/// Reads a compiled scene (known by its first bytes, "KFB") or reads and compiles a scene text, whatever the
-/// file's name. What the compiler finds is printed to standard error, in colour on a terminal.
-/// Throws Failure when the file cannot be read, is empty or larger than 16 MB (a text: 4 MB), or is no valid
-/// scene.
-SceneFile load_scene(const std::filesystem::path& path);
+/// What becomes of things that a scene cannot have, in a file of another program.
+enum class OnLoss {
+    warn,   ///< a line on standard error tells how many they are
+    report, ///< nothing is said: whoever loads the scene tells what they are
+    refuse, ///< Failure, which tells what they are
+};
+
+/// How a file of another program is loaded; scenes of kfast are what they are.
+struct ImportChoice {
+    importing::Options options = {};
+    OnLoss on_loss = OnLoss::warn;
+};
+
+/// Reads a compiled scene (known by its first bytes, "KFB"), reads and compiles a scene text, or imports a
+/// file of another program, whatever the file's name. What the compiler finds is printed to standard error,
+/// in colour on a terminal. Throws Failure when the file cannot be read, is empty or larger than 16 MB (a
+/// scene text: 4 MB), or is no valid scene.
+SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choice = {});
 
 }

@@ -14,7 +14,8 @@ import sys
 from debian_packages import DebianPackages, Failure, unpack
 
 LIBRARIES = ("libcli11-dev", "libpng-dev", "libgif-dev", "libsndfile1-dev", "nlohmann-json3-dev", "libhidapi-dev",
-             "libfreetype-dev", "libusb-1.0-0-dev", "libgpiod-dev", "libstdc++6")
+             "libfreetype-dev", "libusb-1.0-0-dev", "libgpiod-dev", "libpugixml-dev", "libzip-dev",
+             "zlib1g-dev", "libstdc++6")
 FOR_TESTS = ("coreutils", "util-linux", "gpiod")
 MOUNT_POINTS = ("dev", "proc", "run", "sys", "tmp")
 

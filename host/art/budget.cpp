@@ -20,6 +20,10 @@ void take(std::size_t& taken, std::size_t count, std::size_t most, const char* n
 void Budget::take_node() { take(nodes_, 1, most_nodes, "layers, groups and shapes"); }
 void Budget::take_points(std::size_t count) { take(points_, count, most_points, "points in all keys"); }
 void Budget::take_keys(std::size_t count) { take(keys_, count, most_keys, "keys"); }
+void Budget::take_computed_points(std::size_t count)
+{
+    take(computed_points_, count, most_computed_points, "points to compute for what moves");
+}
 
 void Budget::check_depth(int depth)
 {

@@ -11,17 +11,21 @@ public:
     static constexpr std::size_t most_nodes = 65'535;
     static constexpr std::size_t most_points = std::size_t{1} << 22; ///< in all keys of drawings
     static constexpr std::size_t most_keys = std::size_t{1} << 20;   ///< of channels
+    /// Points of drawings, each time they are computed to find keys.
+    static constexpr std::size_t most_computed_points = std::size_t{1} << 28;
     static constexpr int deepest = 64; ///< groups, layers and uses in each other
 
     void take_node();
     void take_points(std::size_t count);
     void take_keys(std::size_t count);
+    void take_computed_points(std::size_t count);
     static void check_depth(int depth);
 
 private:
     std::size_t nodes_ = 0;
     std::size_t points_ = 0;
     std::size_t keys_ = 0;
+    std::size_t computed_points_ = 0;
 };
 
 }

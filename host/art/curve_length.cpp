@@ -1,5 +1,7 @@
 #include "host/art/curve_length.hpp"
 
+#include <cmath>
+
 namespace kfast::art {
 namespace {
 
@@ -7,15 +9,6 @@ using scene::Curve;
 using scene::Spot;
 
 constexpr int pieces = 16;
-
-Spot spot_at(Spot from, const Curve& curve, double t)
-{
-    if (!curve.cubic)
-        return (1 - t) * from + t * curve.to;
-    const double rest = 1 - t;
-    return rest * rest * rest * from + 3 * rest * rest * t * curve.c1 + 3 * rest * t * t * curve.c2 +
-           t * t * t * curve.to;
-}
 
 double speed(Spot from, const Curve& curve, double t)
 {
@@ -31,8 +24,10 @@ double piece_length(Spot from, const Curve& curve, double begin, double end)
     constexpr double offset = 0.774596669241483377; // the square root of 3/5
     const double middle = (begin + end) / 2;
     const double half = (end - begin) / 2;
-    return half * (5 * speed(from, curve, middle - half * offset) + 8 * speed(from, curve, middle) +
-                   5 * speed(from, curve, middle + half * offset)) / 9;
+    return half *
+           (5 * speed(from, curve, middle - half * offset) + 8 * speed(from, curve, middle) +
+            5 * speed(from, curve, middle + half * offset)) /
+           9;
 }
 
 double length_until(Spot from, const Curve& curve, double parameter)
@@ -43,22 +38,42 @@ double length_until(Spot from, const Curve& curve, double parameter)
     return length;
 }
 
-double parameter_at(Spot from, const Curve& curve, double length)
-{
-    double low = 0;
-    double high = 1;
-    for (int step = 0; step < 40; ++step) {
-        const double middle = (low + high) / 2;
-        (length_until(from, curve, middle) < length ? low : high) = middle;
-    }
-    return high;
-}
-
 }
 
 double curve_length(Spot from, const Curve& curve)
 {
     return curve.cubic ? length_until(from, curve, 1) : distance(from, curve.to);
+}
+
+double curve_parameter(Spot from, const Curve& curve, double length)
+{
+    const double whole = curve_length(from, curve);
+    if (length <= 0 || length >= whole)
+        return length <= 0 ? 0 : 1;
+    double t = length / whole;
+    if (!curve.cubic)
+        return t;
+    double low = 0;
+    double high = 1;
+    for (int step = 0; step < 40; ++step) {
+        const double off = length_until(from, curve, t) - length;
+        if (std::abs(off) < 1e-10 * whole)
+            break;
+        (off < 0 ? low : high) = t;
+        // By Newton's method, or by halves where that leads astray.
+        const double next = t - off / speed(from, curve, t);
+        t = next > low && next < high ? next : (low + high) / 2;
+    }
+    return t;
+}
+
+Spot spot_on(Spot from, const Curve& curve, double t)
+{
+    if (!curve.cubic)
+        return (1 - t) * from + t * curve.to;
+    const double rest = 1 - t;
+    return rest * rest * rest * from + 3 * rest * rest * t * curve.c1 + 3 * rest * t * t * curve.c2 +
+           t * t * t * curve.to;
 }
 
 double outline_length(const scene::Outline& outline)
@@ -81,7 +96,7 @@ Spot spot_along(const scene::Outline& outline, double share)
     for (const Curve& curve : outline.curves) {
         const double length = curve_length(from, curve);
         if (left < length)
-            return spot_at(from, curve, curve.cubic ? parameter_at(from, curve, left) : left / length);
+            return spot_on(from, curve, curve_parameter(from, curve, left));
         left -= length;
         from = curve.to;
     }

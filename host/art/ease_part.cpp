@@ -159,6 +159,27 @@ std::vector<EasePart> ease_parts(const Ease& ease, double from, double to)
     return parts;
 }
 
+double bend_of(const Ease& ease, double from, double to)
+{
+    if (ease.kind != EaseKind::cubic)
+        return 0;
+    const double begin = parameter_at(ease, from);
+    const double end = parameter_at(ease, to);
+    const Values x = piece({0, ease.x1, ease.x2, 1}, begin, end);
+    const Values y = piece({0, ease.y1, ease.y2, 1}, begin, end);
+    const double slope = x[3] > x[0] ? (y[3] - y[0]) / (x[3] - x[0]) : 0;
+    const auto off = [&](std::size_t i) { return std::abs(y[i] - y[0] - slope * (x[i] - x[0])); };
+    // The distance from the line is a Bézier itself: 0 at its ends, and the inner two weigh at most 3/4.
+    return 0.75 * std::max(off(1), off(2));
+}
+
+WayRange way_range(const Ease& ease)
+{
+    if (ease.kind != EaseKind::cubic)
+        return {};
+    return {std::min({0.0, ease.y1, ease.y2}), std::max({1.0, ease.y1, ease.y2})};
+}
+
 Ease reversed(const Ease& ease)
 {
     if (ease.kind != EaseKind::cubic)

@@ -2,11 +2,9 @@
 
 #include "host/art/document.hpp"
 #include "host/art/losses.hpp"
+#include "host/art/tolerance.hpp"
 
 namespace kfast::art {
-
-/// How far simplification may move anything that is seen, in canvas pixels.
-inline constexpr double usual_tolerance = 1.0 / 32;
 
 /// Makes everything larger by a factor above 0: the canvas, places, drawings, widths and bones.
 void scale(Document& document, double factor);

@@ -24,6 +24,7 @@ struct Command {
 };
 
 extern const Command new_command;
+extern const Command import_command;
 extern const Command compile_command;
 extern const Command check_command;
 extern const Command info_command;

@@ -1,6 +1,7 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/fit_options.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/summary.hpp"
 #include "host/failure.hpp"
@@ -16,6 +17,7 @@ namespace fs = std::filesystem;
 struct CompileOptions {
     std::string scene;
     std::string output;
+    ImportChoice import_choice;
     FitOptions fit;
 };
 
@@ -35,7 +37,7 @@ void check_fit(const CompileOptions& options, const SceneFile& scene)
 
 void compile_scene(const CompileOptions& options)
 {
-    const SceneFile scene = load_scene(options.scene);
+    const SceneFile scene = load_scene(options.scene, options.import_choice);
     if (!scene.was_text)
         throw Failure(options.scene + ": compiled already: name the .kfast file it was made from");
     check_fit(options, scene);
@@ -47,8 +49,11 @@ void compile_scene(const CompileOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<CompileOptions>();
-    app.add_option("SCENE", options->scene, "The scene text (.kfast)")->required();
+    app.add_option("SCENE", options->scene,
+                   "The scene text (.kfast), or a file to import (.json, .lottie, .svg, .sif)")
+        ->required();
     app.add_option("-o,--output", options->output, "The compiled scene (default: SCENE's name with .kfb)");
+    declare_import_options(app, options->import_choice);
     declare_fit_options(app, options->fit);
     app.callback([options] { compile_scene(*options); });
 }
@@ -56,6 +61,8 @@ void declare(CLI::App& app)
 }
 
 const Command compile_command{"compile", "Turn a scene text into the .kfb file a board plays",
-                              "kfast compile eyes.kfast -o eyes.kfb", declare};
+                              "kfast compile eyes.kfast -o eyes.kfb\n"
+                              "  kfast compile eyes.json --strict",
+                              declare};
 
 }

@@ -2,6 +2,7 @@
 #include "host/commands/c_name.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/export_kinds.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/output_path.hpp"
 
@@ -80,7 +81,7 @@ Options declare_beam_options(CLI::App& app, ExportOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<ExportOptions>();
-    app.add_option("FILE", options->scene, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("FILE", options->scene, loaded_scene)->required();
     CLI::Option_group& group = *app.add_option_group("What to make (one of these)");
     const std::array kinds{
         add_kind(group, "--header", "An array in a header for C and C++", export_header),

@@ -2,6 +2,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/fit_options.hpp"
 #include "host/commands/fit_print.hpp"
+#include "host/commands/import_options.hpp"
 
 #include <iostream>
 
@@ -10,6 +11,7 @@ namespace {
 
 struct Options {
     std::string file;
+    ImportChoice import_choice;
     FitOptions fit;
     bool json = false;
 };
@@ -26,7 +28,7 @@ void print_beam_fit(const Options& options, const fit::Target& target, const Sce
 void print_fit(const Options& options)
 {
     const fit::Target target = chosen_target(options.fit);
-    const SceneFile scene = load_scene(options.file);
+    const SceneFile scene = load_scene(options.file, options.import_choice);
     if (target.beam)
         return print_beam_fit(options, target, scene);
     const fit::FitReport report = fit_report(options.fit, target, scene);
@@ -39,8 +41,9 @@ void print_fit(const Options& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<Options>();
-    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("FILE", options->file, loaded_scene)->required();
     declare_fit_options(app, options->fit)->required();
+    declare_import_options(app, options->import_choice);
     app.add_flag("--json", options->json, "For programs: a JSON object");
     app.callback([options] { print_fit(*options); });
 }

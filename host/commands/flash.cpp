@@ -4,6 +4,7 @@
 #include "host/commands/flash_list.hpp"
 #include "host/commands/flash_progress.hpp"
 #include "host/commands/flash_report.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/config/firmware_images.hpp"
 #include "host/failure.hpp"
@@ -124,8 +125,7 @@ void run(const Options& options)
 
 void declare_contents(CLI::App& app, Options& options)
 {
-    app.add_option("SCENE", options.plan.scene,
-                   "The built-in scene: a scene text (.kfast) or compiled scene (.kfb)");
+    app.add_option("SCENE", options.plan.scene, std::string{"The built-in scene. "} + loaded_scene);
     app.add_option("--board", options.board, "The kind of the board: pico, which is usual")
         ->type_name("NAME")
         ->check(CLI::Validator{mistaken_board, ""});

@@ -2,6 +2,7 @@
 #include "host/beam/point_hash.hpp"
 #include "host/commands/beam_option.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/scene_file.hpp"
@@ -48,7 +49,7 @@ void print_hashes(const HashOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<HashOptions>();
-    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("FILE", options->file, loaded_scene)->required();
     declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
     CLI::Option* beam = declare_beam_option(app, options->beam);

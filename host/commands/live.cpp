@@ -1,5 +1,6 @@
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/live_stream.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/playing_text.hpp"
@@ -147,7 +148,7 @@ void declare(CLI::App& app)
     constexpr double longest_silence = 60;
     const auto options = std::make_shared<Options>();
     app.add_option("SCENE", options->file,
-                   "A scene text (.kfast) or compiled scene (.kfb) to play from RAM (default: what plays)");
+                   std::string{loaded_scene} + " to play from RAM (default: what plays)");
     app.add_option("--rate", options->manner.rate, "So many lines a second (default: as they come)")
         ->type_name("NUMBER")
         ->check(number_within(0.01, fastest));

@@ -1,6 +1,7 @@
 #include "host/commands/clock_text.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/drawing_options.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/input_options.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/play_options.hpp"
@@ -107,7 +108,7 @@ void show(const PanelOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<PanelOptions>();
-    app.add_option("SCENE", options->scene, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("SCENE", options->scene, loaded_scene)->required();
     declare_wired_panel_options(app, options->panel);
     declare_play_options(app, options->play);
     declare_input_options(app, options->inputs);

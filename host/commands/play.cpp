@@ -1,5 +1,6 @@
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/commands/playing_text.hpp"
 #include "host/commands/sent_scene.hpp"
@@ -74,8 +75,7 @@ void declare(CLI::App& app)
 {
     const auto options = std::make_shared<Options>();
     CLI::Option* const file = app.add_option(
-        "SCENE", options->file,
-        "A scene text (.kfast) or compiled scene (.kfb); it goes into RAM (default: what plays)");
+        "SCENE", options->file, std::string{loaded_scene} + "; it goes into RAM (default: what plays)");
     CLI::Option* const slot =
         app.add_option("--slot", options->slot, "The scene in this slot")->type_name("N")->excludes(file);
     CLI::Option* const built_in =

@@ -1,5 +1,6 @@
 #include "host/commands/audio_options.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/preview/headless.hpp"
@@ -88,7 +89,7 @@ std::string key_list()
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<PreviewOptions>();
-    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("FILE", options->file, loaded_scene)->required();
     CLI::Option* terminal =
         app.add_flag("--terminal", options->terminal, "Play in the terminal, not in a window");
     CLI::Option* loops =

@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/output_folder.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/picture_options.hpp"
@@ -90,7 +91,7 @@ void render_scene(const RenderOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<RenderOptions>();
-    app.add_option("FILE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("FILE", options->file, loaded_scene)->required();
     app.add_option("-o,--output", options->output,
                    "A PNG; with --all a folder for 0000.png, 0001.png ... or a .gif")
         ->required();

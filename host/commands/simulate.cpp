@@ -114,9 +114,9 @@ void simulate(const SimulateOptions& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<SimulateOptions>();
-    app.add_option(
-        "SCENE", options->scene,
-        "The built-in scene (.kfast or .kfb): plays if no slot is chosen. Without it there is a test card");
+    app.add_option("SCENE", options->scene,
+                   "The built-in scene (.kfast, .kfb or a file to import): plays if no slot is chosen. "
+                   "Without it there is a test card");
     CLI::Option* panel = declare_panel_option(app, options->panel);
     app.add_option("--config", options->config, "The display and the clip of a configuration (kfast config)")
         ->type_name("NAME|FILE")

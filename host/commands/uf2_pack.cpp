@@ -1,5 +1,6 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/flash_contents.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/config/config_input.hpp"
@@ -61,8 +62,7 @@ void declare_uf2_pack(CLI::App& app)
     app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
     app.add_option("--config", options->config, "As for 'kfast config': a ready configuration or a file")
         ->type_name("INPUT");
-    app.add_option("--scene", options->scene, "A scene text (.kfast) or compiled scene (.kfb)")
-        ->type_name("FILE");
+    app.add_option("--scene", options->scene, loaded_scene)->type_name("FILE");
     app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
                "build/pico/pico-spi.bin "

@@ -1,5 +1,6 @@
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
+#include "host/commands/import_options.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/commands/progress_bar.hpp"
 #include "host/link/on_each.hpp"
@@ -113,7 +114,7 @@ void upload(const Options& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<Options>();
-    app.add_option("SCENE", options->file, "A scene text (.kfast) or compiled scene (.kfb)")->required();
+    app.add_option("SCENE", options->file, loaded_scene)->required();
     app.add_option("--slot", options->slot,
                    "Where it goes (default: the slot of the same name, else the first empty one)")
         ->type_name("N");

@@ -1,31 +1,41 @@
 #pragma once
 
-#include "core/size.hpp"
 #include "host/art/losses.hpp"
-#include "host/art/prepare.hpp"
+#include "host/compiler/compile.hpp"
+#include "host/import/extent.hpp"
+#include "host/import/options.hpp"
+#include "host/text/source.hpp"
 
-#include <optional>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast::importing {
 
-struct Options {
-    double tolerance = art::usual_tolerance; ///< canvas pixels
-    std::optional<Size> size;                ///< of the canvas: the art is scaled to lie within it
-};
+/// Of what is packed, once it is unpacked.
+inline constexpr std::size_t most_unpacked_bytes = std::size_t{16} << 20;
 
 struct Imported {
-    std::string text; ///< a scene, as docs/scene-language.md has it
+    std::string text;       ///< a scene, as docs/scene-language.md has it
+    CompiledScene compiled; ///< the text, which compiles without errors and warnings
+    Extent extent;
     art::Losses losses;
 };
 
-/// Whether the content of a file is, by its first bytes, of a kind that can be imported.
+/// Whether the content of a file is, by its first bytes, of a kind that may be imported: no scene text and no
+/// compiled scene is.
 bool can_import(std::string_view content);
 
 /// Makes a scene of the content of another program's file: Lottie (JSON, or dotLottie's zip), SVG or Synfig
 /// (XML, or gzip of it). Throws Failure, which names the file, when the content is damaged, none of these, or
-/// more than art::Budget allows.
+/// more than art::Budget or a scene allows.
 Imported import_scene(const std::string& name, std::string content, const Options& options);
+
+/// Makes a scene of drawings that are the same picture at several times; see svg::read_svg_keys(). They may
+/// be packed by gzip.
+Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const double> times,
+                             const Options& options);
 
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "host/art/affine.hpp"
 #include "host/art/budget.hpp"
 #include "host/art/document.hpp"
 #include "host/art/losses.hpp"
 #include "host/lottie/member.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +35,9 @@ struct Around {
     const Around* outer = nullptr;
     const art::Transform* transform = nullptr; ///< nothing: how it lies is not known
 };
+
+/// How many points have to be computed to know how they lie.
+std::size_t weight(const Around* around);
 
 /// To the canvas; nothing if that is not known.
 std::optional<art::Affine> canvas_matrix(const Around* around, double time);

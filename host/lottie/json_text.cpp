@@ -10,7 +10,8 @@ namespace {
 [[noreturn]] void fail(const SourceText& source, std::size_t byte, const std::string& text)
 {
     const LineColumn place = line_column(source.text, byte > 0 ? byte - 1 : 0);
-    throw Failure(source.name + ':' + std::to_string(place.line) + ':' + std::to_string(place.column) + ": " + text);
+    throw Failure(source.name + ':' + std::to_string(place.line) + ':' + std::to_string(place.column) + ": " +
+                  text);
 }
 
 /// Before parsing, for the parser keeps what it has read on a stack of its own.
@@ -27,8 +28,9 @@ void check_depth(const SourceText& source)
             in_text = true;
         } else if (sign == '[' || sign == '{') {
             if (++depth > deepest_json)
-                fail(source, i + 1, "lists and objects lie more than " + std::to_string(deepest_json) +
-                                        " deep in each other: flatten groups or precompositions");
+                fail(source, i + 1,
+                     "lists and objects lie more than " + std::to_string(deepest_json) +
+                         " deep in each other: flatten groups or precompositions");
         } else if (sign == ']' || sign == '}') {
             --depth;
         }
@@ -45,14 +47,19 @@ std::string reason(const Json::parse_error& error)
 
 bool is_plain(const std::string& name)
 {
-    return !name.empty() && std::ranges::all_of(name, [](unsigned char sign) {
-               return std::isalnum(sign) || sign == '_';
-           });
+    return !name.empty() &&
+           std::ranges::all_of(name, [](unsigned char sign) { return std::isalnum(sign) || sign == '_'; });
 }
 
-std::string step_to(const std::string& name, bool first)
+void add_step(std::string& path, const std::string& name)
 {
-    return is_plain(name) ? (first ? "" : ".") + name : "[" + Json(name).dump() + "]";
+    if (!is_plain(name)) {
+        path += '[' + Json(name).dump() + ']';
+        return;
+    }
+    if (!path.empty())
+        path += '.';
+    path += name;
 }
 
 /// Extends the path by the way from `from` to the place.
@@ -63,7 +70,7 @@ bool find_path(const Json& from, const Json* place, std::string& path)
     const std::size_t length = path.size();
     if (from.is_object()) {
         for (const auto& [name, member] : from.items()) {
-            path += step_to(name, length == 0);
+            add_step(path, name);
             if (find_path(member, place, path))
                 return true;
             path.resize(length);

@@ -37,7 +37,9 @@ std::string words(const Json& layer)
     if (value && find_member(*value, "s"))
         value = find_member(*value, "s");
     const Json* const said = value ? find_member(*value, "t") : nullptr;
-    return said && said->is_string() ? " " + quoted(said->get<std::string>()) : "";
+    if (!said || !said->is_string())
+        return {};
+    return std::string{" "} + kfast::quoted(said->get<std::string>());
 }
 
 std::string image_name(const Layer& layer, const Animation& animation)
@@ -46,8 +48,9 @@ std::string image_name(const Layer& layer, const Animation& animation)
     if (asset == animation.assets.end())
         return "image";
     const Json* const file = find_member(*asset->second, "p");
-    const bool is_name = file && file->is_string() && !file->get_ref<const std::string&>().starts_with("data:");
-    return is_name ? "image " + quoted(file->get<std::string>()) : "image";
+    const bool is_name =
+        file && file->is_string() && !file->get_ref<const std::string&>().starts_with("data:");
+    return is_name ? std::string{"image "} + kfast::quoted(file->get<std::string>()) : std::string{"image"};
 }
 
 void report_undrawn(const Layer& layer, const Animation& animation)
@@ -56,7 +59,8 @@ void report_undrawn(const Layer& layer, const Animation& animation)
     case LayerKind::image:
         return report(layer, image_name(layer, animation), "nothing: trace it into shapes");
     case LayerKind::text:
-        return report(layer, "text" + words(layer.json), "nothing: turn it into shapes in the editor");
+        return report(layer, std::string{"text"} + words(layer.json),
+                      "nothing: turn it into shapes in the editor");
     case LayerKind::audio:
         return report(layer, "sound", "silence");
     case LayerKind::video:
@@ -73,17 +77,26 @@ void report_undrawn(const Layer& layer, const Animation& animation)
     case LayerKind::shapes:
         return;
     }
-    report(layer, "layer of the type " + std::to_string(std::to_underlying(kind_of(layer.json))), "nothing");
+    report(layer, std::string{"layer of the type "} + std::to_string(whole_at(layer.json, "ty", -1)),
+           "nothing");
 }
 
 }
 
 LayerKind kind_of(const Json& layer) { return LayerKind{whole_at(layer, "ty", -1)}; }
 
+std::string given_name(const Json& layer)
+{
+    const Json* const name = find_member(layer, "nm");
+    return name && name->is_string() ? name->get<std::string>() : std::string{};
+}
+
 std::string name_of(const Json& layer, std::size_t index)
 {
-    const std::string name = text_at(layer, "nm");
-    return name.empty() ? "layer " + std::to_string(whole_at(layer, "ind", static_cast<int>(index) + 1)) : name;
+    const std::string name = given_name(layer);
+    return name.empty()
+               ? std::string{"layer "} + std::to_string(whole_at(layer, "ind", static_cast<int>(index) + 1))
+               : name;
 }
 
 art::Span span_of(const Json& layer, const LayerTime& time, const art::Span& seen)
@@ -91,7 +104,7 @@ art::Span span_of(const Json& layer, const LayerTime& time, const art::Span& see
     constexpr double endless = largest_number;
     double from = time.scene_frame(number_at(layer, "ip", time.stretch > 0 ? -endless : endless));
     double to = time.scene_frame(number_at(layer, "op", time.stretch > 0 ? endless : -endless));
-    if (from > to)
+    if (time.stretch < 0)
         std::swap(from, to);
     if (from <= seen.from)
         from = -std::numeric_limits<double>::infinity();

@@ -85,7 +85,8 @@ std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey
 }
 
 /// Nothing if it leads nowhere.
-std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys, const Reading& reading, bool turns)
+std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys, const Reading& reading,
+                                                bool turns)
 {
     GrowingPath path{spot_of(keys.front().begin)};
     std::vector<Way<double>> ways = grow_along(path, keys);
@@ -95,9 +96,10 @@ std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys
         way.begin /= path.length();
         way.end /= path.length();
     }
+    reading.budget.take_keys(keys.size());
     reading.budget.take_points(path.outline().curves.size() + 1);
     place_in_scene(ways, reading.time);
-    return art::MotionPath{{{path.outline()}}, joined(ways, reading.budget), turns};
+    return art::MotionPath{{{path.outline()}}, joined(ways), turns};
 }
 
 bool is_split(const Json* position)

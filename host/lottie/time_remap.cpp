@@ -1,6 +1,8 @@
 #include "host/lottie/time_remap.hpp"
 
-#include "host/lottie/cut_ease.hpp"
+#include "host/art/ease_part.hpp"
+#include "host/art/every_animation.hpp"
+#include "host/art/value_distance.hpp"
 #include "host/lottie/ways.hpp"
 
 #include <algorithm>
@@ -10,6 +12,8 @@ namespace kfast::lottie {
 namespace {
 
 using art::EaseKind;
+using art::mixed;
+using art::same_form;
 
 void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double from, double to)
 {
@@ -24,19 +28,19 @@ void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double
 
 /// The stretch of a way between two of its moments.
 template <typename Value>
-Way<Value> stretch(const art::Key<Value>& key, const art::Key<Value>& next, double from, double to)
+void add_stretch(std::vector<Way<Value>>& ways, const art::Key<Value>& key, const art::Key<Value>& next,
+                 double from, double to)
 {
-    const double length = next.time - key.time;
-    const double begin = (from - key.time) / length;
-    const double end = (to - key.time) / length;
-    if (key.ease.kind == EaseKind::hold)
-        return {from, to, key.value, key.value, key.ease};
-    const auto value = [&](double share) {
-        return share <= 0 ? key.value
-               : share >= 1 ? next.value
-                            : mixed(key.value, next.value, share_of_way(key.ease, share));
-    };
-    return {from, to, value(begin), value(end), cut_ease(key.ease, begin, end)};
+    if (key.ease.kind == EaseKind::hold) {
+        ways.push_back({from, to, key.value, key.value, key.ease});
+        return;
+    }
+    const double span = next.time - key.time;
+    for (const art::EasePart& part :
+         art::ease_parts(key.ease, (from - key.time) / span, (to - key.time) / span))
+        ways.push_back({key.time + part.from * span, key.time + part.to * span,
+                        mixed(key.value, next.value, part.way_from),
+                        mixed(key.value, next.value, part.way_to), part.ease});
 }
 
 /// The ways between two frames of the composition, in its own times.
@@ -51,7 +55,7 @@ std::vector<Way<Value>> ways_within(const art::Animated<Value>& animated, double
         const double begin = std::max(from, keys[i].time);
         const double end = std::min(to, keys[i + 1].time);
         if (begin < end)
-            ways.push_back(stretch(keys[i], keys[i + 1], begin, end));
+            add_stretch(ways, keys[i], keys[i + 1], begin, end);
     }
     if (to > keys.back().time)
         ways.push_back({std::max(from, keys.back().time), to, keys.back().value, keys.back().value, {}});
@@ -71,6 +75,21 @@ void add_ways(std::vector<Way<Value>>& ways, const art::Animated<Value>& animate
     const double slope = (piece.to - piece.from) / (piece.end - piece.begin);
     place_in_scene(stretched, {piece.from - slope * piece.begin, slope});
     ways.insert(ways.end(), stretched.begin(), stretched.end());
+}
+
+/// What is the same value but for rounding is no jump.
+template <typename Value>
+void mend(std::vector<Way<Value>>& ways)
+{
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 1; i < ways.size(); ++i) {
+        const Value& before = ways[i - 1].end;
+        if (!same_form(before, ways[i].begin) || art::distance(before, ways[i].begin) > rounding)
+            continue;
+        if (ways[i].begin == ways[i].end)
+            ways[i].end = before;
+        ways[i].begin = before;
+    }
 }
 
 void take(art::Budget&, const art::Channel&) {}
@@ -95,6 +114,7 @@ void retime(art::Animated<Value>& animated, const std::vector<TimePiece>& pieces
         add_ways(ways, animated, piece);
     }
     ways.push_back({pieces.back().to, endless, ways.back().end, ways.back().end, {}});
+    mend(ways);
     animated = joined(ways);
     budget.take_keys(animated.keys.size());
     take(budget, animated);
@@ -112,7 +132,8 @@ std::vector<art::Span> retimed(const std::vector<art::Span>& spans, const std::v
     };
     for (const TimePiece& piece : pieces) {
         std::vector<art::Span> here;
-        const double slope = piece.begin == piece.end ? 0 : (piece.to - piece.from) / (piece.end - piece.begin);
+        const double slope =
+            piece.begin == piece.end ? 0 : (piece.to - piece.from) / (piece.end - piece.begin);
         for (const art::Span& span : spans) {
             const double from = std::max(span.from, std::min(piece.begin, piece.end));
             const double to = std::min(span.to, std::max(piece.begin, piece.end));
@@ -131,57 +152,6 @@ std::vector<art::Span> retimed(const std::vector<art::Span>& spans, const std::v
 }
 
 bool is_always(const std::vector<art::Span>& spans) { return spans == std::vector<art::Span>{{}}; }
-
-class Retiming {
-public:
-    Retiming(const std::vector<TimePiece>& pieces, art::Budget& budget) : pieces_{pieces}, budget_{budget} {}
-
-    void nodes(std::vector<art::Node>& list)
-    {
-        for (art::Node& each : list)
-            node(each);
-    }
-
-private:
-    template <typename... Value>
-    void all(art::Animated<Value>&... animated)
-    {
-        (retime(animated, pieces_, budget_), ...);
-    }
-
-    void node(art::Node& node)
-    {
-        transform(node.transform);
-        all(node.opacity);
-        if (!is_always(node.shown))
-            node.shown = retimed(node.shown, pieces_);
-        if (auto* group = std::get_if<art::Group>(&node.content))
-            nodes(group->nodes);
-        else
-            figure(std::get<art::Figure>(node.content));
-    }
-
-    void transform(art::Transform& transform)
-    {
-        all(transform.anchor_x, transform.anchor_y, transform.x, transform.y, transform.z, transform.scale_x,
-            transform.scale_y, transform.rotate, transform.rotate_x, transform.rotate_y, transform.skew,
-            transform.skew_axis);
-        if (transform.path)
-            all(transform.path->share);
-    }
-
-    void figure(art::Figure& figure)
-    {
-        all(figure.drawing);
-        if (figure.fill)
-            all(figure.fill->colour, figure.fill->opacity);
-        if (figure.line)
-            all(figure.line->colour, figure.line->opacity, figure.line->width);
-    }
-
-    const std::vector<TimePiece>& pieces_;
-    art::Budget& budget_;
-};
 
 }
 
@@ -204,8 +174,11 @@ std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& s
         } else if (keys[i].ease.kind == EaseKind::cubic) {
             add_eased(pieces, frame, from, to);
         } else {
-            const auto way = stretch(keys[i], keys[i + 1], from, to);
-            pieces.push_back({from, to, way.begin, way.end});
+            const auto value = [&](double time) {
+                return art::mixed(keys[i].value, keys[i + 1].value,
+                                  (time - keys[i].time) / (keys[i + 1].time - keys[i].time));
+            };
+            pieces.push_back({from, to, value(from), value(to)});
         }
     }
     add_still(std::max(span.from, keys.back().time), span.to, keys.back().value);
@@ -214,7 +187,15 @@ std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& s
 
 void retime(std::vector<art::Node>& nodes, const std::vector<TimePiece>& pieces, art::Budget& budget)
 {
-    Retiming{pieces, budget}.nodes(nodes);
+    const auto change = [&](auto& animated) { retime(animated, pieces, budget); };
+    art::every_node(nodes, [&](art::Node& node, const std::string&) {
+        if (!is_always(node.shown))
+            node.shown = retimed(node.shown, pieces);
+        change(node.opacity);
+        art::every_animation(node.transform, change);
+        if (auto* figure = std::get_if<art::Figure>(&node.content))
+            art::every_animation(*figure, change);
+    });
 }
 
 }

@@ -15,8 +15,8 @@ struct TimePiece {
     double end = 0;
 };
 
-/// Pieces of a span, without gaps. `frame` is that of the composition over frames of the scene; where it is eased
-/// there is a piece for each frame.
+/// Pieces of a span, without gaps. `frame` is that of the composition over frames of the scene; where it is
+/// eased there is a piece for each frame.
 std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& span);
 
 /// Turns times of the composition into those of the scene.

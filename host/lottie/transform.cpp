@@ -118,7 +118,8 @@ art::Transform read_flat(const Json& ks, const Reading& reading, bool turns)
 std::optional<double> steady_value(const Channel& channel)
 {
     const double value = channel.keys.front().value;
-    const bool steady = std::ranges::all_of(channel.keys, [&](const auto& key) { return key.value == value; });
+    const bool steady =
+        std::ranges::all_of(channel.keys, [&](const auto& key) { return key.value == value; });
     return steady ? std::optional{value} : std::nullopt;
 }
 

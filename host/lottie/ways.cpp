@@ -74,9 +74,4 @@ art::Ease read_ease(const FileKey& key, std::size_t index)
     return ease;
 }
 
-art::Ease reversed(const art::Ease& ease)
-{
-    return {ease.kind, 1 - ease.x2, 1 - ease.y2, 1 - ease.x1, 1 - ease.y1};
-}
-
 }

@@ -2,6 +2,7 @@
 
 #include "host/art/animated.hpp"
 #include "host/art/budget.hpp"
+#include "host/art/ease_part.hpp"
 #include "host/lottie/channel.hpp"
 
 #include <algorithm>
@@ -44,9 +45,6 @@ struct Way {
     art::Ease ease = {};
 };
 
-/// Backwards in time.
-art::Ease reversed(const art::Ease& ease);
-
 /// The ways of a property between its keys; `value_of` makes a value of Json. At least one key.
 template <typename Value, typename ValueOf>
 std::vector<Way<Value>> read_ways(const std::vector<FileKey>& keys, std::size_t index, ValueOf value_of)
@@ -83,7 +81,7 @@ void place_in_scene(std::vector<Way<Value>>& ways, const LayerTime& time)
     for (Way<Value>& way : ways) {
         std::swap(way.from, way.to);
         std::swap(way.begin, way.end);
-        way.ease = reversed(way.ease);
+        way.ease = art::reversed(way.ease);
     }
 }
 
@@ -92,7 +90,7 @@ inline constexpr double jump_time = 1.0 / 1024;
 
 /// Where a way does not begin as the one before ended, the value jumps.
 template <typename Value>
-art::Animated<Value> joined(const std::vector<Way<Value>>& ways, art::Budget& budget)
+art::Animated<Value> joined(const std::vector<Way<Value>>& ways)
 {
     std::vector<art::Key<Value>> keys;
     for (std::size_t i = 1; i < ways.size(); ++i) {
@@ -107,8 +105,6 @@ art::Animated<Value> joined(const std::vector<Way<Value>>& ways, art::Budget& bu
         if (keys.empty() || way.from > keys.back().time)
             keys.push_back({way.from, way.begin, way.ease});
     }
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        budget.take_keys(1);
     return art::Animated<Value>{std::move(keys)};
 }
 
@@ -122,9 +118,10 @@ std::optional<art::Animated<Value>> read_animated(const Property& property, std:
         return art::Animated<Value>{value_of(*property.value)};
     if (property.keys.empty())
         return std::nullopt;
+    budget.take_keys(property.keys.size());
     auto ways = read_ways<Value>(property.keys, index, value_of);
     place_in_scene(ways, time);
-    return joined(ways, budget);
+    return joined(ways);
 }
 
 }

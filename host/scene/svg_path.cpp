@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,8 +20,8 @@ using Arguments = std::array<double, 7>;
 
 class PathReader {
 public:
-    PathReader(std::string_view data, std::size_t points_left, Diagnostics& findings)
-        : scanner_{data}, data_{data}, points_left_{points_left}, findings_{findings}
+    PathReader(std::string_view data, std::size_t points_left, Diagnostics& findings, double limit)
+        : scanner_{data}, data_{data}, points_left_{points_left}, findings_{findings}, limit_{limit}
     {
     }
 
@@ -61,6 +62,13 @@ private:
     void begin_outline();
     void end_outline();
     bool count_point();
+    bool reaches(double coordinate) const { return coordinate >= -limit_ && coordinate <= limit_; }
+    bool reaches(Spot spot) const { return reaches(spot.x) && reaches(spot.y); }
+    bool reaches(const Curve& curve) const
+    {
+        return reaches(curve.to) && (!curve.cubic || (reaches(curve.c1) && reaches(curve.c2)));
+    }
+    std::string too_far() const;
 
     void fail(std::size_t begin, std::string message, std::string remedy = {});
 
@@ -68,6 +76,7 @@ private:
     std::string_view data_;
     std::size_t points_left_;
     Diagnostics& findings_;
+    double limit_;
     bool failed_ = false;
 
     std::vector<Outline> outlines_;
@@ -178,9 +187,9 @@ std::optional<double> PathReader::read_coordinate(char kind, bool relative)
     auto coordinate = read_argument(kind);
     if (coordinate && relative)
         *coordinate += kind == 'x' ? current_.x : current_.y;
-    if (!coordinate || in_range(*coordinate))
+    if (!coordinate || reaches(*coordinate))
         return coordinate;
-    fail(begin, "this point lies more than 2047 px from the origin");
+    fail(begin, "this point lies" + too_far());
     return std::nullopt;
 }
 
@@ -249,8 +258,8 @@ void PathReader::add(const Curve& curve)
 {
     if (failed_)
         return;
-    if (!in_range(curve))
-        return fail(begin_, "this curve reaches more than 2047 px from the origin");
+    if (!reaches(curve))
+        return fail(begin_, "this curve reaches" + too_far());
     if (!drawing_)
         begin_outline();
     if (!count_point())
@@ -288,6 +297,11 @@ bool PathReader::count_point()
     return true;
 }
 
+std::string PathReader::too_far() const
+{
+    return " more than " + std::to_string(std::lround(limit_)) + " px from the origin";
+}
+
 /// From `begin` to where the scanner stands, at least one byte while there is one.
 void PathReader::fail(std::size_t begin, std::string message, std::string remedy)
 {
@@ -299,9 +313,10 @@ void PathReader::fail(std::size_t begin, std::string message, std::string remedy
 
 }
 
-std::vector<Outline> read_svg_path(std::string_view data, std::size_t points_left, Diagnostics& findings)
+std::vector<Outline> read_svg_path(std::string_view data, std::size_t points_left, Diagnostics& findings,
+                                   double limit)
 {
-    return PathReader{data, points_left, findings}.read();
+    return PathReader{data, points_left, findings, limit}.read();
 }
 
 }

@@ -27,11 +27,14 @@ FREESTANDING_FOLDERS = {"core", "firmware", "library"}
 # stands in for them use them as well.
 HIDDEN = {
     "SDL": r"SDL.*", "libsndfile": r"sndfile\.hh?", "hidapi": r"hidapi.*", "libusb": r"libusb.*", "libgpiod": r"gpiod.*",
-    "FreeType": r"freetype\.h|ft\w+\.h",
+    "FreeType": r"freetype\.h|ft\w+\.h", "libzip": r"zip\.h", "zlib": r"zlib\.h",
 }
 
 # Of one library, what two files hide has nothing to do with each other: windows and sound.
 PARTS = {"SDL": 2}
+
+# Libraries that stay in a few folders.
+WITHIN = {"pugixml": (r"pugi(xml|config)\.hpp", {"host/svg", "host/synfig", "host/xml"})}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -67,6 +70,13 @@ def hidden_library(included):
     return next((library for library, pattern in HIDDEN.items() if re.fullmatch(pattern, name)), None)
 
 
+def strayed_library(place, included):
+    for library, (pattern, folders) in WITHIN.items():
+        if re.fullmatch(pattern, included.split("/")[-1]) and str(place.parent) not in folders:
+            return f"is of {library}, which belongs into {', '.join(sorted(folders))}"
+    return None
+
+
 def check(root):
     """All violations below `root`, one line each."""
     mistakes = []
@@ -75,6 +85,8 @@ def check(root):
         for kind, included in INCLUDE.findall(path.read_text(encoding="utf-8")):
             place = path.relative_to(root)
             mistake = (quoted_mistake if kind == '"' else angle_mistake)(folder, included)
+            if not mistake and folder != "tests":
+                mistake = strayed_library(place, included)
             if mistake:
                 mistakes.append(f"{place}: {included} {mistake}")
             if folder != "tests" and (library := hidden_library(included)):

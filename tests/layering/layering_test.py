@@ -51,7 +51,7 @@ class Layering(unittest.TestCase):
 
     def test_refuses_a_library_that_is_not_hidden(self):
         for header in ["sndfile.h", "hidapi/hidapi.h", "libusb-1.0/libusb.h", "gpiod.h", "freetype/freetype.h",
-                       "ft2build.h"]:
+                       "ft2build.h", "zip.h", "zlib.h"]:
             with self.subTest(header=header):
                 line = f"#include <{header}>\n"
                 self.assertEqual([], self.mistakes({"host/a.cpp": line}))
@@ -60,6 +60,12 @@ class Layering(unittest.TestCase):
                 self.assertEqual([], self.mistakes({"host/a.cpp": line, "tests/b.cpp": line}))
                 self.assertEqual([], self.mistakes({"host/a_v1.cpp": line, "host/a_v2.cpp": line}))
                 self.assertEqual(1, len(self.mistakes({"host/a_v1.cpp": line, "host/b_v2.cpp": line})))
+
+    def test_keeps_pugixml_in_a_few_folders(self):
+        line = "#include <pugixml.hpp>\n"
+        self.assertEqual([], self.mistakes({"host/svg/a.hpp": line, "host/svg/b.cpp": line, "tests/a.cpp": line}))
+        self.assertIn("pugixml", self.mistakes({"host/a.cpp": line})[0])
+        self.assertEqual(1, len(self.mistakes({"core/a.cpp": line})))
 
     def test_lets_two_files_hide_sdl(self):
         line = "#include <SDL2/SDL.h>\n"

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct zip;
+
+namespace kfast::archive {
+
+/// Whether the bytes begin as a zip file does.
+bool is_zip(std::string_view bytes);
+
+/// Reads a zip file in memory. All members throw Failure, which names the file.
+class ZipFile {
+public:
+    static constexpr std::size_t most_members = 4096;
+
+    /// `bytes` must outlive it. Throws when they are no zip file, damaged, or hold more than `most_members`.
+    ZipFile(std::string name, std::string_view bytes);
+
+    /// Their paths, in the order of the file.
+    const std::vector<std::string>& members() const { return members_; }
+    bool has(std::string_view path) const;
+
+    /// Throws when there is none of that path, it is encrypted, packed in a way that is not known, damaged,
+    /// or larger than `most_bytes`, whatever the file says of its size.
+    std::string content(std::string_view path, std::size_t most_bytes) const;
+
+private:
+    struct Close {
+        void operator()(zip* archive) const;
+    };
+
+    std::string name_;
+    std::unique_ptr<zip, Close> archive_;
+    std::vector<std::string> members_;
+};
+
+}

@@ -1,0 +1,281 @@
+#include "host/art/fewer_keys.hpp"
+
+#include "host/art/ease_part.hpp"
+#include "host/art/fitted_ease.hpp"
+#include "host/art/value_distance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace kfast::art {
+namespace {
+
+template <typename Value>
+class FewerKeys {
+public:
+    FewerKeys(std::vector<Key<Value>> keys, double tolerance, NewEases& eases)
+        : keys_{std::move(keys)}, tolerance_{tolerance}, eases_{eases}, kinks_(keys_.size())
+    {
+        for (std::size_t i = 1; i + 1 < keys_.size(); ++i)
+            kinks_[i] = kink_at(i);
+    }
+
+    std::vector<Key<Value>> found()
+    {
+        if (is_constant())
+            return {{keys_.front().time, keys_.front().value, {}}};
+        std::vector<Key<Value>> kept;
+        for (std::size_t i = 0; i + 1 < keys_.size();) {
+            const Reach reach = farthest_from(i);
+            kept.push_back({keys_[i].time, keys_[i].value, reach.ease});
+            i = reach.end;
+        }
+        kept.push_back({keys_.back().time, keys_.back().value, {}});
+        return without_still_ends(std::move(kept));
+    }
+
+private:
+    struct Reach {
+        std::size_t end; ///< index of the key that one way leads to
+        Ease ease;
+    };
+
+    /// How far what is smooth must be from two straight ways that meet at a key at an angle: of evenly spaced
+    /// chords of a parabola that is an eighth of how far the key is from the middle of its neighbours.
+    double kink_at(std::size_t key) const
+    {
+        if (keys_[key - 1].ease.kind != EaseKind::linear || keys_[key].ease.kind != EaseKind::linear ||
+            !same_form(keys_[key - 1].value, keys_[key].value) ||
+            !same_form(keys_[key].value, keys_[key + 1].value))
+            return 0;
+        const double step =
+            std::min(keys_[key].time - keys_[key - 1].time, keys_[key + 1].time - keys_[key].time);
+        const Value before = value_at(key - 1, keys_[key].time - step);
+        const Value behind = value_at(key, keys_[key].time + step);
+        return distance(OnWay<Value>{before, behind, 0.5}, {keys_[key].value, keys_[key].value, 0}) / 8;
+    }
+
+    Value value_at(std::size_t key, double time) const
+    {
+        return mixed(keys_[key].value, keys_[key + 1].value, fraction(key, key + 1, time));
+    }
+
+    bool is_constant() const
+    {
+        const Value& first = keys_.front().value;
+        for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
+            if (!same_form(first, keys_[i + 1].value))
+                return false;
+            const WayRange range = way_range(keys_[i].ease);
+            for (const double share : {range.low, range.high})
+                if (!(distance(way(i, share), {first, first, 0}) <= tolerance_))
+                    return false;
+        }
+        return true;
+    }
+
+    /// First in steps that double, then by halving what is left between.
+    Reach farthest_from(std::size_t begin)
+    {
+        Reach best{begin + 1, same(begin, begin + 1) ? Ease{} : keys_[begin].ease};
+        std::size_t failed = keys_.size();
+        for (std::size_t step = 2; begin + step < keys_.size(); step *= 2)
+            if (!extend(begin, begin + step, best)) {
+                failed = begin + step;
+                break;
+            }
+        while (failed - best.end > 1)
+            if (const std::size_t middle = best.end + (failed - best.end) / 2; !extend(begin, middle, best))
+                failed = middle;
+        return best;
+    }
+
+    bool same(std::size_t left, std::size_t right) const
+    {
+        return same_form(keys_[left].value, keys_[right].value) &&
+               distance(keys_[left].value, keys_[right].value) == 0;
+    }
+
+    bool extend(std::size_t begin, std::size_t end, Reach& best)
+    {
+        const auto ease = ease_between(begin, end);
+        if (ease)
+            best = {end, *ease};
+        return ease.has_value();
+    }
+
+    std::optional<Ease> ease_between(std::size_t begin, std::size_t end)
+    {
+        for (std::size_t i = begin; i < end; ++i)
+            if (!same_form(keys_[i].value, keys_[i + 1].value))
+                return std::nullopt;
+        for (const Ease& ease : {Ease{}, Ease{EaseKind::hold}})
+            if (is_near(begin, end, ease))
+                return ease;
+        return fitted(begin, end);
+    }
+
+    std::optional<Ease> fitted(std::size_t begin, std::size_t end)
+    {
+        if (same(begin, end) || jumps(begin, end) || has_kinks(begin, end) || !eases_.take_fit())
+            return std::nullopt;
+        constexpr std::size_t steps = 24;
+        std::array<double, steps + 1> ways{};
+        std::size_t key = begin;
+        for (std::size_t i = 1; i <= steps; ++i) {
+            const double time =
+                keys_[begin].time + (keys_[end].time - keys_[begin].time) * static_cast<double>(i) / steps;
+            while (key + 1 < end && keys_[key + 1].time <= time)
+                ++key;
+            ways[i] = nearest_share(keys_[begin].value, keys_[end].value, way(key, share_at(key, time)));
+        }
+        const auto ease = fitted_ease(ways);
+        if (!ease || !is_near(begin, end, *ease) || !eases_.add(*ease))
+            return std::nullopt;
+        return ease;
+    }
+
+    bool has_kinks(std::size_t begin, std::size_t end) const
+    {
+        return std::any_of(kinks_.begin() + static_cast<std::ptrdiff_t>(begin) + 1,
+                           kinks_.begin() + static_cast<std::ptrdiff_t>(end),
+                           [&](double kink) { return kink > tolerance_; });
+    }
+
+    bool jumps(std::size_t begin, std::size_t end) const
+    {
+        for (std::size_t i = begin; i < end; ++i)
+            if (keys_[i].ease.kind == EaseKind::hold && !same(i, i + 1))
+                return true;
+        return false;
+    }
+
+    /// Behind the key's own time, and before that of the next one or, of the limit from below, at it.
+    double share_at(std::size_t key, double time) const
+    {
+        if (keys_[key].ease.kind == EaseKind::hold)
+            return 0;
+        return share_of_way(keys_[key].ease, fraction(key, key + 1, time));
+    }
+
+    double fraction(std::size_t begin, std::size_t end, double time) const
+    {
+        return (time - keys_[begin].time) / (keys_[end].time - keys_[begin].time);
+    }
+
+    OnWay<Value> way(std::size_t key, double share) const
+    {
+        return {keys_[key].value, keys_[key + 1].value, share};
+    }
+
+    bool is_near(std::size_t begin, std::size_t end, const Ease& ease) const
+    {
+        for (std::size_t key = begin; key < end; ++key) {
+            const Stretch stretch{begin, end, key, ease};
+            if (!is_near(stretch, keys_[key].time, keys_[key + 1].time, most_halvings))
+                return false;
+        }
+        return true;
+    }
+
+    static constexpr int most_halvings = 8;
+
+    /// A new way from key `begin` to key `end`, where it takes the place of the one that leaves `key`.
+    struct Stretch {
+        std::size_t begin;
+        std::size_t end;
+        std::size_t key;
+        const Ease& ease;
+    };
+
+    /// Both ways are near the straight ones between where they are at two moments, by what they bend, and
+    /// straight ways are farthest apart at one of their ends. So this is proven for all times between.
+    bool is_near(const Stretch& at, double from, double to, int halvings) const
+    {
+        const double apart = std::max(distance_at(at, from), distance_at(at, to));
+        if (!(apart <= tolerance_))
+            return false;
+        if (apart + bend(keys_[at.key].ease, at.key, at.key + 1, from, to) +
+                bend(at.ease, at.begin, at.end, from, to) <=
+            tolerance_)
+            return true;
+        const double middle = (from + to) / 2;
+        return halvings > 0 && is_near(at, from, middle, halvings - 1) &&
+               is_near(at, middle, to, halvings - 1);
+    }
+
+    /// Of a way from key `begin` to key `end`, between two moments.
+    double bend(const Ease& ease, std::size_t begin, std::size_t end, double from, double to) const
+    {
+        const double share = bend_of(ease, fraction(begin, end, from), fraction(begin, end, to));
+        return share > 0 ? share * distance(keys_[begin].value, keys_[end].value) : 0;
+    }
+
+    double distance_at(const Stretch& at, double time) const
+    {
+        const double share =
+            at.ease.kind == EaseKind::hold ? 0 : share_of_way(at.ease, fraction(at.begin, at.end, time));
+        return distance(way(at.key, share_at(at.key, time)),
+                        {keys_[at.begin].value, keys_[at.end].value, share});
+    }
+
+    /// The first value holds before, the last one behind.
+    static std::vector<Key<Value>> without_still_ends(std::vector<Key<Value>> keys)
+    {
+        const auto same = [](const Key<Value>& left, const Key<Value>& right) {
+            return same_form(left.value, right.value) && distance(left.value, right.value) == 0;
+        };
+        while (keys.size() > 1 && same(keys[keys.size() - 2], keys.back()))
+            keys.pop_back();
+        auto first = keys.begin();
+        while (std::next(first) != keys.end() && same(*first, *std::next(first)))
+            ++first;
+        keys.erase(keys.begin(), first);
+        keys.back().ease = {};
+        return keys;
+    }
+
+    std::vector<Key<Value>> keys_;
+    double tolerance_;
+    NewEases& eases_;
+    std::vector<double> kinks_; ///< by key
+};
+
+template <typename Value>
+void leave_out(Animated<Value>& animated, double tolerance, NewEases& eases)
+{
+    if (!animated.is_still())
+        animated.keys = FewerKeys<Value>{std::move(animated.keys), tolerance, eases}.found();
+}
+
+}
+
+bool NewEases::add(const Ease& ease)
+{
+    if (std::ranges::find(list_, ease) != list_.end())
+        return true;
+    if (list_.size() == most)
+        return false;
+    list_.push_back(ease);
+    return true;
+}
+
+void leave_out_keys(Channel& channel, double tolerance, NewEases& eases)
+{
+    leave_out(channel, tolerance, eases);
+}
+
+void leave_out_keys(Animated<Rgb>& colour, double tolerance, NewEases& eases)
+{
+    leave_out(colour, tolerance, eases);
+}
+
+void leave_out_keys(Animated<Drawing>& drawing, double tolerance, NewEases& eases)
+{
+    leave_out(drawing, tolerance, eases);
+}
+
+}

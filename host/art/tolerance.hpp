@@ -1,0 +1,8 @@
+#pragma once
+
+namespace kfast::art {
+
+/// How far simplification may move anything that is seen, in canvas pixels.
+inline constexpr double usual_tolerance = 1.0 / 32;
+
+}

@@ -1,0 +1,203 @@
+#include "core/player.hpp"
+#include "host/atomic_file.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/import_law.hpp"
+#include "host/commands/import_options.hpp"
+#include "host/commands/import_report.hpp"
+#include "host/commands/named_choice.hpp"
+#include "host/commands/number_range.hpp"
+#include "host/commands/output_path.hpp"
+#include "host/commands/time_text.hpp"
+#include "host/failure.hpp"
+#include "host/input_file.hpp"
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <span>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double usual_frame_rate = 30;
+constexpr double fastest = 1000;
+
+struct ImportOptions {
+    std::string file;
+    std::vector<std::string> drawings;
+    std::vector<std::string> times;
+    std::string output;
+    ImportChoice choice;
+    bool whole_list = false;
+    bool json = false;
+
+    const std::string& input() const { return drawings.empty() ? file : drawings.front(); }
+    bool to_standard_output() const { return output == "-"; }
+};
+
+template <class T>
+struct Named {
+    std::string_view name;
+    T value;
+};
+
+constexpr std::array endings{
+    Named<svg::Ending>{"auto", svg::Ending::automatic},
+    Named<svg::Ending>{"once", svg::Ending::once},
+    Named<svg::Ending>{"repeat", svg::Ending::repeat},
+    Named<svg::Ending>{"ping-pong", svg::Ending::ping_pong},
+    Named<svg::Ending>{"back", svg::Ending::back_to_first},
+};
+
+constexpr std::array layer_keys{
+    Named<svg::LayerKeys>{"auto", svg::LayerKeys::automatic},
+    Named<svg::LayerKeys>{"always", svg::LayerKeys::always},
+    Named<svg::LayerKeys>{"never", svg::LayerKeys::never},
+};
+
+std::vector<double> frames_of(const ImportOptions& options)
+{
+    const double frame_rate = options.choice.options.drawings.frame_rate;
+    std::vector<double> frames;
+    for (const std::string& text : options.times) {
+        const auto time = read_time(text, static_cast<std::uint32_t>(std::lround(frame_rate * 1000)));
+        if (!time)
+            throw Failure("--at: '" + text + "' is no time: write frames, or seconds like 0.5s");
+        frames.push_back(static_cast<double>(time->ticks) / Time::ticks_per_frame);
+    }
+    return frames;
+}
+
+importing::Imported import_drawings(const ImportOptions& options)
+{
+    std::vector<SourceText> drawings;
+    for (const std::string& file : options.drawings)
+        drawings.push_back({file, read_input(file, scene_input)});
+    return importing::import_key_drawings(std::move(drawings), frames_of(options), options.choice.options);
+}
+
+importing::Imported import_file(const ImportOptions& options)
+{
+    if (!options.drawings.empty())
+        return import_drawings(options);
+    std::string content = read_input(options.file, scene_input);
+    if (content.starts_with("KFB"))
+        throw Failure(options.file + ": a compiled scene already");
+    return importing::import_scene(options.file, std::move(content), options.choice.options);
+}
+
+/// Throws Failure if something is lost that must not be.
+void require_all(const ImportOptions& options, const art::Losses& losses)
+{
+    if (options.choice.on_loss != OnLoss::refuse || losses.empty())
+        return;
+    const auto length = options.whole_list ? importing::ListLength::whole : importing::ListLength::cut;
+    throw Failure(options.input() + ": " + importing::loss_count(losses) + ":\n" +
+                  importing::loss_list(losses, length));
+}
+
+/// Returns the name for messages.
+std::string write_scene(const ImportOptions& options, const std::string& text)
+{
+    if (options.to_standard_output()) {
+        std::cout << text << std::flush;
+        return "standard output";
+    }
+    const fs::path chosen = options.output.empty() ? fs::path{options.input()}.replace_extension(".kfast")
+                                                   : fs::path{options.output};
+    const fs::path path = output_path(chosen, options.input(), "file that is imported");
+    write_file(path, std::as_bytes(std::span{text}));
+    return path.string();
+}
+
+void print_report(const ImportOptions& options, const std::string& scene, const importing::Imported& imported)
+{
+    const SceneView view = *SceneView::parse(imported.compiled.bytes);
+    const ImportReport report{options.input(), scene, imported, view.canvas(),
+                              Player::block_bytes(view, view.canvas()),
+                              options.choice.options.size.has_value()};
+    const auto length = options.whole_list ? importing::ListLength::whole : importing::ListLength::cut;
+    std::ostream& out = options.to_standard_output() ? std::cerr : std::cout;
+    out << (options.json ? import_json(report) : import_text(report, length));
+}
+
+void run(const ImportOptions& options)
+{
+    const importing::Imported imported = import_file(options);
+    if (options.json && !imported.losses.empty() && options.choice.on_loss == OnLoss::refuse)
+        print_report(options, "", imported);
+    require_all(options, imported.losses);
+    print_report(options, write_scene(options, imported.text), imported);
+}
+
+void declare_key_options(CLI::App& app, ImportOptions& options)
+{
+    constexpr const char* group = "Key drawings of SVG (docs/import-svg.md)";
+    svg::KeyOptions& keys = options.choice.options.drawings;
+    CLI::Option* const drawings = app.add_option("--keys", options.drawings,
+                                                 "Several .svg files, each the same picture at another time")
+                                      ->type_name("FILES")
+                                      ->group(group);
+    CLI::Option* const times =
+        app.add_option("--at", options.times, "When: a frame, or a time like 0.5s, for each of them")
+            ->type_name("TIMES")
+            ->group(group);
+    drawings->needs(times);
+    times->needs(drawings);
+    app.add_option("--fps", keys.frame_rate, "Frames per second (default: 30)")
+        ->type_name("NUMBER")
+        ->check(number_within(1, fastest))
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--law", [&keys](const std::string& text) { keys.ease = read_ease("--law", text); },
+           "How it goes from key to key (default: constant)")
+        ->type_name("LAW")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--end", [&keys](const std::string& name) { keys.ending = named(endings, "--end", name).value; },
+           "After the last key: " + names_of(endings) + " (default: auto)")
+        ->type_name("HOW")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--layers",
+           [&keys](const std::string& name) { keys.layers = named(layer_keys, "--layers", name).value; },
+           "Layers named by frames, as keys: " + names_of(layer_keys) + " (default: auto)")
+        ->type_name("WHEN")
+        ->group(group);
+}
+
+void require_input(const ImportOptions& options)
+{
+    if (options.file.empty() == options.drawings.empty())
+        throw CLI::RequiredError("one of FILE and --keys FILES --at TIMES");
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<ImportOptions>();
+    app.add_option("FILE", options->file,
+                   "A file of Lottie (.json, .lottie), SVG (.svg, .svgz) or Synfig (.sif, .sifz)");
+    app.add_option("-o,--output", options->output,
+                   "The scene text, - for standard output (default: FILE's name with .kfast)");
+    app.add_flag("--all-losses", options->whole_list,
+                 "All that is not carried over, however long the list is");
+    app.add_flag("--json", options->json, "For programs: the report as a JSON object");
+    declare_import_options(app, options->choice);
+    declare_key_options(app, *options);
+    app.callback([options] {
+        require_input(*options);
+        run(*options);
+    });
+}
+
+}
+
+const Command import_command{"import", "Turn a file of Lottie, SVG or Synfig into a scene text",
+                             "kfast import eyes.json -o eyes.kfast\n"
+                             "  kfast import --keys shut.svg open.svg --at 0 12 -o blink.kfast",
+                             declare};
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace kfast::importing {
+
+enum class ContentKind : std::uint8_t {
+    json,
+    xml,
+    zip,
+    gzip,
+    utf_16, ///< JSON or XML in an encoding that is not read
+};
+
+/// What the first bytes tell, byte order marks and white space aside; nothing of what is none of these, as
+/// texts and compiled scenes of kfast are.
+std::optional<ContentKind> kind_of(std::string_view content);
+
+/// The name of the outermost element of an XML text, without its namespace, or "" if there is none.
+std::string_view root_element(std::string_view xml);
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/size.hpp"
+#include "host/art/tolerance.hpp"
+#include "host/svg/key_options.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kfast::importing {
+
+/// How files of other programs are made into scenes.
+struct Options {
+    double tolerance = art::usual_tolerance; ///< canvas pixels, 0 or more
+    std::optional<Size> size;                ///< the art is scaled so that its canvas just lies within it
+    std::string animation;                   ///< of a dotLottie file; "": the one that it begins with
+    svg::KeyOptions drawings;                ///< how drawings of SVG become keys
+};
+
+}

@@ -1,0 +1,108 @@
+#include "host/lottie/carried.hpp"
+
+#include "host/art/curve_length.hpp"
+
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+namespace kfast::lottie {
+namespace {
+
+using art::Affine;
+using art::Channel;
+
+std::array<const Channel*, 9> flat_channels(const art::Transform& transform)
+{
+    return {&transform.anchor_x, &transform.anchor_y, &transform.x,
+            &transform.y,        &transform.scale_x,  &transform.scale_y,
+            &transform.rotate,   &transform.skew,     &transform.skew_axis};
+}
+
+Affine leant(double skew, double axis)
+{
+    const double shear = -std::tan(skew * std::numbers::pi / 180);
+    return art::turned(-axis) * Affine{1, 0, shear, 1, 0, 0} * art::turned(axis);
+}
+
+scene::Spot position_at(const art::Transform& transform, double time)
+{
+    if (!transform.path || transform.path->path.outlines.empty())
+        return {transform.x.at(time), transform.y.at(time)};
+    return art::spot_along(transform.path->path.outlines.front(), transform.path->share.at(time));
+}
+
+bool is_shown(const std::vector<art::Span>& shown, double time)
+{
+    return std::ranges::any_of(shown,
+                               [&](const art::Span& span) { return span.from <= time && time < span.to; });
+}
+
+/// Keys at the times when something appears or vanishes.
+Channel jumps(const std::vector<art::Span>& shown)
+{
+    std::vector<art::Key<double>> keys;
+    const auto add = [&](double time) {
+        if (std::isfinite(time) && (keys.empty() || time > keys.back().time))
+            keys.push_back({time, 0, {.kind = art::EaseKind::hold}});
+    };
+    for (const art::Span& span : shown) {
+        add(span.from - 1);
+        add(span.from);
+        add(span.to);
+    }
+    return keys.empty() ? Channel{0} : Channel{std::move(keys)};
+}
+
+}
+
+Affine affine_at(const art::Transform& transform, double time)
+{
+    const scene::Spot to = position_at(transform, time);
+    Affine result = art::moved(to.x, to.y) * art::turned(transform.rotate.at(time)) *
+                    art::grown(transform.scale_x.at(time), transform.scale_y.at(time));
+    if (const double skew = transform.skew.at(time); skew != 0)
+        result = result * leant(skew, transform.skew_axis.at(time));
+    return result * art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
+}
+
+bool is_still(const art::Transform& transform)
+{
+    return !transform.path && std::ranges::all_of(flat_channels(transform), &Channel::is_still);
+}
+
+MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform)
+{
+    for (const Channel* channel : flat_channels(transform))
+        drawing.moments.add(*channel);
+    if (transform.path)
+        drawing.moments.add(transform.path->share);
+    drawing.cost = 2 * drawing.cost + (transform.path ? 100 : 0);
+    const auto shared = std::make_shared<const art::Transform>(transform);
+    drawing.at = [shared, at = std::move(drawing.at)](double time) {
+        art::Drawing result = at(time);
+        const Affine affine = affine_at(*shared, time);
+        for (scene::Outline& outline : result.outlines)
+            outline = affine.of(outline);
+        return result;
+    };
+    return drawing;
+}
+
+MovingDrawing while_shown(MovingDrawing drawing, const std::vector<art::Span>& shown)
+{
+    if (shown == std::vector<art::Span>{{}})
+        return drawing;
+    drawing.moments.add(jumps(shown));
+    drawing.changes_form = true;
+    drawing.at = [shown, at = std::move(drawing.at)](double time) {
+        return is_shown(shown, time) ? at(time) : art::Drawing{};
+    };
+    return drawing;
+}
+
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "host/art/affine.hpp"
+#include "host/art/document.hpp"
+#include "host/lottie/moving_drawing.hpp"
+
+namespace kfast::lottie {
+
+/// What a transform does in its plane at a moment.
+art::Affine affine_at(const art::Transform& transform, double time);
+
+/// Whether it is the same all along, but for its depth.
+bool is_still(const art::Transform& transform);
+
+/// The drawing as it is seen outside of the transform.
+MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform);
+
+/// The drawing while it is shown; at other times, it is empty.
+MovingDrawing while_shown(MovingDrawing drawing, const std::vector<art::Span>& shown);
+
+}

@@ -1,0 +1,210 @@
+#include "host/lottie/masks.hpp"
+
+#include "host/lottie/coverage.hpp"
+#include "host/lottie/transform.hpp"
+
+#include <utility>
+
+namespace kfast::lottie {
+namespace {
+
+struct Mask {
+    char mode = 'a'; ///< add, subtract, intersect, lighten, darken, f: difference
+    bool inverted = false;
+    art::Animated<art::Drawing> path;
+    art::Channel opacity;
+    art::Channel expansion;
+};
+
+/// Those that do something.
+std::vector<Mask> read_masks(const Layer& layer)
+{
+    std::vector<Mask> masks;
+    const Reading& reading = layer.reading;
+    for (const Json& json : array_at(layer.json, "masksProperties")) {
+        const std::string mode = text_at(json, "mode");
+        if (mode == "n")
+            continue;
+        masks.push_back({mode.empty() ? 'a' : mode.front(), truth_at(json, "inv", false),
+                         read_path(json, "pt", reading.time, reading.budget),
+                         read_channel(json, "o", 0, 1, 0.01, reading.time, reading.budget),
+                         read_channel(json, "x", 0, 0, 1, reading.time, reading.budget)});
+    }
+    return masks;
+}
+
+Coverage coverage_by(const Mask& mask, const Box& box, double time)
+{
+    const double opacity = mask.opacity.at(time);
+    if (opacity == 0)
+        return Coverage::nothing;
+    if (mask.expansion.at(time) != 0)
+        return Coverage::part;
+    const Coverage of_path = coverage_of(box, mask.path.at(time));
+    const Coverage coverage = mask.inverted ? inverted(of_path) : of_path;
+    return coverage == Coverage::all && opacity != 1 ? Coverage::part : coverage;
+}
+
+Coverage added(Coverage before, Coverage mask)
+{
+    if (before == Coverage::all || mask == Coverage::all)
+        return Coverage::all;
+    return before == mask ? before : Coverage::part;
+}
+
+Coverage intersected(Coverage before, Coverage mask)
+{
+    return inverted(added(inverted(before), inverted(mask)));
+}
+
+Coverage difference(Coverage before, Coverage mask)
+{
+    if (before == Coverage::part || mask == Coverage::part)
+        return Coverage::part;
+    return before == mask ? Coverage::nothing : Coverage::all;
+}
+
+Coverage joined_with(Coverage before, const Mask& mask, Coverage by_mask)
+{
+    switch (mask.mode) {
+    case 's':
+        return intersected(before, inverted(by_mask));
+    case 'i':
+    case 'd':
+        return intersected(before, by_mask);
+    case 'f':
+        return difference(before, by_mask);
+    default:
+        return added(before, by_mask);
+    }
+}
+
+/// The first mask takes from all that there is, or adds to nothing.
+Coverage coverage_before(const Mask& first)
+{
+    return first.mode == 's' || first.mode == 'i' || first.mode == 'd' ? Coverage::all : Coverage::nothing;
+}
+
+Coverage coverage_at(const std::vector<Mask>& masks, const Box& box, double time)
+{
+    Coverage coverage = coverage_before(masks.front());
+    for (const Mask& mask : masks)
+        coverage = joined_with(coverage, mask, coverage_by(mask, box, time));
+    return coverage;
+}
+
+std::size_t masks_weight(const std::vector<Mask>& masks)
+{
+    std::size_t total = 0;
+    for (const Mask& mask : masks)
+        for (const scene::Outline& outline : mask.path.keys.front().value.outlines)
+            total += 16 * outline.curves.size();
+    return total;
+}
+
+/// The same at all times, or part.
+Coverage coverage_of(const std::vector<Mask>& masks, std::span<const art::Node> nodes, const Layer& layer)
+{
+    std::optional<Coverage> all_along;
+    for (const double time :
+         sample_times(layer.seen, weight(nodes) + masks_weight(masks), layer.reading.budget)) {
+        const Box box = box_at(nodes, time);
+        if (box.empty())
+            continue;
+        const Coverage now = coverage_at(masks, box, time);
+        if (now == Coverage::part || (all_along && *all_along != now))
+            return Coverage::part;
+        all_along = now;
+    }
+    return all_along.value_or(Coverage::all);
+}
+
+bool is_plain(const Mask& mask) { return steady_value(mask.expansion) == 0.0; }
+
+bool has_outline(const art::Animated<art::Drawing>& path)
+{
+    return std::ranges::all_of(path.keys, [](const auto& key) { return !key.value.outlines.empty(); });
+}
+
+art::Node drawn(art::Animated<art::Drawing> drawing)
+{
+    art::Figure figure;
+    figure.drawing = std::move(drawing);
+    art::Node node;
+    node.content = std::move(figure);
+    return node;
+}
+
+/// Whether what the path leaves of a solid ends at the path alone.
+bool lies_within(const Mask& mask, const art::Drawing& solid, const Layer& layer)
+{
+    const art::Node path = drawn(mask.path);
+    const art::Node whole = drawn(solid);
+    const Box bounds = box_at({&whole, 1}, layer.seen.from);
+    for (const double time : sample_times(layer.seen, weight({&path, 1}), layer.reading.budget))
+        if (!box_at({&path, 1}, time).lies_within(bounds))
+            return false;
+    return true;
+}
+
+void close(art::Animated<art::Drawing>& drawings)
+{
+    for (auto& key : drawings.keys)
+        for (scene::Outline& outline : key.value.outlines)
+            outline.closed = true;
+}
+
+/// The solid with the shape of its masks; nothing if they cannot be figures.
+std::optional<std::vector<art::Node>> cut_out(const art::Node& solid, const std::vector<Mask>& masks,
+                                              const Layer& layer)
+{
+    const auto& figure = std::get<art::Figure>(solid.content);
+    std::vector<art::Node> parts;
+    for (const Mask& mask : masks) {
+        const bool hole = (mask.mode == 's') != mask.inverted;
+        const bool kept = mask.mode == 'a' || (mask.mode == 's' && hole);
+        const bool alone = masks.size() == 1;
+        const bool opaque = steady_value(mask.opacity) == 1.0;
+        if (!kept || !is_plain(mask) || !has_outline(mask.path) || (!alone && (hole || !opaque)) ||
+            (hole && !opaque) || !lies_within(mask, figure.drawing.value(), layer))
+            return std::nullopt;
+        art::Node part = solid;
+        auto& cut = std::get<art::Figure>(part.content);
+        cut.drawing = mask.path;
+        close(cut.drawing);
+        cut.fill->opacity = mask.opacity;
+        if (hole) {
+            cut.fill->rule = FillRule::even_odd;
+            for (auto& key : cut.drawing.keys)
+                key.value.outlines.insert(key.value.outlines.begin(),
+                                          figure.drawing.value().outlines.front());
+        }
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+}
+
+void apply_masks(std::vector<art::Node>& nodes, const Layer& layer)
+{
+    if (!find_member(layer.json, "masksProperties") || !truth_at(layer.json, "hasMask", true) ||
+        nodes.empty())
+        return;
+    const std::vector<Mask> masks = read_masks(layer);
+    if (masks.empty())
+        return;
+    const Coverage coverage = coverage_of(masks, nodes, layer);
+    if (coverage == Coverage::nothing)
+        nodes.clear();
+    if (coverage != Coverage::part)
+        return;
+    if (kind_of(layer.json) == LayerKind::solid)
+        if (auto parts = cut_out(nodes.front(), masks, layer)) {
+            nodes = std::move(*parts);
+            return;
+        }
+    layer.reading.losses.add({"mask", layer.reading.layer, std::nullopt, "the layer is drawn without it"});
+}
+
+}

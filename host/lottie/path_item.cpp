@@ -1,0 +1,239 @@
+#include "host/lottie/path_item.hpp"
+
+#include "host/lottie/member.hpp"
+#include "host/lottie/polystar.hpp"
+#include "host/scene/shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+namespace kfast::lottie {
+namespace {
+
+using art::Channel;
+using scene::Outline;
+using scene::Spot;
+
+/// Of "d".
+constexpr int counterclockwise = 3;
+
+Channel channel(const Json& item, const char* name, std::size_t index, double factor, const Reading& reading)
+{
+    return read_channel(item, name, index, 0, factor, reading.time, reading.budget);
+}
+
+/// From the same point, the other way round.
+Outline reversed(const Outline& outline)
+{
+    Outline result{outline.from, {}, outline.closed};
+    for (std::size_t i = outline.curves.size(); i-- > 0;) {
+        scene::Curve curve = outline.curves[i];
+        std::swap(curve.c1, curve.c2);
+        curve.to = i > 0 ? outline.curves[i - 1].to : outline.from;
+        result.curves.push_back(curve);
+    }
+    return result;
+}
+
+MovingDrawing moving(std::initializer_list<const Channel*> channels,
+                     std::function<Outline(double)> outline_at)
+{
+    MovingDrawing drawing;
+    for (const Channel* number : channels)
+        drawing.moments.add(*number);
+    drawing.cost = 10;
+    drawing.at = [outline_at = std::move(outline_at)](double time) {
+        return art::Drawing{{outline_at(time)}};
+    };
+    return drawing;
+}
+
+/// The middle and the size of a rectangle or an ellipse.
+struct Box {
+    Channel x;
+    Channel y;
+    Channel width;
+    Channel height;
+
+};
+
+Box read_box(const Json& item, const Reading& reading)
+{
+    return {channel(item, "p", 0, 1, reading), channel(item, "p", 1, 1, reading),
+            channel(item, "s", 0, 1, reading), channel(item, "s", 1, 1, reading)};
+}
+
+/// Beginning at twelve o'clock instead of three.
+Outline ellipse_from_top(Spot centre, double radius_x, double radius_y)
+{
+    Outline outline = scene::ellipse(centre, radius_x, radius_y);
+    outline.from = outline.curves[2].to;
+    std::ranges::rotate(outline.curves, outline.curves.begin() + 3);
+    return outline;
+}
+
+void read_ellipse(PathItem& result, const Json& item, bool is_reversed, const Reading& reading)
+{
+    const Box box = read_box(item, reading);
+    const auto drawn = [&](auto shape) {
+        return moving({&box.x, &box.y, &box.width, &box.height}, [=](double time) {
+            const Outline outline = shape({box.x.at(time), box.y.at(time)}, std::abs(box.width.at(time)) / 2,
+                                          std::abs(box.height.at(time)) / 2);
+            return is_reversed ? reversed(outline) : outline;
+        });
+    };
+    result.drawing = drawn(ellipse_from_top);
+    result.plain = drawn(scene::ellipse);
+}
+
+struct Rectangle {
+    Spot centre;
+    double width = 0;
+    double height = 0;
+    double corner = 0;
+};
+
+Rectangle rectangle_at(const Box& box, const Channel& corner, double time)
+{
+    const double width = std::abs(box.width.at(time));
+    const double height = std::abs(box.height.at(time));
+    return {{box.x.at(time), box.y.at(time)},
+            width,
+            height,
+            std::clamp(corner.at(time), 0.0, std::min(width, height) / 2)};
+}
+
+/// One that is ever round always has arcs, so that it keeps its form.
+Outline outline_of(const Rectangle& rectangle, bool is_round)
+{
+    constexpr double hardly_round = 1e-9;
+    const Spot half{rectangle.width / 2, rectangle.height / 2};
+    return scene::rectangle(rectangle.centre - half, rectangle.width, rectangle.height,
+                            is_round ? std::max(rectangle.corner, hardly_round) : 0);
+}
+
+/// Where Lottie's begin: at the upper right corner, behind its arc.
+Outline outline_from_right(const Rectangle& rectangle, bool is_round)
+{
+    Outline outline = outline_of(rectangle, is_round);
+    if (is_round) {
+        outline.from = outline.curves[1].to;
+        std::ranges::rotate(outline.curves, outline.curves.begin() + 2);
+        return outline;
+    }
+    outline.curves.push_back(scene::line_to(outline.from));
+    outline.from = outline.curves[0].to;
+    std::ranges::rotate(outline.curves, outline.curves.begin() + 1);
+    return outline;
+}
+
+void read_rectangle(PathItem& result, const Json& item, bool is_reversed, const Reading& reading)
+{
+    const Box box = read_box(item, reading);
+    const Channel corner = channel(item, "r", 0, 1, reading);
+    const bool is_round = !corner.is_still() || corner.value() > 0;
+    const auto drawn = [&](auto shape) {
+        return moving({&box.x, &box.y, &box.width, &box.height, &corner}, [=](double time) {
+            const Outline outline = shape(rectangle_at(box, corner, time), is_round);
+            return is_reversed ? reversed(outline) : outline;
+        });
+    };
+    result.drawing = drawn(outline_from_right);
+    if (!is_reversed)
+        result.plain = drawn(outline_of);
+}
+
+struct StarChannels {
+    Channel x;
+    Channel y;
+    Channel tips;
+    Channel turn;
+    Channel outer;
+    Channel outer_roundness;
+    Channel inner;
+    Channel inner_roundness;
+    bool has_inner = true;
+    bool is_reversed = false;
+
+    bool is_round() const
+    {
+        return outer_roundness != Channel{0} || (has_inner && inner_roundness != Channel{0});
+    }
+};
+
+constexpr double most_tips = 1000;
+
+Outline star_at(const StarChannels& star, double time)
+{
+    const double tips = std::floor(std::clamp(star.tips.at(time), 0.0, most_tips) + 1e-9);
+    Polystar now{{star.x.at(time), star.y.at(time)},
+                 static_cast<int>(tips),
+                 {star.outer.at(time), star.outer_roundness.at(time)},
+                 {},
+                 star.turn.at(time),
+                 star.is_reversed};
+    if (star.has_inner)
+        now.inner = Ring{star.inner.at(time), star.inner_roundness.at(time)};
+    return now.tips > 0 ? outline_of(now, star.is_round()) : Outline{now.centre, {}, true};
+}
+
+void report_tips(const StarChannels& star, const Reading& reading)
+{
+    if (std::ranges::any_of(star.tips.keys, [](const auto& key) { return key.value > most_tips; }))
+        reading.losses.add({"star of more than 1000 points", reading.layer, std::nullopt, "a star of 1000"});
+}
+
+void read_star(PathItem& result, const Json& item, bool is_reversed, const Reading& reading)
+{
+    constexpr int polygon = 2;
+    const StarChannels star{channel(item, "p", 0, 1, reading),  channel(item, "p", 1, 1, reading),
+                            channel(item, "pt", 0, 1, reading), channel(item, "r", 0, 1, reading),
+                            channel(item, "or", 0, 1, reading), channel(item, "os", 0, 0.01, reading),
+                            channel(item, "ir", 0, 1, reading), channel(item, "is", 0, 0.01, reading),
+                            whole_at(item, "sy", 1) != polygon, is_reversed};
+    report_tips(star, reading);
+    result.drawing = moving({&star.x, &star.y, &star.tips, &star.turn, &star.outer, &star.outer_roundness,
+                             &star.inner, &star.inner_roundness},
+                            [star](double time) { return star_at(star, time); });
+    result.drawing.changes_form = !star.tips.is_still();
+    for (const auto& key : star.tips.keys)
+        result.drawing.cost = std::max(result.drawing.cost, 4 * std::min(key.value, most_tips));
+}
+
+void read_own_path(PathItem& result, const Json& item, bool, const Reading& reading)
+{
+    result.drawing = lottie::moving(read_path(item, "ks", reading.time, reading.budget));
+}
+
+struct PathType {
+    std::string_view name;
+    void (*read)(PathItem&, const Json&, bool is_reversed, const Reading&);
+};
+
+constexpr std::array path_types{PathType{"sh", read_own_path}, PathType{"rc", read_rectangle},
+                                PathType{"el", read_ellipse}, PathType{"sr", read_star}};
+
+const PathType* find_path_type(std::string_view name)
+{
+    const auto type = std::ranges::find(path_types, name, &PathType::name);
+    return type == path_types.end() ? nullptr : &*type;
+}
+
+}
+
+bool is_path(std::string_view type) { return find_path_type(type) != nullptr; }
+
+PathItem read_path_item(const Json& item, const Reading& reading)
+{
+    PathItem result;
+    result.name = text_at(item, "nm");
+    find_path_type(text_at(item, "ty"))
+        ->read(result, item, whole_at(item, "d", 1) == counterclockwise, reading);
+    return result;
+}
+
+}

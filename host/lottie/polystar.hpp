@@ -1,0 +1,29 @@
+#pragma once
+
+#include "host/scene/outline.hpp"
+
+#include <optional>
+
+namespace kfast::lottie {
+
+/// The tips of a star, its dents, or the corners of a polygon.
+struct Ring {
+    double radius = 0;
+    double roundness = 0; ///< 1: handles as long as a quarter of the way around to the next one
+};
+
+/// A star or a polygon of Lottie at one moment.
+struct Polystar {
+    scene::Spot centre;
+    int tips = 0; ///< or corners
+    Ring outer;
+    std::optional<Ring> inner; ///< of a star
+    double turn = 0;           ///< degrees, clockwise; at 0, a tip is at twelve o'clock
+    bool counterclockwise = false;
+};
+
+/// Closed, from the tip that `turn` is about. Its curves are cubics if `is_round`, whatever the roundness now
+/// is.
+scene::Outline outline_of(const Polystar& star, bool is_round);
+
+}

@@ -1,0 +1,140 @@
+#include "host/lottie/precomposition.hpp"
+
+#include "host/lottie/extent.hpp"
+#include "host/lottie/time_remap.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kfast::lottie {
+namespace {
+
+/// The composition that a layer shows, among those that are open while it is read.
+class Opened {
+public:
+    Opened(const Layer& layer, Animation& animation) : animation_{animation}
+    {
+        const std::string id = text_at(layer.json, "refId");
+        const auto asset = animation.assets.find(id);
+        if (asset == animation.assets.end())
+            throw WrongMember(layer.json, "its composition " + kfast::quoted(id) +
+                                              " is not among the assets: export the "
+                                              "file again");
+        if (std::ranges::find(animation.open, id) != animation.open.end())
+            throw WrongMember(layer.json,
+                              "the composition " + kfast::quoted(id) + " uses itself: take this layer out");
+        layers_ = &array_at(*asset->second, "layers");
+        animation_.open.push_back(id);
+    }
+    ~Opened() { animation_.open.pop_back(); }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+
+    const Json& layers() const { return *layers_; }
+
+private:
+    Animation& animation_;
+    const Json* layers_ = nullptr;
+};
+
+/// Inside of the layer: what lasts 1 frame there takes "sr" frames outside.
+LayerTime stretched(const Layer& layer)
+{
+    const LayerTime& outer = layer.reading.time;
+    const double stretch = number_at(layer.json, "sr", 1);
+    const double start = number_at(layer.json, "st", 0);
+    if (stretch == 0)
+        throw WrongMember(layer.json, "\"sr\" is 0: 1 is the usual stretch");
+    return {outer.scene_frame(start), outer.stretch * stretch};
+}
+
+/// A remapping that is one even way is a stretch.
+std::optional<LayerTime> even_time(const std::vector<TimePiece>& pieces)
+{
+    if (pieces.size() != 1 || pieces.front().begin == pieces.front().end)
+        return std::nullopt;
+    const TimePiece& piece = pieces.front();
+    const double stretch = (piece.to - piece.from) / (piece.end - piece.begin);
+    return LayerTime{piece.from - stretch * piece.begin, stretch};
+}
+
+/// All frames of the composition that are seen; at least a moment.
+art::Span range_of(const std::vector<TimePiece>& pieces)
+{
+    art::Span range{pieces.front().begin, pieces.front().begin};
+    for (const TimePiece& piece : pieces) {
+        range.from = std::min({range.from, piece.begin, piece.end});
+        range.to = std::max({range.to, piece.begin, piece.end});
+    }
+    range.to += 1;
+    return range;
+}
+
+Reading inner_reading(const Layer& layer, const LayerTime& time)
+{
+    Reading reading = layer.reading;
+    reading.time = time;
+    ++reading.depth;
+    art::Budget::check_depth(reading.depth);
+    return reading;
+}
+
+/// "tm" counts seconds.
+std::vector<art::Node> read_remapped(const Layer& layer, const Json& layers, Animation& animation)
+{
+    const Reading& outer = layer.reading;
+    const art::Channel frame =
+        read_channel(layer.json, "tm", 0, 0, animation.frame_rate, outer.time, outer.budget);
+    const std::vector<TimePiece> pieces = time_pieces(frame, layer.seen);
+    if (const auto even = even_time(pieces))
+        return read_composition({layers, &layer.around, layer.seen}, animation, inner_reading(layer, *even));
+    const Around unknown;
+    std::vector<art::Node> nodes =
+        read_composition({layers, &unknown, range_of(pieces)}, animation, inner_reading(layer, {0, 1}));
+    retime(nodes, pieces, outer.budget);
+    return nodes;
+}
+
+bool covers_canvas(const Layer& layer, const Box& bounds, double time, const Animation& animation)
+{
+    const auto matrix = canvas_matrix(&layer.around, time);
+    if (!matrix)
+        return false;
+    const art::Drawing frame{{matrix->of(scene::Outline{{bounds.left, bounds.top},
+                                                        {scene::line_to({bounds.right, bounds.top}),
+                                                         scene::line_to({bounds.right, bounds.bottom}),
+                                                         scene::line_to({bounds.left, bounds.bottom})},
+                                                        true})}};
+    return contains(frame, Box{0, 0, animation.width, animation.height}.corners());
+}
+
+/// A composition ends at its own edges, which the scene has only at those of the canvas.
+void check_edges(const Layer& layer, std::span<const art::Node> nodes, const Animation& animation)
+{
+    const Box bounds{0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};
+    if (bounds.empty())
+        return;
+    for (const double time :
+         sample_times(layer.seen, weight(nodes) + weight(&layer.around), layer.reading.budget))
+        if (!box_at(nodes, time).lies_within(bounds) && !covers_canvas(layer, bounds, time, animation)) {
+            layer.reading.losses.add(
+                {"edge of a precomposition", layer.reading.layer, time, "what reaches beyond it is seen"});
+            return;
+        }
+}
+
+}
+
+std::vector<art::Node> read_precomposition(const Layer& layer, Animation& animation)
+{
+    const Opened opened{layer, animation};
+    std::vector<art::Node> nodes = find_member(layer.json, "tm")
+                                       ? read_remapped(layer, opened.layers(), animation)
+                                       : read_composition({opened.layers(), &layer.around, layer.seen},
+                                                          animation, inner_reading(layer, stretched(layer)));
+    check_edges(layer, nodes, animation);
+    return nodes;
+}
+
+}

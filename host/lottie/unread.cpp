@@ -1,0 +1,170 @@
+#include "host/lottie/unread.hpp"
+
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace kfast::lottie {
+namespace {
+
+constexpr std::array<std::string_view, 17> blend_modes{
+    "normal",       "multiply",    "screen",     "overlay",    "darken",     "lighten",
+    "colour dodge", "colour burn", "hard light", "soft light", "difference", "exclusion",
+    "hue",          "saturation",  "colour",     "luminosity", "add"};
+
+/// Members that are read somewhere, or change nothing that is seen.
+constexpr auto known_members = std::to_array<std::string_view>({"ao",
+                                                                "ascent",
+                                                                "au",
+                                                                "bm",
+                                                                "cix",
+                                                                "cl",
+                                                                "ct",
+                                                                "completed",
+                                                                "cp",
+                                                                "ddd",
+                                                                "ef",
+                                                                "en",
+                                                                "hasMask",
+                                                                "hd",
+                                                                "hix",
+                                                                "id",
+                                                                "ind",
+                                                                "ip",
+                                                                "ix",
+                                                                "ks",
+                                                                "layers",
+                                                                "ln",
+                                                                "masksProperties",
+                                                                "mb",
+                                                                "meta",
+                                                                "mn",
+                                                                "nm",
+                                                                "np",
+                                                                "op",
+                                                                "parent",
+                                                                "pe",
+                                                                "refId",
+                                                                "sc",
+                                                                "sh",
+                                                                "shapes",
+                                                                "sr",
+                                                                "st",
+                                                                "sw",
+                                                                "sy",
+                                                                "t",
+                                                                "td",
+                                                                "tg",
+                                                                "tm",
+                                                                "tp",
+                                                                "tt",
+                                                                "ty",
+                                                                "uid",
+                                                                "ver",
+                                                                "w",
+                                                                "h",
+                                                                "xt",
+                                                                "cm",
+                                                                "layerId",
+                                                                "mode",
+                                                                "color",
+                                                                "comment"});
+
+void report(const Reading& reading, const std::string& feature, const std::string& instead)
+{
+    reading.losses.add({feature, reading.layer, std::nullopt, instead});
+}
+
+std::string naming(const Json& thing)
+{
+    const Json* const name = find_member(thing, "nm");
+    if (!name || !name->is_string())
+        return {};
+    return std::string{" "} + kfast::quoted(name->get<std::string>());
+}
+
+/// Sliders and the like, which only expressions look at, draw nothing.
+bool is_control(const Json& effect)
+{
+    const Json* const given = find_member(effect, "mn");
+    const std::string match = given && given->is_string() ? given->get<std::string>() : "";
+    return match.ends_with(" Control") || match.starts_with("Pseudo/");
+}
+
+void report_effects(const Json& layer, const Reading& reading)
+{
+    if (!find_member(layer, "ef"))
+        return;
+    for (const Json& effect : array_at(layer, "ef"))
+        if (truth_at(effect, "en", true) && !is_control(effect))
+            report(reading, std::string{"effect"} + naming(effect), "the layer is drawn without it");
+}
+
+void report_styles(const Json& layer, const Reading& reading)
+{
+    if (!find_member(layer, "sy"))
+        return;
+    for (const Json& style : array_at(layer, "sy"))
+        report(reading, std::string{"layer style"} + naming(style), "the layer is drawn without it");
+}
+
+void report_blend_mode(const Json& layer, const Reading& reading)
+{
+    const int mode = whole_at(layer, "bm", 0);
+    if (mode == 0)
+        return;
+    const bool known = mode > 0 && static_cast<std::size_t>(mode) < blend_modes.size();
+    report(reading,
+           std::string{"blend mode "} +
+               (known ? std::string{blend_modes[static_cast<std::size_t>(mode)]} : std::to_string(mode)),
+           "the layer covers what lies below");
+}
+
+void report_unknown(const Json& layer, const Reading& reading)
+{
+    for (const auto& [name, member] : layer.items())
+        if (std::ranges::find(known_members, name) == known_members.end())
+            report(reading, std::string{"member "} + kfast::quoted(name), "it is not looked at");
+}
+
+bool is_expression(const Json& part)
+{
+    const Json* const text = find_member(part, "x");
+    return text && text->is_string() && part.contains("k");
+}
+
+}
+
+void report_expressions(const Json& part, const std::string& path, Animation& animation,
+                        const Reading& reading)
+{
+    if (part.is_object() && is_expression(part))
+        report(reading, std::string{"expression of "} + path, "its value without the expression");
+    if (part.is_object()) {
+        for (const auto& [name, member] : part.items())
+            if (member.is_structured() && name != "ef")
+                report_expressions(member, path.empty() ? std::string{name} : path + '.' + name, animation,
+                                   reading);
+    } else if (part.is_array()) {
+        for (std::size_t i = 0; i < part.size(); ++i)
+            if (part[i].is_structured())
+                report_expressions(part[i], path + '[' + std::to_string(i) + ']', animation, reading);
+    }
+}
+
+void report_unread(const Json& layer, Animation& animation, const Reading& reading)
+{
+    if (!animation.looked_through.insert(&layer).second)
+        return;
+    report_blend_mode(layer, reading);
+    report_effects(layer, reading);
+    report_styles(layer, reading);
+    if (truth_at(layer, "mb", false))
+        report(reading, "motion blur", "sharp edges");
+    report_unknown(layer, reading);
+    report_expressions(layer, "", animation, reading);
+}
+
+}

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "host/art/losses.hpp"
+
+#include <cstddef>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kfast::svg {
+
+/// "fill: red", perhaps with "!important".
+struct Declaration {
+    std::string property;
+    std::string value;
+    bool important = false;
+};
+
+/// What stands between the braces of a rule, or in an attribute "style".
+std::vector<Declaration> declarations(std::string_view text);
+
+/// What an element has to be: "rect", ".thin", "#nose", or all of these at once.
+struct Compound {
+    std::string type; ///< empty: any
+    std::vector<std::string> ids;
+    std::vector<std::string> classes;
+};
+
+/// A compound, and those that elements around it have to be, from the inside to the outside.
+struct Selector {
+    struct Outer {
+        Compound compound;
+        bool is_parent = false; ///< the parent itself, not one further out
+    };
+    Compound compound;
+    std::vector<Outer> around;
+    int specificity = 0;
+
+    bool matches(pugi::xml_node element) const;
+};
+
+struct Rule {
+    Selector selector;
+    std::vector<Declaration> declarations;
+};
+
+/// The rules of all elements "style" of a text, in their order.
+class StyleSheet {
+public:
+    /// Adds the rules of a text. What is not understood is added to `losses`.
+    void add(std::string_view css, art::Losses& losses);
+
+    /// Those that match, the one that wins last.
+    std::vector<const Rule*> matching(pugi::xml_node element);
+
+private:
+    void add_rule(std::string_view selectors, std::string_view body, art::Losses& losses);
+    void add_at_rule(std::string_view prelude, std::string_view body, art::Losses& losses);
+
+    std::vector<Rule> rules_;
+    std::size_t comparisons_ = 0;
+};
+
+}

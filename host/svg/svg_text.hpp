@@ -1,0 +1,23 @@
+#pragma once
+
+#include "host/text/source.hpp"
+
+#include <pugixml.hpp>
+
+namespace kfast::svg {
+
+/// Parses the text of a drawing, with the entities that its own document type declares put in. Throws Failure
+/// with line and column when it is no XML, or holds no drawing of SVG.
+pugi::xml_document parsed(const SourceText& source);
+
+/// The name of an element of SVG, without a prefix. Empty for texts, and for elements of other namespaces,
+/// such as those that Inkscape keeps its own things in.
+std::string_view element_name(pugi::xml_node node);
+
+/// The drawing: the outermost element.
+pugi::xml_node drawing_of(const pugi::xml_document& document);
+
+/// The id that an attribute "href" names in the same text, with or without the prefix "xlink"; else empty.
+std::string_view referred_id(pugi::xml_node node);
+
+}

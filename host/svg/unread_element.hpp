@@ -1,0 +1,16 @@
+#pragma once
+
+#include "host/art/losses.hpp"
+
+#include <pugixml.hpp>
+#include <string>
+
+namespace kfast::svg {
+
+/// Adds the loss of an element that is neither a shape nor a group, if its being left out can be seen.
+void report_unread(pugi::xml_node element, const std::string& layer, art::Losses& losses);
+
+/// Adds the losses of attributes that are not understood.
+void report_attributes(pugi::xml_node element, const std::string& layer, art::Losses& losses);
+
+}

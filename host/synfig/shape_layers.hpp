@@ -1,0 +1,24 @@
+#pragma once
+
+#include "host/synfig/layer.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace kfast::synfig {
+
+/// What is drawn by layers that fill a shape: regions, circles, rectangles, polygons, stars, checker boards,
+/// and those that fill all of the canvas. Nothing for layers of other types.
+std::optional<art::Node> read_shape_layer(const Layer& layer);
+
+/// The outline along the points of a spline, in the units of the file.
+scene::Outline outline_along(const List& points, Spot origin);
+
+/// Colour, opacity and rule of the parameters that all shapes have.
+art::Fill fill_of(const Layer& layer);
+/// The name, and the opacity that is the parameter "amount".
+art::Node node_of(const Layer& layer);
+/// All of the canvas and as much around it, for what is painted everywhere.
+scene::Outline everywhere(const Reading& reading);
+
+}

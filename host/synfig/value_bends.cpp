@@ -1,0 +1,68 @@
+#include "host/synfig/value_bends.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace kfast::synfig {
+namespace {
+
+constexpr std::size_t most_repeats = 10'000;
+
+double constant(const ValueNode& node, std::string_view name)
+{
+    const ValueNode* link = node.link(name);
+    return link ? link->constant.number() : 0;
+}
+
+}
+
+void ValueBends::add(const ValueNode& node)
+{
+    if (!seen_.insert(&node).second)
+        return;
+    if (const BoneName* name = std::get_if<BoneName>(&node.constant.held); name && node.kind == "constant")
+        if (const ValueNodePtr bone = reader_.bone(name->guid))
+            add(*bone);
+    for (const Waypoint& point : node.waypoints) {
+        times_.insert(point.time);
+        add(*point.value);
+    }
+    for (const Entry& entry : node.entries) {
+        for (const Switching& switching : entry.switchings)
+            times_.insert(switching.time);
+        add(*entry.value);
+    }
+    if (node.kind == "step" || node.kind == "timeloop")
+        add_repeats(node);
+    if (node.kind == "timed_swap") {
+        times_.insert(constant(node, "time"));
+        times_.insert(constant(node, "time") - constant(node, "length"));
+    }
+    add_links(node);
+}
+
+void ValueBends::add_links(const ValueNode& node)
+{
+    for (const auto& [name, link] : node.links)
+        add(*link);
+}
+
+void ValueBends::add_repeats(const ValueNode& node)
+{
+    const double length = std::abs(constant(node, "duration"));
+    const double start = constant(node, node.kind == "step" ? "start_time" : "local_time");
+    if (length <= 0 || (to_ - from_) / length > most_repeats)
+        return;
+    ValueBends inner{reader_, from_, to_};
+    inner.add_links(node);
+    std::vector<double> offsets{0};
+    if (node.kind == "timeloop")
+        for (const double time : inner.times())
+            offsets.push_back(std::fmod(std::abs(time - constant(node, "link_time")), length));
+    for (double turn = std::floor((from_ - start) / length); start + turn * length <= to_; ++turn)
+        for (const double offset : offsets)
+            if (times_.size() < most_repeats)
+                times_.insert(start + turn * length + offset);
+}
+
+}

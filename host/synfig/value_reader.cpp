@@ -1,0 +1,309 @@
+#include "host/synfig/value_reader.hpp"
+
+#include "host/synfig/time_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+namespace kfast::synfig {
+namespace {
+
+constexpr int deepest_value = 120;
+constexpr double most_number = 1e9;
+
+pugi::xml_node first_element(pugi::xml_node parent)
+{
+    for (const pugi::xml_node child : parent.children())
+        if (child.type() == pugi::node_element)
+            return child;
+    return {};
+}
+
+bool is_true(pugi::xml_attribute attribute)
+{
+    const std::string_view text = attribute.value();
+    return text == "true" || text == "1" || text == "TRUE" || text == "True";
+}
+
+bool is_list(std::string_view kind)
+{
+    return kind == "static_list" || kind == "dynamic_list" || kind == "bline" || kind == "wplist" ||
+           kind == "dilist" || kind == "average" || kind == "weighted_average";
+}
+
+/// Behind these names stand plain values.
+bool is_constant(std::string_view kind)
+{
+    static constexpr std::string_view kinds[] = {
+        "real",           "integer",  "angle",       "time",      "bool",           "vector",
+        "color",          "string",   "bline_point", "list",      "transformation", "width_point",
+        "bone_valuenode", "gradient", "segment",     "dash_item", "canvas",         "nil"};
+    return std::ranges::find(kinds, kind) != std::end(kinds);
+}
+
+bool is_guid_reference(pugi::xml_node element) { return element.attribute("guid") && !element.first_child(); }
+
+}
+
+ValueNodePtr ValueReader::read_inside(pugi::xml_node holder)
+{
+    if (const auto use = holder.attribute("use"))
+        return with_id(use.value(), XmlFile::place(holder));
+    const pugi::xml_node element = first_element(holder);
+    return element ? read(element) : nullptr;
+}
+
+ValueNodePtr ValueReader::with_id(std::string_view id, std::size_t place)
+{
+    const pugi::xml_node element = file_.value_with_id(id);
+    if (!element)
+        file_.fail(place, "there is no value with the id \"" + std::string{id} +
+                              "\": values of other files cannot be used");
+    return read(element);
+}
+
+ValueNodePtr ValueReader::bone(std::string_view guid)
+{
+    const pugi::xml_node element = file_.with_guid(guid);
+    return element && std::string_view{element.name()} == "bone" ? read(element) : nullptr;
+}
+
+ValueNodePtr ValueReader::read(pugi::xml_node element)
+{
+    if (is_guid_reference(element) && std::string_view{element.name()} != "bone_valuenode")
+        if (const pugi::xml_node real = file_.with_guid(element.attribute("guid").value()))
+            element = real;
+    const std::size_t place = XmlFile::place(element);
+    if (const auto found = known_.find(place); found != known_.end())
+        return found->second;
+    if (!begun_.insert(place).second)
+        file_.fail(place, "this value contains itself");
+    if (++depth_ > deepest_value)
+        file_.fail(place, "values lie more than " + std::to_string(deepest_value) + " deep in each other");
+    ValueNodePtr node = read_new(element);
+    --depth_;
+    known_.emplace(place, node);
+    return node;
+}
+
+ValueNodePtr ValueReader::read_new(pugi::xml_node element)
+{
+    auto node = std::make_shared<ValueNode>();
+    node->kind = element.name();
+    node->type = element.attribute("type").value();
+    node->place = XmlFile::place(element);
+    node->loop = is_true(element.attribute("loop"));
+    if (is_constant(node->kind)) {
+        node->type = node->kind;
+        node->kind = "constant";
+        node->constant = constant(element);
+    } else if (node->kind == "animated" || node->kind == "hermite") {
+        node->kind = "animated";
+        read_waypoints(element, *node);
+    } else if (is_list(node->kind)) {
+        read_entries(element, *node);
+    } else {
+        if (node->kind == "bone")
+            node->constant.held = BoneName{element.attribute("guid").value()};
+        read_links(element, *node);
+    }
+    return node;
+}
+
+Value ValueReader::constant(pugi::xml_node element)
+{
+    const std::string_view kind = element.name();
+    if (kind == "bool")
+        return {is_true(element.attribute("value"))};
+    if (kind == "real" || kind == "integer" || kind == "angle")
+        return {number(element, "value", 0)};
+    if (kind == "time")
+        return {time(element, "value")};
+    if (kind == "string")
+        return {std::string{element.text().get()}};
+    if (kind == "vector")
+        return {Spot{number_inside(element.child("x"), 0), number_inside(element.child("y"), 0)}};
+    if (kind == "color")
+        return {Colour{number_inside(element.child("r"), 0), number_inside(element.child("g"), 0),
+                       number_inside(element.child("b"), 0), number_inside(element.child("a"), 1)}};
+    if (kind == "bline_point")
+        return {spline_point(element)};
+    if (kind == "width_point")
+        return {width_point(element)};
+    if (kind == "transformation")
+        return {placement(element)};
+    if (kind == "bone_valuenode")
+        return {BoneName{element.attribute("guid").value()}};
+    if (kind == "list" || kind == "gradient")
+        return list_constant(element);
+    return {};
+}
+
+/// Of a gradient, the colours.
+Value ValueReader::list_constant(pugi::xml_node element)
+{
+    List list{{}, is_true(element.attribute("loop"))};
+    for (const pugi::xml_node child : element.children())
+        if (child.type() == pugi::node_element && is_constant(child.name()))
+            list.entries.push_back(constant(child));
+    return {std::move(list)};
+}
+
+SplinePoint ValueReader::spline_point(pugi::xml_node element)
+{
+    SplinePoint point;
+    const auto spot = [&](const char* name) {
+        return constant(first_element(element.child(name))).as<Spot>();
+    };
+    const auto real = [&](const char* name, double usual) {
+        return constant(first_element(element.child(name))).number(usual);
+    };
+    point.vertex = spot(element.child("vertex") ? "vertex" : "point");
+    point.arriving = spot("t1");
+    point.split_radius = point.split_angle = static_cast<bool>(element.child("t2"));
+    point.second = point.split_angle ? spot("t2") : point.arriving;
+    point.width = real("width", 1);
+    point.origin = real("origin", 0.5);
+    return point;
+}
+
+WidthPoint ValueReader::width_point(pugi::xml_node element)
+{
+    const auto real = [&](const char* name, double usual) {
+        return constant(first_element(element.child(name))).number(usual);
+    };
+    return {real("position", 0), real("width", 1), side_of(real("side_before", 0)),
+            side_of(real("side_after", 0))};
+}
+
+Placement ValueReader::placement(pugi::xml_node element)
+{
+    const auto inner = [&](const char* name) { return constant(first_element(element.child(name))); };
+    return {inner("offset").as<Spot>(), inner("angle").number(), inner("skew_angle").number(),
+            inner("scale").as<Spot>({1, 1})};
+}
+
+void ValueReader::read_waypoints(pugi::xml_node element, ValueNode& node)
+{
+    for (const pugi::xml_node child : element.children("waypoint"))
+        if (Waypoint point = waypoint(child, node.type); point.value)
+            node.waypoints.push_back(std::move(point));
+    std::ranges::stable_sort(node.waypoints, {}, &Waypoint::time);
+    const auto same = std::ranges::unique(node.waypoints, {}, &Waypoint::time);
+    node.waypoints.erase(same.begin(), same.end());
+    if (node.waypoints.empty())
+        file_.fail(node.place, "this animation has no waypoint");
+}
+
+Waypoint ValueReader::waypoint(pugi::xml_node element, const std::string& type)
+{
+    Waypoint point;
+    point.time = time(element, "time");
+    if (type != "canvas")
+        point.value = read_inside(element);
+    const auto usual = type == "angle" ? Interpolation::linear : Interpolation::automatic;
+    point.before = interpolation(element.attribute("before"), usual);
+    point.after = interpolation(element.attribute("after"), usual);
+    point.tension = number(element, "tension", 0);
+    point.continuity = number(element, "continuity", 0);
+    point.bias = number(element, "bias", 0);
+    point.temporal_tension = number(element, "temporal-tension", 0);
+    return point;
+}
+
+Interpolation ValueReader::interpolation(pugi::xml_attribute attribute, Interpolation usual) const
+{
+    static constexpr std::pair<std::string_view, Interpolation> names[] = {
+        {"auto", Interpolation::automatic},
+        {"constant", Interpolation::constant},
+        {"linear", Interpolation::linear},
+        {"halt", Interpolation::halt},
+        {"clamped", Interpolation::clamped}};
+    if (!attribute)
+        return usual;
+    for (const auto& [name, kind] : names)
+        if (attribute.value() == name)
+            return kind;
+    losses_.add({std::string{"interpolation \""} + attribute.value() + '"', "", {}, "the usual one"});
+    return usual;
+}
+
+void ValueReader::read_entries(pugi::xml_node element, ValueNode& node)
+{
+    for (const pugi::xml_node child : element.children("entry")) {
+        Entry entry;
+        entry.value = read_inside(child);
+        if (!entry.value)
+            file_.fail(XmlFile::place(child), "this entry has no value");
+        for (const char* name : {"begin", "on"})
+            read_switchings(child.attribute(name), true, entry);
+        for (const char* name : {"end", "off"})
+            read_switchings(child.attribute(name), false, entry);
+        std::ranges::stable_sort(entry.switchings, {}, &Switching::time);
+        node.entries.push_back(std::move(entry));
+    }
+}
+
+/// "1s, p2 3s": times, each perhaps with a priority in front.
+void ValueReader::read_switchings(pugi::xml_attribute times, bool on, Entry& entry)
+{
+    std::string_view rest = times.value();
+    while (!rest.empty()) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        std::string_view one = rest.substr(0, comma);
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+        one.remove_prefix(std::min(one.find_first_not_of(" \t\r\n"), one.size()));
+        if (one.starts_with('p'))
+            one.remove_prefix(std::min(one.find(' '), one.size()));
+        if (const auto moment = time_of(one, frame_rate_))
+            entry.switchings.push_back({*moment, on});
+    }
+}
+
+void ValueReader::read_links(pugi::xml_node element, ValueNode& node)
+{
+    for (const pugi::xml_attribute attribute : element.attributes()) {
+        const std::string_view name = attribute.name();
+        if (name != "guid" && name != "id" && name != "type" && name != "static" && name != "interpolation")
+            node.links.emplace_back(name, with_id(attribute.value(), node.place));
+    }
+    for (const pugi::xml_node child : element.children())
+        if (child.type() == pugi::node_element)
+            if (ValueNodePtr value = read_inside(child))
+                node.links.emplace_back(child.name(), std::move(value));
+}
+
+double ValueReader::number(pugi::xml_node element, const char* attribute, double usual) const
+{
+    const auto found = element.attribute(attribute);
+    return found ? number_of(found.value(), element) : usual;
+}
+
+double ValueReader::number_inside(pugi::xml_node element, double usual) const
+{
+    return element ? number_of(element.text().get(), element) : usual;
+}
+
+double ValueReader::number_of(std::string_view text, pugi::xml_node element) const
+{
+    const std::string_view digits = text.substr(std::min(text.find_first_not_of(" \t\r\n+"), text.size()));
+    double value = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (read.ec != std::errc{} || !(std::abs(value) <= most_number))
+        file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no number below a billion");
+    return value;
+}
+
+double ValueReader::time(pugi::xml_node element, const char* attribute) const
+{
+    const std::string_view text = element.attribute(attribute).value();
+    const auto found = time_of(text, frame_rate_);
+    if (!found)
+        file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no time, such as \"1s 12f\"");
+    return *found;
+}
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+
+namespace kfast::synfig {
+
+/// The elements of a file, and where those are that others name.
+class XmlFile {
+public:
+    /// Throws Failure when the text is no XML, or nests too deeply.
+    explicit XmlFile(const SourceText& source);
+
+    pugi::xml_node root() const { return document_.document_element(); }
+    /// Nothing where no element has that id. Only the last part of a path of ids counts: ":legs:left".
+    pugi::xml_node value_with_id(std::string_view id) const;
+    pugi::xml_node canvas_with_id(std::string_view id) const;
+    /// The element with that guid that has content.
+    pugi::xml_node with_guid(std::string_view guid) const;
+
+    static std::size_t place(pugi::xml_node element);
+    /// Throws Failure that names the file, the line and the column.
+    [[noreturn]] void fail(std::size_t place, const std::string& text) const;
+
+private:
+    class Collecting;
+
+    const SourceText& source_;
+    pugi::xml_document document_;
+    std::map<std::string, pugi::xml_node, std::less<>> values_;
+    std::map<std::string, pugi::xml_node, std::less<>> canvases_;
+    std::map<std::string, pugi::xml_node, std::less<>> guids_;
+};
+
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "host/failure.hpp"
+#include "host/import/content_kind.hpp"
+#include "host/import/import_scene.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+namespace kfast::test {
+
+/// Any bytes at all: they are refused, or become a scene that compiles without errors and warnings. What says
+/// that kfast is wrong is a finding.
+inline void check_import(std::string content)
+{
+    try {
+        importing::import_scene("fuzz", std::move(content), {});
+    } catch (const Failure& failure) {
+        if (std::string_view{failure.what()}.find("no scene can be made of it") == std::string_view::npos)
+            return;
+        std::cerr << failure.what() << '\n';
+        std::abort();
+    }
+}
+
+/// Of texts whose outermost element is that.
+inline void check_xml(const std::uint8_t* data, std::size_t size, std::string_view root)
+{
+    std::string content(data, data + size);
+    if (importing::kind_of(content) == importing::ContentKind::xml &&
+        importing::root_element(content) == root)
+        check_import(std::move(content));
+}
+
+}
