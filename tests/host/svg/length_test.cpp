@@ -35,7 +35,7 @@ TEST_CASE("shares are numbers or percentages")
 
 TEST_CASE("transforms are applied from the right")
 {
-    const auto of = [](std::string_view text) { return transform_list(text).value().of({1, 0}); };
+    const auto of = [](std::string_view text) { return transform_list(text).value().of(kfast::scene::Spot{1, 0}); };
     CHECK(of("translate(10)").x == 11);
     CHECK(of("translate(10 20)").y == 20);
     CHECK(of("translate(10, 20) scale(2)").x == 12);

@@ -11,7 +11,7 @@ namespace {
 /// Of the figure "it".
 std::string fill(std::string_view content)
 {
-    const auto& found = figure(read_drawing(content), "it").fill;
+    const auto found = figure(read_drawing(content), "it").fill;
     return found ? hex(found->colour.value()) : "none";
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("colours are inherited, by name as well")
 TEST_CASE("pens")
 {
     const auto document = read_drawing(R"(
-        <g stroke-linecap="round" stroke-linejoin="bevel"><path id="it" d="M0 0h9" stroke="rgba(255,0,0,.5)"
+        <g stroke-linecap="round" stroke-linejoin="bevel"><path id="it" d="M0 0h9" stroke='rgba(255,0,0,.5)'
         stroke-opacity="50%" stroke-width="1cm" stroke-miterlimit="7"/></g>)");
     CHECK(line(document).width.value() == doctest::Approx(96 / 2.54));
     CHECK(line(document).opacity.value() == doctest::Approx(0.25));
