@@ -15,7 +15,8 @@ TEST_CASE("what is not drawn is told, with its words and its place")
           Lines{"text \"Hello all\" | body | nothing: turn it into a path"});
     CHECK(losses_of("<image/>") == Lines{"<image> |  | nothing: only shapes are drawn"});
     CHECK(losses_of("<blob/>") == Lines{"<blob> |  | nothing"});
-    CHECK(losses_of("<rect width='3' height='3' filter='url(#f)'/>") == Lines{"filter | rect | drawn without it"});
+    CHECK(losses_of("<rect width='3' height='3' filter='url(#f)'/>") ==
+          Lines{"filter | rect | drawn without it"});
     CHECK(losses_of("<rect width='3' height='3' fill='blurple'/>") ==
           Lines{"fill \"blurple\" | rect | nothing is painted"});
     CHECK(losses_of("<rect width='3' height='3' style='quux:1' glow='2' onclick='x'/>") ==
