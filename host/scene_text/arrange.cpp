@@ -1,7 +1,11 @@
 #include "host/scene_text/arrange.hpp"
 
+#include "host/scene_text/depth.hpp"
 #include "host/scene_text/folding.hpp"
+#include "host/scene_text/leaning.hpp"
+#include "host/scene_text/line_pens.hpp"
 #include "host/scene_text/paints.hpp"
+#include "host/scene_text/ranges.hpp"
 #include "host/scene_text/unseen.hpp"
 
 namespace kfast::scene_text {
@@ -10,8 +14,13 @@ void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
 {
     join_parts(nodes);
     drop_unseen(nodes, arranging.length);
+    report_bent_pens(nodes, arranging.losses);
     part_paints(nodes, arranging.length);
     fold(nodes);
+    straighten(nodes, arranging);
+    fold(nodes);
+    limit_depth(nodes, arranging);
+    fit_ranges(nodes, arranging);
 }
 
 }

@@ -3,12 +3,24 @@
 #include "host/scene/default_pivot.hpp"
 #include "host/scene/item_values.hpp"
 #include "host/scene_text/shape_text.hpp"
+#include "host/scene_text/steady_form.hpp"
 
 namespace kfast::scene_text {
 
 DrawingKeys drawing_keys(const art::Figure& figure, std::int32_t length)
 {
-    return stored_keys(figure.drawing, length, [](const art::Drawing& drawing) { return on_grid(drawing); });
+    DrawingKeys keys =
+        stored_keys(figure.drawing, length, [](const art::Drawing& drawing) { return on_grid(drawing); });
+    std::vector<art::Drawing*> drawings;
+    for (auto& key : keys) {
+        if (figure.line || figure.skin)
+            keep_open(key.value);
+        if (!key.value.outlines.empty())
+            drawings.push_back(&key.value);
+    }
+    if (keys.size() > 1 || figure.skin)
+        keep_segments(drawings);
+    return keys;
 }
 
 scene::Point default_pivot(const DrawingKeys& keys)

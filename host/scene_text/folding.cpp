@@ -2,6 +2,7 @@
 
 #include "host/scene_text/carrying.hpp"
 #include "host/scene_text/placement.hpp"
+#include "host/scene_text/spans.hpp"
 #include "host/scene_text/sums.hpp"
 
 #include <algorithm>
@@ -95,18 +96,6 @@ void tidy(Transform& transform)
     transform.x = difference(transform.x, transform.anchor_x, 1);
     transform.y = difference(transform.y, transform.anchor_y, 1);
     transform.anchor_x = transform.anchor_y = {0};
-}
-
-std::vector<Span> common(const std::vector<Span>& one, const std::vector<Span>& other)
-{
-    std::vector<Span> both;
-    for (const Span& left : one)
-        for (const Span& right : other)
-            if (const Span span{std::max(left.from, right.from), std::min(left.to, right.to)};
-                span.from < span.to)
-                both.push_back(span);
-    std::ranges::sort(both, {}, &Span::from);
-    return both;
 }
 
 bool can_follow(const Transform& outer, const Transform& inner)

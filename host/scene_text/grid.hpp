@@ -31,7 +31,6 @@ inline constexpr Grid miters{8, 1, 1, 31};
 inline constexpr Grid controls{VelocityLaw::control_one, 1, -2, 3};
 inline constexpr Grid frame_rates{1000, 1, 1, 1000};
 inline constexpr Grid turns{BinaryAngle::turn, 360, -5400, 5400};
-inline constexpr Grid weights{256, 1, 0, 1000};
 
 /// The nearest that is stored, halves away from zero; what is out of range is held at its ends. `value` is
 /// finite.

@@ -1,9 +1,10 @@
 #include "host/scene_text/object_text.hpp"
 
 #include "host/scene_text/drawing_keys.hpp"
+#include "host/scene_text/form_nodes.hpp"
 #include "host/scene_text/nodes.hpp"
 #include "host/scene_text/paint_keys.hpp"
-#include "host/scene_text/shape_text.hpp"
+#include "host/scene_text/skin_text.hpp"
 #include "host/scene_text/track_text.hpp"
 #include "host/scene_text/visible_keys.hpp"
 
@@ -23,7 +24,7 @@ constexpr std::array<std::string_view, 3> join_words{"miter", "round", "bevel"};
 
 /// All that an object says at one time.
 struct Moment {
-    const StoredKey<art::Drawing>* drawing = nullptr;
+    std::vector<kdl::Node> shapes; ///< none: there is no drawing
     std::optional<std::string> fill;
     std::optional<std::string> stroke;
     std::optional<bool> visible;
@@ -49,6 +50,8 @@ public:
         add_line();
         add_visibility();
         add_shapes();
+        if (figure_.skin)
+            add_skin(object_, *figure_.skin, writing_.rigs[figure_.skin->rig]);
         add_width();
         add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_.length);
         return std::move(object_);
@@ -108,17 +111,26 @@ private:
         if (drawings_.size() > 1)
             add_drawings();
         else
-            object_.children = shape_nodes(drawings_.front().value);
+            object_.children = shapes().front();
         for (const auto& [ticks, moment] : moments_)
             object_.children.push_back(key_node(ticks, moment));
     }
 
+    std::vector<std::vector<kdl::Node>> shapes() const
+    {
+        std::vector<const art::Drawing*> drawings;
+        for (const auto& key : drawings_)
+            drawings.push_back(&key.value);
+        return shapes_of(drawings);
+    }
+
     void add_drawings()
     {
+        std::vector<std::vector<kdl::Node>> nodes = shapes();
         for (std::size_t i = 0; i < drawings_.size(); ++i) {
             const auto& key = drawings_[i];
             Moment& moment = moments_[key.ticks];
-            moment.drawing = &key;
+            moment.shapes = std::move(nodes[i]);
             if (i + 1 == drawings_.size())
                 continue;
             moment.drawing_law = key.law;
@@ -149,8 +161,7 @@ private:
             set(key, "stroke", text(*moment.stroke));
         if (moment.visible)
             set(key, "visible", truth(*moment.visible));
-        if (moment.drawing != nullptr)
-            key.children = shape_nodes(moment.drawing->value);
+        key.children = moment.shapes;
         return key;
     }
 

@@ -36,15 +36,15 @@ bool needs_two(const Figure& figure, std::int32_t length)
             !have_laws_in_common(figure, length));
 }
 
-void put_into_group(Node& node, std::vector<Node> nodes) { node.content = Group{std::move(nodes)}; }
-
 /// Has the content alone.
 Node part_of(Figure figure, const std::string& name)
 {
-    Node part;
-    part.name = name;
-    part.content = std::move(figure);
-    return part;
+    return {.name = name,
+            .transform = {},
+            .opacity = {1},
+            .shown = std::vector{art::Span{}},
+            .parent_tag = 0,
+            .content = std::move(figure)};
 }
 
 void make_two(Node& node)
@@ -54,7 +54,10 @@ void make_two(Node& node)
     fill.line.reset();
     line.fill.reset();
     const std::string line_name = node.name.empty() ? std::string{} : node.name + "-line";
-    put_into_group(node, {part_of(std::move(fill), node.name), part_of(std::move(line), line_name)});
+    std::vector<Node> parts;
+    parts.push_back(part_of(std::move(fill), node.name));
+    parts.push_back(part_of(std::move(line), line_name));
+    node.content = Group{std::move(parts)};
 }
 
 /// Of the only paint.
@@ -69,7 +72,9 @@ void move_opacity(Node& node)
     }
     Node part = part_of(std::move(std::get<Figure>(node.content)), node.name);
     part.opacity = opacity;
-    put_into_group(node, {std::move(part)});
+    std::vector<Node> parts;
+    parts.push_back(std::move(part));
+    node.content = Group{std::move(parts)};
 }
 
 void part_paints_of(Node& node, std::int32_t length)

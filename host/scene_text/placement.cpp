@@ -1,5 +1,7 @@
 #include "host/scene_text/placement.hpp"
 
+#include "host/art/curve_length.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,6 +66,20 @@ Affine shape_at(const Transform& transform, double time)
 Affine matrix_at(const Transform& transform, double time)
 {
     return art::moved(transform.x.at(time), transform.y.at(time)) * shape_at(transform, time) *
+           art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
+}
+
+Affine full_matrix_at(const Transform& transform, double time)
+{
+    if (!transform.path)
+        return matrix_at(transform, time);
+    constexpr double beside = 1e-4;
+    const scene::Outline& path = transform.path->path.outlines.front();
+    const double share = std::clamp(transform.path->share.at(time), 0.0, 1.0);
+    const scene::Spot place = art::spot_along(path, share);
+    const scene::Spot way = art::spot_along(path, share + beside) - art::spot_along(path, share - beside);
+    const double turn = transform.path->turns ? std::atan2(way.y, way.x) * 180 / std::numbers::pi : 0;
+    return art::moved(place.x, place.y) * art::turned(turn) * shape_at(transform, time) *
            art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
 }
 

@@ -5,10 +5,12 @@
 #include "host/kdl/readable.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene_text/arrange.hpp"
+#include "host/scene_text/camera.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/item_text.hpp"
 #include "host/scene_text/marker_text.hpp"
 #include "host/scene_text/nodes.hpp"
+#include "host/scene_text/rig_text.hpp"
 #include "host/scene_text/writing.hpp"
 
 #include <algorithm>
@@ -55,6 +57,8 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
     if (document.background)
         set(canvas, "background",
             text(writing.colours.word(stored_colour(*document.background, 1), "background")));
+    if (const auto camera = camera_of(document))
+        set(canvas, "camera", number(*camera));
     return canvas;
 }
 
@@ -78,11 +82,13 @@ std::string scene_text(const Document& document, std::string_view origin, double
     Document arranged = document;
     check_finite(arranged);
     const std::int32_t length = ticks_of(arranged);
-    art::crop(arranged);
+    art::crop(arranged, losses);
     arrange(arranged.nodes, {length, tolerance, losses});
     Writing writing{length, losses};
+    writing.rigs = rig_names(arranged.rigs);
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
     const std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
+    const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
     return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
            section(items) + section(markers);

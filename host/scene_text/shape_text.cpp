@@ -1,7 +1,6 @@
 #include "host/scene_text/shape_text.hpp"
 
 #include "host/scene_text/grid.hpp"
-#include "host/scene_text/nodes.hpp"
 
 #include <utility>
 
@@ -92,16 +91,6 @@ std::string path_data(const Outline& outline)
     if (outline.closed || outline.curves.empty())
         data.add('Z');
     return data.take();
-}
-
-std::vector<kdl::Node> shape_nodes(const art::Drawing& drawing)
-{
-    if (drawing.outlines.empty())
-        return {named_node("empty")};
-    std::vector<kdl::Node> nodes;
-    for (const Outline& outline : drawing.outlines)
-        nodes.push_back(named_node("path", text(path_data(outline))));
-    return nodes;
 }
 
 }

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "host/art/drawing.hpp"
-#include "host/kdl/document.hpp"
 
 #include <string>
-#include <vector>
 
 namespace kfast::scene_text {
 
@@ -13,8 +11,5 @@ art::Drawing on_grid(const art::Drawing& drawing);
 
 /// The data of a path, in lines if it is long.
 std::string path_data(const scene::Outline& outline);
-
-/// The shapes that draw it; `empty` if it is.
-std::vector<kdl::Node> shape_nodes(const art::Drawing& drawing);
 
 }

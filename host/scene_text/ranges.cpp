@@ -1,0 +1,167 @@
+#include "host/scene_text/ranges.hpp"
+
+#include "host/scene_text/carrying.hpp"
+#include "host/scene_text/grid.hpp"
+#include "host/scene_text/placement.hpp"
+#include "host/scene_text/sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kfast::scene_text {
+namespace {
+
+using art::Channel;
+using art::Figure;
+using art::Group;
+using art::Node;
+using art::Transform;
+
+constexpr double widest = 2040; ///< leaves room for rounding, and for points that are moved beside others
+/// From here on, what 1/16 px is rounded to shows.
+constexpr double coarse_scale = 2;
+
+double largest(const Channel& channel)
+{
+    double most = 0;
+    for (const auto& key : channel.keys)
+        most = std::max(most, std::abs(key.value));
+    return most;
+}
+
+double reach_of(scene::Spot spot) { return std::max(std::abs(spot.x), std::abs(spot.y)); }
+
+double reach_of(const art::Drawing& drawing)
+{
+    double reach = 0;
+    for (const scene::Outline& outline : drawing.outlines) {
+        reach = std::max(reach, reach_of(outline.from));
+        for (const scene::Curve& curve : outline.curves) {
+            reach = std::max(reach, reach_of(curve.to));
+            if (curve.cubic)
+                reach = std::max({reach, reach_of(curve.c1), reach_of(curve.c2)});
+        }
+    }
+    return reach;
+}
+
+double reach_of(const Node& node)
+{
+    double reach = std::max(largest(node.transform.anchor_x), largest(node.transform.anchor_y));
+    if (const auto* const figure = std::get_if<Figure>(&node.content))
+        for (const auto& key : figure->drawing.keys)
+            reach = std::max(reach, reach_of(key.value));
+    return reach;
+}
+
+double distance_of(const Transform& transform)
+{
+    if (transform.path)
+        return reach_of(transform.path->path);
+    return std::max(largest(transform.x) + largest(transform.anchor_x),
+                    largest(transform.y) + largest(transform.anchor_y));
+}
+
+/// The power of two that brings `reach` within bounds.
+double shrink_for(double reach) { return std::exp2(std::ceil(std::log2(reach / widest))); }
+
+class Ranges {
+public:
+    explicit Ranges(const Arranging& arranging) : arranging_{arranging} {}
+
+    void fit(std::vector<Node>& nodes)
+    {
+        for (Node& node : nodes)
+            fit(node);
+    }
+
+private:
+    void fit(Node& node)
+    {
+        const double scale = std::max(largest(node.transform.scale_x), largest(node.transform.scale_y));
+        if (scale > coarse_scale && reach_of(node) * scale < widest)
+            draw_larger(node, scale);
+        if (const double reach = reach_of(node); reach > widest)
+            draw_larger(node, 1 / shrink_for(reach));
+        unwind(node.transform.rotate);
+        if (auto* const group = std::get_if<Group>(&node.content))
+            fit(group->nodes);
+        if (const double distance = distance_of(node.transform); distance > widest)
+            go_further(node, shrink_for(distance));
+        check(node);
+    }
+
+    /// The content grows by `factor`, and the node so much less.
+    static void draw_larger(Node& node, double factor)
+    {
+        const art::Affine growth = art::grown(factor, factor);
+        if (!content_can_take(growth, node))
+            return;
+        content_takes(growth, node);
+        Transform& transform = node.transform;
+        transform.anchor_x = scaled(transform.anchor_x, factor);
+        transform.anchor_y = scaled(transform.anchor_y, factor);
+        transform.scale_x = scaled(transform.scale_x, 1 / factor);
+        transform.scale_y = scaled(transform.scale_y, 1 / factor);
+    }
+
+    /// Whole turns that all angles have are none.
+    static void unwind(Channel& rotate)
+    {
+        const auto [low, high] = std::ranges::minmax(rotate.keys, {}, &art::Key<double>::value);
+        if (largest(rotate) > degrees.high && high.value - low.value <= 2 * degrees.high - 360)
+            rotate = shifted(rotate, -360 * std::round((low.value + high.value) / 720));
+    }
+
+    /// In a group that is `factor` times as large.
+    static void go_further(Node& node, double factor)
+    {
+        if (!lies_flat(node.transform))
+            return;
+        const art::Affine growth = art::grown(1 / factor, 1 / factor);
+        if (!can_take(growth, node))
+            return;
+        Node outer{.name = {},
+                   .transform = transform_of({0, 0, 0, factor, factor}),
+                   .opacity = {1},
+                   .shown = std::vector{art::Span{}},
+                   .parent_tag = 0,
+                   .content = Group{}};
+        take(growth, node);
+        std::get<Group>(outer.content).nodes.push_back(std::move(node));
+        node = std::move(outer);
+    }
+
+    void check(const Node& node) const
+    {
+        const Transform& transform = node.transform;
+        const auto exceeds = [](const Channel& channel, const Grid& grid) {
+            return largest(channel) > grid.high;
+        };
+        if (exceeds(transform.scale_x, scales) || exceeds(transform.scale_y, scales))
+            lose("growth by more than 64", node);
+        if (exceeds(transform.rotate, degrees) || exceeds(transform.rotate_x, degrees) ||
+            exceeds(transform.rotate_y, degrees))
+            lose("more than 16 turns", node);
+        if (reach_of(node) > coordinates.high || distance_of(transform) > coordinates.high ||
+            exceeds(transform.z, coordinates))
+            lose("coordinates beyond 2047 px", node);
+        if (const auto* const figure = std::get_if<Figure>(&node.content);
+            figure != nullptr && figure->line && exceeds(figure->line->width, widths))
+            lose("a line wider than 4095 px", node);
+    }
+
+    void lose(std::string feature, const Node& node) const
+    {
+        arranging_.losses.add({std::move(feature), node.name, {}, "it is held at that"});
+    }
+
+    const Arranging& arranging_;
+};
+
+}
+
+void fit_ranges(std::vector<Node>& nodes, const Arranging& arranging) { Ranges{arranging}.fit(nodes); }
+
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "host/art/document.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene_text/writing.hpp"
+
+#include <vector>
+
+namespace kfast::scene_text {
+
+/// Gives skeletons and their bones names.
+std::vector<RigNames> rig_names(const std::vector<art::Rig>& rigs);
+
+/// A node `bones` for each of the skeletons that carry something of `nodes`.
+std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing);
+
+}
