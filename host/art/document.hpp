@@ -124,7 +124,7 @@ struct Node {
     std::string name; ///< as in the file; may be empty, and need not be unique
     Transform transform;
     Channel opacity = {1};          ///< of the finished picture of all that is inside
-    std::vector<Span> shown = {{}}; ///< when it is seen: rising and apart; none means never
+    std::vector<Span> shown = std::vector<Span>(1); ///< when it is seen: rising and apart; none means never
     /// Not 0: neighbours with the same number are one group, written for each of its members because others
     /// may lie between them (a parent in Lottie). Their transforms are the same.
     std::size_t parent_tag = 0;

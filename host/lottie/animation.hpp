@@ -36,6 +36,9 @@ struct Around {
     const art::Transform* transform = nullptr; ///< nothing: how it lies is not known
 };
 
+/// How many points have to be computed to know how they lie.
+std::size_t weight(const Around* around);
+
 /// To the canvas; nothing if that is not known.
 std::optional<art::Affine> canvas_matrix(const Around* around, double time);
 

@@ -191,7 +191,7 @@ private:
                    std::size_t index, Chain& chain)
     {
         art::Node node;
-        node.name = text_at(layer.json, "nm");
+        node.name = given_name(layer.json);
         if (const Json* const ks = find_member(layer.json, "ks"))
             node.opacity = read_channel(*ks, "o", 0, 1, 0.01, layer.reading.time, layer.reading.budget);
         node.shown = {shown};
@@ -220,7 +220,7 @@ private:
         for (std::size_t i = 0; i < parents.size(); ++i) {
             reading_.budget.take_node();
             art::Node group;
-            group.name = text_at(layers_[parents[i]], "nm");
+            group.name = given_name(layers_[parents[i]]);
             group.transform = chain.transforms()[parents.size() - 1 - i];
             group.parent_tag = tags_[parents[i]];
             group.content = art::Group{{std::move(node)}};
@@ -243,6 +243,15 @@ std::vector<art::Node> read_composition(const Composition& composition, Animatio
                                         const Reading& reading)
 {
     return CompositionReader{composition, animation, reading}.nodes();
+}
+
+std::size_t weight(const Around* around)
+{
+    std::size_t total = 0;
+    for (; around; around = around->outer)
+        if (around->transform)
+            total += weight(*around->transform);
+    return total;
 }
 
 std::optional<art::Affine> canvas_matrix(const Around* around, double time)

@@ -181,11 +181,18 @@ bool contains(const art::Drawing& drawing, std::span<const Spot> polygon)
            !meet(outline, inner);
 }
 
+std::size_t weight(const art::Transform& transform)
+{
+    // The place on a path is found by measuring it again and again.
+    constexpr std::size_t measurements = 64;
+    return transform.path ? 1 + measurements * transform.path->path.outlines.front().curves.size() : 1;
+}
+
 std::size_t weight(std::span<const art::Node> nodes)
 {
     std::size_t total = 0;
     for (const art::Node& node : nodes) {
-        total += 1;
+        total += weight(node.transform);
         if (const auto* group = std::get_if<art::Group>(&node.content))
             total += weight(group->nodes);
         else
@@ -196,13 +203,14 @@ std::size_t weight(std::span<const art::Node> nodes)
     return total;
 }
 
-std::vector<double> sample_times(const art::Span& span, std::size_t weight)
+std::vector<double> sample_times(const art::Span& span, std::size_t weight, art::Budget& budget)
 {
     constexpr double most_evaluated = 1e6;
     constexpr double most_samples = 120;
     const double length = span.to - span.from;
     const double affordable = std::clamp(most_evaluated / static_cast<double>(weight + 1), 2.0, most_samples);
     const double count = std::max(1.0, std::min(std::ceil(length), affordable));
+    budget.take_computed_points(weight * static_cast<std::size_t>(count + 1));
     std::vector<double> times;
     for (double i = 0; i < count; ++i)
         times.push_back(span.from + i * length / count);

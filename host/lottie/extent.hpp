@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/art/affine.hpp"
+#include "host/art/budget.hpp"
 #include "host/art/document.hpp"
 
 #include <algorithm>
@@ -34,10 +35,13 @@ Box box_at(std::span<const art::Node> nodes, double time, const art::Affine& mat
 /// Whether the polygon or curve contains the whole of a convex polygon, such as a box that has been turned.
 bool contains(const art::Drawing& drawing, std::span<const scene::Spot> polygon);
 
-/// How many points the keys of the nodes have, at least one for each node: what an evaluation costs.
+/// How many points have to be computed to know how nodes, or a transform, are at a moment; at least one for
+/// each.
 std::size_t weight(std::span<const art::Node> nodes);
+std::size_t weight(const art::Transform& transform);
 
-/// Moments of a span to look at, both ends among them; fewer of what has more weight.
-std::vector<double> sample_times(const art::Span& span, std::size_t weight);
+/// Moments of a span to look at, both ends among them; fewer of what has more weight. Throws Failure when too
+/// much is computed.
+std::vector<double> sample_times(const art::Span& span, std::size_t weight, art::Budget& budget);
 
 }

@@ -85,9 +85,15 @@ void report_undrawn(const Layer& layer, const Animation& animation)
 
 LayerKind kind_of(const Json& layer) { return LayerKind{whole_at(layer, "ty", -1)}; }
 
+std::string given_name(const Json& layer)
+{
+    const Json* const name = find_member(layer, "nm");
+    return name && name->is_string() ? name->get<std::string>() : std::string{};
+}
+
 std::string name_of(const Json& layer, std::size_t index)
 {
-    const std::string name = text_at(layer, "nm");
+    const std::string name = given_name(layer);
     return name.empty()
                ? std::string{"layer "} + std::to_string(whole_at(layer, "ind", static_cast<int>(index) + 1))
                : name;
@@ -98,7 +104,7 @@ art::Span span_of(const Json& layer, const LayerTime& time, const art::Span& see
     constexpr double endless = largest_number;
     double from = time.scene_frame(number_at(layer, "ip", time.stretch > 0 ? -endless : endless));
     double to = time.scene_frame(number_at(layer, "op", time.stretch > 0 ? endless : -endless));
-    if (from > to)
+    if (time.stretch < 0)
         std::swap(from, to);
     if (from <= seen.from)
         from = -std::numeric_limits<double>::infinity();

@@ -24,6 +24,8 @@ enum class LayerKind : int {
 
 LayerKind kind_of(const Json& layer);
 
+/// As in the file; empty if it has none, or one that is no text.
+std::string given_name(const Json& layer);
 /// As in the file, or "layer 3" by its number.
 std::string name_of(const Json& layer, std::size_t index);
 

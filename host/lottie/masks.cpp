@@ -93,11 +93,21 @@ Coverage coverage_at(const std::vector<Mask>& masks, const Box& box, double time
     return coverage;
 }
 
+std::size_t masks_weight(const std::vector<Mask>& masks)
+{
+    std::size_t total = 0;
+    for (const Mask& mask : masks)
+        for (const scene::Outline& outline : mask.path.keys.front().value.outlines)
+            total += 16 * outline.curves.size();
+    return total;
+}
+
 /// The same at all times, or part.
-Coverage coverage_of(const std::vector<Mask>& masks, std::span<const art::Node> nodes, const art::Span& seen)
+Coverage coverage_of(const std::vector<Mask>& masks, std::span<const art::Node> nodes, const Layer& layer)
 {
     std::optional<Coverage> all_along;
-    for (const double time : sample_times(seen, weight(nodes) * masks.size())) {
+    for (const double time :
+         sample_times(layer.seen, weight(nodes) + masks_weight(masks), layer.reading.budget)) {
         const Box box = box_at(nodes, time);
         if (box.empty())
             continue;
@@ -126,12 +136,12 @@ art::Node drawn(art::Animated<art::Drawing> drawing)
 }
 
 /// Whether what the path leaves of a solid ends at the path alone.
-bool lies_within(const Mask& mask, const art::Drawing& solid, const art::Span& seen)
+bool lies_within(const Mask& mask, const art::Drawing& solid, const Layer& layer)
 {
     const art::Node path = drawn(mask.path);
     const art::Node whole = drawn(solid);
-    const Box bounds = box_at({&whole, 1}, seen.from);
-    for (const double time : sample_times(seen, weight({&path, 1})))
+    const Box bounds = box_at({&whole, 1}, layer.seen.from);
+    for (const double time : sample_times(layer.seen, weight({&path, 1}), layer.reading.budget))
         if (!box_at({&path, 1}, time).lies_within(bounds))
             return false;
     return true;
@@ -156,7 +166,7 @@ std::optional<std::vector<art::Node>> cut_out(const art::Node& solid, const std:
         const bool alone = masks.size() == 1;
         const bool opaque = steady_value(mask.opacity) == 1.0;
         if (!kept || !is_plain(mask) || !has_outline(mask.path) || (!alone && (hole || !opaque)) ||
-            (hole && !opaque) || !lies_within(mask, figure.drawing.value(), layer.seen))
+            (hole && !opaque) || !lies_within(mask, figure.drawing.value(), layer))
             return std::nullopt;
         art::Node part = solid;
         auto& cut = std::get<art::Figure>(part.content);
@@ -178,12 +188,13 @@ std::optional<std::vector<art::Node>> cut_out(const art::Node& solid, const std:
 
 void apply_masks(std::vector<art::Node>& nodes, const Layer& layer)
 {
-    if (!find_member(layer.json, "masksProperties") || nodes.empty())
+    if (!find_member(layer.json, "masksProperties") || !truth_at(layer.json, "hasMask", true) ||
+        nodes.empty())
         return;
     const std::vector<Mask> masks = read_masks(layer);
     if (masks.empty())
         return;
-    const Coverage coverage = coverage_of(masks, nodes, layer.seen);
+    const Coverage coverage = coverage_of(masks, nodes, layer);
     if (coverage == Coverage::nothing)
         nodes.clear();
     if (coverage != Coverage::part)

@@ -44,8 +44,10 @@ void apply_matte(std::vector<art::Node>& nodes, const Layer& layer, MatteSource 
     const int mode = whole_at(layer.json, "tt", 0);
     if (find_member(source.layer.json, "ks"))
         source.nodes = {as_node(source)};
+    const std::size_t effort =
+        weight(nodes) + 16 * weight(source.nodes) + weight(&layer.around) + weight(&source.layer.around);
     std::optional<Coverage> all_along;
-    for (const double time : sample_times(layer.seen, weight(nodes) + weight(source.nodes))) {
+    for (const double time : sample_times(layer.seen, effort, layer.reading.budget)) {
         if (box_at(nodes, time).empty())
             continue;
         const bool known = mode >= 1 && mode <= 4;

@@ -115,7 +115,8 @@ void check_edges(const Layer& layer, std::span<const art::Node> nodes, const Ani
     const Box bounds{0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};
     if (bounds.empty())
         return;
-    for (const double time : sample_times(layer.seen, weight(nodes)))
+    for (const double time :
+         sample_times(layer.seen, weight(nodes) + weight(&layer.around), layer.reading.budget))
         if (!box_at(nodes, time).lies_within(bounds) && !covers_canvas(layer, bounds, time, animation)) {
             layer.reading.losses.add(
                 {"edge of a precomposition", layer.reading.layer, time, "what reaches beyond it is seen"});

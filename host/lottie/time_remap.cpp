@@ -2,6 +2,7 @@
 
 #include "host/art/ease_part.hpp"
 #include "host/art/every_animation.hpp"
+#include "host/art/value_distance.hpp"
 #include "host/lottie/ways.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace {
 
 using art::EaseKind;
 using art::mixed;
+using art::same_form;
 
 void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double from, double to)
 {
@@ -75,6 +77,21 @@ void add_ways(std::vector<Way<Value>>& ways, const art::Animated<Value>& animate
     ways.insert(ways.end(), stretched.begin(), stretched.end());
 }
 
+/// What is the same value but for rounding is no jump.
+template <typename Value>
+void mend(std::vector<Way<Value>>& ways)
+{
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 1; i < ways.size(); ++i) {
+        const Value& before = ways[i - 1].end;
+        if (!same_form(before, ways[i].begin) || art::distance(before, ways[i].begin) > rounding)
+            continue;
+        if (ways[i].begin == ways[i].end)
+            ways[i].end = before;
+        ways[i].begin = before;
+    }
+}
+
 void take(art::Budget&, const art::Channel&) {}
 void take(art::Budget&, const art::Animated<art::Rgb>&) {}
 void take(art::Budget& budget, const art::Animated<art::Drawing>& drawings)
@@ -97,6 +114,7 @@ void retime(art::Animated<Value>& animated, const std::vector<TimePiece>& pieces
         add_ways(ways, animated, piece);
     }
     ways.push_back({pieces.back().to, endless, ways.back().end, ways.back().end, {}});
+    mend(ways);
     animated = joined(ways);
     budget.take_keys(animated.keys.size());
     take(budget, animated);

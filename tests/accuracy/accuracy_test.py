@@ -1,6 +1,6 @@
 """Holds what kfast draws against the definition of coverage and against an independent renderer; see README.md:
 
-    accuracy_test.py <kfast> <scene.kfast> <motion.json> <folder of frames NAME-NN.png>
+    accuracy_test.py <kfast> <scene.kfast or .json> <motion.json> <folder of frames NAME-NN.png>
 """
 
 import pathlib

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "host/art/animated.hpp"
+#include "host/art/drawing.hpp"
+#include "host/scene/outline.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kfast::art {
+
+/// The shares of the way that a tween between two neighbouring keys comes to.
+struct TweenRange {
+    std::size_t from = 0; ///< index of its first key
+    std::size_t to = 0;
+    double low = 0;
+    double high = 0;
+};
+
+/// All tweens of an animation; of what is still, one that stays at its key.
+std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing);
+
+/// What an error of 1 in all keys may become between them: above 1 only where eases swing beyond keys.
+double tween_growth(std::span<const TweenRange> tweens);
+
+/// The greatest angle in radians, never too small, between two vectors that are tweened: `left` and `right`
+/// have one of each for every key. A half turn where one of them may vanish or they may be opposed.
+double greatest_turn(std::span<const scene::Spot> left, std::span<const scene::Spot> right,
+                     std::span<const TweenRange> tweens);
+
+/// The least length, never too great, of a vector that is tweened.
+double shortest(std::span<const scene::Spot> vectors, std::span<const TweenRange> tweens);
+
+}

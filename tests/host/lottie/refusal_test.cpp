@@ -1,0 +1,65 @@
+#include "tests/host/lottie/lottie_text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace kfast;
+using namespace kfast::lottie;
+
+TEST_CASE("a text that is no JSON is refused at its line and column")
+{
+    CHECK(failure_of("{\n  \"w\": 1,\n  oops\n}").starts_with("a.json:3:3: this is no JSON: "));
+    CHECK(failure_of("").starts_with("a.json:1:1: "));
+    CHECK(failure_of("{\"w\": \"\xff\"}").starts_with("a.json:1:"));
+    CHECK(failure_of(R"({"w": 1e999})").find("too large") != std::string::npos);
+}
+
+TEST_CASE("a text that is too deep is refused before it takes any memory")
+{
+    CHECK(failure_of(std::string(3'000'000, '['))
+              .starts_with("a.json:1:257: lists and objects lie more than 256 deep"));
+    CHECK(failure_of(R"({"a": ")" + std::string(1000, '[') + "\"}").find("deep") == std::string::npos);
+}
+
+TEST_CASE("what is missing or of another kind is refused by its path")
+{
+    CHECK(failure_of("[]") == "a.json: this is no animation of Lottie: it has no \"layers\"");
+    CHECK(failure_of(R"({"w": 1, "h": 1, "fr": 30, "layers": []})") ==
+          "a.json: \"op\" is missing: export the file again");
+    CHECK(failure_of(R"({"w": "1", "h": 1, "fr": 30, "op": 1, "layers": []})") ==
+          "a.json: w: is a text instead of a number: take the quotes away");
+    CHECK(failure_of(R"({"w": 0, "h": 1, "fr": 30, "op": 1, "layers": []})") == "a.json: w: is not above 0");
+    CHECK(failure_of(animation_text("3")) == "a.json: layers[0]: is no layer: one is an object");
+    CHECK(failure_of(animation_text(solid(R"("ks": {"p": {"k": [1, "2"]}}, )"))) ==
+          "a.json: layers[0].ks.p.k[1]: is a text instead of a number: take the quotes away");
+    CHECK(failure_of(animation_text(solid(R"("ks": {"r": {"k": [{"t": 1}]}}, )"))) ==
+          "a.json: layers[0].ks.r.k[0]: \"s\" is missing: the first key needs a value");
+    CHECK(failure_of(animation_text(R"({"ty": 1, "sw": 1, "sh": 1, "sc": "red", "ip": 0, "op": 60})"))
+              .find("layers[0]") != std::string::npos);
+    CHECK(failure_of(animation_text(R"({"ty": 4, "shapes": 5, "ip": 0, "op": 60})")) ==
+          "a.json: layers[0].shapes: is a number instead of a list");
+}
+
+TEST_CASE("a length that is none, or too long, is refused")
+{
+    const auto lasting = [](const char* end) {
+        return R"({"w": 1, "h": 1, "fr": 30, "ip": 5, "op": )" + std::string{end} + R"(, "layers": []})";
+    };
+    CHECK(failure_of(lasting("5")) != "");
+    CHECK(failure_of(lasting("2000000")) != "");
+    CHECK(failure_of(lasting("5.25")) == "");
+}
+
+TEST_CASE("more keys than there may be are refused")
+{
+    std::string keys;
+    for (int i = 0; i < 2000; ++i)
+        keys += (i == 0 ? "" : ",") + std::string{R"({"t":1,"s":1})"};
+    std::string layers;
+    for (int i = 0; i < 300; ++i)
+        layers += (i == 0 ? "" : ",") + std::string{R"({"ty": 0, "ip": 0, "op": 60, "refId": "c"})"};
+    const std::string text = animation_text(
+        layers, R"("assets": [{"id": "c", "layers": [)" +
+                    solid(R"("ks": {"r": {"k": [)" + keys + "]}, \"s\": {\"k\": [" + keys + "]}}, ") +
+                    "]}], ");
+    CHECK(failure_of(text).find("more than 1048576 keys") != std::string::npos);
+}
