@@ -110,8 +110,9 @@ ShapeForm polygon_of(const scene::Outline& outline)
 {
     art::PolygonForm polygon{{outline.from}};
     for (const scene::Curve& curve : outline.curves)
-        if (curve.to.x != outline.from.x || curve.to.y != outline.from.y)
-            polygon.spots.push_back(curve.to);
+        polygon.spots.push_back(curve.to);
+    if (polygon.spots.back().x == outline.from.x && polygon.spots.back().y == outline.from.y)
+        polygon.spots.pop_back();
     return polygon;
 }
 
