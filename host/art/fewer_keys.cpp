@@ -17,8 +17,10 @@ template <typename Value>
 class FewerKeys {
 public:
     FewerKeys(std::vector<Key<Value>> keys, double tolerance, NewEases& eases)
-        : keys_{std::move(keys)}, tolerance_{tolerance}, eases_{eases}
+        : keys_{std::move(keys)}, tolerance_{tolerance}, eases_{eases}, kinks_(keys_.size())
     {
+        for (std::size_t i = 1; i + 1 < keys_.size(); ++i)
+            kinks_[i] = kink_at(i);
     }
 
     std::vector<Key<Value>> found()
@@ -40,6 +42,26 @@ private:
         std::size_t end; ///< index of the key that one way leads to
         Ease ease;
     };
+
+    /// How far what is smooth must be from two straight ways that meet at a key at an angle: of evenly spaced
+    /// chords of a parabola that is an eighth of how far the key is from the middle of its neighbours.
+    double kink_at(std::size_t key) const
+    {
+        if (keys_[key - 1].ease.kind != EaseKind::linear || keys_[key].ease.kind != EaseKind::linear ||
+            !same_form(keys_[key - 1].value, keys_[key].value) ||
+            !same_form(keys_[key].value, keys_[key + 1].value))
+            return 0;
+        const double step =
+            std::min(keys_[key].time - keys_[key - 1].time, keys_[key + 1].time - keys_[key].time);
+        const Value before = value_at(key - 1, keys_[key].time - step);
+        const Value behind = value_at(key, keys_[key].time + step);
+        return distance(OnWay<Value>{before, behind, 0.5}, {keys_[key].value, keys_[key].value, 0}) / 8;
+    }
+
+    Value value_at(std::size_t key, double time) const
+    {
+        return mixed(keys_[key].value, keys_[key + 1].value, fraction(key, key + 1, time));
+    }
 
     bool is_constant() const
     {
@@ -98,7 +120,7 @@ private:
 
     std::optional<Ease> fitted(std::size_t begin, std::size_t end)
     {
-        if (same(begin, end) || jumps(begin, end) || !eases_.take_fit())
+        if (same(begin, end) || jumps(begin, end) || has_kinks(begin, end) || !eases_.take_fit())
             return std::nullopt;
         constexpr std::size_t steps = 24;
         std::array<double, steps + 1> ways{};
@@ -114,6 +136,13 @@ private:
         if (!ease || !is_near(begin, end, *ease) || !eases_.add(*ease))
             return std::nullopt;
         return ease;
+    }
+
+    bool has_kinks(std::size_t begin, std::size_t end) const
+    {
+        return std::any_of(kinks_.begin() + static_cast<std::ptrdiff_t>(begin) + 1,
+                           kinks_.begin() + static_cast<std::ptrdiff_t>(end),
+                           [&](double kink) { return kink > tolerance_; });
     }
 
     bool jumps(std::size_t begin, std::size_t end) const
@@ -212,6 +241,7 @@ private:
     std::vector<Key<Value>> keys_;
     double tolerance_;
     NewEases& eases_;
+    std::vector<double> kinks_; ///< by key
 };
 
 template <typename Value>

@@ -71,6 +71,13 @@ Node flattened(Node group)
     return group;
 }
 
+/// Names of paths say more than those of styles.
+const std::string& name_of(const StyleItem& style, const std::vector<CarriedPath>& paths)
+{
+    const std::string& path = paths.front().path->name;
+    return path.empty() || (paths.size() > 1 && !style.name.empty()) ? style.name : path;
+}
+
 Node within(const GroupItem& group, std::vector<Node> nodes)
 {
     Node node;
@@ -139,7 +146,7 @@ private:
         if (is_empty(figure.drawing))
             return;
         Node node;
-        node.name = !style.name.empty() ? style.name : paths.front().path->name;
+        node.name = name_of(style, paths);
         node.content = std::move(figure);
         if (in_groups)
             for (const GroupItem* group : paths.front().groups)

@@ -3,6 +3,7 @@
 #include "host/scene_text/depth.hpp"
 #include "host/scene_text/folding.hpp"
 #include "host/scene_text/leaning.hpp"
+#include "host/scene_text/line_pens.hpp"
 #include "host/scene_text/paints.hpp"
 #include "host/scene_text/ranges.hpp"
 #include "host/scene_text/unseen.hpp"
@@ -13,12 +14,14 @@ void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
 {
     join_parts(nodes);
     drop_unseen(nodes, arranging.length);
+    report_bent_pens(nodes, arranging.losses);
     part_paints(nodes, arranging.length);
     fold(nodes);
     straighten(nodes, arranging);
     fold(nodes);
+    fit_ranges(nodes);
     limit_depth(nodes, arranging);
-    fit_ranges(nodes, arranging);
+    hold_in_ranges(nodes, arranging.losses);
 }
 
 }

@@ -5,6 +5,7 @@
 #include "host/kdl/readable.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene_text/arrange.hpp"
+#include "host/scene_text/camera.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/item_text.hpp"
 #include "host/scene_text/marker_text.hpp"
@@ -56,6 +57,8 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
     if (document.background)
         set(canvas, "background",
             text(writing.colours.word(stored_colour(*document.background, 1), "background")));
+    if (const auto camera = camera_of(document))
+        set(canvas, "camera", number(*camera));
     return canvas;
 }
 
@@ -88,7 +91,7 @@ std::string scene_text(const Document& document, std::string_view origin, double
     const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
     return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
-           section(items) + section(markers);
+           section(rigs) + section(items) + section(markers);
 }
 
 }

@@ -75,10 +75,15 @@ std::optional<Compound> take_compound(std::string_view& text)
 {
     Compound compound;
     const std::size_t size = text.size();
-    if (text.starts_with('*'))
+    constexpr std::string_view outermost = ":root";
+    if (text.starts_with('*')) {
         text.remove_prefix(1);
-    else
+    } else if (text.starts_with(outermost)) {
+        compound.type = "svg";
+        text.remove_prefix(outermost.size());
+    } else {
         compound.type = take_word(text);
+    }
     while (!text.empty() && (text.front() == '.' || text.front() == '#')) {
         const bool is_class = text.front() == '.';
         text.remove_prefix(1);

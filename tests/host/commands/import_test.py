@@ -1,0 +1,329 @@
+"""kfast import, and files of other programs through the commands that take scenes."""
+
+import gzip
+import io
+import json
+import random
+import unittest
+import zipfile
+
+from command_case import ROOT, CommandTest, kfast
+
+FRAME = {"v": "5.7.0", "fr": 30, "ip": 0, "op": 30, "w": 100, "h": 80}
+FILL = {"ty": "fl", "c": {"a": 0, "k": [1, 0.5, 0, 1]}, "o": {"a": 0, "k": 100}}
+GRADIENT = {"ty": "gf", "o": {"a": 0, "k": 100}, "t": 1, "s": {"a": 0, "k": [0, 0]}, "e": {"a": 0, "k": [9, 0]},
+            "g": {"p": 2, "k": {"a": 0, "k": [0, 1, 0, 0, 1, 0, 0, 1]}}}
+MOVE = {"a": 1, "k": [{"t": 0, "s": [10, 10], "o": {"x": 0.3, "y": 0}, "i": {"x": 0.6, "y": 1}}, {"t": 30, "s": [90, 70]}]}
+
+SVG = """<?xml version="1.0"?>
+<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40">
+  <circle id="sun" cx="{x}" cy="20" r="8" fill="#ff8000"/>
+</svg>
+"""
+
+SIF = """<?xml version="1.0" encoding="UTF-8"?>
+<canvas version="1.2" width="64" height="48" view-box="-2 1.5 2 -1.5" fps="24" begin-time="0f" end-time="1s">
+  <layer type="circle" active="true" desc="ball">
+    <param name="color"><color><r>1</r><g>0.5</g><b>0</b><a>1</a></color></param>
+    <param name="radius"><real value="0.5"/></param>
+    <param name="origin"><vector><x>0</x><y>0</y></vector></param>
+  </layer>
+</canvas>
+"""
+
+
+def lottie(paint=FILL, **more):
+    shapes = [{"ty": "el", "p": {"a": 0, "k": [0, 0]}, "s": {"a": 0, "k": [20, 20]}}, paint]
+    return json.dumps({**FRAME, "layers": [{"ty": 4, "nm": "dot", "ip": 0, "op": 30, "st": 0, "ks": {"p": MOVE},
+                                            "shapes": shapes}], **more})
+
+
+def zipped(files):
+    whole = io.BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, content in files.items():
+            archive.writestr(path, content)
+    return whole.getvalue()
+
+
+class ImportCase(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("dot.json", lottie())
+        self.write("shiny.json", lottie(GRADIENT))
+
+    def write(self, name, content):
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def scene(self, name):
+        """The text that `kfast import` makes of a file."""
+        return self.run_kfast("import", name, "-o", "-").stdout
+
+
+class ImportTest(ImportCase):
+    def test_writes_a_scene_beside_the_file_and_tells_what_it_has(self):
+        line = self.run_kfast("import", "dot.json").stdout
+        self.assertRegex(line, r"^dot.kfast: 1 object, \d+ keys, \d+ points; \d+ bytes compiled, \d+ bytes of memory at "
+                               r"100x80\nall is carried over\n$")
+        self.assertIn("object dot", (self.folder / "dot.kfast").read_text())
+        self.assertRegex(self.run_kfast("check", "dot.kfast").stdout, "ok: .*, 0 warnings")
+
+    def test_the_text_and_the_file_are_the_same_scene(self):
+        for name, content in {"dot.json": lottie(), "sun.svg": SVG.format(x=20), "ball.sif": SIF}.items():
+            with self.subTest(name=name):
+                self.write(name, content)
+                self.run_kfast("import", name, "-o", "text.kfast")
+                self.run_kfast("compile", "text.kfast", "-o", "text.kfb")
+                self.run_kfast("compile", name, "-o", "file.kfb")
+                self.assertEqual((self.folder / "text.kfb").read_bytes(), (self.folder / "file.kfb").read_bytes())
+
+    def test_standard_output_has_the_text_alone(self):
+        result = self.run_kfast("import", "dot.json", "-o", "-")
+        self.assertTrue(result.stdout.startswith("// "), result.stdout)
+        self.assertIn("kfast 1\n", result.stdout)
+        self.assertTrue(result.stderr.startswith("standard output: 1 object"), result.stderr)
+
+    def test_never_overwrites_the_file(self):
+        self.refuse("import", "dot.json", "-o", "dot.json", status=1, says="overwrite the file that is imported")
+
+    def test_the_content_tells_the_kind(self):
+        for content in (lottie(), "\ufeff \n" + lottie(), SVG.format(x=20), "\ufeff" + SVG.format(x=20), SIF,
+                        gzip.compress(SVG.format(x=20).encode()), gzip.compress(SIF.encode()),
+                        gzip.compress(lottie().encode()), zipped({"animations/dot.json": lottie()})):
+            with self.subTest(content=content[:20]):
+                self.run_kfast("check", self.write("any.name", content))
+
+    def test_losses_are_listed(self):
+        text = self.run_kfast("import", "shiny.json").stdout
+        self.assertIn("1 thing is not carried over:\n", text)
+        self.assertRegex(text, r"\n  .*gradient.* \(dot.*\): ")
+
+    def test_strict_refuses_losses_and_writes_nothing(self):
+        self.refuse("import", "shiny.json", "--strict", status=1, says="kfast: shiny.json: 1 thing is not carried over:\n")
+        self.run_kfast("import", "dot.json", "--strict")
+
+    def test_json(self):
+        report = json.loads(self.run_kfast("import", "shiny.json", "--json").stdout)
+        self.assertEqual((report["file"], report["scene"]), ("shiny.json", "shiny.kfast"))
+        self.assertEqual((report["objects"], report["more_losses"]), (1, 0))
+        self.assertEqual((report["memory"]["width"], report["memory"]["height"]), (100, 80))
+        loss, = report["losses"]
+        self.assertEqual(set(loss), {"feature", "layer", "time", "instead"})
+        self.assertIn("dot", loss["layer"])
+
+    def test_size(self):
+        self.assertIn("canvas 50 40", self.run_kfast("import", "dot.json", "--size", "50x50", "-o", "-").stdout)
+        self.assertIn("canvas 200 160", self.run_kfast("import", "dot.json", "--size", "200x900", "-o", "-").stdout)
+        self.assertRegex(self.run_kfast("check", "dot.json", "--size", "50x50").stdout, "at 50x40")
+        self.refuse("import", "dot.json", "--size", "2048x9", status=2, says="at most 2047")
+
+    def test_a_canvas_that_is_too_large_is_made_smaller_and_told(self):
+        self.write("large.json", lottie(w=4094, h=2000))
+        result = self.run_kfast("import", "large.json", "-o", "-")
+        self.assertIn("canvas 2047 1000", result.stdout)
+        self.assertIn("canvas of 4094x2000 pixels: all of it smaller, on 2047x1000", result.stderr)
+        self.run_kfast("check", "large.json", "--strict", "--size", "2047x2047")
+
+    def test_tolerance_makes_it_smaller(self):
+        scene = ROOT / "tests/accuracy/lottie/walker.json"
+        sizes = []
+        for tolerance in ("0", "0.03125", "4"):
+            report = self.run_kfast("import", scene, "-o", "walker.kfast", "--json", "--tolerance", tolerance).stdout
+            sizes.append(json.loads(report)["bytes"])
+        self.assertEqual(sizes, sorted(sizes, reverse=True))
+        self.assertLess(sizes[2], sizes[0])
+        for wrong in ("-1", "nan", "x", "100"):
+            self.refuse("import", "dot.json", "--tolerance", wrong, status=2, says="is not a number from 0 to 64")
+
+    def test_usage(self):
+        self.refuse("import", status=2, says="one of FILE and --keys FILES --at TIMES")
+        self.refuse("import", "dot.json", "--at", "0", status=2, says="--keys")
+        self.refuse("import", "dot.json", "--animation", "a", status=1, says="this is none")
+
+
+class KeyDrawingTest(ImportCase):
+    def setUp(self):
+        super().setUp()
+        for x in (10, 30, 50):
+            self.write(f"pose{x}.svg", SVG.format(x=x))
+
+    def test_drawings_become_keys(self):
+        result = self.run_kfast("import", "--keys", "pose10.svg", "pose30.svg", "pose50.svg", "--at", "0", "12", "0.8s",
+                                "--fps", "25", "--law", "ease-in-out", "--end", "once", "-o", "-")
+        self.assertIn("fps=25", result.stdout)
+        self.assertIn("loop=once", result.stdout)
+        self.assertIn("ease-in-out", result.stdout)
+        self.assertIn("20", result.stdout)
+        self.assertIn("object sun", result.stdout)
+
+    def test_the_scene_is_named_after_the_first(self):
+        self.run_kfast("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", "9")
+        self.assertTrue((self.folder / "pose10.kfast").is_file())
+
+    def test_wrong_drawings_and_times(self):
+        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", status=1,
+                    says="2 key drawings but 1 times")
+        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "9", "3", status=1, says="pose")
+        self.refuse("import", "--keys", "pose10.svg", "dot.json", "--at", "0", "3", status=1,
+                    says="dot.json: is no SVG file, as key drawings are")
+        self.refuse("import", "--keys", "pose10.svg", "--at", "soon", status=1, says="'soon' is no time")
+        self.refuse("import", "--keys", "pose10.svg", status=2, says="--at")
+        self.refuse("import", "dot.json", "--law", "sudden", status=2, says="unknown law")
+        self.refuse("import", "dot.json", "--law", "steps(3)", status=2, says="cannot be imported")
+        self.refuse("import", "dot.json", "--end", "never", status=2, says="'never' is unknown")
+
+
+class DotLottieTest(ImportCase):
+    def setUp(self):
+        super().setUp()
+        manifest = {"version": "2", "animations": [{"id": "dot", "speed": 2, "loop": False}, {"id": "shiny"}]}
+        self.write("two.lottie", zipped({"manifest.json": json.dumps(manifest), "a/dot.json": lottie(),
+                                         "a/shiny.json": lottie(GRADIENT)}))
+
+    def test_the_first_animation_is_taken_as_the_manifest_says(self):
+        result = self.run_kfast("import", "two.lottie", "-o", "-")
+        self.assertIn("fps=60", result.stdout)
+        self.assertIn("loop=once", result.stdout)
+        self.assertIn("more than one animation: 'dot' of dot, shiny (--animation ID takes another)", result.stderr)
+
+    def test_another_animation(self):
+        self.run_kfast("check", "two.lottie", "--animation", "dot", "--strict")
+        self.assertIn("gradient", self.run_kfast("check", "two.lottie", "--animation", "shiny").stdout)
+        self.refuse("import", "two.lottie", "--animation", "x", status=1,
+                    says="there is no animation 'x': it has dot, shiny")
+
+
+class EverywhereTest(ImportCase):
+    COMMANDS = (["info"], ["hash"], ["preview", "--headless"], ["render", "--all", "-o", "out"],
+                ["compile", "-o", "out.kfb"], ["fit", "--board", "pico"], ["export", "--header"])
+
+    def test_commands_take_files_of_other_programs(self):
+        for command in self.COMMANDS:
+            with self.subTest(command=command):
+                self.assertEqual(self.run_kfast(*command, "dot.json").stderr, "")
+                self.assertEqual(self.run_kfast(*command, "shiny.json").stderr,
+                                 "shiny.json: warning: 1 thing is not carried over: 'kfast check shiny.json' lists them\n")
+
+    def test_compile_writes_beside_the_file(self):
+        self.assertRegex(self.run_kfast("compile", "dot.json").stdout, r"^dot.kfb: ")
+
+    def test_check_lists_losses(self):
+        result = self.run_kfast("check", "shiny.json")
+        self.assertRegex(result.stdout, r"^shiny.json: ok: .*, 0 warnings\n1 thing is not carried over:\n  .*gradient")
+        self.assertEqual(result.stderr, "")
+
+    def test_strict(self):
+        for command in (["check"], ["compile"], ["fit", "--board", "pico"]):
+            self.refuse(*command, "shiny.json", "--strict", status=1, says="shiny.json: 1 thing is not carried over:\n")
+            self.run_kfast(*command, "dot.json", "--strict")
+
+    def test_help_names_the_files(self):
+        self.assertIn("import", self.run_kfast("--help").stdout)
+        for command in ("compile", "check", "fit", "preview", "render", "flash", "upload", "play"):
+            self.assertIn(".lottie", self.run_kfast(command, "--help").stdout, command)
+
+
+class RubbishTest(ImportCase):
+    """Whatever a file holds, the answer is a sentence, or a scene."""
+
+    def refused(self, name, content, says=""):
+        self.write(name, content)
+        for command in (["import", "-o", "out.kfast"], ["check"]):
+            self.refuse(*command, name, status=1, says=f"kfast: {name}:{says and ' ' + says}")
+
+    def test_other_files(self):
+        self.refused("page.html", "<!DOCTYPE html><html><body>hello</body></html>",
+                     "an XML file, but neither SVG nor Synfig")
+        self.refused("wide.svg", SVG.format(x=1).encode("utf-16"), "the text is in UTF-16: save it as UTF-8")
+        self.refused("other.zip", zipped({"readme.txt": "hello"}), "a zip file without an animation")
+        self.refused("twice.svgz", gzip.compress(gzip.compress(b"<svg/>")), "is packed twice")
+        self.write("hello.svg", "hello")
+        self.refuse("import", "hello.svg", status=1, says="hello.svg: nothing that can be imported: kfast imports Lottie")
+        self.write("void.svg", "")
+        self.refuse("import", "void.svg", status=1, says="void.svg: the file is empty")
+        self.refuse("import", "none.svg", status=1, says="none.svg: there is no such file")
+        self.run_kfast("compile", "once.kfast")
+        self.refuse("import", "once.kfb", status=1, says="once.kfb: a compiled scene already")
+
+    def test_bombs(self):
+        self.refused("bomb.svgz", gzip.compress(b" " * (17 << 20)), "holds more than 16 MB")
+        self.refused("bomb.lottie", zipped({"a/dot.json": b" " * (17 << 20)}), "a/dot.json is larger than 16 MB")
+
+    def test_broken_texts(self):
+        self.refused("half.json", lottie()[:-9])
+        self.refused("half.svg", SVG.format(x=1)[:-12])
+        self.refused("half.sif", SIF[:-40])
+        self.refused("list.json", "{}")
+
+    def test_depths(self):
+        deep = 100_000
+        self.refused("deep.json", '{"layers":' + "[" * deep)
+        self.refused("deeper.json", '{"layers":' + "[" * deep + "]" * deep + "}")
+        groups = '{"ty":"gr","it":[' * deep + "]}" * deep
+        self.refused("groups.json", json.dumps({**FRAME, "layers": [{"ty": 4, "ip": 0, "op": 9, "ks": {}, "shapes": [0]}]})
+                     .replace("[0]", f"[{groups}]"))
+        self.refused("deep.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">' + "<g>" * deep
+                     + '<rect width="5" height="5"/>' + "</g>" * deep + "</svg>")
+        self.refused("deep.sif", '<canvas version="1.2" width="9" height="9">'
+                     + '<layer type="group"><param name="canvas"><canvas>' * deep
+                     + "</canvas></param></layer>" * deep + "</canvas>")
+
+    def test_circles(self):
+        comp = {"ty": 0, "refId": "a", "ip": 0, "op": 30, "st": 0, "ks": {}, "w": 9, "h": 9}
+        self.answered("circle.json", json.dumps({**FRAME, "layers": [comp], "assets": [{"id": "a", "layers": [comp]}]}))
+        self.answered("circle.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">'
+                                    '<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g><use href="#a"/></svg>')
+
+    def test_what_explodes(self):
+        uses = "".join(f'<g id="l{level + 1}">' + f'<use href="#l{level}"/>' * 10 + "</g>" for level in range(12))
+        self.answered("laughs.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><defs>'
+                                    f'<rect id="l0" width="5" height="5" fill="red"/>{uses}</defs><use href="#l12"/></svg>')
+        comps = [{"id": f"c{level + 1}",
+                  "layers": [{"ty": 0, "refId": f"c{level}", "ip": 0, "op": 30, "ks": {}, "w": 9, "h": 9}] * 10}
+                 for level in range(12)]
+        comps.append({"id": "c0", "layers": json.loads(lottie())["layers"]})
+        self.answered("laughs.json", json.dumps({**FRAME, "layers": comps[11]["layers"], "assets": comps}))
+
+    def answered(self, name, content):
+        """Either a scene or a refusal, and nothing in between."""
+        self.write(name, content)
+        result = self.run_any("check", name)
+        self.assertIn(result.returncode, (0, 1), f"{name}: {result.stderr[:400]}")
+        self.assertNotIn("mistake in kfast", result.stderr)
+        if result.returncode:
+            self.assertTrue(result.stderr.startswith(f"kfast: {name}:"), result.stderr[:400])
+
+    def run_any(self, *arguments):
+        return kfast(*arguments, folder=self.folder)
+
+    def test_numbers(self):
+        for number in ("1e999", "-1e308", "1e-320", "NaN", "nan", "inf", "0x10", "1e", "--1", "99999999999999999999", "null",
+                       '"a"', "[]", "{}", "1.5.5", ""):
+            with self.subTest(number=number):
+                self.answered("number.svg", SVG.replace("{x}", number.replace('"', "&quot;")))
+                self.answered("size.svg", SVG.replace('width="60"', f'width="{number.replace(chr(34), "")}"'))
+                self.answered("number.sif", SIF.replace('value="0.5"', f'value="{number.replace(chr(34), "")}"'))
+                self.answered("size.sif", SIF.replace('width="64"', f'width="{number.replace(chr(34), "")}"'))
+                for at in ("[20, 20]", '"fr": 30', '"op": 30', '"w": 100', "0.5", "100}", '"t": 30', "[90, 70]"):
+                    name, colon, value = at.partition(": ")
+                    self.answered("number.json", lottie().replace(at, f"{name}: {number}" if colon else number, 1))
+
+    def test_cut_and_changed(self):
+        dice = random.Random(10)
+        for name, content in {"a.json": lottie(GRADIENT), "a.svg": SVG.format(x=9), "a.sif": SIF,
+                              "a.lottie": zipped({"manifest.json": "{}", "a/dot.json": lottie()})}.items():
+            whole = content if isinstance(content, bytes) else content.encode()
+            for _ in range(25):
+                changed = bytearray(whole[:dice.randrange(4, len(whole))] if dice.random() < 0.3 else whole)
+                for _ in range(dice.randrange(1, 4)):
+                    changed[dice.randrange(4, len(changed))] = dice.choice(b'0-9e{}[]",:<>/ \0\xff')
+                with self.subTest(changed=bytes(changed)):
+                    self.write(name, bytes(changed))
+                    result = self.run_any("check", name)
+                    self.assertIn(result.returncode, (0, 1), result.stderr[:400])
+                    self.assertNotIn("mistake in kfast", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

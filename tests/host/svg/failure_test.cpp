@@ -1,0 +1,143 @@
+#include "host/failure.hpp"
+#include "host/svg/read_keys.hpp"
+#include "host/svg/read_svg.hpp"
+#include "tests/host/svg/drawing_text.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <string>
+
+using namespace kfast;
+using namespace kfast::test;
+
+namespace {
+
+bool begins(const std::string& text, const std::string& beginning) { return text.starts_with(beginning); }
+
+std::string nested(const std::string& name, int depth, const std::string& content)
+{
+    std::string text = content;
+    for (int i = 0; i < depth; ++i)
+        text = "<" + name + ">" + text + "</" + name + ">";
+    return text;
+}
+
+std::string keys_failure(std::size_t drawings, const std::vector<double>& times)
+{
+    art::Losses losses;
+    const std::vector<SourceText> sources(drawings, SourceText{"pose.svg", drawing("<circle r='3'/>")});
+    try {
+        svg::read_svg_keys(sources, times, {}, losses);
+    } catch (const Failure& failure) {
+        return failure.what();
+    }
+    return {};
+}
+
+}
+
+TEST_CASE("what is no XML is refused with its line and column")
+{
+    CHECK(begins(failure_of("<svg>\n  <g></h>\n</svg>"), "test.svg:2:"));
+    CHECK(begins(failure_of("<svg"), "test.svg:1:"));
+    CHECK_FALSE(failure_of("").empty());
+    CHECK_FALSE(failure_of("{}").empty());
+    CHECK_FALSE(failure_of(std::string("<svg\0/>", 7)).empty());
+}
+
+TEST_CASE("what is no drawing is refused")
+{
+    CHECK(failure_of("<html/>") == "test.svg: there is no drawing in it: its outermost element is not <svg>");
+    CHECK(failure_of("<svg/>").empty());
+}
+
+TEST_CASE("what uses itself is refused")
+{
+    CHECK(begins(failure_of(drawing("<use id='a' href='#a'/>")), "test.svg: "));
+    CHECK(begins(
+        failure_of(drawing("<g id='a'><circle r='3'/><use href='#b'/></g><g id='b'><use href='#a'/></g>")),
+        "test.svg: "));
+    CHECK(begins(failure_of(drawing("<symbol id='s'><use href='#s'/></symbol><use href='#s'/>")),
+                 "test.svg: "));
+    CHECK(begins(failure_of(drawing("<clipPath id='c'><circle r='3' clip-path='url(#c)'/></clipPath>"
+                                    "<circle r='9' clip-path='url(#c)'/>")),
+                 "test.svg: "));
+}
+
+TEST_CASE("uses of uses are refused before they become too many")
+{
+    std::string text = "<circle id='u0' r='3'/>";
+    for (int i = 1; i < 30; ++i) {
+        const std::string use = "<use href='#u" + std::to_string(i - 1) + "'/>";
+        text += "<g id='u" + std::to_string(i) + "'>" + use + use + "</g>";
+    }
+    CHECK(failure_of(drawing(text)).find("65535") != std::string::npos);
+}
+
+TEST_CASE("groups in groups are refused where they are too deep")
+{
+    CHECK(failure_of(drawing(nested("g", 40, "<circle r='3'/>"))).empty());
+    CHECK(failure_of(drawing(nested("g", 100, "<circle r='3'/>"))).find("deep") != std::string::npos);
+    CHECK(failure_of(drawing(nested("g", 100'000, "<circle r='3'/>"))).find("deep") != std::string::npos);
+    CHECK(failure_of(drawing(nested("defs", 100'000, ""))).empty());
+    CHECK(failure_of(drawing(nested("text", 100'000, "a"))).empty());
+}
+
+TEST_CASE("a style sheet that would take for ever is refused")
+{
+    std::string css = "<style>";
+    for (int i = 0; i < 9000; ++i)
+        css += ".c" + std::to_string(i) + " .d .e{fill:red}";
+    css += "</style>";
+    for (int i = 0; i < 5000; ++i)
+        css += "<g/>";
+    CHECK(failure_of(drawing(css)).find("too many rules") != std::string::npos);
+}
+
+TEST_CASE("entities do not grow without bounds")
+{
+    std::string text = "<!DOCTYPE svg [<!ENTITY a \"" + std::string(100'000, 'x') + "\">\n]><svg><desc>";
+    for (int i = 0; i < 1000; ++i)
+        text += "&a;";
+    CHECK(failure_of(text + "</desc></svg>").find("64 MB") != std::string::npos);
+    CHECK(
+        failure_of("<!DOCTYPE svg [<!ENTITY a \"&b;&b;\"><!ENTITY b \"&a;&a;\">]><svg><desc>&a;</desc></svg>")
+            .empty());
+    CHECK(failure_of("<!DOCTYPE svg [<!ENTITY a \"").empty() == false);
+}
+
+TEST_CASE("dashes do not grow without bounds")
+{
+    CHECK(
+        losses_of("<path d='M0 0H9e6' stroke='red' stroke-dasharray='1' transform='scale(.001)'/>").size() ==
+        1);
+    CHECK(failure_of(drawing("<path d='M0 0H9e6' stroke='red' stroke-dasharray='1'/>")).find("points") !=
+          std::string::npos);
+}
+
+TEST_CASE("numbers out of all proportion give a scene of finite ones")
+{
+    art::Losses losses;
+    const auto document = svg::read_svg(
+        {"test.svg",
+         drawing("<g transform='scale(1e300)'><g transform='scale(1e300)'><circle r='3'/></g></g>"
+                 "<circle r='3' stroke='red' stroke-width='1e300'/><rect width='1e300' height='3'/>"
+                 "<path d='M0 0H1e308'/>",
+                 "width='1e300' height='3' viewBox='0 0 1e-300 1e-300'")},
+        losses);
+    CHECK(document.width <= 1e5);
+    for (const art::Node& node : document.nodes)
+        for (const double coordinate : box(std::get<art::Figure>(node.content).drawing.value()))
+            CHECK(std::isfinite(coordinate));
+}
+
+TEST_CASE("key drawings need times that rise")
+{
+    CHECK(keys_failure(2, {0, 12}).empty());
+    CHECK(keys_failure(2, {0}) == "2 key drawings but 1 times: name a time for each of them");
+    CHECK_FALSE(keys_failure(0, {}).empty());
+    CHECK_FALSE(keys_failure(2, {0, 0}).empty());
+    CHECK_FALSE(keys_failure(2, {12, 6}).empty());
+    CHECK_FALSE(keys_failure(2, {-1, 6}).empty());
+    CHECK_FALSE(keys_failure(2, {0, std::nan("")}).empty());
+}

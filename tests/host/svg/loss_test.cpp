@@ -1,0 +1,51 @@
+#include "tests/host/svg/drawing_text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace kfast;
+using namespace kfast::test;
+
+namespace {
+using Lines = std::vector<std::string>;
+}
+
+TEST_CASE("what is not drawn is told, with its words and its place")
+{
+    CHECK(losses_of("<g inkscape:label='body'><text id='t'>Hello  <tspan>all</tspan></text></g>") ==
+          Lines{"text \"Hello all\" | body | nothing: turn it into a path"});
+    CHECK(losses_of("<image/>") == Lines{"<image> |  | nothing: only shapes are drawn"});
+    CHECK(losses_of("<blob/>") == Lines{"<blob> |  | nothing"});
+    CHECK(losses_of("<rect width='3' height='3' filter='url(#f)'/>") ==
+          Lines{"filter | rect | drawn without it"});
+    CHECK(losses_of("<rect width='3' height='3' fill='blurple'/>") ==
+          Lines{"fill \"blurple\" | rect | nothing is painted"});
+    CHECK(losses_of("<rect width='3' height='3' style='quux:1' glow='2' onclick='x'/>") ==
+          Lines{"property \"quux\" | rect | it is ignored", "attribute \"glow\" | rect | it is ignored",
+                "script of \"onclick\" | rect | it does not run"});
+    CHECK(losses_of("<path id='p' d='M0 0L9 9 L 3'/>").size() == 1);
+    CHECK(losses_of("<use href='#x'/>").size() == 1);
+    CHECK(losses_of("<use href='other.svg#x'/>").size() == 1);
+    CHECK(losses_of("<style>@import 'x'; a[b]{fill:red} @keyframes k{to{fill:red}}</style>").size() == 3);
+    CHECK(losses_of("<path d='M0 0h9' stroke='red' transform='scale(3 1)'/>").size() == 1);
+    CHECK(losses_of("<rect width='3' height='3' transform='rotate3d(1,1,1,4deg)'/>").size() == 1);
+    CHECK(losses_of("<path d='M0 0h9' stroke='red' stroke-dasharray='.01'/>").size() == 1);
+    CHECK(losses_of("<path d='M0 0h9' stroke='red' stroke-linejoin='arcs'/>").size() == 1);
+    CHECK(losses_of("<pattern id='p'/><rect width='3' height='3' fill='url(#p)'/>") ==
+          Lines{"pattern | rect | nothing"});
+    CHECK(losses_of("<marker id='m'/><path d='M0 0h9' stroke='red' marker='url(#m)'/>") ==
+          Lines{"marker | path | the line without it"});
+    CHECK(losses_of("<rect width='3' height='3' transform='scale(1e9)'/>").size() == 1);
+}
+
+TEST_CASE("what has no effect on the picture is not told")
+{
+    CHECK(losses_of(R"(
+        <title>A</title><desc>b</desc><metadata><rdf xmlns="x"/></metadata><inkscape:grid/><!-- c -->
+        <defs><filter id="f"/><pattern/><font/></defs>
+        <g inkscape:groupmode="layer" data-x="1" aria-label="x" role="img" xml:space="preserve" font-family="Arial"
+           style="font-variant-ligatures:none;-inkscape-stroke:none;filter:none;mix-blend-mode:normal;isolation:auto;
+           cursor:pointer;white-space:pre;color-rendering:auto;solid-color:#000;text-anchor:start">
+        <rect width="3" height="3" clip-path="none" mask="none" marker-end="none" shape-rendering="crispEdges"/></g>
+        <text display="none">x</text><g display="none"><image/></g><image visibility="hidden"/>)")
+              .empty());
+}
