@@ -58,7 +58,6 @@ struct Box {
     Channel y;
     Channel width;
     Channel height;
-
 };
 
 Box read_box(const Json& item, const Reading& reading)

@@ -7,7 +7,7 @@ rlottie 0.1 has not, or has otherwise than the format and its first player, lott
 far, draws parts of points that a star has not whole, lets the first copy of a repeater lie lowest in any case, leaves out
 the last one while their number is none, counts their opacity to one copy more than there are, and knows no skew, no
 rounded corners, and no dashes without length; corners of polygons it rounds as far whatever their number. It measures
-curves roughly: dashes are compared along lines. Gradients are compared with the colours that stand in for them."""
+curves and slanting lines roughly: dashes are compared along others. Gradients are compared with the colours that stand in for them."""
 
 import json
 import pathlib
@@ -23,7 +23,9 @@ SHARES = (0, 1 / 6, 1 / 3, 1 / 2, 3 / 4, 1)
 # Limits other than those of compare_pictures, each with its reason.
 NOTCHES = "rlottie leaves a notch on the inner side of a corner that is next to the end of a line"
 HALF_LEVELS = "rlottie cuts 127.5 to 127, kfast rounds it to 128: another level of RGB565"
+LEANS = "rlottie's polygons lean a little, and their sides differ"
 LIMITS = {
+    "polystars": ({"worst": 28, "near": 0.985}, LEANS),
     "trim_several": ({"worst": 40}, NOTCHES),
     "moving_dashes": ({"worst": 40}, NOTCHES),
     "fill_colours": ({"mean": 3}, HALF_LEVELS),
