@@ -47,11 +47,10 @@ public:
         }
     }
 
-    void add_ends(std::vector<CornerArm>& arms) const
+    void add_ends(double growth, std::vector<CornerArm>& arms) const
     {
-        // The corner of a square cap is that many half widths away from the end.
-        arms.push_back({setting_out(0), std::numbers::sqrt2});
-        arms.push_back({arriving(form().curves.size() - 1), std::numbers::sqrt2});
+        arms.push_back({setting_out(0), growth});
+        arms.push_back({arriving(form().curves.size() - 1), growth});
     }
 
 private:
@@ -79,8 +78,9 @@ private:
     {
         if (greatest_turn(before, behind, tweens_) <= smooth_turn)
             return;
-        arms.push_back({std::move(before), corner_growth_});
-        arms.push_back({std::move(behind), corner_growth_});
+        // Both may turn.
+        arms.push_back({std::move(before), 2 * corner_growth_});
+        arms.push_back({std::move(behind), 2 * corner_growth_});
     }
 
     const Animated<Drawing>& drawing_;
@@ -106,7 +106,7 @@ std::vector<CornerArm> corner_arms(const Figure& figure)
         if (line.join != Join::round)
             outline.add_corners(arms);
         if (line.cap != Cap::round && !form.outlines[i].closed)
-            outline.add_ends(arms);
+            outline.add_ends(line.cap == Cap::square ? std::numbers::sqrt2 : 1, arms);
     }
     return arms;
 }
@@ -115,8 +115,8 @@ double corner_motion(std::span<const CornerArm> arms, std::span<const TweenRange
 {
     double most = 1;
     for (const CornerArm& arm : arms)
-        // It turns by at most twice the motion divided by its length, and a corner has two.
-        most = std::max(most, 1 + 4 * arm.growth * half_width / shortest(arm.directions, tweens));
+        // It turns by at most twice the motion divided by its length.
+        most = std::max(most, 1 + 2 * arm.growth * half_width / shortest(arm.directions, tweens));
     return most;
 }
 

@@ -232,8 +232,7 @@ private:
                 stray(old_bend * scene::distance(arm.directions[at.key], arm.directions[at.key + 1]),
                       before) +
                 stray(new_bend * scene::distance(arm.directions[at.begin], arm.directions[at.end]), now);
-            // A corner has two arms.
-            return edge_.half_width * arm.growth * turn <= edge_.tolerance / 2;
+            return edge_.half_width * arm.growth * turn <= edge_.tolerance;
         });
     }
 
