@@ -127,6 +127,15 @@ TEST_CASE("parts of one group that lie beside each other become one")
 )");
 }
 
+TEST_CASE("what hangs alone on a parent keeps its own name")
+{
+    Transform turning;
+    turning.rotate = rising(0, 90);
+    Node parent = node("parent", Group{{red_box("box")}}, turning);
+    parent.parent_tag = 3;
+    CHECK(written_items({parent}).starts_with("object box fill=box "));
+}
+
 TEST_CASE("the law that most ways have is that of the track")
 {
     Transform moving;
