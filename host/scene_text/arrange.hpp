@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/art/budget.hpp"
 #include "host/art/document.hpp"
 #include "host/art/losses.hpp"
 
@@ -15,6 +16,7 @@ struct Arranging {
     std::int32_t length = 0; ///< of the scene, in ticks
     double tolerance = 0;    ///< pixels
     art::Losses& losses;
+    art::Budget& budget; ///< of what is computed
 };
 
 /// Brings nodes into a form of which each is one item of a scene.

@@ -24,6 +24,7 @@ using art::Node;
 struct Action {
     std::function<Affine(double)> at;
     std::vector<double> critical;
+    std::size_t depth = 0; ///< of transforms in each other
 };
 
 template <typename Value>
@@ -47,6 +48,14 @@ Drawing applied(const Affine& affine, const Drawing& drawing)
     return result;
 }
 
+std::size_t point_count(const Drawing& drawing)
+{
+    std::size_t count = drawing.outlines.size();
+    for (const scene::Outline& outline : drawing.outlines)
+        count += outline.curves.size();
+    return count;
+}
+
 class Bake {
 public:
     explicit Bake(const Arranging& arranging) : arranging_{arranging} {}
@@ -68,6 +77,7 @@ private:
         if (!lies_flat(node.transform))
             lose("turns in space, so deep inside of groups", node.name, "it stays flat");
         Action action = outer;
+        ++action.depth;
         art::every_animation(node.transform,
                              [&](const auto& animated) { add_times(animated, action.critical); });
         action.at = [outer_at = outer.at, own = node.transform](double time) {
@@ -91,7 +101,10 @@ private:
         std::vector<double> critical = action.critical;
         add_times(width, critical);
         width = art::baked_channel(
-            [&, given = width](double time) { return given.at(time) * growth_of(action.at(time)); },
+            [&, given = width](double time) {
+                arranging_.budget.take_computed_points(action.depth);
+                return given.at(time) * growth_of(action.at(time));
+            },
             baking_of(std::move(critical), arranging_.tolerance));
     }
 
@@ -110,7 +123,10 @@ private:
         std::vector<double> critical = action.critical;
         add_times(drawing, critical);
         drawing = art::baked_drawing(
-            [&, given = drawing](double time) { return applied(action.at(time), given.at(time)); },
+            [&, points = point_count(drawing.keys.front().value), given = drawing](double time) {
+                arranging_.budget.take_computed_points(points + action.depth);
+                return applied(action.at(time), given.at(time));
+            },
             baking_of(std::move(critical), arranging_.tolerance));
     }
 
@@ -126,7 +142,7 @@ private:
 
 void bake(Node& node, const Arranging& arranging)
 {
-    Bake{arranging}.node(node, {[](double) { return Affine{}; }, {}});
+    Bake{arranging}.node(node, {[](double) { return Affine{}; }, {}, 0});
 }
 
 }

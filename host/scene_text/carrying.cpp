@@ -63,7 +63,7 @@ void move_place(const Affine& affine, Transform& transform)
             return shifted(scaled(x, of_x), offset);
         if (of_x == 0)
             return shifted(scaled(y, of_y), offset);
-        return shifted(sum(scaled(x, of_x), scaled(y, of_y), 1), offset);
+        return shifted(sum(scaled(x, of_x), scaled(y, of_y)), offset);
     };
     transform.x = mixed_from(affine.a, affine.c, affine.e);
     transform.y = mixed_from(affine.b, affine.d, affine.f);

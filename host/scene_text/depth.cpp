@@ -86,7 +86,7 @@ private:
                                    {},
                                    "its parts are transparent each for itself"});
         for (Node& part : inner) {
-            part.opacity = product(part.opacity, node.opacity, opacity_step);
+            part.opacity = product(part.opacity, node.opacity, {opacity_step, arranging_.budget});
             part.shown = common(part.shown, node.shown);
         }
         node.opacity = {1};

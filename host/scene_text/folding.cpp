@@ -93,8 +93,8 @@ void tidy(Transform& transform)
         return;
     if (!has_sum(transform.x, transform.anchor_x) || !has_sum(transform.y, transform.anchor_y))
         return;
-    transform.x = difference(transform.x, transform.anchor_x, 1);
-    transform.y = difference(transform.y, transform.anchor_y, 1);
+    transform.x = sum(transform.x, scaled(transform.anchor_x, -1));
+    transform.y = sum(transform.y, scaled(transform.anchor_y, -1));
     transform.anchor_x = transform.anchor_y = {0};
 }
 
@@ -117,9 +117,9 @@ void join_transforms(const Transform& outer, Transform& inner)
     if (is_identity(inner)) {
         inner = outer;
     } else if (!is_identity(outer)) {
-        inner.x = sum(outer.x, inner.x, 1);
-        inner.y = sum(outer.y, inner.y, 1);
-        inner.z = sum(outer.z, inner.z, 1);
+        inner.x = sum(outer.x, inner.x);
+        inner.y = sum(outer.y, inner.y);
+        inner.z = sum(outer.z, inner.z);
     }
 }
 
@@ -128,7 +128,7 @@ void become_one(Node& group)
 {
     Node inner = std::move(std::get<Group>(group.content).nodes.front());
     join_transforms(group.transform, inner.transform);
-    inner.opacity = product(group.opacity, inner.opacity, 1);
+    inner.opacity = product(group.opacity, inner.opacity);
     inner.shown = common(group.shown, inner.shown);
     // A parent has a name of its own; what hangs on it is what is seen.
     if (inner.name.empty() || (!group.name.empty() && group.parent_tag == 0))

@@ -27,7 +27,7 @@ kdl::Node group_node(const art::Node& node, Writing& writing)
     kdl::Node group = named_node("group");
     if (const std::string name = clean_name(node.name, ""); !name.empty())
         group.arguments.push_back(text(name));
-    add_transform(group, node.transform, node.opacity, {}, writing.length);
+    add_transform(group, node.transform, node.opacity, {}, writing);
     add_visibility(group, node, writing);
     std::vector<kdl::Node> items = item_nodes(std::get<art::Group>(node.content).nodes, writing);
     std::ranges::move(items, std::back_inserter(group.children));

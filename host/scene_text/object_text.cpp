@@ -54,7 +54,7 @@ public:
         if (figure_.skin)
             add_skin(object_, *figure_.skin, writing_.rigs[figure_.skin->rig]);
         add_width();
-        add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_.length);
+        add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_);
         return std::move(object_);
     }
 

@@ -67,7 +67,7 @@ void move_opacity(Node& node)
 {
     const Channel opacity = std::exchange(opacity_of(std::get<Figure>(node.content)), Channel{1});
     if (has_product(node.opacity, opacity)) {
-        node.opacity = product(node.opacity, opacity, 1);
+        node.opacity = product(node.opacity, opacity);
         return;
     }
     Node part = part_of(std::move(std::get<Figure>(node.content)), node.name);

@@ -85,8 +85,9 @@ std::string scene_text(const Document& document, std::string_view origin, double
     check_finite(arranged);
     const std::int32_t length = ticks_of(arranged);
     art::crop(arranged, losses);
-    arrange(arranged.nodes, {length, tolerance, losses});
-    Writing writing{length, losses};
+    art::Budget budget;
+    arrange(arranged.nodes, {length, tolerance, losses, budget});
+    Writing writing{length, losses, budget};
     writing.rigs = rig_names(arranged.rigs);
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
     std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);

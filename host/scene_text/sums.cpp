@@ -25,34 +25,45 @@ bool has_sum(const Channel& left, const Channel& right)
 
 bool has_product(const Channel& left, const Channel& right) { return left.is_still() || right.is_still(); }
 
-Channel sum(const Channel& left, const Channel& right, double tolerance)
+Channel sum(const Channel& left, const Channel& right)
 {
     if (right.is_still())
         return shifted(left, right.value());
     if (left.is_still())
         return shifted(right, left.value());
-    if (!go_alike(left, right))
-        return art::baked_channel([&](double time) { return left.at(time) + right.at(time); },
-                                  baking_of({&left, &right}, tolerance));
     Channel result = left;
     for (std::size_t i = 0; i < result.keys.size(); ++i)
         result.keys[i].value += right.keys[i].value;
     return result;
 }
 
-Channel difference(const Channel& left, const Channel& right, double tolerance)
+Channel product(const Channel& left, const Channel& right)
 {
-    return sum(left, scaled(right, -1), tolerance);
+    return right.is_still() ? scaled(left, right.value()) : scaled(right, left.value());
 }
 
-Channel product(const Channel& left, const Channel& right, double tolerance)
+Channel sum(const Channel& left, const Channel& right, const Sampling& sampling)
 {
-    if (right.is_still())
-        return scaled(left, right.value());
-    if (left.is_still())
-        return scaled(right, left.value());
-    return art::baked_channel([&](double time) { return left.at(time) * right.at(time); },
-                              baking_of({&left, &right}, tolerance));
+    if (has_sum(left, right))
+        return sum(left, right);
+    return art::baked_channel(
+        [&](double time) {
+            sampling.budget.take_computed_points(1);
+            return left.at(time) + right.at(time);
+        },
+        baking_of({&left, &right}, sampling.tolerance));
+}
+
+Channel product(const Channel& left, const Channel& right, const Sampling& sampling)
+{
+    if (has_product(left, right))
+        return product(left, right);
+    return art::baked_channel(
+        [&](double time) {
+            sampling.budget.take_computed_points(1);
+            return left.at(time) * right.at(time);
+        },
+        baking_of({&left, &right}, sampling.tolerance));
 }
 
 art::Baking baking_of(std::initializer_list<const Channel*> channels, double tolerance)

@@ -2,6 +2,7 @@
 
 #include "host/art/animated.hpp"
 #include "host/art/baked_drawing.hpp"
+#include "host/art/budget.hpp"
 
 #include <initializer_list>
 
@@ -14,11 +15,21 @@ bool go_alike(const art::Channel& left, const art::Channel& right);
 bool has_sum(const art::Channel& left, const art::Channel& right);
 bool has_product(const art::Channel& left, const art::Channel& right);
 
+/// Only if has_sum().
+art::Channel sum(const art::Channel& left, const art::Channel& right);
+/// Only if has_product().
+art::Channel product(const art::Channel& left, const art::Channel& right);
+
+/// How what is not exact is computed.
+struct Sampling {
+    double tolerance = 0;
+    art::Budget& budget; ///< of computed points
+};
+
 /// Exact if has_sum(), and else within the tolerance.
-art::Channel sum(const art::Channel& left, const art::Channel& right, double tolerance);
-art::Channel difference(const art::Channel& left, const art::Channel& right, double tolerance);
+art::Channel sum(const art::Channel& left, const art::Channel& right, const Sampling& sampling);
 /// Exact if has_product(), and else within the tolerance.
-art::Channel product(const art::Channel& left, const art::Channel& right, double tolerance);
+art::Channel product(const art::Channel& left, const art::Channel& right, const Sampling& sampling);
 
 /// From the first to the last key of all, with those as its critical times.
 art::Baking baking_of(std::initializer_list<const art::Channel*> channels, double tolerance);

@@ -45,8 +45,10 @@ void add_values(kdl::Node& track, const NumberKeys& keys, const Grid& grid)
 
 class TransformText {
 public:
-    TransformText(kdl::Node& item, const Transform& transform, scene::Point pivot, std::int32_t length)
-        : item_{item}, transform_{transform}, pivot_{pivot}, length_{length}
+    TransformText(kdl::Node& item, const Transform& transform, scene::Point pivot, const Writing& writing)
+        : item_{item}, transform_{transform}, pivot_{pivot}, length_{writing.length}, sampling_{
+                                                                                          half_step,
+                                                                                          writing.budget}
     {
     }
 
@@ -71,8 +73,8 @@ private:
     {
         if (transform_.path)
             return add_path(*transform_.path);
-        add_plain("x", difference(transform_.x, transform_.anchor_x, half_step), coordinates, 0);
-        add_plain("y", difference(transform_.y, transform_.anchor_y, half_step), coordinates, 0);
+        add_plain("x", sum(transform_.x, scaled(transform_.anchor_x, -1), sampling_), coordinates, 0);
+        add_plain("y", sum(transform_.y, scaled(transform_.anchor_y, -1), sampling_), coordinates, 0);
     }
 
     void add_path(const art::MotionPath& motion)
@@ -122,6 +124,7 @@ private:
     const Transform& transform_;
     scene::Point pivot_;
     std::int32_t length_;
+    Sampling sampling_;
 };
 
 }
@@ -139,10 +142,11 @@ void add_quantity(kdl::Node& item, std::string_view quantity, const NumberKeys& 
 }
 
 void add_transform(kdl::Node& item, const Transform& transform, const Channel& opacity, scene::Point pivot,
-                   std::int32_t length)
+                   const Writing& writing)
 {
-    TransformText{item, transform, pivot, length}.add();
-    add_quantity(item, "opacity", stored_keys(opacity, length, opacities), opacities, on_grid(1, opacities));
+    TransformText{item, transform, pivot, writing}.add();
+    add_quantity(item, "opacity", stored_keys(opacity, writing.length, opacities), opacities,
+                 on_grid(1, opacities));
 }
 
 }

@@ -4,6 +4,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene_text/stored_keys.hpp"
+#include "host/scene_text/writing.hpp"
 
 #include <optional>
 #include <string_view>
@@ -21,6 +22,6 @@ void add_quantity(kdl::Node& item, std::string_view quantity, const NumberKeys& 
 /// Adds where a node is, how it turns, grows and fades. `pivot` is what the item has without being told,
 /// in 1/16 px.
 void add_transform(kdl::Node& item, const art::Transform& transform, const art::Channel& opacity,
-                   scene::Point pivot, std::int32_t length);
+                   scene::Point pivot, const Writing& writing);
 
 }

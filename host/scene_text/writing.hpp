@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/art/budget.hpp"
 #include "host/art/losses.hpp"
 #include "host/scene_text/colours.hpp"
 #include "host/scene_text/names.hpp"
@@ -18,10 +19,14 @@ struct RigNames {
 
 /// What is known of the scene while its nodes are written.
 struct Writing {
-    Writing(std::int32_t ticks, art::Losses& reported) : length{ticks}, losses{reported}, colours{reported} {}
+    Writing(std::int32_t ticks, art::Losses& reported, art::Budget& computed)
+        : length{ticks}, losses{reported}, budget{computed}, colours{reported}
+    {
+    }
 
     std::int32_t length; ///< ticks
     art::Losses& losses;
+    art::Budget& budget;
     Colours colours;
     Names object_names = {};
     std::vector<RigNames> rigs = {};
