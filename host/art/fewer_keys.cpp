@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -16,9 +17,11 @@ namespace {
 template <typename Value>
 class FewerKeys {
 public:
-    FewerKeys(std::vector<Key<Value>> keys, double tolerance, NewEases& eases)
-        : keys_{std::move(keys)}, tolerance_{tolerance}, eases_{eases}
+    FewerKeys(std::vector<Key<Value>> keys, double tolerance, const LineEdge& edge, NewEases& eases)
+        : keys_{std::move(keys)}, tolerance_{tolerance}, edge_{edge}, eases_{eases}, kinks_(keys_.size())
     {
+        for (std::size_t i = 1; i + 1 < keys_.size(); ++i)
+            kinks_[i] = kink_at(i);
     }
 
     std::vector<Key<Value>> found()
@@ -41,6 +44,26 @@ private:
         Ease ease;
     };
 
+    /// How far what is smooth must be from two straight ways that meet at a key at an angle: of evenly spaced
+    /// chords of a parabola that is an eighth of how far the key is from the middle of its neighbours.
+    double kink_at(std::size_t key) const
+    {
+        if (keys_[key - 1].ease.kind != EaseKind::linear || keys_[key].ease.kind != EaseKind::linear ||
+            !same_form(keys_[key - 1].value, keys_[key].value) ||
+            !same_form(keys_[key].value, keys_[key + 1].value))
+            return 0;
+        const double step =
+            std::min(keys_[key].time - keys_[key - 1].time, keys_[key + 1].time - keys_[key].time);
+        const Value before = value_at(key - 1, keys_[key].time - step);
+        const Value behind = value_at(key, keys_[key].time + step);
+        return distance(OnWay<Value>{before, behind, 0.5}, {keys_[key].value, keys_[key].value, 0}) / 8;
+    }
+
+    Value value_at(std::size_t key, double time) const
+    {
+        return mixed(keys_[key].value, keys_[key + 1].value, fraction(key, key + 1, time));
+    }
+
     bool is_constant() const
     {
         const Value& first = keys_.front().value;
@@ -49,11 +72,14 @@ private:
                 return false;
             const WayRange range = way_range(keys_[i].ease);
             for (const double share : {range.low, range.high})
-                if (!(distance(way(i, share), {first, first, 0}) <= tolerance_))
+                if (!(distance(way(i, share), {first, first, 0}) <= constant_tolerance()))
                     return false;
         }
         return true;
     }
+
+    /// Where directions are seen, those of what moves at all are looked at way by way.
+    double constant_tolerance() const { return edge_.arms.empty() ? tolerance_ : 0; }
 
     /// First in steps that double, then by halving what is left between.
     Reach farthest_from(std::size_t begin)
@@ -98,7 +124,7 @@ private:
 
     std::optional<Ease> fitted(std::size_t begin, std::size_t end)
     {
-        if (same(begin, end) || jumps(begin, end) || !eases_.take_fit())
+        if (same(begin, end) || jumps(begin, end) || has_kinks(begin, end) || !eases_.take_fit())
             return std::nullopt;
         constexpr std::size_t steps = 24;
         std::array<double, steps + 1> ways{};
@@ -114,6 +140,13 @@ private:
         if (!ease || !is_near(begin, end, *ease) || !eases_.add(*ease))
             return std::nullopt;
         return ease;
+    }
+
+    bool has_kinks(std::size_t begin, std::size_t end) const
+    {
+        return std::any_of(kinks_.begin() + static_cast<std::ptrdiff_t>(begin) + 1,
+                           kinks_.begin() + static_cast<std::ptrdiff_t>(end),
+                           [&](double kink) { return kink > tolerance_; });
     }
 
     bool jumps(std::size_t begin, std::size_t end) const
@@ -169,28 +202,70 @@ private:
         const double apart = std::max(distance_at(at, from), distance_at(at, to));
         if (!(apart <= tolerance_))
             return false;
-        if (apart + bend(keys_[at.key].ease, at.key, at.key + 1, from, to) +
-                bend(at.ease, at.begin, at.end, from, to) <=
-            tolerance_)
+        const double old_bend = bend(keys_[at.key].ease, at.key, at.key + 1, from, to);
+        const double new_bend = bend(at.ease, at.begin, at.end, from, to);
+        if (apart + old_bend * length(at.key, at.key + 1, old_bend) +
+                    new_bend * length(at.begin, at.end, new_bend) <=
+                tolerance_ &&
+            arms_are_near(at, from, to, old_bend, new_bend))
             return true;
         const double middle = (from + to) / 2;
-        return halvings > 0 && is_near(at, from, middle, halvings - 1) &&
+        return old_bend + new_bend > 0 && halvings > 0 && is_near(at, from, middle, halvings - 1) &&
                is_near(at, middle, to, halvings - 1);
     }
 
-    /// Of a way from key `begin` to key `end`, between two moments.
+    bool arms_are_near(const Stretch& at, double from, double to, double old_bend, double new_bend) const
+    {
+        const double old_from = share_at(at.key, from);
+        const double old_to = share_at(at.key, to);
+        const double new_from = new_share(at, from);
+        const double new_to = new_share(at, to);
+        return std::ranges::all_of(edge_.arms, [&](const CornerArm& arm) {
+            const auto vector = [&](std::size_t begin, std::size_t end, double first, double last) {
+                const scene::Spot way = arm.directions[end] - arm.directions[begin];
+                return TweenedVector{arm.directions[begin] + first * way, (last - first) * way};
+            };
+            const TweenedVector before = vector(at.key, at.key + 1, old_from, old_to);
+            const TweenedVector now = vector(at.begin, at.end, new_from, new_to);
+            const double turn =
+                greatest_turn(before, now, 0, 1) +
+                stray(old_bend * scene::distance(arm.directions[at.key], arm.directions[at.key + 1]),
+                      before) +
+                stray(new_bend * scene::distance(arm.directions[at.begin], arm.directions[at.end]), now);
+            return edge_.half_width * arm.growth * turn <= edge_.tolerance;
+        });
+    }
+
+    /// By how much a vector may turn that is off its straight way by `off` at most.
+    static double stray(double off, const TweenedVector& vector)
+    {
+        if (off == 0)
+            return 0;
+        const double length = shortest(vector, 0, 1);
+        return off < length ? std::asin(off / length) : std::numbers::pi;
+    }
+
+    /// Of the share of a way from key `begin` to key `end`, between two moments.
     double bend(const Ease& ease, std::size_t begin, std::size_t end, double from, double to) const
     {
-        const double share = bend_of(ease, fraction(begin, end, from), fraction(begin, end, to));
-        return share > 0 ? share * distance(keys_[begin].value, keys_[end].value) : 0;
+        return bend_of(ease, fraction(begin, end, from), fraction(begin, end, to));
+    }
+
+    /// Of a way, if it is needed.
+    double length(std::size_t begin, std::size_t end, double bend) const
+    {
+        return bend > 0 ? distance(keys_[begin].value, keys_[end].value) : 0;
+    }
+
+    double new_share(const Stretch& at, double time) const
+    {
+        return at.ease.kind == EaseKind::hold ? 0 : share_of_way(at.ease, fraction(at.begin, at.end, time));
     }
 
     double distance_at(const Stretch& at, double time) const
     {
-        const double share =
-            at.ease.kind == EaseKind::hold ? 0 : share_of_way(at.ease, fraction(at.begin, at.end, time));
         return distance(way(at.key, share_at(at.key, time)),
-                        {keys_[at.begin].value, keys_[at.end].value, share});
+                        {keys_[at.begin].value, keys_[at.end].value, new_share(at, time)});
     }
 
     /// The first value holds before, the last one behind.
@@ -211,14 +286,16 @@ private:
 
     std::vector<Key<Value>> keys_;
     double tolerance_;
+    const LineEdge& edge_;
     NewEases& eases_;
+    std::vector<double> kinks_; ///< by key
 };
 
 template <typename Value>
-void leave_out(Animated<Value>& animated, double tolerance, NewEases& eases)
+void leave_out(Animated<Value>& animated, double tolerance, const LineEdge& edge, NewEases& eases)
 {
     if (!animated.is_still())
-        animated.keys = FewerKeys<Value>{std::move(animated.keys), tolerance, eases}.found();
+        animated.keys = FewerKeys<Value>{std::move(animated.keys), tolerance, edge, eases}.found();
 }
 
 }
@@ -235,17 +312,22 @@ bool NewEases::add(const Ease& ease)
 
 void leave_out_keys(Channel& channel, double tolerance, NewEases& eases)
 {
-    leave_out(channel, tolerance, eases);
+    leave_out(channel, tolerance, {}, eases);
 }
 
 void leave_out_keys(Animated<Rgb>& colour, double tolerance, NewEases& eases)
 {
-    leave_out(colour, tolerance, eases);
+    leave_out(colour, tolerance, {}, eases);
 }
 
 void leave_out_keys(Animated<Drawing>& drawing, double tolerance, NewEases& eases)
 {
-    leave_out(drawing, tolerance, eases);
+    leave_out(drawing, tolerance, {}, eases);
+}
+
+void leave_out_keys(Animated<Drawing>& drawing, double tolerance, const LineEdge& edge, NewEases& eases)
+{
+    leave_out(drawing, tolerance, edge, eases);
 }
 
 }

@@ -1,7 +1,8 @@
 #include "host/art/prepare.hpp"
 
 #include "host/art/budget.hpp"
-#include "host/art/corner_motion.hpp"
+#include "host/art/corner_arms.hpp"
+#include "host/art/curve_length.hpp"
 #include "host/art/depth_growth.hpp"
 #include "host/art/every_animation.hpp"
 #include "host/art/extent.hpp"
@@ -13,15 +14,15 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <numbers>
 
 // How the tolerance is shared, so that all that is done to something seen moves it by no more than that:
 // half of it belongs to the drawing, half to the transforms around it, where as many channels as move it on
 // its way to the canvas, its own and those of all groups around it, have equal parts. A drawing that no
-// channel moves has all. Of a drawing's share, an eighth goes into making keys equal, a quarter into leaving
-// them out and the rest into merging its curves: all of it where it has but one key.
+// channel moves has all. Of the share of a drawing with several keys, five eighths go into making them equal
+// and leaving them out, the rest into merging its curves; a still one has all for that.
 //
 // A part is turned into a tolerance of the channel by how far what it moves can be from the anchor, and by
 // how much the groups around enlarge it at most; perspective included.
@@ -125,30 +126,19 @@ void make_equal(Animated<Drawing>& drawing, double tolerance)
             }
 }
 
-bool one_form(const Animated<Drawing>& drawing)
-{
-    return std::ranges::all_of(
-        drawing.keys, [&](const auto& key) { return same_form(drawing.keys.front().value, key.value); });
-}
-
 bool has_corners(const std::optional<Line>& line)
 {
     return line && (line->join != Join::round || line->cap != Cap::round);
 }
 
-/// At least as long as the path.
-double length_of(const MotionPath& path)
+/// Not too short.
+double way_length(const MotionPath& path)
 {
-    double length = 0;
-    for (const scene::Outline& outline : path.path.outlines) {
-        scene::Spot from = outline.from;
-        for (const scene::Curve& curve : outline.curves) {
-            const scene::Curve cubic = as_cubic(from, curve);
-            length += distance(from, cubic.c1) + distance(cubic.c1, cubic.c2) + distance(cubic.c2, cubic.to);
-            from = cubic.to;
-        }
-    }
-    return std::max(length, 1e-6);
+    constexpr double slack = 1.01;
+    double length = 1e-6;
+    for (const scene::Outline& outline : path.path.outlines)
+        length += slack * outline_length(outline);
+    return length;
 }
 
 class Simplification {
@@ -223,7 +213,7 @@ private:
         leave_out({&transform.rotate, &transform.rotate_x, &transform.rotate_y}, degrees);
         leave_out({&transform.skew, &transform.skew_axis}, 0);
         if (transform.path)
-            leave_out({&transform.path->share}, share / length_of(*transform.path));
+            leave_out({&transform.path->share}, share / way_length(*transform.path));
         return growth;
     }
 
@@ -236,19 +226,64 @@ private:
             simplify(*figure.line, share);
         if (figure.skin && figure.skin->rig < rigs_.size())
             drawing_share /= stretch_of(rigs_[figure.skin->rig]);
-        if (figure.drawing.is_still())
-            return merge_curves(figure, drawing_share);
-        const double in_points = drawing_share / motion(figure);
-        make_equal(figure.drawing, in_points / 8);
-        leave_out_keys(figure.drawing, in_points / 4, eases_);
-        merge_curves(figure, drawing_share * 5 / 8);
+        simplify_drawing(figure, drawing_share);
     }
 
-    static double motion(const Figure& figure)
+    /// Each stretch of keys of one form by itself; where the player tweens from one form to another, what it
+    /// does depends on their segments, and these stay.
+    void simplify_drawing(Figure& figure, double share)
     {
-        if (!has_corners(figure.line))
-            return 1;
-        return one_form(figure.drawing) ? corner_motion(figure) : std::numeric_limits<double>::infinity();
+        auto keys = std::move(figure.drawing.keys);
+        std::vector<Key<Drawing>> done;
+        for (auto begin = keys.begin(); begin != keys.end();) {
+            const auto end = std::find_if(
+                begin, keys.end(), [&](const auto& key) { return !same_form(begin->value, key.value); });
+            const bool jumps_in = begin == keys.begin() || std::prev(begin)->ease.kind == EaseKind::hold;
+            const bool jumps_out = end == keys.end() || std::prev(end)->ease.kind == EaseKind::hold;
+            figure.drawing.keys.assign(begin, end);
+            simplify_stretch(figure, share, jumps_in && jumps_out);
+            std::ranges::move(figure.drawing.keys, std::back_inserter(done));
+            begin = end;
+        }
+        figure.drawing.keys = std::move(done);
+    }
+
+    void simplify_stretch(Figure& figure, double share, bool may_merge)
+    {
+        auto& keys = figure.drawing.keys;
+        const bool is_still = figure.drawing.is_still();
+        const double begin = keys.front().time;
+        const double end = keys.back().time;
+        const Ease leaving = keys.back().ease;
+        if (!is_still)
+            simplify_keys(figure, share * keys_share);
+        // Other forms before and behind it begin when they did.
+        if (keys.front().time > begin)
+            keys.insert(keys.begin(), {begin, keys.front().value, {}});
+        if (keys.back().time < end && leaving.kind != EaseKind::hold)
+            keys.push_back({end, keys.back().value, {}});
+        keys.back().ease = leaving;
+        if (may_merge)
+            merge_curves(figure, is_still ? share : share * (1 - keys_share));
+    }
+
+    static constexpr double keys_share = 5.0 / 8;
+
+    /// A tenth is for making keys equal. Where a line shows directions, half of the rest is for these.
+    void simplify_keys(Figure& figure, double share)
+    {
+        constexpr double equal_share = 0.1;
+        constexpr double point_share = (1 - equal_share) / 2;
+        Animated<Drawing>& drawing = figure.drawing;
+        if (!has_corners(figure.line)) {
+            make_equal(drawing, share * equal_share);
+            return leave_out_keys(drawing, share * (1 - equal_share), eases_);
+        }
+        const double half_width = greatest(figure.line->width) / 2;
+        make_equal(drawing,
+                   share * equal_share / corner_motion(corner_arms(figure), tweens_of(drawing), half_width));
+        leave_out_keys(drawing, share * point_share, {corner_arms(figure), half_width, share * point_share},
+                       eases_);
     }
 
     template <typename Ink>

@@ -62,9 +62,10 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
     return canvas;
 }
 
+/// Without the folder, which means nothing elsewhere.
 std::string first_lines(std::string_view origin)
 {
-    const std::string name = clean_name(origin, "");
+    const std::string name = clean_name(origin.substr(origin.find_last_of('/') + 1), "");
     return name.empty() ? "kfast 1\n" : "// Made from " + name + ".\n\nkfast 1\n";
 }
 
@@ -91,7 +92,7 @@ std::string scene_text(const Document& document, std::string_view origin, double
     const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
     return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
-           section(items) + section(markers);
+           section(rigs) + section(items) + section(markers);
 }
 
 }

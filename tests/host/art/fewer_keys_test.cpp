@@ -36,25 +36,6 @@ double worst(const Channel& left, const Channel& right, double from, double to)
     return most;
 }
 
-/// `channel` with keys added that change nothing, and noise.
-Channel crowded(const Channel& channel, RandomArt& random, double noise)
-{
-    std::vector<Key<double>> keys;
-    for (std::size_t i = 0; i + 1 < channel.keys.size(); ++i) {
-        const auto& key = channel.keys[i];
-        const auto& next = channel.keys[i + 1];
-        const double middle = random.number(0.1, 0.9);
-        for (const auto& range : {std::pair{0.0, middle}, std::pair{middle, 1.0}})
-            for (const auto& part : art::ease_parts(key.ease, range.first, range.second))
-                keys.push_back(
-                    {key.time + part.from * (next.time - key.time),
-                     art::mixed(key.value, next.value, part.way_from) + random.number(-noise, noise),
-                     part.ease});
-    }
-    keys.push_back(channel.keys.back());
-    return Channel{std::move(keys)};
-}
-
 }
 
 TEST_CASE("a channel with fewer keys is within the tolerance at every time")
@@ -66,7 +47,7 @@ TEST_CASE("a channel with fewer keys is within the tolerance at every time")
         const Channel art = random.channel(0, 60, 50);
         if (art.is_still())
             continue;
-        const Channel given = crowded(art, random, 0.01);
+        const Channel given = random.crowded(art, 0.01);
         Channel fewer = given;
         NewEases eases;
         const double tolerance = random.number(0.005, 0.2);
@@ -84,7 +65,7 @@ TEST_CASE("what was divided is one way again")
         RandomArt random{seed};
         const Ease ease{EaseKind::cubic, random.number(0.2, 0.8), random.number(0, 1),
                         random.number(0.2, 0.8), random.number(0, 1)};
-        const Channel given = crowded(Channel{{{3, -20, ease}, {30, 70, {}}}}, random, 0);
+        const Channel given = random.crowded(Channel{{{3, -20, ease}, {30, 70, {}}}}, 0);
         Channel fewer = given;
         NewEases eases;
         art::leave_out_keys(fewer, 0.05, eases);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/art/document.hpp"
+#include "host/art/ease_part.hpp"
 
 #include <algorithm>
 #include <random>
@@ -48,6 +49,24 @@ public:
         std::vector<art::Key<double>> keys;
         for (const double time : times(from, to))
             keys.push_back({time, number(-reach, reach), ease()});
+        return keys.empty() ? art::Channel{number(-reach, reach)} : art::Channel{std::move(keys)};
+    }
+
+    /// The channel with keys added, which change nothing but for some noise.
+    art::Channel crowded(const art::Channel& channel, double noise)
+    {
+        std::vector<art::Key<double>> keys;
+        for (std::size_t i = 0; i + 1 < channel.keys.size(); ++i) {
+            const auto& key = channel.keys[i];
+            const auto& next = channel.keys[i + 1];
+            const double middle = number(0.1, 0.9);
+            for (const auto& range : {std::pair{0.0, middle}, std::pair{middle, 1.0}})
+                for (const auto& part : art::ease_parts(key.ease, range.first, range.second))
+                    keys.push_back({key.time + part.from * (next.time - key.time),
+                                    art::mixed(key.value, next.value, part.way_from) + number(-noise, noise),
+                                    part.ease});
+        }
+        keys.push_back(channel.keys.back());
         return art::Channel{std::move(keys)};
     }
 
