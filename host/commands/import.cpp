@@ -117,7 +117,8 @@ void print_report(const ImportOptions& options, const std::string& scene, const 
 {
     const SceneView view = *SceneView::parse(imported.compiled.bytes);
     const ImportReport report{options.input(), scene, imported, view.canvas(),
-                              Player::block_bytes(view, view.canvas())};
+                              Player::block_bytes(view, view.canvas()),
+                              options.choice.options.size.has_value()};
     const auto length = options.whole_list ? importing::ListLength::whole : importing::ListLength::cut;
     std::ostream& out = options.to_standard_output() ? std::cerr : std::cout;
     out << (options.json ? import_json(report) : import_text(report, length));

@@ -3,6 +3,8 @@
 #include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
 
+#include <algorithm>
+
 namespace kfast {
 namespace {
 
@@ -20,6 +22,16 @@ Json losses_of(const art::Losses& losses)
     return list;
 }
 
+/// Of the longer side: 1/16 px of it is half a pixel on the usual displays.
+constexpr int coarse_canvas = 32;
+
+std::string advice(const ImportReport& report)
+{
+    if (report.is_size_chosen || std::max(report.canvas.width, report.canvas.height) > coarse_canvas)
+        return "";
+    return "the canvas is small, and places are rounded to 1/16 px: --size 240x240 keeps more of its shapes\n";
+}
+
 }
 
 std::string import_text(const ImportReport& report, importing::ListLength length)
@@ -32,8 +44,8 @@ std::string import_text(const ImportReport& report, importing::ListLength length
         std::to_string(report.canvas.width) + 'x' + std::to_string(report.canvas.height) + '\n';
     const art::Losses& losses = report.imported.losses;
     if (losses.empty())
-        return text + "all is carried over\n";
-    return text + importing::loss_count(losses) + ":\n" + importing::loss_list(losses, length) + '\n';
+        return text + advice(report) + "all is carried over\n";
+    return text + advice(report) + importing::loss_count(losses) + ":\n" + importing::loss_list(losses, length) + '\n';
 }
 
 std::string import_json(const ImportReport& report)

@@ -16,6 +16,7 @@ struct ImportReport {
     const importing::Imported& imported;
     Size canvas;
     std::size_t block_bytes = 0; ///< of memory, on a panel like the canvas
+    bool is_size_chosen = false;
 };
 
 /// For a terminal, with line ends.

@@ -125,14 +125,14 @@ class ImportTest(ImportCase):
         self.assertIn("canvas of 4094x2000 pixels: all of it smaller, on 2047x1000", result.stderr)
         self.run_kfast("check", "large.json", "--strict", "--size", "2047x2047")
 
-    def test_tolerance_makes_it_smaller(self):
+    def test_tolerance_leaves_points_out(self):
         scene = ROOT / "tests/accuracy/lottie/walker.json"
-        sizes = []
+        points = []
         for tolerance in ("0", "0.03125", "4"):
             report = self.run_kfast("import", scene, "-o", "walker.kfast", "--json", "--tolerance", tolerance).stdout
-            sizes.append(json.loads(report)["bytes"])
-        self.assertEqual(sizes, sorted(sizes, reverse=True))
-        self.assertLess(sizes[2], sizes[0])
+            points.append(json.loads(report)["points"])
+        self.assertEqual(points, sorted(points, reverse=True))
+        self.assertLess(points[2], points[0] / 2 + 10)
         for wrong in ("-1", "nan", "x", "100"):
             self.refuse("import", "dot.json", "--tolerance", wrong, status=2, says="is not a number from 0 to 64")
 
@@ -162,8 +162,9 @@ class KeyDrawingTest(ImportCase):
         self.assertTrue((self.folder / "pose10.kfast").is_file())
 
     def test_wrong_drawings_and_times(self):
-        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", status=1, says="pose")
-        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "9", "3", status=1, says="pose")
+        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", status=1,
+                    says="2 key drawings but 1 times")
+        self.refuse("import", "--keys", "pose10.svg", "pose30.svg", "--at", "9", "3", status=1, says="do not rise")
         self.refuse("import", "--keys", "pose10.svg", "dot.json", "--at", "0", "3", status=1,
                     says="dot.json: is no SVG file, as key drawings are")
         self.refuse("import", "--keys", "pose10.svg", "--at", "soon", status=1, says="'soon' is no time")
