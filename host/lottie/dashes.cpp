@@ -1,5 +1,6 @@
 #include "host/lottie/dashes.hpp"
 
+#include "host/art/dashes.hpp"
 #include "host/lottie/measured_outline.hpp"
 
 #include <algorithm>
@@ -12,11 +13,11 @@ namespace {
 
 using art::Drawing;
 
-/// At one moment. The number of lengths is even.
+/// At one moment.
 struct Pattern {
     std::vector<double> lengths;
     double sum = 0;
-    double offset = 0; ///< 0 to sum
+    double offset = 0;
 };
 
 /// None if that is one line: without gaps, or without length.
@@ -37,65 +38,28 @@ std::optional<Pattern> pattern_at(const Dashes& dashes, double time)
     return pattern;
 }
 
-double dash_count(const Pattern& pattern, const std::vector<MeasuredOutline>& outlines)
+bool has_too_many(const Pattern& pattern, const Drawing& drawing)
 {
     double count = 0;
-    for (const MeasuredOutline& outline : outlines)
-        count += (outline.length() / pattern.sum + 2) * static_cast<double>(pattern.lengths.size()) / 2;
-    return count;
-}
-
-/// Without length, it is seen with round and square caps.
-scene::Outline dot(scene::Spot spot) { return {spot, {scene::line_to(spot)}, false}; }
-
-void add_dash(const MeasuredOutline& outline, Stretch stretch, Drawing& drawing)
-{
-    constexpr double longest_dot = 0.1;
-    if (stretch.to < 0)
-        return;
-    if (stretch.to - stretch.from < longest_dot) {
-        drawing.outlines.push_back(dot(outline.at(stretch.to)));
-        return;
-    }
-    scene::Outline piece = outline.piece(stretch);
-    if (!piece.curves.empty())
-        drawing.outlines.push_back(std::move(piece));
-}
-
-void add_dashes(const MeasuredOutline& outline, const Pattern& pattern, Drawing& drawing)
-{
-    double from = -pattern.offset;
-    for (std::size_t i = 0; from < outline.length(); i = (i + 1) % pattern.lengths.size()) {
-        const double to = from + pattern.lengths[i];
-        if (i % 2 == 0)
-            add_dash(outline, {from, to}, drawing);
-        from = to;
-    }
-}
-
-std::vector<MeasuredOutline> measured(const Drawing& drawing)
-{
-    return {drawing.outlines.begin(), drawing.outlines.end()};
+    for (const scene::Outline& outline : drawing.outlines)
+        count += (MeasuredOutline{outline}.length() / pattern.sum + 2) *
+                 static_cast<double>(pattern.lengths.size()) / 2;
+    return count > most_dashes;
 }
 
 Drawing dashed_at(const Dashes& dashes, Drawing drawing, double time)
 {
     const auto pattern = pattern_at(dashes, time);
-    if (!pattern)
+    if (!pattern || has_too_many(*pattern, drawing))
         return drawing;
-    const auto outlines = measured(drawing);
-    if (dash_count(*pattern, outlines) > most_dashes)
-        return drawing;
-    Drawing result;
-    for (const MeasuredOutline& outline : outlines)
-        add_dashes(outline, *pattern, result);
-    return result;
+    art::Budget of_one_moment;
+    return art::dashed(drawing, pattern->lengths, pattern->offset, of_one_moment);
 }
 
 bool has_too_many_at(const Dashes& dashes, const Drawing& drawing, double time)
 {
     const auto pattern = pattern_at(dashes, time);
-    return pattern && dash_count(*pattern, measured(drawing)) > most_dashes;
+    return pattern && has_too_many(*pattern, drawing);
 }
 
 }

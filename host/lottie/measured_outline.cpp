@@ -1,10 +1,10 @@
 #include "host/lottie/measured_outline.hpp"
 
+#include "host/art/cubic_piece.hpp"
 #include "host/art/curve_length.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace kfast::lottie {
@@ -14,19 +14,15 @@ using scene::Curve;
 using scene::Outline;
 using scene::Spot;
 
-Spot between(Spot from, Spot to, double share) { return from + share * (to - from); }
-
-/// What lies before the parameter `t`, and what behind it, with where that begins.
-std::pair<Curve, std::pair<Spot, Curve>> cut(Spot from, const Curve& curve, double t)
+/// Between two parameters, with where it begins.
+std::pair<Spot, Curve> part(Spot from, const Curve& curve, double first, double last)
 {
-    const Spot middle = art::spot_on(from, curve, t);
+    if (first <= 0 && last >= 1)
+        return {from, curve};
     if (!curve.cubic)
-        return {scene::line_to(middle), {middle, curve}};
-    const Spot a = between(from, curve.c1, t);
-    const Spot b = between(curve.c1, curve.c2, t);
-    const Spot c = between(curve.c2, curve.to, t);
-    return {scene::cubic_to(a, between(a, b, t), middle),
-            {middle, scene::cubic_to(between(b, c, t), c, curve.to)}};
+        return {art::spot_on(from, curve, first), scene::line_to(art::spot_on(from, curve, last))};
+    const art::CubicPiece piece = art::CubicPiece{{from, curve.c1, curve.c2, curve.to}}.between(first, last);
+    return {piece.points[0], scene::cubic_to(piece.points[1], piece.points[2], piece.points[3])};
 }
 
 /// Pieces that are longer have two ends even when rounded.
@@ -54,16 +50,6 @@ double MeasuredOutline::parameter(std::size_t index, double length) const
     return art::curve_parameter(segments_[index].from, segments_[index].curve, length - begin_of(index));
 }
 
-Spot MeasuredOutline::at(double length) const
-{
-    if (segments_.empty())
-        return {};
-    const auto end = std::ranges::lower_bound(ends_, length);
-    const auto index =
-        static_cast<std::size_t>(std::distance(ends_.begin(), end == ends_.end() ? std::prev(end) : end));
-    return art::spot_on(segments_[index].from, segments_[index].curve, parameter(index, length));
-}
-
 Outline MeasuredOutline::piece(Stretch stretch) const
 {
     Outline outline;
@@ -74,13 +60,8 @@ Outline MeasuredOutline::piece(Stretch stretch) const
         const bool is_whole = from == begin_of(i) && to == ends_[i];
         if (to <= from || (!is_whole && to - from < least))
             continue;
-        auto [begin, curve] = segments_[i];
-        const double first = parameter(i, from);
-        if (to < ends_[i])
-            curve = cut(begin, curve, parameter(i, to)).first;
-        if (first > 0)
-            std::tie(begin, curve) =
-                cut(begin, curve, to < ends_[i] ? first / parameter(i, to) : first).second;
+        const auto [begin, curve] =
+            part(segments_[i].from, segments_[i].curve, parameter(i, from), parameter(i, to));
         if (outline.curves.empty())
             outline.from = begin;
         outline.curves.push_back(curve);

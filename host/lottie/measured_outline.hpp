@@ -23,7 +23,6 @@ public:
 
     double length() const { return ends_.empty() ? 0 : ends_.back(); }
     bool is_closed() const { return closed_; }
-    scene::Spot at(double length) const;
 
     /// The piece between two lengths, open; what reaches beyond the ends is cut off. Where it would begin or
     /// end with a piece of a curve that rounding to 1/16 px may make a point of, it begins or ends beside it.

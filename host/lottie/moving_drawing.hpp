@@ -24,7 +24,7 @@ MovingDrawing moving(art::Animated<art::Drawing> drawing);
 MovingDrawing together(std::vector<MovingDrawing> drawings);
 
 /// How far baked keys may be from what they stand for, in pixels.
-inline constexpr double baked_tolerance = 1.0 / 128;
+inline constexpr double baked_tolerance = 1.0 / 32;
 
 /// Where the ways between the moments are those of one ease, they keep it; elsewhere there are as many keys
 /// as baked_tolerance needs. Where the form changes, the drawing jumps from one form to the other.

@@ -2,7 +2,8 @@
 #include "host/lottie/shape_tree.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace kfast::lottie {
@@ -71,6 +72,13 @@ Node flattened(Node group)
     return group;
 }
 
+/// Names of paths say more than those of styles.
+const std::string& name_of(const StyleItem& style, const std::vector<CarriedPath>& paths)
+{
+    const std::string& path = paths.front().path->name;
+    return path.empty() || (paths.size() > 1 && !style.name.empty()) ? style.name : path;
+}
+
 Node within(const GroupItem& group, std::vector<Node> nodes)
 {
     Node node;
@@ -90,7 +98,7 @@ const StyleItem* fill_below(const StyleItem& style, const ShapeItem& next)
 
 class Painter {
 public:
-    explicit Painter(art::Budget& budget) : budget_{budget} {}
+    explicit Painter(const Reading& reading) : reading_{reading} {}
 
     std::vector<Node> paint(const std::vector<ShapeItem>& items) const
     {
@@ -117,7 +125,10 @@ private:
         const auto* group = std::get_if<GroupItem>(&item.content);
         if (!group)
             return;
-        std::vector<Node> inner = paint(group->items);
+        Reading reading{reading_};
+        if (!group->name.empty())
+            reading.layer += " / " + group->name;
+        std::vector<Node> inner = Painter{reading}.paint(group->items);
         if (inner.empty())
             return;
         Node node = within(*group, std::move(inner));
@@ -130,16 +141,16 @@ private:
     {
         if (paths.empty())
             return;
-        budget_.take_node();
+        reading_.budget.take_node();
         art::Figure figure;
         figure.fill = below ? below->fill : style.fill;
         figure.line = style.line;
         const bool in_groups = can_lie_in_groups(paths, figure.line.has_value());
-        figure.drawing = keys_of(drawing_of(style, paths, in_groups), budget_);
+        figure.drawing = keys_of(drawing_of(style, paths, in_groups), reading_.budget);
         if (is_empty(figure.drawing))
             return;
         Node node;
-        node.name = !style.name.empty() ? style.name : paths.front().path->name;
+        node.name = name_of(style, paths);
         node.content = std::move(figure);
         if (in_groups)
             for (const GroupItem* group : paths.front().groups)
@@ -157,14 +168,19 @@ private:
             if (!in_groups)
                 for (const GroupItem* group : path.groups)
                     drawing = while_shown(carried(std::move(drawing), group->transform), group->shown);
-            budget_.take_computed_points(drawing.moments.list().size() + 1);
+            reading_.budget.take_computed_points(drawing.moments.list().size() + 1);
             drawings.push_back(std::move(drawing));
         }
         MovingDrawing all = together(std::move(drawings));
-        return is_cut ? dashed(std::move(all), style.dashes) : all;
+        if (!is_cut)
+            return all;
+        if (has_too_many(all, style.dashes))
+            reading_.losses.add({"more than " + std::to_string(most_dashes) + " dashes", reading_.layer,
+                                 std::nullopt, "a whole line"});
+        return dashed(std::move(all), style.dashes);
     }
 
-    art::Budget& budget_;
+    const Reading& reading_;
 };
 
 }
@@ -182,9 +198,9 @@ std::vector<PathItem*> paths_of(std::vector<ShapeItem>& items)
     return paths;
 }
 
-std::vector<art::Node> painted(const std::vector<ShapeItem>& items, art::Budget& budget)
+std::vector<art::Node> painted(const std::vector<ShapeItem>& items, const Reading& reading)
 {
-    return Painter{budget}.paint(items);
+    return Painter{reading}.paint(items);
 }
 
 }

@@ -58,8 +58,6 @@ struct Box {
     Channel y;
     Channel width;
     Channel height;
-
-    bool is_still() const { return x.is_still() && y.is_still() && width.is_still() && height.is_still(); }
 };
 
 Box read_box(const Json& item, const Reading& reading)
@@ -91,9 +89,6 @@ void read_ellipse(PathItem& result, const Json& item, bool is_reversed, const Re
     result.plain = drawn(scene::ellipse);
 }
 
-/// Rounding to 1/16 px leaves it some extent: what moves has to keep its form.
-constexpr double still_there = 0.1;
-
 struct Rectangle {
     Spot centre;
     double width = 0;
@@ -103,34 +98,28 @@ struct Rectangle {
 
 Rectangle rectangle_at(const Box& box, const Channel& corner, double time)
 {
-    Rectangle result{{box.x.at(time), box.y.at(time)},
-                     std::abs(box.width.at(time)),
-                     std::abs(box.height.at(time)),
-                     corner.at(time)};
-    const bool is_round = !corner.is_still() || corner.value() > 0;
-    const bool changes_size = !box.width.is_still() || !box.height.is_still();
-    double side = 0;
-    if (changes_size || !corner.is_still()) {
-        side = is_round ? still_there : 0;
-        result.width = std::max(result.width, 3 * still_there);
-        result.height = std::max(result.height, 3 * still_there);
-        result.corner = is_round ? std::max(result.corner, still_there) : 0;
-    }
-    result.corner = std::clamp(result.corner, 0.0, (std::min(result.width, result.height) - side) / 2);
-    return result;
+    const double width = std::abs(box.width.at(time));
+    const double height = std::abs(box.height.at(time));
+    return {{box.x.at(time), box.y.at(time)},
+            width,
+            height,
+            std::clamp(corner.at(time), 0.0, std::min(width, height) / 2)};
 }
 
-Outline outline_of(const Rectangle& rectangle)
+/// One that is ever round always has arcs, so that it keeps its form.
+Outline outline_of(const Rectangle& rectangle, bool is_round)
 {
+    constexpr double hardly_round = 1e-9;
     const Spot half{rectangle.width / 2, rectangle.height / 2};
-    return scene::rectangle(rectangle.centre - half, rectangle.width, rectangle.height, rectangle.corner);
+    return scene::rectangle(rectangle.centre - half, rectangle.width, rectangle.height,
+                            is_round ? std::max(rectangle.corner, hardly_round) : 0);
 }
 
 /// Where Lottie's begin: at the upper right corner, behind its arc.
-Outline outline_from_right(const Rectangle& rectangle)
+Outline outline_from_right(const Rectangle& rectangle, bool is_round)
 {
-    Outline outline = outline_of(rectangle);
-    if (rectangle.corner > 0) {
+    Outline outline = outline_of(rectangle, is_round);
+    if (is_round) {
         outline.from = outline.curves[1].to;
         std::ranges::rotate(outline.curves, outline.curves.begin() + 2);
         return outline;
@@ -145,9 +134,10 @@ void read_rectangle(PathItem& result, const Json& item, bool is_reversed, const 
 {
     const Box box = read_box(item, reading);
     const Channel corner = channel(item, "r", 0, 1, reading);
+    const bool is_round = !corner.is_still() || corner.value() > 0;
     const auto drawn = [&](auto shape) {
         return moving({&box.x, &box.y, &box.width, &box.height, &corner}, [=](double time) {
-            const Outline outline = shape(rectangle_at(box, corner, time));
+            const Outline outline = shape(rectangle_at(box, corner, time), is_round);
             return is_reversed ? reversed(outline) : outline;
         });
     };

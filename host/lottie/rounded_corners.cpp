@@ -57,15 +57,12 @@ Outline outline_of(const std::vector<Vertex>& vertices, bool closed)
     return outline;
 }
 
-/// What is left of a side, and the shortest arc: so much that both are still there when rounded.
-constexpr double still_there = 0.1;
-
 /// From the corner along a side; the control point is where a cubic comes nearest to an arc.
 Vertex towards(Spot corner, Spot neighbour, double radius, bool arc_follows)
 {
     constexpr double handle = 0.552284749830793398;
     const double side = scene::distance(corner, neighbour);
-    const double reach = std::min(radius, std::max(0.0, (side - still_there) / 2));
+    const double reach = std::min(radius, side / 2);
     const Spot at = side > 0 ? corner + reach / side * (neighbour - corner) : corner;
     const Spot control = at + handle * (corner - at);
     return arc_follows ? Vertex{at, at, control} : Vertex{control, at, at};
@@ -100,7 +97,7 @@ MovingDrawing with_rounded_corners(MovingDrawing drawing, const art::Channel& ra
     drawing.at = [radius, at = std::move(drawing.at)](double time) {
         art::Drawing result = at(time);
         for (Outline& outline : result.outlines)
-            outline = rounded(outline, std::max(still_there, radius.at(time)));
+            outline = rounded(outline, std::max(0.0, radius.at(time)));
         return result;
     };
     return drawing;

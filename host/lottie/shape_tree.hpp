@@ -3,6 +3,7 @@
 #include "host/art/document.hpp"
 #include "host/lottie/dashes.hpp"
 #include "host/lottie/moving_drawing.hpp"
+#include "host/lottie/shapes.hpp"
 
 #include <optional>
 #include <string>
@@ -46,6 +47,6 @@ struct ShapeItem {
 std::vector<PathItem*> paths_of(std::vector<ShapeItem>& items);
 
 /// What a list draws, the lowest first; the first item of the list lies on top.
-std::vector<art::Node> painted(const std::vector<ShapeItem>& items, art::Budget& budget);
+std::vector<art::Node> painted(const std::vector<ShapeItem>& items, const Reading& reading);
 
 }

@@ -187,7 +187,7 @@ std::vector<art::Node> read_shapes(const Json& shapes, const Reading& reading)
 {
     if (!shapes.is_array())
         throw WrongMember(shapes, "is no list of shapes: export the file again");
-    return painted(read_list(shapes, reading), reading.budget);
+    return painted(read_list(shapes, reading), reading);
 }
 
 }

@@ -19,9 +19,7 @@ void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double
 {
     while (from < to) {
         const double next = std::min(to, std::floor(from) + 1);
-        // Ways lead to the next key, and jumps come behind them.
-        const double end = next < to ? frame.at(next) : frame.at(to - 1e-6);
-        pieces.push_back({from, next, frame.at(from), end});
+        pieces.push_back({from, next, frame.at(from), frame.at(next)});
         from = next;
     }
 }

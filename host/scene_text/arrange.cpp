@@ -19,8 +19,9 @@ void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
     fold(nodes);
     straighten(nodes, arranging);
     fold(nodes);
+    fit_ranges(nodes);
     limit_depth(nodes, arranging);
-    fit_ranges(nodes, arranging);
+    hold_in_ranges(nodes, arranging.losses);
 }
 
 }

@@ -27,6 +27,7 @@ inline constexpr Grid scales{kfb::max_scale, 64, -64, 64};
 inline constexpr Grid shares{path_whole, 1, 0, 1};
 inline constexpr Grid opacities{255, 1, 0, 1};
 inline constexpr Grid widths{16, 1, 0, 4095};
+inline constexpr Grid still_widths{16, 1, 1.0 / 16, 4095};
 inline constexpr Grid miters{8, 1, 1, 31};
 inline constexpr Grid controls{VelocityLaw::control_one, 1, -2, 3};
 inline constexpr Grid frame_rates{1000, 1, 1, 1000};

@@ -8,6 +8,7 @@
 #include "host/scene_text/track_text.hpp"
 #include "host/scene_text/visible_keys.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -170,7 +171,16 @@ private:
         if (!figure_.line)
             return;
         const NumberKeys keys = stored_keys(figure_.line->width, writing_.length, widths);
-        add_quantity(object_, "width", keys, widths, on_grid(1, widths));
+        const bool is_still = keys.size() == 1;
+        add_quantity(object_, "width", is_still ? held(keys) : keys, is_still ? still_widths : widths,
+                     on_grid(1, widths));
+    }
+
+    /// Only keys make a width 0.
+    static NumberKeys held(NumberKeys keys)
+    {
+        keys.front().value = std::max(keys.front().value, 1);
+        return keys;
     }
 
     const art::Node& node_;

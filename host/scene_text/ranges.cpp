@@ -68,7 +68,8 @@ double shrink_for(double reach) { return std::exp2(std::ceil(std::log2(reach / w
 
 class Ranges {
 public:
-    explicit Ranges(const Arranging& arranging) : arranging_{arranging} {}
+    /// Without `losses` there may be new groups.
+    explicit Ranges(art::Losses* losses) : losses_{losses} {}
 
     void fit(std::vector<Node>& nodes)
     {
@@ -87,9 +88,10 @@ private:
         unwind(node.transform.rotate);
         if (auto* const group = std::get_if<Group>(&node.content))
             fit(group->nodes);
-        if (const double distance = distance_of(node.transform); distance > widest)
+        if (losses_ != nullptr)
+            check(node);
+        else if (const double distance = distance_of(node.transform); distance > widest)
             go_further(node, shrink_for(distance));
-        check(node);
     }
 
     /// The content grows by `factor`, and the node so much less.
@@ -154,14 +156,16 @@ private:
 
     void lose(std::string feature, const Node& node) const
     {
-        arranging_.losses.add({std::move(feature), node.name, {}, "it is held at that"});
+        losses_->add({std::move(feature), node.name, {}, "it is held at that"});
     }
 
-    const Arranging& arranging_;
+    art::Losses* losses_;
 };
 
 }
 
-void fit_ranges(std::vector<Node>& nodes, const Arranging& arranging) { Ranges{arranging}.fit(nodes); }
+void fit_ranges(std::vector<Node>& nodes) { Ranges{nullptr}.fit(nodes); }
+
+void hold_in_ranges(std::vector<Node>& nodes, art::Losses& losses) { Ranges{&losses}.fit(nodes); }
 
 }

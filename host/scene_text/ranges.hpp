@@ -1,15 +1,17 @@
 #pragma once
 
 #include "host/art/document.hpp"
-#include "host/scene_text/arrange.hpp"
+#include "host/art/losses.hpp"
 
 #include <vector>
 
 namespace kfast::scene_text {
 
-/// Lets all numbers lie within what scenes have: what is drawn too large is drawn smaller and grows, what is
-/// drawn too small for its growth is drawn larger, and what goes too far goes in a group that grows. What is
-/// still beyond is held there, which is a loss.
-void fit_ranges(std::vector<art::Node>& nodes, const Arranging& arranging);
+/// Lets numbers lie within what scenes have: what is drawn too large is drawn smaller and grows, what is
+/// drawn too small for its growth is drawn larger, and what goes too far goes in a group that grows.
+void fit_ranges(std::vector<art::Node>& nodes);
+
+/// Likewise without groups. What is still beyond is held there when it is written, which is a loss.
+void hold_in_ranges(std::vector<art::Node>& nodes, art::Losses& losses);
 
 }

@@ -91,7 +91,7 @@ std::string scene_text(const Document& document, std::string_view origin, double
     const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
     return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
-           section(items) + section(markers);
+           section(rigs) + section(items) + section(markers);
 }
 
 }

@@ -310,7 +310,7 @@ void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
         part.pen = pen(*ink, style, inside.measure, part.layer, *losses_);
     for (const char* marker : {"marker-start", "marker-mid", "marker-end"})
         if (index_.find(url_id(style[marker])))
-            losses_->add({marker, part.layer, {}, "the line without it"});
+            losses_->add({"marker", part.layer, {}, "the line without it"});
     if (!part.pen)
         return;
     const double scale = std::sqrt(std::abs(inside.to_canvas.determinant()));

@@ -1,5 +1,6 @@
 #include "host/svg/pose_nodes.hpp"
 
+#include "host/svg/element_outlines.hpp"
 #include "host/svg/figure_keys.hpp"
 #include "host/svg/moments.hpp"
 #include "host/svg/motion.hpp"
@@ -28,7 +29,11 @@ void add_ids(const Part& part, std::set<std::string_view>& ids)
         add_ids(inner, ids);
 }
 
-bool is_named(const Part& part) { return !part.label.empty() || !is_made_up(part.id); }
+/// By an author, and not a shape in two parts.
+bool is_named(const Part& part)
+{
+    return !is_shape(part.kind) && (!part.label.empty() || !is_made_up(part.id));
+}
 
 std::vector<const Part*> parts_of(const Moments& moments)
 {

@@ -23,6 +23,7 @@ constexpr std::array properties = std::to_array<Property>({
     {"fill-rule", read, true},
     {"font-size", read, true},
     {"height", read},
+    {"marker", read},
     {"marker-end", read, true},
     {"marker-mid", read, true},
     {"marker-start", read, true},

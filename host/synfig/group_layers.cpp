@@ -93,7 +93,7 @@ void set_growth(const Layer& group, const Channels& channels, art::Transform& tr
         transform.skew = channels(
             [&](double frame) {
                 const Placement placement = placement_at(group, frame);
-                return std::atan2(placement.scale.y * std::sin(degree * placement.skew), placement.scale.x) /
+                return std::atan2(-placement.scale.y * std::sin(degree * placement.skew), placement.scale.x) /
                        degree;
             },
             angle_tolerance);

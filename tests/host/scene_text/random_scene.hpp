@@ -45,6 +45,15 @@ private:
         return channel.keys.empty() ? art::Channel{usual} : channel;
     }
 
+    /// What grows much, nested in what does, shows that coordinates are rounded.
+    static void tame(art::Channel& channel)
+    {
+        for (auto& key : channel.keys) {
+            key.ease.y1 = std::clamp(key.ease.y1, -0.5, 1.5);
+            key.ease.y2 = std::clamp(key.ease.y2, -0.5, 1.5);
+        }
+    }
+
     art::Transform transform()
     {
         art::Transform transform;
@@ -60,6 +69,8 @@ private:
         transform.rotate = channel(-200, 200, 0);
         transform.scale_x = channel(0.6, 1.4, 1);
         transform.scale_y = random_.chance(0.5) ? transform.scale_x : channel(0.6, 1.4, 1);
+        tame(transform.scale_x);
+        tame(transform.scale_y);
         if (random_.chance(0.15))
             for (auto& key : transform.scale_x.keys)
                 key.value *= -1;

@@ -38,7 +38,8 @@ TEST_CASE("all ways to write a colour")
 
 TEST_CASE("what is no colour")
 {
-    for (const char* text : {"", "blurple", "#12", "#12345", "rgb(1,2)", "rgb(1,2,3", "rgb(a,b,c)", "hsl()", "rgb 1"})
+    for (const char* text :
+         {"", "blurple", "#12", "#12345", "rgb(1,2)", "rgb(1,2,3", "rgb(a,b,c)", "hsl()", "rgb 1"})
         CHECK_MESSAGE(ink(text) == "none", text);
 }
 

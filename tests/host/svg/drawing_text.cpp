@@ -56,7 +56,8 @@ std::string drawing(std::string_view content, std::string_view attributes)
            std::string{attributes} + ">\n" + std::string{content} + "\n</svg>\n";
 }
 
-art::Document read_drawing(std::string_view content, std::string_view attributes, const svg::KeyOptions& options)
+art::Document read_drawing(std::string_view content, std::string_view attributes,
+                           const svg::KeyOptions& options)
 {
     art::Losses losses;
     art::Document document = svg::read_svg({"test.svg", drawing(content, attributes)}, options, losses);
@@ -86,7 +87,8 @@ std::vector<std::string> losses_of(std::string_view content)
     return lines_of(losses);
 }
 
-std::vector<std::string> losses_of_keys(const std::vector<std::string>& contents, const std::vector<double>& times)
+std::vector<std::string> losses_of_keys(const std::vector<std::string>& contents,
+                                        const std::vector<double>& times)
 {
     art::Losses losses;
     read_drawings(contents, times, {}, losses);
@@ -124,7 +126,8 @@ std::vector<double> box(const art::Drawing& drawing)
 std::string hex(const art::Rgb& colour)
 {
     char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(std::lround(255 * colour.red)) & 0xFF,
+    std::snprintf(text, sizeof text, "#%02x%02x%02x",
+                  static_cast<unsigned>(std::lround(255 * colour.red)) & 0xFF,
                   static_cast<unsigned>(std::lround(255 * colour.green)) & 0xFF,
                   static_cast<unsigned>(std::lround(255 * colour.blue)) & 0xFF);
     return text;

@@ -14,7 +14,8 @@ namespace kfast::test {
 std::string drawing(std::string_view content, std::string_view attributes = R"(width="100" height="100")");
 
 /// What the reader makes of a drawing() that it takes as it is; fails the test when something is lost.
-art::Document read_drawing(std::string_view content, std::string_view attributes = R"(width="100" height="100")",
+art::Document read_drawing(std::string_view content,
+                           std::string_view attributes = R"(width="100" height="100")",
                            const svg::KeyOptions& options = {});
 
 /// Likewise, whatever is lost.
@@ -26,7 +27,8 @@ art::Document read_drawings(const std::vector<std::string>& contents, const std:
 
 /// The same, with what is lost: "feature | layer | instead".
 std::vector<std::string> losses_of(std::string_view content);
-std::vector<std::string> losses_of_keys(const std::vector<std::string>& contents, const std::vector<double>& times);
+std::vector<std::string> losses_of_keys(const std::vector<std::string>& contents,
+                                        const std::vector<double>& times);
 
 /// The node of that name, wherever it lies; fails the test if there is none.
 const art::Node& find(const art::Document& document, std::string_view name);

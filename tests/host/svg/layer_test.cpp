@@ -9,7 +9,8 @@ namespace {
 
 std::string layer(const std::string& name, const std::string& content, const std::string& attributes = "")
 {
-    return "<g inkscape:groupmode='layer' inkscape:label='" + name + "' " + attributes + ">" + content + "</g>";
+    return "<g inkscape:groupmode='layer' inkscape:label='" + name + "' " + attributes + ">" + content +
+           "</g>";
 }
 
 const std::string small = "<circle inkscape:label='dot' id='c1' cx='20' cy='50' r='5'/>";
@@ -19,8 +20,8 @@ const std::string large = "<circle inkscape:label='dot' id='c2' cx='20' cy='50' 
 
 TEST_CASE("layers that are named by frames are keys, all others stay")
 {
-    const auto document = read_drawing(layer("back", "<rect id='sky' width='100' height='9'/>") + layer("24: large", large) +
-                                       layer("0", small, "style='display:none'") +
+    const auto document = read_drawing(layer("back", "<rect id='sky' width='100' height='9'/>") +
+                                       layer("24: large", large) + layer("0", small, "style='display:none'") +
                                        layer("front", "<rect id='frame' width='9' height='9'/>"));
     REQUIRE(document.nodes.size() == 3);
     CHECK(document.nodes[0].name == "sky");
@@ -43,8 +44,8 @@ TEST_CASE("one such layer is none, nor are any if nobody wants them")
 
 TEST_CASE("layers in seconds go by the frame rate")
 {
-    const auto document = read_drawing(layer("0s", small) + layer("0.5s", large), "width='9' height='9'",
-                                       {.frame_rate = 20});
+    const auto document =
+        read_drawing(layer("0s", small) + layer("0.5s", large), "width='9' height='9'", {.frame_rate = 20});
     CHECK(document.frames == 10);
 }
 

@@ -35,7 +35,9 @@ TEST_CASE("shares are numbers or percentages")
 
 TEST_CASE("transforms are applied from the right")
 {
-    const auto of = [](std::string_view text) { return transform_list(text).value().of({1, 0}); };
+    const auto of = [](std::string_view text) {
+        return transform_list(text).value().of(kfast::scene::Spot{1, 0});
+    };
     CHECK(of("translate(10)").x == 11);
     CHECK(of("translate(10 20)").y == 20);
     CHECK(of("translate(10, 20) scale(2)").x == 12);
@@ -53,8 +55,9 @@ TEST_CASE("transforms are applied from the right")
 
 TEST_CASE("what is no transform of the plane")
 {
-    for (const char* text : {"rotate", "rotate(", "rotate()", "rotate(1 2)", "rotate(x)", "twist(3)", "matrix(1 2 3)",
-                             "translate(1 2 3)", "rotate3d(1,1,1,45deg)", "translate(50%)", ") rotate(2)"})
+    for (const char* text :
+         {"rotate", "rotate(", "rotate()", "rotate(1 2)", "rotate(x)", "twist(3)", "matrix(1 2 3)",
+          "translate(1 2 3)", "rotate3d(1,1,1,45deg)", "translate(50%)", ") rotate(2)"})
         CHECK_MESSAGE(!transform_list(text), text);
 }
 

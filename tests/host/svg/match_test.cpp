@@ -57,14 +57,14 @@ TEST_CASE("parts are the same by their ids, wherever they lie")
 
 TEST_CASE("else by their labels")
 {
-    CHECK(lanes({group({{"path1", "eye"}, {"path2", "nose"}}), group({{"path8", "nose"}, {"path9", "eye"}})}) ==
-          "01 10");
+    CHECK(lanes({group({{"path1", "eye"}, {"path2", "nose"}}),
+                 group({{"path8", "nose"}, {"path9", "eye"}})}) == "01 10");
 }
 
 TEST_CASE("else by their order among their kind")
 {
-    CHECK(lanes({group({{"path1"}, {"rect1", "", "rect"}, {"path2"}}), group({{"rect9", "", "rect"}, {"path8"}, {"path9"}})}) ==
-          "01 10 22");
+    CHECK(lanes({group({{"path1"}, {"rect1", "", "rect"}, {"path2"}}),
+                 group({{"rect9", "", "rect"}, {"path8"}, {"path9"}})}) == "01 10 22");
     CHECK(lanes({group({{""}, {""}}), group({{""}})}) == "00 1-");
 }
 
@@ -83,7 +83,8 @@ TEST_CASE("what comes in later lies above what it lies on there")
 
 TEST_CASE("ids that programs make up")
 {
-    for (const char* id : {"", "path12", "g4-5", "Layer_1", "rect1-2-3", "XMLID_1_", "Group 3", "Vector", "12"})
+    for (const char* id :
+         {"", "path12", "g4-5", "Layer_1", "rect1-2-3", "XMLID_1_", "Group 3", "Vector", "12"})
         CHECK_MESSAGE(is_made_up(id), id);
     for (const char* id : {"eye", "left-arm", "path-of-glory", "eye2"})
         CHECK_MESSAGE(!is_made_up(id), id);

@@ -8,7 +8,8 @@ using namespace kfast::test;
 
 namespace {
 
-std::vector<double> box_of(std::string_view content, std::string_view attributes = R"(width="100" height="100")")
+std::vector<double> box_of(std::string_view content,
+                           std::string_view attributes = R"(width="100" height="100")")
 {
     return box(figure(read_drawing(content, attributes), "it").drawing.value());
 }
@@ -40,7 +41,8 @@ TEST_CASE("a drawing without a size is as large as its view box")
 
 TEST_CASE("shapes have the outlines that scenes have for them")
 {
-    const auto rect = figure(read_drawing(R"(<rect id="it" x="1" y="2" width="30" height="40" rx="5"/>)"), "it");
+    const auto rect =
+        figure(read_drawing(R"(<rect id="it" x="1" y="2" width="30" height="40" rx="5"/>)"), "it");
     CHECK(rect.drawing.value() == art::Drawing{{scene::rectangle({1, 2}, 30, 40, 5)}});
     const auto circle = figure(read_drawing(R"(<circle id="it" cx="10" cy="20" r="5"/>)"), "it");
     CHECK(circle.drawing.value() == art::Drawing{{scene::ellipse({10, 20}, 5, 5)}});
@@ -59,19 +61,23 @@ TEST_CASE("corners of a rectangle are cut as in SVG")
               .drawing.value()
               .outlines.front()
               .from.x == 15);
-    const auto elliptic = figure(read_drawing(R"(<rect id="it" width="30" height="40" rx="5" ry="10"/>)"), "it");
+    const auto elliptic =
+        figure(read_drawing(R"(<rect id="it" width="30" height="40" rx="5" ry="10"/>)"), "it");
     CHECK(elliptic.drawing.value().outlines.front().curves.size() == 8);
     CHECK(elliptic.drawing.value().outlines.front().from.x == 5);
 }
 
 TEST_CASE("what draws nothing is no node")
 {
-    CHECK(nodes_of(R"(<rect width="0" height="9"/><circle r="0"/><circle/><polygon points="1 2"/><path/>)") == 0);
+    CHECK(nodes_of(R"(<rect width="0" height="9"/><circle r="0"/><circle/><polygon points="1 2"/><path/>)") ==
+          0);
     CHECK(nodes_of(R"(<rect width="9" height="9" fill="none"/>)") == 0);
     CHECK(nodes_of(R"(<rect width="9" height="9" opacity="0"/>)") == 0);
     CHECK(nodes_of(R"(<rect width="9" height="9" fill-opacity="0"/>)") == 0);
     CHECK(nodes_of(R"(<line x2="9" fill="red"/>)") == 0);
-    CHECK(nodes_of(R"(<rect width="9" height="9" display="none"/><g visibility="hidden"><circle r="4"/></g>)") == 0);
+    CHECK(nodes_of(
+              R"(<rect width="9" height="9" display="none"/><g visibility="hidden"><circle r="4"/></g>)") ==
+          0);
     CHECK(nodes_of(R"(<defs><rect width="9" height="9"/></defs><symbol><circle r="5"/></symbol>)") == 0);
     CHECK(nodes_of(R"(<rect width="9" height="9" stroke="red" fill="none" stroke-width="0"/>)") == 0);
 }
@@ -108,8 +114,8 @@ TEST_CASE("dashes are strokes of their own, above the fill")
 
 TEST_CASE("an author's length of a path counts for its dashes")
 {
-    const auto document = read_drawing(
-        R"(<path id="it" d="M0 0H100" stroke="blue" stroke-dasharray="1 1" pathLength="10"/>)");
+    const auto document =
+        read_drawing(R"(<path id="it" d="M0 0H100" stroke="blue" stroke-dasharray="1 1" pathLength="10"/>)");
     CHECK(figure(document, "it").drawing.value().outlines.size() == 5);
 }
 

@@ -11,15 +11,15 @@ namespace {
 /// Of the figure "it".
 std::string fill(std::string_view content)
 {
-    const auto& found = figure(read_drawing(content), "it").fill;
+    const auto found = figure(read_drawing(content), "it").fill;
     return found ? hex(found->colour.value()) : "none";
 }
 
 /// Of a rectangle with a style sheet and attributes, in a group.
 std::string styled(const std::string& css, const std::string& attributes, const std::string& group = "")
 {
-    return fill("<style>" + css + "</style><g " + group + "><rect id='it' width='9' height='9' stroke='red' " +
-                attributes + "/></g>");
+    return fill("<style>" + css + "</style><g " + group +
+                "><rect id='it' width='9' height='9' stroke='red' " + attributes + "/></g>");
 }
 
 const art::Line& line(const art::Document& document) { return *figure(document, "it").line; }
@@ -79,7 +79,7 @@ TEST_CASE("colours are inherited, by name as well")
 TEST_CASE("pens")
 {
     const auto document = read_drawing(R"(
-        <g stroke-linecap="round" stroke-linejoin="bevel"><path id="it" d="M0 0h9" stroke="rgba(255,0,0,.5)"
+        <g stroke-linecap="round" stroke-linejoin="bevel"><path id="it" d="M0 0h9" stroke='rgba(255,0,0,.5)'
         stroke-opacity="50%" stroke-width="1cm" stroke-miterlimit="7"/></g>)");
     CHECK(line(document).width.value() == doctest::Approx(96 / 2.54));
     CHECK(line(document).opacity.value() == doctest::Approx(0.25));
@@ -118,12 +118,15 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
         <linearGradient id="self" href="#self"/>
         </defs>)";
     const auto painted = [&](const std::string& id) {
-        const auto found = gradients + "<rect id='it' width='9' height='9' stroke='red' fill='url(#" + id + ") lime'/>";
+        const auto found =
+            gradients + "<rect id='it' width='9' height='9' stroke='red' fill='url(#" + id + ") lime'/>";
         CHECK(losses_of(found).size() == (id == "self" || id == "nothing" ? 0 : 1));
         return found;
     };
-    for (const auto& [id, colour, opacity] : {std::tuple{"even", "#800080", 1.0}, {"late", "#800080", 1.0},
-                                              {"mostly", "#bf0040", 1.0}, {"clear", "#ff0000", 0.5}}) {
+    for (const auto& [id, colour, opacity] : {std::tuple{"even", "#800080", 1.0},
+                                              {"late", "#800080", 1.0},
+                                              {"mostly", "#bf0040", 1.0},
+                                              {"clear", "#ff0000", 0.5}}) {
         CAPTURE(id);
         const auto document = read_lossy(painted(id));
         CHECK(hex(figure(document, "it").fill->colour.value()) == colour);

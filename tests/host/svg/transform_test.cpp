@@ -12,8 +12,8 @@ using Box = std::vector<double>;
 TEST_CASE("transforms of what does not move go into the points")
 {
     const auto document = read_drawing(R"(
-        <g id="layer1" transform="translate(10 20)"><g id="g5" transform="scale(2)">
-        <rect id="it" width="5" height="6" transform="translate(1 1)"/></g></g>)");
+        <g id="layer1" transform='translate(10 20)'><g id="g5" transform='scale(2)'>
+        <rect id="it" width="5" height="6" transform='translate(1 1)'/></g></g>)");
     REQUIRE(document.nodes.size() == 1);
     CHECK(box(figure(document, "it").drawing.value()) == Box{12, 22, 22, 34});
     CHECK(document.nodes.front().transform == art::Transform{});

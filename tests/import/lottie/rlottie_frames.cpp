@@ -21,11 +21,12 @@ kfast::Picture drawn(rlottie::Animation& animation, kfast::Size size, std::size_
     const auto width = static_cast<std::size_t>(size.width);
     const auto height = static_cast<std::size_t>(size.height);
     std::vector<std::uint32_t> pixels(width * height);
-    animation.renderSync(frame, rlottie::Surface{pixels.data(), width, height, width * sizeof(std::uint32_t)});
+    animation.renderSync(frame,
+                         rlottie::Surface{pixels.data(), width, height, width * sizeof(std::uint32_t)});
     kfast::Picture picture{size, {}};
     for (const std::uint32_t pixel : pixels)
-        picture.pixels.push_back({static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
-                                  static_cast<std::uint8_t>(pixel)});
+        picture.pixels.push_back({static_cast<std::uint8_t>(pixel >> 16),
+                                  static_cast<std::uint8_t>(pixel >> 8), static_cast<std::uint8_t>(pixel)});
     return picture;
 }
 
@@ -45,8 +46,9 @@ int main(int count, char** words)
 {
     const std::vector<std::string> arguments{words + 1, words + count};
     if (arguments.size() < 5) {
-        std::fputs("usage: rlottie_frames ANIMATION.json WIDTH HEIGHT FRAME PICTURE.png [FRAME PICTURE.png ...]\n",
-                   stderr);
+        std::fputs(
+            "usage: rlottie_frames ANIMATION.json WIDTH HEIGHT FRAME PICTURE.png [FRAME PICTURE.png ...]\n",
+            stderr);
         return 2;
     }
     try {

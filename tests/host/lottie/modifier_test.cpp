@@ -1,0 +1,171 @@
+#include "host/art/curve_length.hpp"
+#include "tests/host/lottie/shape_list.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace kfast;
+using namespace kfast::test;
+
+namespace {
+
+art::Drawing drawing_at(const std::string& items, double time)
+{
+    const ReadShapes read = read_shapes(items);
+    REQUIRE(read.nodes.size() == 1);
+    return figure(read.nodes[0]).drawing.at(time);
+}
+
+std::string trim(const std::string& members) { return R"(, {"ty": "tm", )" + members + "}, "; }
+
+double length(const art::Drawing& drawing)
+{
+    double sum = 0;
+    for (const scene::Outline& outline : drawing.outlines)
+        sum += art::outline_length(outline);
+    return sum;
+}
+
+const std::string circle = R"({"ty": "el", "p": {"k": [0, 0]}, "s": {"k": [100, 100]}})";
+constexpr double around = 314.16;
+
+}
+
+TEST_CASE("a trim leaves the piece between two shares of the length")
+{
+    const art::Drawing drawing = drawing_at(line + trim(R"("s": {"k": 20}, "e": {"k": 70})") + stroke, 0);
+    REQUIRE(drawing.outlines.size() == 1);
+    CHECK(drawing.outlines[0].from.x == doctest::Approx(20));
+    CHECK(drawing.outlines[0].curves.back().to.x == doctest::Approx(70));
+}
+
+TEST_CASE("a trim may run either way, and stops at the ends")
+{
+    const art::Drawing drawing = drawing_at(line + trim(R"("s": {"k": 170}, "e": {"k": 70})") + stroke, 0);
+    CHECK(drawing.outlines[0].from.x == doctest::Approx(70));
+    CHECK(drawing.outlines[0].curves.back().to.x == doctest::Approx(100));
+}
+
+TEST_CASE("past the end of an open path there are two pieces; a closed one goes on")
+{
+    const std::string offset = R"("e": {"k": 50}, "o": {"k": 270})";
+    const art::Drawing open = drawing_at(line + trim(offset) + stroke, 0);
+    REQUIRE(open.outlines.size() == 2);
+    CHECK(open.outlines[0].from.x == doctest::Approx(75));
+    CHECK(open.outlines[1].curves.back().to.x == doctest::Approx(25));
+    const art::Drawing closed = drawing_at(circle + trim(offset) + stroke, 0);
+    REQUIRE(closed.outlines.size() == 1);
+    CHECK_FALSE(closed.outlines[0].closed);
+    CHECK(length(closed) == doctest::Approx(around / 2).epsilon(0.001));
+    CHECK(closed.outlines[0].from.x == doctest::Approx(-50)); // a quarter before twelve o'clock
+}
+
+TEST_CASE("a trim that moves is right at all times, and draws nothing where nothing is left")
+{
+    const ReadShapes read =
+        read_shapes(circle + trim(R"("s": {"k": 0}, "e": )" + even("[0]", "[100]")) + stroke);
+    const auto& drawing = figure(read.nodes.at(0)).drawing;
+    CHECK(drawing.at(0).outlines.empty());
+    for (const double time : {0.7, 2.3, 4.9, 5.1, 7.77, 9.9})
+        CHECK(length(drawing.at(time)) == doctest::Approx(around * time / 10).epsilon(0.003));
+    CHECK(drawing.at(10).outlines[0].closed);
+}
+
+TEST_CASE("paths are trimmed each by itself, or as one in their order")
+{
+    const std::string two = line + ',' + line;
+    const art::Drawing each = drawing_at(two + trim(R"("e": {"k": 60})") + stroke, 0);
+    REQUIRE(each.outlines.size() == 2);
+    CHECK(length(each) == doctest::Approx(120));
+    const art::Drawing as_one = drawing_at(two + trim(R"("m": 2, "e": {"k": 60})") + stroke, 0);
+    REQUIRE(as_one.outlines.size() == 2);
+    CHECK(as_one.outlines[0].curves.back().to.x == doctest::Approx(100));
+    CHECK(as_one.outlines[1].curves.back().to.x == doctest::Approx(20));
+}
+
+TEST_CASE("a trim behind a style and a group changes the paths before it")
+{
+    const std::string group = R"({"ty": "gr", "it": [)" + line + ',' + stroke + R"(, {"ty": "tr"}]})";
+    const ReadShapes read = read_shapes(group + R"(, {"ty": "tm", "e": {"k": 50}})");
+    CHECK(length(figure(read.nodes.at(0)).drawing.value()) == doctest::Approx(50));
+}
+
+TEST_CASE("corners without tangents are rounded, but not the ends of a path")
+{
+    const art::Drawing drawing = drawing_at(square + R"(, {"ty": "rd", "r": {"k": 2}}, )" + red, 0);
+    REQUIRE(drawing.outlines[0].curves.size() == 8);
+    CHECK(length(drawing) == doctest::Approx(28 - 16 + around / 25).epsilon(0.001));
+    const art::Drawing open = drawing_at(line + R"(, {"ty": "rd", "r": {"k": 2}}, )" + stroke, 0);
+    CHECK(open.outlines[0].curves.size() == 1);
+}
+
+TEST_CASE("dashes are pieces of the line, and begin the pattern at the offset")
+{
+    const std::string dashes =
+        R"({"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 20}}, {"n": "g", "v": {"k": 10}}, {"n": "o", "v": )";
+    const art::Drawing still = drawing_at(line + ',' + dashes + R"({"k": 5}}]})", 0);
+    REQUIRE(still.outlines.size() == 4);
+    CHECK(still.outlines[0].from.x == doctest::Approx(0));
+    CHECK(still.outlines[0].curves[0].to.x == doctest::Approx(15));
+    CHECK(still.outlines[3].from.x == doctest::Approx(85));
+    CHECK(still.outlines[3].curves[0].to.x == doctest::Approx(100));
+    const art::Drawing moving = drawing_at(line + ',' + dashes + even("[0]", "[-60]") + "}]}", 2.5);
+    CHECK(moving.outlines[0].from.x == doctest::Approx(0));
+    CHECK(moving.outlines[0].curves[0].to.x == doctest::Approx(5));
+    CHECK(moving.outlines[1].from.x == doctest::Approx(15));
+}
+
+TEST_CASE("dashes without length are dots, and too many dashes are one line")
+{
+    const std::string dots =
+        R"({"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 0}}, {"n": "g", "v": {"k": )";
+    const art::Drawing few = drawing_at(line + ',' + dots + "40}}]}", 0);
+    REQUIRE(few.outlines.size() == 3);
+    CHECK(few.outlines[1].from.x == doctest::Approx(40));
+    const ReadShapes many = read_shapes(line + ',' + dots + "0.01}}]}");
+    CHECK(figure(many.nodes[0]).drawing.value().outlines.size() == 1);
+    REQUIRE(many.losses.list().size() == 1);
+    CHECK(many.losses.list()[0].feature == "more than 1000 dashes");
+}
+
+TEST_CASE("a repeater paints copies, each a step further, the first on top unless it says otherwise")
+{
+    const std::string repeater =
+        R"(, {"ty": "rp", "c": {"k": 3}, "o": {"k": 0}, "m": 1, "tr": {"p": {"k": [10, 0]}, "r": {"k": 30}, "s": {"k": [50, 50]}, "so": {"k": 100}, "eo": {"k": 0}}})";
+    const ReadShapes read = read_shapes(square + ',' + red + repeater);
+    REQUIRE(read.nodes.size() == 3);
+    CHECK(read.nodes[2].transform == art::Transform{});
+    CHECK(read.nodes[1].transform.x.value() == 10);
+    CHECK(read.nodes[0].transform.x.value() == 20);
+    CHECK(read.nodes[0].transform.rotate.value() == 60);
+    CHECK(read.nodes[0].transform.scale_x.value() == 0.25);
+    CHECK(read.nodes[1].opacity.value() == 0.5);
+}
+
+TEST_CASE("a style behind a repeater paints all copies as one")
+{
+    const ReadShapes read =
+        read_shapes(square + R"(, {"ty": "rp", "c": {"k": 4}, "tr": {"p": {"k": [10, 0]}}}, )" + red);
+    REQUIRE(read.nodes.size() == 1);
+    CHECK(figure(read.nodes[0]).drawing.value().outlines.size() == 4);
+}
+
+TEST_CASE("copies come and go with their number")
+{
+    const ReadShapes read =
+        read_shapes(square + ',' + red + R"(, {"ty": "rp", "c": )" + even("[1]", "[3]") + R"(, "tr": {}})");
+    REQUIRE(read.nodes.size() == 3);
+    CHECK(read.nodes[2].shown == std::vector<art::Span>{{}});
+    CHECK(read.nodes[0].shown[0].from == doctest::Approx(5).epsilon(0.001));
+}
+
+TEST_CASE("stars have their tips and dents where they are told, also turned round")
+{
+    const std::string star =
+        R"({"ty": "sr", "sy": 1, "p": {"k": [0, 0]}, "pt": {"k": 5}, "or": {"k": 40}, "ir": {"k": 20}, "os": {"k": 0}, "is": {"k": 0}, "r": {"k": 90})";
+    const auto outline = drawing_at(star + "}, " + red, 0).outlines.at(0);
+    CHECK(outline.curves.size() == 10);
+    CHECK(outline.from.x == doctest::Approx(40));
+    CHECK(outline.curves[0].to.y == doctest::Approx(20 * 0.587785));
+    const auto reversed = drawing_at(star + R"(, "d": 3}, )" + red, 0).outlines.at(0);
+    CHECK(reversed.curves[0].to.y == doctest::Approx(-20 * 0.587785));
+}
