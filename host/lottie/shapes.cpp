@@ -4,6 +4,7 @@
 #include "host/lottie/path_item.hpp"
 #include "host/lottie/repeater.hpp"
 #include "host/lottie/rounded_corners.hpp"
+#include "host/lottie/shape_members.hpp"
 #include "host/lottie/shape_tree.hpp"
 #include "host/lottie/style_item.hpp"
 #include "host/lottie/trim.hpp"
@@ -49,11 +50,12 @@ public:
     {
         if (!item.is_object())
             throw WrongMember(item, "is no shape: one is an object with \"ty\"");
-        if (truth_at(item, "hd", false))
+        if (truth_at(item, "hd", false) || !truth_at(item, "fillEnabled", true))
             return;
         reading_.budget.take_node();
-        report_blend_mode(item);
         const std::string type = text_at(item, "ty");
+        report_blend_mode(item);
+        report_unknown_members(item, type, reading_);
         if (is_path(type))
             items_.push_back({read_path_item(item, reading_)});
         else if (is_style(type))

@@ -7,7 +7,8 @@ rlottie 0.1 has not, or has otherwise than the format and its first player, lott
 far, draws parts of points that a star has not whole, lets the first copy of a repeater lie lowest in any case, leaves out
 the last one while their number is none, counts their opacity to one copy more than there are, and knows no skew, no
 rounded corners, and no dashes without length; corners of polygons it rounds as far whatever their number. It measures
-curves and slanting lines roughly: dashes are compared along others. Gradients are compared with the colours that stand in for them."""
+curves and slanting lines roughly, and does not join the dashes where a closed path begins: dashes are compared along other
+lines. Gradients are compared with the colours that stand in for them."""
 
 import json
 import pathlib
