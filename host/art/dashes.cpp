@@ -72,6 +72,9 @@ private:
     double left_ = 0;
 };
 
+/// In pixels. A dash that ends or begins at a corner goes around it by less, as sums of lengths are rounded.
+constexpr double shortest = 1e-6;
+
 /// Of one outline.
 class Dasher {
 public:
@@ -125,7 +128,7 @@ private:
         const double first = curve_parameter(from, curve, begin);
         if (!dash_)
             dash_ = Outline{spot_on(from, curve, first), {}, false};
-        if (end > begin)
+        if (end - begin > shortest)
             dash_->curves.push_back(stretch(from, curve, first, curve_parameter(from, curve, end)));
     }
 
