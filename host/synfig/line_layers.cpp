@@ -21,7 +21,10 @@ public:
     art::Node node()
     {
         lose_what_is_not_carried_over();
-        return has_one_width() ? plain() : varying();
+        art::Node node = has_one_width() ? plain() : varying();
+        if (moves_)
+            move_by_origin(node, layer_);
+        return node;
     }
 
 private:
@@ -134,9 +137,9 @@ private:
             const List spline = points("bline", frame);
             if (spline.entries.empty())
                 return {};
-            return {{layer_.reading().to_canvas.of(outline_along(spline, layer_.spot("origin", frame)))}};
+            return {{layer_.reading().to_canvas.of(outline_along(spline, origin(frame)))}};
         };
-        figure.drawing = traced(drawing, layer_.tracing({"bline", "origin"}, place_tolerance));
+        figure.drawing = traced(drawing, layer_.tracing({"bline", moves_ ? "" : "origin"}, place_tolerance));
         art::Fill paint = fill_of(layer_);
         art::Line line;
         line.colour = std::move(paint.colour);
@@ -162,8 +165,9 @@ private:
         art::Node node = node_of(layer_);
         art::Figure figure;
         const std::function<art::Drawing(double)> drawing = [&](double frame) { return shape(frame); };
-        figure.drawing = traced(
-            drawing, layer_.tracing({"bline", "wplist", "width", "expand", "origin"}, place_tolerance));
+        figure.drawing =
+            traced(drawing, layer_.tracing({"bline", "wplist", "width", "expand", moves_ ? "" : "origin"},
+                                           place_tolerance));
         figure.fill = fill_of(layer_);
         figure.fill->rule = FillRule::nonzero;
         node.content = std::move(figure);
@@ -193,9 +197,9 @@ private:
         const art::Affine& matrix = layer_.reading().to_canvas;
         const auto direction = [&](Spot spot) { return matrix.of(spot) - matrix.of(Spot{}); };
         SplinePiece piece{from, to};
-        const Spot origin = layer_.spot("origin", frame);
-        piece.from = matrix.of(origin + piece.from);
-        piece.to = matrix.of(origin + piece.to);
+        const Spot begin = origin(frame);
+        piece.from = matrix.of(begin + piece.from);
+        piece.to = matrix.of(begin + piece.to);
         piece.leaving = direction(piece.leaving);
         piece.arriving = direction(piece.arriving);
         // Both nothing: an even way.
@@ -256,11 +260,15 @@ private:
         if (all.back().second.after != Side::interpolate) {
             line.to = all.back().first.distance;
             line.end = all.back().second.after;
+            line.dip = 1;
         }
     }
 
+    Spot origin(double frame) const { return moves_ ? Spot{} : layer_.spot("origin", frame); }
+
     const Layer& layer_;
     bool advanced_;
+    bool moves_ = moves_as_a_whole(layer_);
 };
 
 }

@@ -259,7 +259,9 @@ double VaryingLine::half_width(double distance) const
         return before.half_width;
     const double span = next->distance - before.distance;
     const double share = (distance - before.distance) / span;
-    const double straight = art::mixed(before.half_width, next->half_width, share);
+    const double dipped =
+        next + 1 == stops.end() ? 3 * dip * share * share * (1 - share) * next->half_width : 0;
+    const double straight = art::mixed(before.half_width, next->half_width, share) - dipped;
     if (smoothness <= 0)
         return straight;
     const std::size_t index = static_cast<std::size_t>(std::prev(next) - stops.begin());
@@ -268,7 +270,7 @@ double VaryingLine::half_width(double distance) const
                           share * share * (3 - 2 * share) * next->half_width +
                           span * (share * rest * rest * slope_at(stops, index) -
                                   share * share * rest * slope_at(stops, index + 1));
-    return art::mixed(straight, smooth, std::min(1.0, smoothness));
+    return art::mixed(straight, smooth - dipped, std::min(1.0, smoothness));
 }
 
 art::Drawing shape_of(const VaryingLine& line) { return LineShape{line}.drawing(); }

@@ -22,7 +22,10 @@ struct VaryingLine {
     bool loop = false;
     std::vector<WidthStop> stops; ///< at least one; rising
     double smoothness = 0;        ///< 0: straight from stop to stop; 1: smoothly
-    double from = 0;              ///< along the line; not for loops
+    /// Before a last stop that ends the line Synfig 1.5.1 lets the width dip, by this share of what it is
+    /// there.
+    double dip = 0;
+    double from = 0; ///< along the line; not for loops
     double to = 0;
     Side begin = Side::flat;
     Side end = Side::flat;

@@ -13,7 +13,7 @@ namespace {
 using scene::Outline;
 
 /// What a layer draws at a frame, in the units of the file.
-using ShapeLaw = art::Drawing (*)(const Layer&, double);
+using ShapeLaw = art::Drawing (*)(const Layer&, double, Spot origin);
 
 bool is_nothing(Spot spot) { return std::abs(spot.x) < 1e-8 && std::abs(spot.y) < 1e-8; }
 
@@ -25,22 +25,21 @@ scene::Curve curve_between(const SplinePoint& from, const SplinePoint& to, Spot 
     return scene::cubic_to(origin + from.vertex + 1.0 / 3 * from.leaving(), end - 1.0 / 3 * to.arriving, end);
 }
 
-art::Drawing region(const Layer& layer, double frame)
+art::Drawing region(const Layer& layer, double frame, Spot origin)
 {
     const List points = layer.at("bline", frame).as<List>();
     if (points.entries.empty())
         return {};
-    Outline outline = outline_along(points, layer.spot("origin", frame));
+    Outline outline = outline_along(points, origin);
     outline.closed = true;
     return {{std::move(outline)}};
 }
 
-art::Drawing circle(const Layer& layer, double frame)
+art::Drawing circle(const Layer& layer, double frame, Spot origin)
 {
     const double radius = std::abs(layer.number("radius", frame, 1));
-    const Spot centre = layer.spot("origin", frame);
     // Clockwise once y points down.
-    return {{art::Affine{1, 0, 0, -1, centre.x, centre.y}.of(scene::ellipse({}, radius, radius))}};
+    return {{art::Affine{1, 0, 0, -1, origin.x, origin.y}.of(scene::ellipse({}, radius, radius))}};
 }
 
 /// A corner that Synfig rounds by a parabola.
@@ -64,7 +63,7 @@ Outline bevelled(Spot low, Spot high, double x, double y)
     return outline;
 }
 
-art::Drawing rectangle(const Layer& layer, double frame)
+art::Drawing rectangle(const Layer& layer, double frame, Spot)
 {
     const Spot one = layer.spot("point1", frame);
     const Spot other = layer.spot("point2", frame, {1, 1});
@@ -81,17 +80,17 @@ art::Drawing rectangle(const Layer& layer, double frame)
     return {{scene::polyline(corners, true)}};
 }
 
-art::Drawing polygon(const Layer& layer, double frame)
+art::Drawing polygon(const Layer& layer, double frame, Spot origin)
 {
     std::vector<Spot> spots;
     for (const Value& entry : layer.at("vector_list", frame).as<List>().entries)
-        spots.push_back(layer.spot("origin", frame) + entry.as<Spot>());
+        spots.push_back(origin + entry.as<Spot>());
     if (spots.size() < 3)
         return {};
     return {{scene::polyline(spots, true)}};
 }
 
-art::Drawing star(const Layer& layer, double frame)
+art::Drawing star(const Layer& layer, double frame, Spot origin)
 {
     constexpr int most_tips = 1000;
     const int tips = std::clamp(static_cast<int>(layer.number("points", frame, 5)), 2, most_tips);
@@ -104,12 +103,12 @@ art::Drawing star(const Layer& layer, double frame)
         const double angle = turn - i * std::numbers::pi / tips; // clockwise, as stars of scenes run
         const double radius = i % 2 == 0 ? outer : inner;
         if (i % 2 == 0 || !regular)
-            spots.push_back(layer.spot("origin", frame) + radius * Spot{std::cos(angle), std::sin(angle)});
+            spots.push_back(origin + radius * Spot{std::cos(angle), std::sin(angle)});
     }
     return {{scene::polyline(spots, true)}};
 }
 
-art::Drawing checker_board(const Layer& layer, double frame)
+art::Drawing checker_board(const Layer& layer, double frame, Spot)
 {
     constexpr double most_squares = 4096;
     const Reading& reading = layer.reading();
@@ -127,7 +126,7 @@ art::Drawing checker_board(const Layer& layer, double frame)
     art::Drawing drawing;
     for (int row = first_row; origin.y + row * cell.y < corner.y + down; ++row)
         for (int column = first_column; origin.x + column * cell.x < corner.x + across; ++column)
-            if ((row + column) % 2 == 0)
+            if ((row + column) % 2 != 0)
                 drawing.outlines.push_back(scene::rectangle(
                     {origin.x + column * cell.x, origin.y + row * cell.y}, cell.x, cell.y, 0));
     return drawing;
@@ -224,6 +223,28 @@ Outline everywhere(const Reading& reading)
     return scene::rectangle({-x, -y}, reading.width + 2 * x, reading.height + 2 * y, 0);
 }
 
+bool moves_as_a_whole(const Layer& layer)
+{
+    const ValueNode* origin = layer.parameter("origin");
+    return origin && origin->kind != "constant" && layer.type() != "checker_board";
+}
+
+void move_by_origin(art::Node& node, const Layer& layer)
+{
+    const art::Affine& to_canvas = layer.reading().to_canvas;
+    const Spot zero = to_canvas.of(Spot{});
+    const std::function<double(double)> x = [&](double frame) {
+        return to_canvas.of(layer.spot("origin", frame)).x;
+    };
+    const std::function<double(double)> y = [&](double frame) {
+        return to_canvas.of(layer.spot("origin", frame)).y;
+    };
+    node.transform.anchor_x = zero.x;
+    node.transform.anchor_y = zero.y;
+    node.transform.x = traced(x, layer.tracing({"origin"}, place_tolerance));
+    node.transform.y = traced(y, layer.tracing({"origin"}, place_tolerance));
+}
+
 std::optional<art::Node> read_shape_layer(const Layer& layer)
 {
     if (layer.type() == "SolidColor" || layer.type() == "solid_color") {
@@ -243,20 +264,24 @@ std::optional<art::Node> read_shape_layer(const Layer& layer)
                        "radius2",   "regular_polygon", "size",        "color",         "feather", "feather_x",
                        "feather_y", "blurtype",        "invert",      "winding_style", "falloff"});
     const bool inverted = layer.truth("invert", 0, false);
+    art::Node node = node_of(layer);
+    const bool moves = moves_as_a_whole(layer) && !inverted;
+    if (moves)
+        move_by_origin(node, layer);
     const std::function<art::Drawing(double)> drawing_at = [&](double frame) {
-        art::Drawing drawing = law->second(layer, frame);
+        art::Drawing drawing = law->second(layer, frame, moves ? Spot{} : layer.spot("origin", frame));
         for (Outline& outline : drawing.outlines)
             outline = layer.reading().to_canvas.of(outline);
         if (inverted)
             drawing.outlines.insert(drawing.outlines.begin(), everywhere(layer.reading()));
         return drawing;
     };
-    art::Node node = node_of(layer);
     art::Figure figure;
-    figure.drawing = traced(drawing_at, layer.tracing({"bline", "origin", "radius", "point1", "point2",
-                                                       "expand", "bevel", "vector_list", "points", "angle",
-                                                       "radius1", "radius2", "regular_polygon", "size"},
-                                                      place_tolerance));
+    figure.drawing =
+        traced(drawing_at, layer.tracing({"bline", moves ? "" : "origin", "radius", "point1", "point2",
+                                          "expand", "bevel", "vector_list", "points", "angle", "radius1",
+                                          "radius2", "regular_polygon", "size"},
+                                         place_tolerance));
     figure.fill = fill_of(layer);
     if (inverted)
         figure.fill->rule = FillRule::even_odd;

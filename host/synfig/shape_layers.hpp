@@ -18,6 +18,10 @@ scene::Outline outline_along(const List& points, Spot origin);
 art::Fill fill_of(const Layer& layer);
 /// The name, and the opacity that is the parameter "amount".
 art::Node node_of(const Layer& layer);
+/// Whether the parameter "origin" changes, so that a shape is drawn about (0, 0) and moved: both axes have
+/// keys of their own then.
+bool moves_as_a_whole(const Layer& layer);
+void move_by_origin(art::Node& node, const Layer& layer);
 /// All of the canvas and as much around it, for what is painted everywhere.
 scene::Outline everywhere(const Reading& reading);
 

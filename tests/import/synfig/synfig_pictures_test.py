@@ -32,7 +32,7 @@ def problems_of(path, kfast, synfig, folder):
     run(kfast, "import", path, "-o", scene)
     for frame in FRAMES:
         own, reference = folder / f"{path.stem}-{frame}.png", folder / f"{path.stem}-{frame}-synfig.png"
-        run(kfast, "render", scene, "--at", frame, "-o", own)
+        run(kfast, "render", scene, "--frame", frame, "-o", own)
         run(synfig, "-t", "png", path, "-o", reference, "--time", f"{frame}f")
         difference = compare_pictures.compare(own, reference)
         for problem in difference.problems(**LIMITS.get(path.stem, {})):
