@@ -57,9 +57,19 @@ std::string head_of(const Node& node, std::size_t depth)
 
 bool is_leaf(const Node& node) { return node.children.empty(); }
 
+/// Different nodes with properties are easier to read below each other.
+bool is_mixed(const Node& node)
+{
+    const auto is_other = [&](const Node& child) { return child.name != node.children.front().name; };
+    const auto has_properties = [](const Node& child) { return !child.properties.empty(); };
+    return std::ranges::any_of(node.children, is_other) && std::ranges::any_of(node.children, has_properties);
+}
+
 /// Nothing if that does not fit.
 std::string one_line(const Node& node, const std::string& head, std::size_t depth)
 {
+    if (is_mixed(node))
+        return {};
     std::string line = head + " {";
     for (const Node& child : node.children) {
         if (!is_leaf(child) || line.size() > widest_line)

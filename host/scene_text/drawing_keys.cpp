@@ -1,11 +1,26 @@
 #include "host/scene_text/drawing_keys.hpp"
 
+#include "host/failure.hpp"
 #include "host/scene/default_pivot.hpp"
 #include "host/scene/item_values.hpp"
+#include "host/scene/limits.hpp"
 #include "host/scene_text/shape_text.hpp"
 #include "host/scene_text/steady_form.hpp"
 
 namespace kfast::scene_text {
+namespace {
+
+void check_points(const art::Drawing& drawing)
+{
+    std::size_t points = 0;
+    for (const scene::Outline& outline : drawing.outlines)
+        points += outline.curves.size() + 2;
+    if (points > scene::most_points)
+        throw Failure("a drawing has more than " + std::to_string(scene::most_points) +
+                      " points, the most in a scene; divide it into several, or simplify it");
+}
+
+}
 
 DrawingKeys drawing_keys(const art::Figure& figure, std::int32_t length)
 {
@@ -13,6 +28,7 @@ DrawingKeys drawing_keys(const art::Figure& figure, std::int32_t length)
         stored_keys(figure.drawing, length, [](const art::Drawing& drawing) { return on_grid(drawing); });
     std::vector<art::Drawing*> drawings;
     for (auto& key : keys) {
+        check_points(key.value);
         if (figure.line || figure.skin)
             keep_open(key.value);
         if (!key.value.outlines.empty())

@@ -5,9 +5,11 @@
 #include "host/scene_text/nodes.hpp"
 #include "host/scene_text/shape_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 namespace kfast::scene_text {
 namespace {
@@ -97,20 +99,42 @@ ShapeForm form_of(const scene::Outline& outline)
 
 using Forms = std::vector<ShapeForm>;
 
-/// Where drawings have another kind at one place, all have paths there.
-void agree(std::vector<Forms>& drawings)
+/// A rectangle with sharp corners is a polygon, too.
+bool is_sharp(const ShapeForm& form)
 {
-    std::vector<std::size_t> kinds;
-    for (const Forms& forms : drawings)
-        for (std::size_t i = 0; i < forms.size(); ++i)
-            if (i == kinds.size())
-                kinds.push_back(forms[i].index());
-            else if (kinds[i] != forms[i].index())
-                kinds[i] = 0;
-    for (Forms& forms : drawings)
-        for (std::size_t i = 0; i < forms.size(); ++i)
-            if (kinds[i] == 0)
-                forms[i] = art::PathForm{};
+    const auto* const rect = std::get_if<art::RectForm>(&form);
+    return std::holds_alternative<art::PolygonForm>(form) || (rect != nullptr && rect->corner == 0);
+}
+
+ShapeForm polygon_of(const scene::Outline& outline)
+{
+    art::PolygonForm polygon{{outline.from}};
+    for (const scene::Curve& curve : outline.curves)
+        polygon.spots.push_back(curve.to);
+    if (polygon.spots.back().x == outline.from.x && polygon.spots.back().y == outline.from.y)
+        polygon.spots.pop_back();
+    return polygon;
+}
+
+/// Where drawings have other kinds at one place, all have polygons there, or else paths.
+void agree(std::vector<Forms>& forms, std::span<const art::Drawing* const> drawings)
+{
+    std::size_t places = 0;
+    for (const Forms& own : forms)
+        places = std::max(places, own.size());
+    for (std::size_t i = 0; i < places; ++i) {
+        std::set<std::size_t> kinds;
+        bool all_sharp = true;
+        for (const Forms& own : forms)
+            if (i < own.size()) {
+                kinds.insert(own[i].index());
+                all_sharp = all_sharp && is_sharp(own[i]);
+            }
+        for (std::size_t drawing = 0; kinds.size() > 1 && drawing < forms.size(); ++drawing)
+            if (i < forms[drawing].size())
+                forms[drawing][i] =
+                    all_sharp ? polygon_of(drawings[drawing]->outlines[i]) : ShapeForm{art::PathForm{}};
+    }
 }
 
 std::vector<kdl::Node> nodes_of(const art::Drawing& drawing, const Forms& forms)
@@ -133,7 +157,7 @@ std::vector<std::vector<kdl::Node>> shapes_of(std::span<const art::Drawing* cons
         for (const scene::Outline& outline : drawing->outlines)
             own.push_back(form_of(outline));
     }
-    agree(forms);
+    agree(forms, drawings);
     std::vector<std::vector<kdl::Node>> shapes;
     for (std::size_t i = 0; i < forms.size(); ++i)
         shapes.push_back(nodes_of(*drawings[i], forms[i]));

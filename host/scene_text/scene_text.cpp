@@ -62,9 +62,10 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
     return canvas;
 }
 
+/// Without the folder, which means nothing elsewhere.
 std::string first_lines(std::string_view origin)
 {
-    const std::string name = clean_name(origin, "");
+    const std::string name = clean_name(origin.substr(origin.find_last_of('/') + 1), "");
     return name.empty() ? "kfast 1\n" : "// Made from " + name + ".\n\nkfast 1\n";
 }
 

@@ -1,5 +1,8 @@
 #include "host/scene_text/stored_keys.hpp"
 
+#include "host/failure.hpp"
+#include "host/scene/limits.hpp"
+
 #include <iterator>
 
 namespace kfast::scene_text {
@@ -21,6 +24,13 @@ std::vector<art::EasePart> law_parts(const art::Ease& ease)
     std::vector<art::EasePart> parts = ease_parts(ease, 0, 0.5);
     std::ranges::move(ease_parts(ease, 0.5, 1), std::back_inserter(parts));
     return parts;
+}
+
+void check_count(std::size_t keys)
+{
+    if (keys > scene::most_keys)
+        throw Failure("something has more than " + std::to_string(scene::most_keys) +
+                      " keys, the most in a scene; leave out some, or allow a larger --tolerance");
 }
 
 void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length)

@@ -25,6 +25,9 @@ struct StoredKey {
 /// Lets times rise that rounding has brought together, by a tick each, and end with the scene.
 void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length);
 
+/// Throws Failure if there are more keys than an item has.
+void check_count(std::size_t keys);
+
 /// The parts of an ease of which each is a law of scenes; mostly the ease itself.
 std::vector<art::EasePart> law_parts(const art::Ease& ease);
 
@@ -72,6 +75,7 @@ auto stored_keys(const art::Animated<Value>& animated, std::int32_t length, Roun
     std::vector<std::int32_t> ticks;
     for (const art::Key<Value>& key : keys)
         ticks.push_back(on_grid(key.time, times));
+    check_count(ticks.size());
     part_ticks(ticks, length);
     std::vector<StoredKey<Stored>> result;
     for (std::size_t i = 0; i < keys.size(); ++i)

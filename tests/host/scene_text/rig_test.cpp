@@ -1,0 +1,94 @@
+#include "tests/host/scene_text/art_parts.hpp"
+#include "tests/host/scene_text/written.hpp"
+
+namespace kfast::test {
+namespace {
+
+using art::Ease;
+using art::EaseKind;
+
+art::Document with_arm(art::Channel upper_turn, art::Channel lower_turn)
+{
+    art::Bone upper;
+    upper.name = "upper";
+    upper.from = {10, 10};
+    upper.to = {30, 10};
+    upper.turn = std::move(upper_turn);
+    art::Bone lower;
+    lower.name = "lower";
+    lower.parent = 0;
+    lower.from = {30, 10};
+    lower.to = {50, 10};
+    lower.turn = std::move(lower_turn);
+    lower.at_tip = true;
+    art::Figure sleeve;
+    sleeve.drawing = {
+        art::Drawing{{{{10, 10}, {scene::line_to({30, 10}), scene::line_to({50, 10})}, false}}}};
+    sleeve.line = art::Line{};
+    sleeve.skin = art::Skin{0, {{{0, 1}}, {{0, 1}, {1, 1}}, {{1, 2}}}, false};
+    art::Document made = document({node("sleeve", std::move(sleeve))});
+    made.rigs = {{"arm", {upper, lower}}};
+    return made;
+}
+
+}
+
+TEST_CASE("bones, poses and weights are written")
+{
+    const std::string text = written(with_arm(rising(0, 90), {0}));
+    CHECK(text.find(R"(bones arm {
+    bone upper 10 10 30 10 { bone lower 30 10 50 10 }
+    pose 0 { upper }
+    pose 30 { upper turn=90 }
+}
+
+object sleeve stroke=black skin=arm {
+    line 10 10 30 10 50 10
+    weights {
+        points 1 { upper 1 }
+        points 2 { upper 0.5; lower 0.5 }
+        points 3 { lower 1 }
+    }
+}
+)") != std::string::npos);
+}
+
+TEST_CASE("bones that leave a moment by different laws have poses of their own")
+{
+    const std::string text =
+        written(with_arm(art::Channel{{{0, 0, {EaseKind::hold}}, {30, 90, {}}}}, rising(0, 45)));
+    CHECK(text.find("pose 0 law=hold { upper }\n    pose 0.001 { lower }\n") != std::string::npos);
+}
+
+TEST_CASE("bones that turn further than half a turn do so as written")
+{
+    CHECK(written(with_arm(rising(0, 720), {0})).find("bones arm turns=as-written {") != std::string::npos);
+    CHECK(written(with_arm(rising(0, 180), {0})).find("bones arm turns=as-written {") != std::string::npos);
+}
+
+TEST_CASE("a key of one quantity divides the way of another")
+{
+    art::Document made =
+        with_arm(art::Channel{{{0, 0, {EaseKind::cubic, 0.42, 0, 0.58, 1}}, {30, 90, {}}}}, {0});
+    made.rigs.front().bones.front().x = art::Channel{{{0, 0, {}}, {15, 8, {}}}};
+    const std::string text = written(made);
+    CHECK(text.find("pose 15 law=\"bezier(") != std::string::npos);
+    CHECK(text.find("{ upper turn=45 x=8 }") != std::string::npos);
+}
+
+TEST_CASE("a figure that follows one bone says so")
+{
+    art::Document made = with_arm({0}, rising(0, 45));
+    std::get<art::Figure>(made.nodes.front().content).skin->points = {{{1, 1}}, {{1, 1}}, {{1, 5}}};
+    CHECK(written(made).find("object sleeve stroke=black skin=arm bone=lower { line 10 10 30 10 50 10 }") !=
+          std::string::npos);
+}
+
+TEST_CASE("a skeleton that carries nothing is left out")
+{
+    art::Document made = with_arm({0}, {0});
+    std::get<art::Figure>(made.nodes.front().content).skin.reset();
+    CHECK(written(made).find("bones") == std::string::npos);
+}
+
+}
