@@ -70,7 +70,8 @@ constexpr auto known_members = std::to_array<std::string_view>({"ao",
                                                                 "layerId",
                                                                 "mode",
                                                                 "color",
-                                                                "comment"});
+                                                                "comment",
+                                                                "bounds"});
 
 void report(const Reading& reading, const std::string& feature, const std::string& instead)
 {
@@ -144,7 +145,7 @@ void report_expressions(const Json& part, const std::string& path, Animation& an
         report(reading, std::string{"expression of "} + path, "its value without the expression");
     if (part.is_object()) {
         for (const auto& [name, member] : part.items())
-            if (member.is_structured() && name != "ef")
+            if (member.is_structured() && name != "ef" && name != "sy")
                 report_expressions(member, path.empty() ? std::string{name} : path + '.' + name, animation,
                                    reading);
     } else if (part.is_array()) {
