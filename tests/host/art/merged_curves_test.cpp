@@ -212,7 +212,7 @@ TEST_CASE("the small zigzag of a wide line with miters keeps its tips")
     CHECK(curves_of(mitred) >= 10);
 
     Outline notch{{0, 0}, {}, false};
-    for (const Spot to : {Spot{5, 0}, {5.1, 0.02}, {5.2, -0.02}, {5.3, 0}, {10, 0}})
+    for (const Spot to : {Spot{5, 0}, {5.1, 0.015}, {5.2, -0.015}, {5.3, 0}, {10, 0}})
         notch.curves.push_back(scene::line_to(to));
     Figure smooth = filled(Drawing{{notch}});
     art::merge_curves(smooth, tolerance);
