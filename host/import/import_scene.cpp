@@ -13,6 +13,8 @@
 #include "host/svg/read_keys.hpp"
 #include "host/svg/read_svg.hpp"
 #include "host/synfig/read_synfig.hpp"
+#include "host/text/excerpt.hpp"
+#include "host/text/glyph.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -98,8 +100,8 @@ CompiledScene compiled(const std::string& name, const std::string& text)
         found, diagnostics.has_errors() ? Severity::error : Severity::warning, &Diagnostic::severity);
     refuse(
         name,
-        "no scene can be made of it: " + first->message +
-            ". If that names no limit of scenes, it is a mistake in kfast: please report it, with the file");
+        "no scene can be made of it: " + first->message + " (" + visible(excerpt(text, first->place).line) +
+            "). If that names no limit of scenes, it is a mistake in kfast: please report it, with the file");
 }
 
 Imported made_of(art::Document document, const std::string& name, const Options& options, art::Losses losses)
