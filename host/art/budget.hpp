@@ -12,7 +12,7 @@ public:
     static constexpr std::size_t most_points = std::size_t{1} << 22; ///< in all keys of drawings
     static constexpr std::size_t most_keys = std::size_t{1} << 20;   ///< of channels
     /// Points of drawings, each time they are computed to find keys.
-    static constexpr std::size_t most_computed_points = std::size_t{1} << 28;
+    static constexpr std::size_t most_computed_points = std::size_t{1} << 27;
     static constexpr int deepest = 64; ///< groups, layers and uses in each other
 
     void take_node();

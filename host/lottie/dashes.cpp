@@ -38,52 +38,67 @@ std::optional<Pattern> pattern_at(const Dashes& dashes, double time)
     return pattern;
 }
 
-bool has_too_many(const Pattern& pattern, const Drawing& drawing)
+double dash_count(const Dashes& dashes, const Drawing& drawing, double time)
 {
+    const auto pattern = pattern_at(dashes, time);
     double count = 0;
-    for (const scene::Outline& outline : drawing.outlines)
-        count += (MeasuredOutline{outline}.length() / pattern.sum + 2) *
-                 static_cast<double>(pattern.lengths.size()) / 2;
-    return count > most_dashes;
+    if (pattern)
+        for (const scene::Outline& outline : drawing.outlines)
+            count += (MeasuredOutline{outline}.length() / pattern->sum + 2) *
+                     static_cast<double>(pattern->lengths.size()) / 2;
+    return count;
+}
+
+/// At the moments that it comes from; between them there may be a few more.
+double most_at_moments(const MovingDrawing& drawing, const Dashes& dashes)
+{
+    if (drawing.moments.empty())
+        return dash_count(dashes, drawing.at(0), 0);
+    double most = 0;
+    for (const auto& [time, moment] : drawing.moments.list())
+        most = std::max(most, dash_count(dashes, drawing.at(time), time));
+    return most;
 }
 
 Drawing dashed_at(const Dashes& dashes, Drawing drawing, double time)
 {
     const auto pattern = pattern_at(dashes, time);
-    if (!pattern || has_too_many(*pattern, drawing))
+    if (!pattern || dash_count(dashes, drawing, time) > most_dashes)
         return drawing;
     art::Budget of_one_moment;
     return art::dashed(drawing, pattern->lengths, pattern->offset, of_one_moment);
 }
 
-bool has_too_many_at(const Dashes& dashes, const Drawing& drawing, double time)
+Dashes at_first(Dashes dashes)
 {
-    const auto pattern = pattern_at(dashes, time);
-    return pattern && has_too_many(*pattern, drawing);
+    for (art::Channel& length : dashes.lengths)
+        length = {length.value()};
+    dashes.offset = {dashes.offset.value()};
+    return dashes;
 }
 
 }
 
-MovingDrawing dashed(MovingDrawing drawing, const Dashes& dashes)
+DashedDrawing dashed(MovingDrawing drawing, const Dashes& dashes)
 {
+    const bool line_is_still = drawing.moments.empty();
     for (const art::Channel& length : dashes.lengths)
         drawing.moments.add(length);
     drawing.moments.add(dashes.offset);
-    drawing.changes_form = drawing.changes_form || !drawing.moments.empty();
-    drawing.cost = drawing.cost * measuring_cost + most_dashes / 4;
+    const double most = most_at_moments(drawing, dashes);
+    const bool is_still = drawing.moments.empty();
+    if (line_is_still && !is_still && most > most_moving_dashes) {
+        drawing.moments = {};
+        return {dashed(std::move(drawing), at_first(dashes)).drawing, Dashing::stand_still};
+    }
+    if (most > (is_still ? most_dashes : most_moving_dashes))
+        return {std::move(drawing), Dashing::none};
+    drawing.changes_form = drawing.changes_form || !is_still;
+    drawing.cost = drawing.cost * measuring_cost + most * measuring_cost;
     drawing.at = [dashes, at = std::move(drawing.at)](double time) {
         return dashed_at(dashes, at(time), time);
     };
-    return drawing;
-}
-
-bool has_too_many(const MovingDrawing& drawing, const Dashes& dashes)
-{
-    if (drawing.moments.empty())
-        return has_too_many_at(dashes, drawing.at(0), 0);
-    return std::ranges::any_of(drawing.moments.list(), [&](const auto& moment) {
-        return has_too_many_at(dashes, drawing.at(moment.first), moment.first);
-    });
+    return {std::move(drawing), Dashing::all};
 }
 
 }

@@ -13,14 +13,23 @@ struct Dashes {
     art::Channel offset = {0};         ///< how far into the pattern the line begins, in pixels
 };
 
-/// The most dashes of a drawing; one that needs more stays whole.
+/// The most dashes of a drawing, and of one that changes or whose dashes move.
 inline constexpr int most_dashes = 1000;
+inline constexpr int most_moving_dashes = 120;
 
-/// Pieces of the outlines, each of which begins the pattern anew. What needs more than most_dashes stays
-/// whole.
-MovingDrawing dashed(MovingDrawing drawing, const Dashes& dashes);
+/// What became of dashes.
+enum class Dashing {
+    all,         ///< there they are
+    stand_still, ///< too many to move: they stay where they are at first
+    none,        ///< too many: the line is whole
+};
 
-/// Whether a drawing needs more dashes than it may have, at one of the moments it comes from.
-bool has_too_many(const MovingDrawing& drawing, const Dashes& dashes);
+struct DashedDrawing {
+    MovingDrawing drawing;
+    Dashing dashing = Dashing::all;
+};
+
+/// Pieces of the outlines, each of which begins the pattern anew.
+DashedDrawing dashed(MovingDrawing drawing, const Dashes& dashes);
 
 }

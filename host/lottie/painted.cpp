@@ -172,12 +172,18 @@ private:
             drawings.push_back(std::move(drawing));
         }
         MovingDrawing all = together(std::move(drawings));
-        if (!is_cut)
-            return all;
-        if (has_too_many(all, style.dashes))
-            reading_.losses.add({"more than " + std::to_string(most_dashes) + " dashes", reading_.layer,
-                                 std::nullopt, "a whole line"});
-        return dashed(std::move(all), style.dashes);
+        return is_cut ? dashed_or_reported(std::move(all), style.dashes) : all;
+    }
+
+    MovingDrawing dashed_or_reported(MovingDrawing line, const Dashes& dashes) const
+    {
+        DashedDrawing result = dashed(std::move(line), dashes);
+        if (result.dashing == Dashing::stand_still)
+            reading_.losses.add({"more than " + std::to_string(most_moving_dashes) + " moving dashes",
+                                 reading_.layer, std::nullopt, "dashes that stand still"});
+        if (result.dashing == Dashing::none)
+            reading_.losses.add({"too many dashes", reading_.layer, std::nullopt, "a whole line"});
+        return std::move(result.drawing);
     }
 
     const Reading& reading_;

@@ -13,12 +13,17 @@ namespace {
 
 using art::Channel;
 
-/// A number to the power of a count that need not be whole: what is over counts by a straight line.
+/// A number to the power of a count that need not be whole: what is over counts by a straight line. What
+/// becomes too large, as nothing does that is asked how often it goes into something, stays within what can
+/// be drawn.
 double power(double base, double count)
 {
+    constexpr double largest = 1e6;
     const double whole = std::trunc(count);
     const double rest = 1 + (base - 1) * std::abs(count - whole);
-    return count < 0 ? 1 / (std::pow(base, -whole) * rest) : std::pow(base, whole) * rest;
+    const double grown = std::pow(base, std::abs(whole)) * rest;
+    const double result = count < 0 ? 1 / grown : grown;
+    return std::isfinite(result) ? std::clamp(result, -largest, largest) : largest;
 }
 
 struct Repeater {

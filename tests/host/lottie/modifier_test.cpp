@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace kfast;
 using namespace kfast::test;
 
@@ -124,7 +126,31 @@ TEST_CASE("dashes without length are dots, and too many dashes are one line")
     const ReadShapes many = read_shapes(line + ',' + dots + "0.01}}]}");
     CHECK(figure(many.nodes[0]).drawing.value().outlines.size() == 1);
     REQUIRE(many.losses.list().size() == 1);
-    CHECK(many.losses.list()[0].feature == "more than 1000 dashes");
+    CHECK(many.losses.list()[0].feature == "too many dashes");
+}
+
+TEST_CASE("too many dashes to move stand still")
+{
+    const ReadShapes read = read_shapes(
+        line +
+        R"(, {"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 0.25}}, {"n": "o", "v": )" +
+        even("[0]", "[9]") + "}]}");
+    CHECK(figure(read.nodes.at(0)).drawing.is_still());
+    CHECK(figure(read.nodes[0]).drawing.value().outlines.size() == 200);
+    REQUIRE(read.losses.list().size() == 1);
+    CHECK(read.losses.list()[0].feature == "more than 120 moving dashes");
+}
+
+TEST_CASE("a repeater of nothing left, or endlessly much, has numbers that can be drawn")
+{
+    const ReadShapes read =
+        read_shapes(square + ',' + red +
+                    R"(, {"ty": "rp", "c": {"k": 3}, "o": {"k": -1.5}, "tr": {"s": {"k": [0, 1e9]}}})");
+    REQUIRE(read.nodes.size() == 3);
+    for (const art::Node& node : read.nodes) {
+        CHECK(std::abs(node.transform.scale_x.value()) <= 1e6);
+        CHECK(std::abs(node.transform.scale_y.value()) <= 1e6);
+    }
 }
 
 TEST_CASE("a repeater paints copies, each a step further, the first on top unless it says otherwise")
