@@ -6,7 +6,8 @@
 
 namespace kfast::svg {
 
-/// What comes after the last key drawing.
+/// What comes after the last key drawing. It is there for one frame, unless the scene goes on with the first
+/// one and that looks the same.
 enum class Ending : std::uint8_t {
     /// What runs on without a jump: repeat if the last drawing looks like the first, else ping_pong.
     automatic,

@@ -58,28 +58,6 @@ double canvas_side(double side)
     return side > 0 && side <= largest ? side : 100;
 }
 
-struct StyleFinder : pugi::xml_tree_walker {
-    bool for_each(pugi::xml_node& node) override
-    {
-        if (element_name(node) == "style")
-            found.push_back(node);
-        return true;
-    }
-    std::vector<pugi::xml_node> found;
-};
-
-void add_style_sheets(pugi::xml_node root, StyleSheet& sheet, art::Losses& losses)
-{
-    StyleFinder finder;
-    root.traverse(finder);
-    for (const pugi::xml_node element : finder.found) {
-        std::string css;
-        for (const auto child : element.children())
-            css += child.value();
-        sheet.add(css, losses);
-    }
-}
-
 bool is_one_of_first(pugi::xml_node element)
 {
     return !element_name(element).empty() && *element.attribute("requiredExtensions").value() == '\0';
@@ -113,7 +91,7 @@ PartReader::PartReader(pugi::xml_node root, std::vector<pugi::xml_node> shown, a
                        art::Losses& losses)
     : root_{root}, shown_{std::move(shown)}, budget_{budget}, losses_{&losses}, index_{root}
 {
-    add_style_sheets(root, sheet_, losses);
+    sheet_.add_elements(root, losses);
 }
 
 Picture PartReader::read()

@@ -6,12 +6,24 @@
 namespace kfast::svg {
 namespace {
 
+/// Whether the last moment looks like the first one.
+bool closes(const std::vector<Pose>& poses)
+{
+    return poses.size() == 1 || looks_like(poses.front().root, poses.back().root);
+}
+
 Ending ending_of(const std::vector<Pose>& poses, Ending asked)
 {
     if (asked != Ending::automatic)
         return asked;
-    const bool closes = poses.size() == 1 || looks_like(poses.front().root, poses.back().root);
-    return closes ? Ending::repeat : Ending::ping_pong;
+    return closes(poses) ? Ending::repeat : Ending::ping_pong;
+}
+
+/// The last drawing is there for a frame, unless a loop goes on with one that looks the same.
+double length_of(const std::vector<Pose>& poses, Ending ending)
+{
+    const bool goes_on = ending == Ending::back_to_first || (ending == Ending::repeat && closes(poses));
+    return std::max(poses.back().time + (goes_on ? 0 : 1), 1.0);
 }
 
 Loop loop_of(Ending ending)
@@ -43,7 +55,7 @@ art::Document document_of(const Picture& canvas, std::vector<Pose> poses, const 
     document.height = canvas.height;
     document.background = canvas.background;
     document.frame_rate = options.frame_rate;
-    document.frames = std::max(poses.back().time, 1.0);
+    document.frames = length_of(poses, ending);
     document.loop = loop_of(ending);
     document.nodes = nodes_of(poses, budget, losses);
     return document;

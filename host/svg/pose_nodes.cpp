@@ -73,8 +73,13 @@ private:
             fades || motion || (is_named(first) && holds_several && depth > 0 && depth <= deepest_named);
         const Moments seen = is_kept ? present(moments) : moments;
         const auto folds = motion ? std::vector<Affine>(seen.size(), motion->at_rest) : ways(seen);
-        if (!is_kept)
-            return add_parts(seen, folds, nodes, depth);
+        if (!is_kept) {
+            const std::size_t before = nodes.size();
+            add_parts(seen, folds, nodes, depth);
+            if (nodes.size() == before + 1 && is_named(first) && is_made_up(nodes.back().name))
+                nodes.back().name = first.name; // what it holds has no better one
+            return;
+        }
         art::Group group;
         add_parts(seen, folds, group.nodes, depth);
         art::Node node;

@@ -143,6 +143,16 @@ bool matches(const Compound& compound, pugi::xml_node element)
            std::ranges::all_of(compound.classes, [&](const auto& name) { return has_class(element, name); });
 }
 
+struct StyleFinder : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node& node) override
+    {
+        if (element_name(node) == "style")
+            found.push_back(node);
+        return true;
+    }
+    std::vector<pugi::xml_node> found;
+};
+
 using Around = std::vector<Selector::Outer>::const_iterator;
 
 bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries)
@@ -184,6 +194,18 @@ std::vector<Declaration> declarations(std::string_view text)
         result.push_back({std::string{trimmed(part.substr(0, colon))}, std::string{value}, important});
     }
     return result;
+}
+
+void StyleSheet::add_elements(pugi::xml_node root, art::Losses& losses)
+{
+    StyleFinder finder;
+    root.traverse(finder);
+    for (const pugi::xml_node element : finder.found) {
+        std::string css;
+        for (const auto child : element.children())
+            css += child.value();
+        add(css, losses);
+    }
 }
 
 void StyleSheet::add(std::string_view css, art::Losses& losses)

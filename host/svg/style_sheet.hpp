@@ -48,6 +48,9 @@ struct Rule {
 /// The rules of all elements "style" of a text, in their order.
 class StyleSheet {
 public:
+    /// Adds those of all elements "style" below `root`.
+    void add_elements(pugi::xml_node root, art::Losses& losses);
+
     /// Adds the rules of a text. What is not understood is added to `losses`.
     void add(std::string_view css, art::Losses& losses);
 

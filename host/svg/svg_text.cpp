@@ -66,6 +66,14 @@ Failure at_place(const SourceText& source, std::string_view text, std::size_t of
                    ": error: " + message);
 }
 
+/// pugixml's descriptions are sentences.
+std::string beginning_small(std::string text)
+{
+    if (!text.empty() && text.front() >= 'A' && text.front() <= 'Z')
+        text.front() = static_cast<char>(text.front() - 'A' + 'a');
+    return text;
+}
+
 std::string_view namespace_of(pugi::xml_node node, std::string_view prefix)
 {
     const std::string declaration = prefix.empty() ? "xmlns" : "xmlns:" + std::string{prefix};
@@ -84,7 +92,7 @@ pugi::xml_document parsed(const SourceText& source)
     const auto result = document.load_buffer(text.data(), text.size());
     if (!result)
         throw at_place(source, text, static_cast<std::size_t>(result.offset),
-                       std::string{"this is no XML: "} + result.description());
+                       "this is no XML: " + beginning_small(result.description()));
     if (!drawing_of(document))
         throw Failure(source.name + ": there is no drawing in it: its outermost element is not <svg>");
     return document;

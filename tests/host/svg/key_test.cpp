@@ -163,7 +163,7 @@ TEST_CASE("the ease and the frame rate that were asked for")
     const auto document = read_drawings({"<circle id='it' r='5'/>", "<rect id='it' width='5' height='6'/>"},
                                         {3, 6}, {.frame_rate = 12, .ease = hold});
     CHECK(document.frame_rate == 12);
-    CHECK(document.frames == 6);
+    CHECK(document.frames == 7);
     CHECK(figure(document, "it").drawing.keys.front().ease == hold);
     CHECK(figure(document, "it").drawing.keys.front().time == 3);
 }

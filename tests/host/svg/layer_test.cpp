@@ -22,12 +22,12 @@ TEST_CASE("layers that are named by frames are keys, all others stay")
 {
     const auto document = read_drawing(layer("back", "<rect id='sky' width='100' height='9'/>") +
                                        layer("24: large", large) + layer("0", small, "style='display:none'") +
-                                       layer("front", "<rect id='frame' width='9' height='9'/>"));
+                                       layer("front", "<rect id='border' width='9' height='9'/>"));
     REQUIRE(document.nodes.size() == 3);
     CHECK(document.nodes[0].name == "sky");
     CHECK(document.nodes[1].name == "dot");
-    CHECK(document.nodes[2].name == "frame");
-    CHECK(document.frames == 24);
+    CHECK(document.nodes[2].name == "border");
+    CHECK(document.frames == 25);
     CHECK(find(document, "dot").transform.scale_x.keys.back().time == 24);
     CHECK(find(document, "dot").transform.scale_x.keys.back().value == doctest::Approx(1.8));
     CHECK(find(document, "sky").shown == std::vector{art::Span{}});
@@ -46,7 +46,7 @@ TEST_CASE("layers in seconds go by the frame rate")
 {
     const auto document =
         read_drawing(layer("0s", small) + layer("0.5s", large), "width='9' height='9'", {.frame_rate = 20});
-    CHECK(document.frames == 10);
+    CHECK(document.frames == 11);
 }
 
 TEST_CASE("layers that cannot be keys are refused")

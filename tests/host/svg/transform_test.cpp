@@ -31,8 +31,10 @@ TEST_CASE("groups stay where an author has named them, or where they fade")
     const auto document = read_drawing(R"(
         <g id="g12"><rect id="loose" width="5" height="6"/><rect width="5" height="6"/></g>
         <g inkscape:label="arm" id="g13"><rect width="5" height="6"/><rect id="hand" width="5" height="6"/></g>
-        <g opacity="0.5"><rect id="ghost" width="5" height="6"/></g>)");
-    REQUIRE(document.nodes.size() == 4);
+        <g opacity="0.5"><rect id="ghost" width="5" height="6"/></g>
+        <g id="lid"><rect id="rect7" width="5" height="6"/></g>)");
+    REQUIRE(document.nodes.size() == 5);
+    CHECK(document.nodes[4].name == "lid");
     CHECK(document.nodes[0].name == "loose");
     CHECK(document.nodes[2].name == "arm");
     CHECK(std::get<art::Group>(document.nodes[2].content).nodes[1].name == "hand");

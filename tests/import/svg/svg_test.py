@@ -62,6 +62,42 @@ class Drawings(unittest.TestCase):
         self.assertEqual(difference.problems(), [], difference)
 
 
+class KeyDrawings(unittest.TestCase):
+    """The drawings of keys/ are the layers of keys/layers.svg."""
+
+    TIMES = (0, 12, 24)
+    POSES = [FOLDER / "keys" / f"pose-{time:02}.svg" for time in TIMES]
+
+    def check(self, *what, times=TIMES, poses=POSES):
+        """Each pose is seen at its time, and something else half way to the next."""
+        with tempfile.TemporaryDirectory() as name:
+            scene, ours, theirs = (pathlib.Path(name) / file for file in ("scene.kfast", "ours.png", "theirs.png"))
+            report = json.loads(run(KFAST, "import", *what, "-o", scene, "--json", "--end", "once"))
+            self.assertEqual(report["losses"], [])
+            for time, pose in zip(times, poses):
+                with self.subTest(pose=pose.name):
+                    run(KFAST, "render", scene, "--time", str(time), "-o", ours)
+                    run(RSVG, "--background-color", "black", pose, "-o", theirs)
+                    difference = compare(ours, theirs)
+                    self.assertEqual(difference.problems(), [], difference)
+            for time, after in zip(times, times[1:]):
+                run(KFAST, "render", scene, "--time", str((time + after) / 2), "-o", ours)
+                run(RSVG, "--background-color", "black", poses[times.index(time)], "-o", theirs)
+                self.assertTrue(compare(ours, theirs).problems(), f"nothing moves from {time} on")
+
+    def test_files(self):
+        self.check("--keys", *self.POSES, "--at", *self.TIMES)
+
+    def test_layers(self):
+        self.check(FOLDER / "keys" / "layers.svg")
+
+    def test_examples(self):
+        examples = sorted((FOLDER.parents[2] / "examples" / "import").glob("wink-*.svg"))
+        times = (0, 8, 20, 30, 45)
+        self.assertEqual(len(examples), len(times))
+        self.check("--keys", *examples, "--at", *times, times=times, poses=examples)
+
+
 if __name__ == "__main__":
     KFAST, RSVG = sys.argv[1:3]
     unittest.main(argv=sys.argv[:1])
