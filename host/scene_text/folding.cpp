@@ -130,7 +130,8 @@ void become_one(Node& group)
     join_transforms(group.transform, inner.transform);
     inner.opacity = product(group.opacity, inner.opacity, 1);
     inner.shown = common(group.shown, inner.shown);
-    if (!group.name.empty())
+    // A parent has a name of its own; what hangs on it is what is seen.
+    if (inner.name.empty() || (!group.name.empty() && group.parent_tag == 0))
         inner.name = std::move(group.name);
     group = std::move(inner);
 }

@@ -11,6 +11,7 @@
 #include "host/scene_text/marker_text.hpp"
 #include "host/scene_text/nodes.hpp"
 #include "host/scene_text/rig_text.hpp"
+#include "host/scene_text/shared_drawings.hpp"
 #include "host/scene_text/writing.hpp"
 
 #include <algorithm>
@@ -88,11 +89,12 @@ std::string scene_text(const Document& document, std::string_view origin, double
     Writing writing{length, losses};
     writing.rigs = rig_names(arranged.rigs);
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
-    const std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
+    std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
+    const std::vector<kdl::Node> symbols = share_drawings(items);
     const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
     return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
-           section(rigs) + section(items) + section(markers);
+           section(rigs) + section(symbols) + section(items) + section(markers);
 }
 
 }

@@ -127,6 +127,15 @@ TEST_CASE("parts of one group that lie beside each other become one")
 )");
 }
 
+TEST_CASE("what hangs alone on a parent keeps its own name")
+{
+    Transform turning;
+    turning.rotate = rising(0, 90);
+    Node parent = node("parent", Group{{red_box("box")}}, turning);
+    parent.parent_tag = 3;
+    CHECK(written_items({parent}).starts_with("object box fill=box "));
+}
+
 TEST_CASE("the law that most ways have is that of the track")
 {
     Transform moving;
@@ -340,6 +349,24 @@ TEST_CASE("thousands of nodes are written")
         nodes.push_back(red_box("box"));
     CHECK(written_items({node("all", Group{std::move(nodes)})}).find("object box-5000 ") !=
           std::string::npos);
+}
+
+TEST_CASE("a drawing that comes again is a symbol, unless it is short")
+{
+    const art::Drawing open{{{{0, 0},
+                              {scene::cubic_to({10, 0}, {20, 5}, {30, 0}),
+                               scene::cubic_to({40.5, 10.5}, {130.5, 120.5}, {10, 9})},
+                              true}}};
+    const art::Drawing shut{
+        {{{0, 8},
+          {scene::cubic_to({10, 8}, {20, 9}, {30, 8}), scene::cubic_to({40, 8}, {30, 9}, {10, 9})},
+          true}}};
+    const Node eye =
+        node("eye", filled(art::Animated<art::Drawing>{{{0, open, {}}, {10, shut, {}}, {20, open, {}}}}));
+    const std::string items = written_items({eye});
+    CHECK(items.starts_with("symbol eye-drawing { path \"M 0 0 C 10 0 20 5 30 0 C 40.5 10.5 130.5 120.5 10 9 "
+                            "Z\" }\n\nobject eye"));
+    CHECK(items.find("key 20 { use eye-drawing }") != std::string::npos);
 }
 
 }
