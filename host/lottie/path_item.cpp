@@ -71,7 +71,7 @@ Outline ellipse_from_top(Spot centre, double radius_x, double radius_y)
 {
     Outline outline = scene::ellipse(centre, radius_x, radius_y);
     outline.from = outline.curves[2].to;
-    std::ranges::rotate(outline.curves, outline.curves.begin() + 3);
+    std::rotate(outline.curves.begin(), outline.curves.begin() + 3, outline.curves.end()); // clang 14 has no ranges here
     return outline;
 }
 
