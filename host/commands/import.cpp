@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double usual_frame_rate = 30;
 constexpr double fastest = 1000;
 
 struct ImportOptions {
@@ -116,7 +115,10 @@ std::string write_scene(const ImportOptions& options, const std::string& text)
 void print_report(const ImportOptions& options, const std::string& scene, const importing::Imported& imported)
 {
     const SceneView view = *SceneView::parse(imported.compiled.bytes);
-    const ImportReport report{options.input(), scene, imported, view.canvas(),
+    const ImportReport report{options.input(),
+                              scene,
+                              imported,
+                              view.canvas(),
                               Player::block_bytes(view, view.canvas()),
                               options.choice.options.size.has_value()};
     const auto length = options.whole_list ? importing::ListLength::whole : importing::ListLength::cut;

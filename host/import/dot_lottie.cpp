@@ -74,8 +74,8 @@ std::string list_of(const std::vector<std::string>& ids)
 {
     constexpr std::size_t most = 20;
     std::string list;
-    for (const std::string& id : ids | std::views::take(most))
-        list += (list.empty() ? "" : ", ") + id;
+    for (std::size_t index = 0; index < std::min(ids.size(), most); ++index)
+        list.append(index == 0 ? "" : ", ").append(ids[index]);
     return ids.size() > most ? list + ", …" : list;
 }
 

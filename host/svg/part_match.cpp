@@ -134,9 +134,7 @@ bool is_made_up(std::string_view id)
     std::ranges::transform(stem, stem.begin(), [](char letter) {
         return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
     });
-    stem.erase(
-        std::ranges::remove_if(stem, [](char letter) { return letter >= '0' && letter <= '9'; }).begin(),
-        stem.end());
+    std::erase_if(stem, [](char letter) { return letter >= '0' && letter <= '9'; });
     return std::ranges::find(made_up_stems, stem) != made_up_stems.end();
 }
 

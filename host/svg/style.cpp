@@ -21,7 +21,8 @@ std::vector<Declaration> said(pugi::xml_node element, StyleSheet& sheet)
         result.insert(result.end(), rule->declarations.begin(), rule->declarations.end());
     for (Declaration& own : declarations(element.attribute("style").value()))
         result.push_back(std::move(own));
-    std::ranges::stable_partition(result, [](const Declaration& each) { return !each.important; });
+    std::stable_partition(result.begin(), result.end(),
+                          [](const Declaration& each) { return !each.important; });
     return result;
 }
 

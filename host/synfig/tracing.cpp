@@ -119,8 +119,9 @@ private:
         if (tracing_.to > tracing_.from)
             times.push_back(tracing_.to);
         std::ranges::sort(times);
-        const auto close = std::ranges::unique(times, [](double a, double b) { return b - a < 3 * beside; });
-        times.erase(close.begin(), close.end());
+        times.erase(
+            std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < 3 * beside; }),
+            times.end());
         return times;
     }
 
