@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -16,8 +17,8 @@ namespace {
 template <typename Value>
 class FewerKeys {
 public:
-    FewerKeys(std::vector<Key<Value>> keys, double tolerance, NewEases& eases)
-        : keys_{std::move(keys)}, tolerance_{tolerance}, eases_{eases}, kinks_(keys_.size())
+    FewerKeys(std::vector<Key<Value>> keys, double tolerance, const LineEdge& edge, NewEases& eases)
+        : keys_{std::move(keys)}, tolerance_{tolerance}, edge_{edge}, eases_{eases}, kinks_(keys_.size())
     {
         for (std::size_t i = 1; i + 1 < keys_.size(); ++i)
             kinks_[i] = kink_at(i);
@@ -71,11 +72,14 @@ private:
                 return false;
             const WayRange range = way_range(keys_[i].ease);
             for (const double share : {range.low, range.high})
-                if (!(distance(way(i, share), {first, first, 0}) <= tolerance_))
+                if (!(distance(way(i, share), {first, first, 0}) <= constant_tolerance()))
                     return false;
         }
         return true;
     }
+
+    /// Where directions are seen, those of what moves at all are looked at way by way.
+    double constant_tolerance() const { return edge_.arms.empty() ? tolerance_ : 0; }
 
     /// First in steps that double, then by halving what is left between.
     Reach farthest_from(std::size_t begin)
@@ -198,28 +202,71 @@ private:
         const double apart = std::max(distance_at(at, from), distance_at(at, to));
         if (!(apart <= tolerance_))
             return false;
-        if (apart + bend(keys_[at.key].ease, at.key, at.key + 1, from, to) +
-                bend(at.ease, at.begin, at.end, from, to) <=
-            tolerance_)
+        const double old_bend = bend(keys_[at.key].ease, at.key, at.key + 1, from, to);
+        const double new_bend = bend(at.ease, at.begin, at.end, from, to);
+        if (apart + old_bend * length(at.key, at.key + 1, old_bend) +
+                    new_bend * length(at.begin, at.end, new_bend) <=
+                tolerance_ &&
+            arms_are_near(at, from, to, old_bend, new_bend))
             return true;
         const double middle = (from + to) / 2;
-        return halvings > 0 && is_near(at, from, middle, halvings - 1) &&
+        return old_bend + new_bend > 0 && halvings > 0 && is_near(at, from, middle, halvings - 1) &&
                is_near(at, middle, to, halvings - 1);
     }
 
-    /// Of a way from key `begin` to key `end`, between two moments.
+    bool arms_are_near(const Stretch& at, double from, double to, double old_bend, double new_bend) const
+    {
+        const double old_from = share_at(at.key, from);
+        const double old_to = share_at(at.key, to);
+        const double new_from = new_share(at, from);
+        const double new_to = new_share(at, to);
+        return std::ranges::all_of(edge_.arms, [&](const CornerArm& arm) {
+            const auto vector = [&](std::size_t begin, std::size_t end, double first, double last) {
+                const scene::Spot way = arm.directions[end] - arm.directions[begin];
+                return TweenedVector{arm.directions[begin] + first * way, (last - first) * way};
+            };
+            const TweenedVector before = vector(at.key, at.key + 1, old_from, old_to);
+            const TweenedVector now = vector(at.begin, at.end, new_from, new_to);
+            const double turn =
+                greatest_turn(before, now, 0, 1) +
+                stray(old_bend * scene::distance(arm.directions[at.key], arm.directions[at.key + 1]),
+                      before) +
+                stray(new_bend * scene::distance(arm.directions[at.begin], arm.directions[at.end]), now);
+            // A corner has two arms.
+            return edge_.half_width * arm.growth * turn <= edge_.tolerance / 2;
+        });
+    }
+
+    /// By how much a vector may turn that is off its straight way by `off` at most.
+    static double stray(double off, const TweenedVector& vector)
+    {
+        if (off == 0)
+            return 0;
+        const double length = shortest(vector, 0, 1);
+        return off < length ? std::asin(off / length) : std::numbers::pi;
+    }
+
+    /// Of the share of a way from key `begin` to key `end`, between two moments.
     double bend(const Ease& ease, std::size_t begin, std::size_t end, double from, double to) const
     {
-        const double share = bend_of(ease, fraction(begin, end, from), fraction(begin, end, to));
-        return share > 0 ? share * distance(keys_[begin].value, keys_[end].value) : 0;
+        return bend_of(ease, fraction(begin, end, from), fraction(begin, end, to));
+    }
+
+    /// Of a way, if it is needed.
+    double length(std::size_t begin, std::size_t end, double bend) const
+    {
+        return bend > 0 ? distance(keys_[begin].value, keys_[end].value) : 0;
+    }
+
+    double new_share(const Stretch& at, double time) const
+    {
+        return at.ease.kind == EaseKind::hold ? 0 : share_of_way(at.ease, fraction(at.begin, at.end, time));
     }
 
     double distance_at(const Stretch& at, double time) const
     {
-        const double share =
-            at.ease.kind == EaseKind::hold ? 0 : share_of_way(at.ease, fraction(at.begin, at.end, time));
         return distance(way(at.key, share_at(at.key, time)),
-                        {keys_[at.begin].value, keys_[at.end].value, share});
+                        {keys_[at.begin].value, keys_[at.end].value, new_share(at, time)});
     }
 
     /// The first value holds before, the last one behind.
@@ -240,15 +287,16 @@ private:
 
     std::vector<Key<Value>> keys_;
     double tolerance_;
+    const LineEdge& edge_;
     NewEases& eases_;
     std::vector<double> kinks_; ///< by key
 };
 
 template <typename Value>
-void leave_out(Animated<Value>& animated, double tolerance, NewEases& eases)
+void leave_out(Animated<Value>& animated, double tolerance, const LineEdge& edge, NewEases& eases)
 {
     if (!animated.is_still())
-        animated.keys = FewerKeys<Value>{std::move(animated.keys), tolerance, eases}.found();
+        animated.keys = FewerKeys<Value>{std::move(animated.keys), tolerance, edge, eases}.found();
 }
 
 }
@@ -265,17 +313,22 @@ bool NewEases::add(const Ease& ease)
 
 void leave_out_keys(Channel& channel, double tolerance, NewEases& eases)
 {
-    leave_out(channel, tolerance, eases);
+    leave_out(channel, tolerance, {}, eases);
 }
 
 void leave_out_keys(Animated<Rgb>& colour, double tolerance, NewEases& eases)
 {
-    leave_out(colour, tolerance, eases);
+    leave_out(colour, tolerance, {}, eases);
 }
 
 void leave_out_keys(Animated<Drawing>& drawing, double tolerance, NewEases& eases)
 {
-    leave_out(drawing, tolerance, eases);
+    leave_out(drawing, tolerance, {}, eases);
+}
+
+void leave_out_keys(Animated<Drawing>& drawing, double tolerance, const LineEdge& edge, NewEases& eases)
+{
+    leave_out(drawing, tolerance, edge, eases);
 }
 
 }

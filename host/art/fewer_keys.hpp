@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/art/animated.hpp"
+#include "host/art/corner_arms.hpp"
 #include "host/art/document.hpp"
 
 #include <vector>
@@ -28,5 +29,15 @@ void leave_out_keys(Channel& channel, double tolerance, NewEases& eases);
 void leave_out_keys(Animated<Rgb>& colour, double tolerance, NewEases& eases);
 /// Keys next to those of another form stay.
 void leave_out_keys(Animated<Drawing>& drawing, double tolerance, NewEases& eases);
+
+/// What a line along a drawing shows of its directions.
+struct LineEdge {
+    std::vector<CornerArm> arms; ///< of the drawing's keys
+    double half_width = 0;
+    double tolerance = 0; ///< how far it may move, on top of points
+};
+
+/// Likewise, and corners and ends of a line move by no more than its edge says.
+void leave_out_keys(Animated<Drawing>& drawing, double tolerance, const LineEdge& edge, NewEases& eases);
 
 }

@@ -1,7 +1,8 @@
 #include "host/art/prepare.hpp"
 
 #include "host/art/budget.hpp"
-#include "host/art/corner_motion.hpp"
+#include "host/art/corner_arms.hpp"
+#include "host/art/curve_length.hpp"
 #include "host/art/depth_growth.hpp"
 #include "host/art/every_animation.hpp"
 #include "host/art/extent.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <limits>
 #include <map>
 #include <numbers>
 
@@ -136,19 +136,14 @@ bool has_corners(const std::optional<Line>& line)
     return line && (line->join != Join::round || line->cap != Cap::round);
 }
 
-/// At least as long as the path.
-double length_of(const MotionPath& path)
+/// Not too short.
+double way_length(const MotionPath& path)
 {
-    double length = 0;
-    for (const scene::Outline& outline : path.path.outlines) {
-        scene::Spot from = outline.from;
-        for (const scene::Curve& curve : outline.curves) {
-            const scene::Curve cubic = as_cubic(from, curve);
-            length += distance(from, cubic.c1) + distance(cubic.c1, cubic.c2) + distance(cubic.c2, cubic.to);
-            from = cubic.to;
-        }
-    }
-    return std::max(length, 1e-6);
+    constexpr double slack = 1.01;
+    double length = 1e-6;
+    for (const scene::Outline& outline : path.path.outlines)
+        length += slack * outline_length(outline);
+    return length;
 }
 
 class Simplification {
@@ -223,7 +218,7 @@ private:
         leave_out({&transform.rotate, &transform.rotate_x, &transform.rotate_y}, degrees);
         leave_out({&transform.skew, &transform.skew_axis}, 0);
         if (transform.path)
-            leave_out({&transform.path->share}, share / length_of(*transform.path));
+            leave_out({&transform.path->share}, share / way_length(*transform.path));
         return growth;
     }
 
@@ -238,17 +233,23 @@ private:
             drawing_share /= stretch_of(rigs_[figure.skin->rig]);
         if (figure.drawing.is_still())
             return merge_curves(figure, drawing_share);
-        const double in_points = drawing_share / motion(figure);
-        make_equal(figure.drawing, in_points / 8);
-        leave_out_keys(figure.drawing, in_points / 4, eases_);
+        simplify_keys(figure, drawing_share * 3 / 8);
         merge_curves(figure, drawing_share * 5 / 8);
     }
 
-    static double motion(const Figure& figure)
+    /// A third is for making keys equal. Where a line shows directions, half of the rest is for these.
+    void simplify_keys(Figure& figure, double share)
     {
-        if (!has_corners(figure.line))
-            return 1;
-        return one_form(figure.drawing) ? corner_motion(figure) : std::numeric_limits<double>::infinity();
+        Animated<Drawing>& drawing = figure.drawing;
+        if (!has_corners(figure.line)) {
+            make_equal(drawing, share / 3);
+            return leave_out_keys(drawing, share * 2 / 3, eases_);
+        }
+        if (!one_form(drawing))
+            return leave_out_keys(drawing, 0, eases_);
+        const double half_width = greatest(figure.line->width) / 2;
+        make_equal(drawing, share / 3 / corner_motion(corner_arms(figure), tweens_of(drawing), half_width));
+        leave_out_keys(drawing, share / 3, {corner_arms(figure), half_width, share / 3}, eases_);
     }
 
     template <typename Ink>

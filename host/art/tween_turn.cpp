@@ -42,34 +42,41 @@ struct Parabola {
     }
 };
 
-/// Of two vectors that go straight.
-struct Tween {
-    Spot begin;
-    Spot way;
-};
-
-Parabola dot(const Tween& left, const Tween& right)
+Parabola dot(const TweenedVector& left, const TweenedVector& right)
 {
     return {dot(left.begin, right.begin), dot(left.begin, right.way) + dot(left.way, right.begin),
             dot(left.way, right.way)};
 }
 
-Parabola cross(const Tween& left, const Tween& right)
+Parabola cross(const TweenedVector& left, const TweenedVector& right)
 {
     return {cross(left.begin, right.begin), cross(left.begin, right.way) + cross(left.way, right.begin),
             cross(left.way, right.way)};
 }
 
-double greatest_turn(const Tween& left, const Tween& right, const TweenRange& tween)
+bool vanishes(Spot vector) { return dot(vector, vector) < 1e-18; }
+
+double angle(Spot left, Spot right) { return std::atan2(std::abs(cross(left, right)), dot(left, right)); }
+
+}
+
+double greatest_turn(const TweenedVector& left, const TweenedVector& right, double low, double high)
 {
-    const double lengths = std::sqrt(std::max(0.0, dot(left, left).least(tween.low, tween.high)) *
-                                     std::max(0.0, dot(right, right).least(tween.low, tween.high)));
-    const double sine = cross(left, right).greatest_amount(tween.low, tween.high);
-    if (!(sine < lengths) || !(dot(left, right).least(tween.low, tween.high) > 0))
+    // Two that vanish together keep their angle all along.
+    if (vanishes(left.begin) && vanishes(right.begin) && !vanishes(left.way) && !vanishes(right.way))
+        return angle(left.way, right.way);
+    if (vanishes(left.end()) && vanishes(right.end()) && !vanishes(left.begin) && !vanishes(right.begin))
+        return angle(left.begin, right.begin);
+    const double lengths = shortest(left, low, high) * shortest(right, low, high);
+    const double sine = cross(left, right).greatest_amount(low, high);
+    if (!(sine < lengths) || !(dot(left, right).least(low, high) > 0))
         return std::numbers::pi;
     return std::asin(sine / lengths);
 }
 
+double shortest(const TweenedVector& vector, double low, double high)
+{
+    return std::sqrt(std::max(0.0, dot(vector, vector).least(low, high)));
 }
 
 std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing)
@@ -97,19 +104,21 @@ double greatest_turn(std::span<const Spot> left, std::span<const Spot> right,
 {
     double most = 0;
     for (const TweenRange& tween : tweens)
-        most = std::max(most, greatest_turn({left[tween.from], left[tween.to] - left[tween.from]},
-                                            {right[tween.from], right[tween.to] - right[tween.from]}, tween));
+        most = std::max(most,
+                        greatest_turn(TweenedVector{left[tween.from], left[tween.to] - left[tween.from]},
+                                      TweenedVector{right[tween.from], right[tween.to] - right[tween.from]},
+                                      tween.low, tween.high));
     return most;
 }
 
 double shortest(std::span<const Spot> vectors, std::span<const TweenRange> tweens)
 {
     double least = std::numeric_limits<double>::infinity();
-    for (const TweenRange& tween : tweens) {
-        const Tween vector{vectors[tween.from], vectors[tween.to] - vectors[tween.from]};
-        least = std::min(least, dot(vector, vector).least(tween.low, tween.high));
-    }
-    return std::sqrt(std::max(0.0, least));
+    for (const TweenRange& tween : tweens)
+        least = std::min(least,
+                         shortest(TweenedVector{vectors[tween.from], vectors[tween.to] - vectors[tween.from]},
+                                  tween.low, tween.high));
+    return least;
 }
 
 }

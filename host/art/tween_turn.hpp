@@ -24,6 +24,20 @@ std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing);
 /// What an error of 1 in all keys may become between them: above 1 only where eases swing beyond keys.
 double tween_growth(std::span<const TweenRange> tweens);
 
+/// A vector on a straight way.
+struct TweenedVector {
+    scene::Spot begin;
+    scene::Spot way;
+    scene::Spot end() const { return begin + way; }
+};
+
+/// The greatest angle in radians, never too small, between two vectors on the stretch from `low` to `high` of
+/// their ways. A half turn where one of them may vanish alone or they may be opposed.
+double greatest_turn(const TweenedVector& left, const TweenedVector& right, double low, double high);
+
+/// The least length, never too great, of a vector on that stretch.
+double shortest(const TweenedVector& vector, double low, double high);
+
 /// The greatest angle in radians, never too small, between two vectors that are tweened: `left` and `right`
 /// have one of each for every key. A half turn where one of them may vanish or they may be opposed.
 double greatest_turn(std::span<const scene::Spot> left, std::span<const scene::Spot> right,

@@ -44,7 +44,7 @@ std::string words(const Json& layer)
 
 std::string image_name(const Layer& layer, const Animation& animation)
 {
-    const auto asset = animation.assets.find(text_at(layer.json, "refId"));
+    const auto asset = animation.assets.find(identifier_at(layer.json, "refId"));
     if (asset == animation.assets.end())
         return "image";
     const Json* const file = find_member(*asset->second, "p");
@@ -85,11 +85,7 @@ void report_undrawn(const Layer& layer, const Animation& animation)
 
 LayerKind kind_of(const Json& layer) { return LayerKind{whole_at(layer, "ty", -1)}; }
 
-std::string given_name(const Json& layer)
-{
-    const Json* const name = find_member(layer, "nm");
-    return name && name->is_string() ? name->get<std::string>() : std::string{};
-}
+std::string given_name(const Json& layer) { return name_at(layer, "nm"); }
 
 std::string name_of(const Json& layer, std::size_t index)
 {

@@ -119,8 +119,6 @@ Coverage coverage_of(const std::vector<Mask>& masks, std::span<const art::Node> 
     return all_along.value_or(Coverage::all);
 }
 
-bool is_plain(const Mask& mask) { return steady_value(mask.expansion) == 0.0; }
-
 bool has_outline(const art::Animated<art::Drawing>& path)
 {
     return std::ranges::all_of(path.keys, [](const auto& key) { return !key.value.outlines.empty(); });
@@ -154,33 +152,71 @@ void close(art::Animated<art::Drawing>& drawings)
             outline.closed = true;
 }
 
-/// The solid with the shape of its masks; nothing if they cannot be figures.
+bool is_added(const Mask& mask)
+{
+    return !mask.inverted && (mask.mode == 'a' || mask.mode == 'l' || mask.mode == 'f') &&
+           has_outline(mask.path);
+}
+
+/// Of what is there, the first mask takes something away.
+bool is_hole(const Mask& mask)
+{
+    return has_outline(mask.path) &&
+           ((mask.mode == 's' && !mask.inverted) || (mask.mode == 'a' && mask.inverted));
+}
+
+art::Node shaped(const art::Node& solid, const Mask& mask)
+{
+    art::Node part = solid;
+    auto& figure = std::get<art::Figure>(part.content);
+    figure.drawing = mask.path;
+    close(figure.drawing);
+    figure.fill->opacity = mask.opacity;
+    return part;
+}
+
+art::Node pierced(const art::Node& solid, const Mask& mask)
+{
+    art::Node part = shaped(solid, mask);
+    auto& figure = std::get<art::Figure>(part.content);
+    const scene::Outline edge = std::get<art::Figure>(solid.content).drawing.value().outlines.front();
+    for (auto& key : figure.drawing.keys)
+        key.value.outlines.insert(key.value.outlines.begin(), edge);
+    figure.fill->rule = FillRule::even_odd;
+    figure.fill->opacity = art::Channel{1};
+    return part;
+}
+
+/// Whether figures of the masks that are added show just what the masks do.
+bool is_exact(const std::vector<Mask>& masks, const art::Node& solid, const Layer& layer)
+{
+    const auto& edge = std::get<art::Figure>(solid.content).drawing.value();
+    const bool alone = masks.size() == 1;
+    return std::ranges::all_of(masks, [&](const Mask& mask) {
+        const bool joins = alone || (mask.mode != 'f' && steady_value(mask.opacity) == 1.0);
+        return is_added(mask) && joins && steady_value(mask.expansion) == 0.0 &&
+               lies_within(mask, edge, layer);
+    });
+}
+
+/// A solid with the shape of its masks; nothing if they are of other kinds. Reports what is not exact.
 std::optional<std::vector<art::Node>> cut_out(const art::Node& solid, const std::vector<Mask>& masks,
                                               const Layer& layer)
 {
-    const auto& figure = std::get<art::Figure>(solid.content);
+    const Mask& first = masks.front();
+    if (masks.size() == 1 && is_hole(first) && steady_value(first.opacity) == 1.0 &&
+        steady_value(first.expansion) == 0.0 &&
+        lies_within(first, std::get<art::Figure>(solid.content).drawing.value(), layer))
+        return std::vector{pierced(solid, first)};
     std::vector<art::Node> parts;
-    for (const Mask& mask : masks) {
-        const bool hole = (mask.mode == 's') != mask.inverted;
-        const bool kept = mask.mode == 'a' || (mask.mode == 's' && hole);
-        const bool alone = masks.size() == 1;
-        const bool opaque = steady_value(mask.opacity) == 1.0;
-        if (!kept || !is_plain(mask) || !has_outline(mask.path) || (!alone && (hole || !opaque)) ||
-            (hole && !opaque) || !lies_within(mask, figure.drawing.value(), layer))
-            return std::nullopt;
-        art::Node part = solid;
-        auto& cut = std::get<art::Figure>(part.content);
-        cut.drawing = mask.path;
-        close(cut.drawing);
-        cut.fill->opacity = mask.opacity;
-        if (hole) {
-            cut.fill->rule = FillRule::even_odd;
-            for (auto& key : cut.drawing.keys)
-                key.value.outlines.insert(key.value.outlines.begin(),
-                                          figure.drawing.value().outlines.front());
-        }
-        parts.push_back(std::move(part));
-    }
+    for (const Mask& mask : masks)
+        if (is_added(mask))
+            parts.push_back(shaped(solid, mask));
+    if (parts.empty())
+        return std::nullopt;
+    if (!is_exact(masks, solid, layer))
+        layer.reading.losses.add({"masks that cut each other, or grow", layer.reading.layer, std::nullopt,
+                                  "the whole shapes of those that are added"});
     return parts;
 }
 

@@ -74,6 +74,18 @@ std::string text_at(const Json& owner, const char* name)
     return member->get<std::string>();
 }
 
+std::string name_at(const Json& owner, const char* name)
+{
+    const Json* const member = find_member(owner, name);
+    return member && member->is_string() ? member->get<std::string>() : std::string{};
+}
+
+std::string identifier_at(const Json& owner, const char* name)
+{
+    const Json* const member = find_member(owner, name);
+    return member && member->is_number() ? member->dump() : text_at(owner, name);
+}
+
 const Json& array_at(const Json& owner, const char* name)
 {
     const Json& member = needed(owner, name);

@@ -36,6 +36,10 @@ double number_at(const Json& owner, const char* name);
 /// Also 0 and 1 in place of a truth.
 bool truth_at(const Json& owner, const char* name, bool usual);
 std::string text_at(const Json& owner, const char* name);
+/// Empty where it is no text: what is only told to people need not be right.
+std::string name_at(const Json& owner, const char* name);
+/// A text; also a number, as if it were one.
+std::string identifier_at(const Json& owner, const char* name);
 const Json& array_at(const Json& owner, const char* name);
 
 /// A whole number; others are cut.

@@ -113,6 +113,9 @@ void read_position(art::Transform& transform, const Json& owner, const Reading& 
 {
     const Json* const position = find_member(owner, "p");
     if (is_split(position)) {
+        if (turns)
+            reading.losses.add({"orientation along a split position", reading.layer, std::nullopt,
+                                "the layer does not turn"});
         transform.x = read_channel(*position, "x", 0, 0, 1, reading.time, reading.budget);
         transform.y = read_channel(*position, "y", 0, 0, 1, reading.time, reading.budget);
         return;

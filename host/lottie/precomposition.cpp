@@ -15,7 +15,7 @@ class Opened {
 public:
     Opened(const Layer& layer, Animation& animation) : animation_{animation}
     {
-        const std::string id = text_at(layer.json, "refId");
+        const std::string id = identifier_at(layer.json, "refId");
         const auto asset = animation.assets.find(id);
         if (asset == animation.assets.end())
             throw WrongMember(layer.json, "its composition " + kfast::quoted(id) +
@@ -25,6 +25,9 @@ public:
             throw WrongMember(layer.json,
                               "the composition " + kfast::quoted(id) + " uses itself: take this layer out");
         layers_ = &array_at(*asset->second, "layers");
+        if (number_at(*asset->second, "fr", animation.frame_rate) != animation.frame_rate)
+            layer.reading.losses.add({"frame rate of a composition", layer.reading.layer, std::nullopt,
+                                      "that of the whole animation"});
         animation_.open.push_back(id);
     }
     ~Opened() { animation_.open.pop_back(); }
@@ -80,13 +83,22 @@ Reading inner_reading(const Layer& layer, const LayerTime& time)
     return reading;
 }
 
+/// A layer that stands still at its end shows the frame before: that itself is beyond what is inside.
+void keep_last_frame(std::vector<TimePiece>& pieces, double end)
+{
+    for (TimePiece& piece : pieces)
+        if (piece.begin == end && piece.end == end)
+            piece.begin = piece.end = end - 1;
+}
+
 /// "tm" counts seconds.
 std::vector<art::Node> read_remapped(const Layer& layer, const Json& layers, Animation& animation)
 {
     const Reading& outer = layer.reading;
     const art::Channel frame =
         read_channel(layer.json, "tm", 0, 0, animation.frame_rate, outer.time, outer.budget);
-    const std::vector<TimePiece> pieces = time_pieces(frame, layer.seen);
+    std::vector<TimePiece> pieces = time_pieces(frame, layer.seen);
+    keep_last_frame(pieces, number_at(layer.json, "op", largest_number));
     if (const auto even = even_time(pieces))
         return read_composition({layers, &layer.around, layer.seen}, animation, inner_reading(layer, *even));
     const Around unknown;

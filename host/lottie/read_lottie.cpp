@@ -45,8 +45,7 @@ void read_assets(Animation& animation)
     if (!find_member(animation.root, "assets"))
         return;
     for (const Json& asset : array_at(animation.root, "assets")) {
-        const std::string id = text_at(asset, "id");
-        animation.assets.emplace(id, &asset);
+        animation.assets.emplace(identifier_at(asset, "id"), &asset);
     }
 }
 
@@ -56,7 +55,7 @@ std::vector<art::Marker> read_markers(const Animation& animation)
     if (!find_member(animation.root, "markers"))
         return markers;
     for (const Json& marker : array_at(animation.root, "markers"))
-        markers.push_back({text_at(marker, "cm"), number_at(marker, "tm", 0) - animation.first,
+        markers.push_back({name_at(marker, "cm"), number_at(marker, "tm", 0) - animation.first,
                            std::max(0.0, number_at(marker, "dr", 0))});
     return markers;
 }

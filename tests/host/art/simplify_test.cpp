@@ -254,7 +254,7 @@ TEST_CASE("a wide line with miters lets its drawing move less")
     const auto at = [](double x, double y) {
         return Drawing{{scene::polyline(std::vector<Spot>{{0, 0}, {x, y}, {0, 9}}, true)}};
     };
-    const Animated<Drawing> drawing{{{0, at(20, 4), {}}, {5, at(30.003, 4), {}}, {10, at(40, 4), {}}}};
+    const Animated<Drawing> drawing{{{0, at(20, 4), {}}, {5, at(30, 4.005), {}}, {10, at(40, 4), {}}}};
     Figure line;
     line.drawing = drawing;
     line.line.emplace().width = 12;
@@ -264,6 +264,20 @@ TEST_CASE("a wide line with miters lets its drawing move less")
     art::simplify(lined, tolerance);
     CHECK(std::get<Figure>(filled_only.nodes[0].content).drawing.keys.size() == 2);
     CHECK(std::get<Figure>(lined.nodes[0].content).drawing.keys.size() == 3);
+}
+
+TEST_CASE("a line that grows out of a point loses keys, for it keeps its direction")
+{
+    std::vector<Key<Drawing>> keys;
+    for (int i = 0; i <= 20; ++i)
+        keys.push_back(
+            {2.0 * i, {{scene::polyline(std::vector<Spot>{{5, 5}, {5 + 3.0 * i, 5 + 2.0 * i}}, false)}}, {}});
+    Figure figure;
+    figure.drawing = Animated<Drawing>{keys};
+    figure.line.emplace().width = 9;
+    Document document = with(of(figure));
+    art::simplify(document, tolerance);
+    CHECK(std::get<Figure>(document.nodes[0].content).drawing.keys.size() == 2);
 }
 
 TEST_CASE("neighbours of one parent keep the same transform")

@@ -152,3 +152,20 @@ TEST_CASE("what reaches beyond a precomposition is reported, if the canvas does 
     CHECK(losses.list()[0].feature == "edge of a precomposition");
     CHECK(losses.list()[0].layer == "comp");
 }
+
+TEST_CASE("a composition that is held at the end of its layer shows the frame before")
+{
+    const std::string inner =
+        R"({"ty": 1, "nm": "box", "sw": 20, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60})";
+    const art::Node node = content(R"("tm": {"k": [{"t": 0, "s": [0]}, {"t": 30, "s": [2]}]}, )", inner);
+    CHECK(node.shown.back().to >= 60);
+}
+
+TEST_CASE("a composition with a rate of its own is reported")
+{
+    art::Losses losses;
+    read_with(animation_text(precomposition(""), R"("assets": [{"id": "c", "fr": 12, "layers": []}], )"),
+              losses);
+    REQUIRE(losses.list().size() == 1);
+    CHECK(losses.list()[0].feature == "frame rate of a composition");
+}

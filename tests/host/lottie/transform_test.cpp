@@ -108,6 +108,13 @@ TEST_CASE("a layer that points along its path has one, straight or not")
     REQUIRE(turning.path);
     CHECK(turning.path->turns);
     CHECK_FALSE(transform(R"("p": {"k": [1, 2]})", R"("ao": 1, )").path);
+    art::Losses losses;
+    read_with(animation_text(
+                  solid(R"("ao": 1, "ks": {"p": {"s": true, "x": {"k": [{"t": 0, "s": 1}, {"t": 9, "s": 5}]},
+        "y": {"k": 7}}}, )")),
+              losses);
+    REQUIRE(losses.list().size() == 1);
+    CHECK(losses.list()[0].feature == "orientation along a split position");
     CHECK(matrix_at(turning, 5).of(scene::Spot{1, 0}).y == doctest::Approx(21));
 }
 
