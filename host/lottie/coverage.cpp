@@ -88,11 +88,12 @@ Coverage coverage_of(const Box& box, const art::Drawing& drawing)
 Coverage coverage_of(std::span<const Spot> polygon, std::span<const art::Node> nodes, const Affine& matrix,
                      double time, bool by_luminance)
 {
+    // Something dark may lie over something bright.
+    if (by_luminance && nodes.size() > 1)
+        return Coverage::part;
     Coverage result = Coverage::nothing;
     for (const art::Node& node : nodes) {
         const Coverage by_node = coverage_by(node, polygon, matrix, time, by_luminance);
-        if (by_node == Coverage::part && by_luminance)
-            return Coverage::part;
         if (by_node != Coverage::nothing && result != Coverage::all)
             result = by_node;
     }
