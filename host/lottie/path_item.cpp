@@ -71,7 +71,7 @@ Outline ellipse_from_top(Spot centre, double radius_x, double radius_y)
 {
     Outline outline = scene::ellipse(centre, radius_x, radius_y);
     outline.from = outline.curves[2].to;
-    std::ranges::rotate(outline.curves, outline.curves.begin() + 3);
+    std::rotate(outline.curves.begin(), outline.curves.begin() + 3, outline.curves.end());
     return outline;
 }
 
@@ -121,12 +121,12 @@ Outline outline_from_right(const Rectangle& rectangle, bool is_round)
     Outline outline = outline_of(rectangle, is_round);
     if (is_round) {
         outline.from = outline.curves[1].to;
-        std::ranges::rotate(outline.curves, outline.curves.begin() + 2);
+        std::rotate(outline.curves.begin(), outline.curves.begin() + 2, outline.curves.end());
         return outline;
     }
     outline.curves.push_back(scene::line_to(outline.from));
     outline.from = outline.curves[0].to;
-    std::ranges::rotate(outline.curves, outline.curves.begin() + 1);
+    std::rotate(outline.curves.begin(), outline.curves.begin() + 1, outline.curves.end());
     return outline;
 }
 
