@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace kfast::art {
@@ -81,20 +82,49 @@ private:
     /// Where directions are seen, those of what moves at all are looked at way by way.
     double constant_tolerance() const { return edge_.arms.empty() ? tolerance_ : 0; }
 
-    /// First in steps that double, then by halving what is left between.
     Reach farthest_from(std::size_t begin)
     {
         Reach best{begin + 1, same(begin, begin + 1) ? Ease{} : keys_[begin].ease};
-        std::size_t failed = keys_.size();
-        for (std::size_t step = 2; begin + step < keys_.size(); step *= 2)
-            if (!extend(begin, begin + step, best)) {
-                failed = begin + step;
-                break;
-            }
-        while (failed - best.end > 1)
-            if (const std::size_t middle = best.end + (failed - best.end) / 2; !extend(begin, middle, best))
-                failed = middle;
+        extend(begin, 2, best, [&](std::size_t end) { return plain(begin, end); });
+        extend(begin, std::max(least_fitted(begin), best.end - begin + 1), best,
+               [&](std::size_t end) { return fitted(begin, end); });
         return best;
+    }
+
+    /// How many ways a new ease must take the place of to save bytes: it takes about as many as six keys of a
+    /// number, as those do that it makes superfluous. Keys of drawings are larger.
+    std::size_t least_fitted(std::size_t begin) const
+    {
+        constexpr int ease_cost = 6;
+        if (std::is_same_v<Value, Drawing>)
+            return 2;
+        int saved = 0;
+        std::size_t end = begin;
+        while (end + 1 < keys_.size() && saved <= ease_cost)
+            saved += keys_[end++].ease.kind == EaseKind::cubic ? ease_cost : 1;
+        return saved > ease_cost ? std::max<std::size_t>(2, end - begin) : keys_.size();
+    }
+
+    /// First in steps that double, then by halving what is left between.
+    template <typename EaseTo>
+    void extend(std::size_t begin, std::size_t step, Reach& best, const EaseTo& ease_to)
+    {
+        std::size_t failed = keys_.size();
+        const auto reaches = [&](std::size_t end) {
+            const auto ease = ease_to(end);
+            if (ease)
+                best = {end, *ease};
+            else
+                failed = end;
+            return ease.has_value();
+        };
+        if (begin + step >= failed || !reaches(begin + step))
+            return;
+        for (step *= 2; begin + step < failed; step *= 2)
+            if (!reaches(begin + step))
+                break;
+        while (failed - best.end > 1)
+            reaches(best.end + (failed - best.end) / 2);
     }
 
     bool same(std::size_t left, std::size_t right) const
@@ -103,28 +133,27 @@ private:
                distance(keys_[left].value, keys_[right].value) == 0;
     }
 
-    bool extend(std::size_t begin, std::size_t end, Reach& best)
-    {
-        const auto ease = ease_between(begin, end);
-        if (ease)
-            best = {end, *ease};
-        return ease.has_value();
-    }
-
-    std::optional<Ease> ease_between(std::size_t begin, std::size_t end)
+    bool one_form(std::size_t begin, std::size_t end) const
     {
         for (std::size_t i = begin; i < end; ++i)
             if (!same_form(keys_[i].value, keys_[i + 1].value))
-                return std::nullopt;
-        for (const Ease& ease : {Ease{}, Ease{EaseKind::hold}})
-            if (is_near(begin, end, ease))
-                return ease;
-        return fitted(begin, end);
+                return false;
+        return true;
+    }
+
+    std::optional<Ease> plain(std::size_t begin, std::size_t end) const
+    {
+        if (one_form(begin, end))
+            for (const Ease& ease : {Ease{}, Ease{EaseKind::hold}})
+                if (is_near(begin, end, ease))
+                    return ease;
+        return std::nullopt;
     }
 
     std::optional<Ease> fitted(std::size_t begin, std::size_t end)
     {
-        if (same(begin, end) || jumps(begin, end) || has_kinks(begin, end) || !eases_.take_fit())
+        if (!one_form(begin, end) || same(begin, end) || jumps(begin, end) || has_kinks(begin, end) ||
+            !eases_.take_fit())
             return std::nullopt;
         constexpr std::size_t steps = 24;
         std::array<double, steps + 1> ways{};

@@ -15,8 +15,8 @@ using scene::Spot;
 /// Of the tolerance, what straight lines instead of curves may take; the rest is for merging.
 constexpr double straight_share = 0.25;
 
-/// Bytes of a curve compared with those of a line, about.
-constexpr int curve_cost = 3;
+/// Bytes of a curve compared with those of a line as short as its parts would be, about.
+constexpr int curve_cost = 5;
 
 /// Beyond that a join is a corner, and stays one.
 constexpr double sharpest_join = 0.5;

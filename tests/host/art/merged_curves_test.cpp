@@ -210,6 +210,16 @@ TEST_CASE("the small zigzag of a wide line with miters keeps its tips")
     Figure mitred = stroked(Drawing{{zigzag}}, 8, Join::miter);
     art::merge_curves(mitred, tolerance);
     CHECK(curves_of(mitred) >= 10);
+
+    Outline notch{{0, 0}, {}, false};
+    for (const Spot to : {Spot{5, 0}, {5.1, 0.015}, {5.2, -0.015}, {5.3, 0}, {10, 0}})
+        notch.curves.push_back(scene::line_to(to));
+    Figure smooth = filled(Drawing{{notch}});
+    art::merge_curves(smooth, tolerance);
+    CHECK(curves_of(smooth) == 1);
+    Figure tipped = stroked(Drawing{{notch}}, 8, Join::miter);
+    art::merge_curves(tipped, tolerance);
+    CHECK(curves_of(tipped) == 5);
 }
 
 TEST_CASE("merging keeps the angles of corners")

@@ -254,6 +254,42 @@ TEST_CASE("what a group enlarges is simplified less")
     }
 }
 
+TEST_CASE("what several channels may be off adds up to no more than the tolerance")
+{
+    const double off = 0.6 * tolerance;
+    const Channel bump{{{0, 0, {}}, {5, 5 + off, {}}, {10, 10, {}}}};
+    Node outer;
+    outer.transform.x = bump;
+    outer.content = Group{{of(filled(Drawing{{scene::rectangle({0, 0}, 9, 9, 0)}}))}};
+    Node& inner = std::get<Group>(outer.content).nodes[0];
+    inner.name = "square";
+    inner.transform.x = bump;
+    const Document given = with(outer);
+    Document simple = given;
+    art::simplify(simple, tolerance);
+    RandomArt random{1};
+    CHECK(worst(given, simple, random, 200) <= tolerance);
+
+    Document alone = with(of(filled(Drawing{{scene::rectangle({0, 0}, 9, 9, 0)}})));
+    alone.nodes[0].transform.x = Channel{{{0, 0, {}}, {5, 5 + off / 2, {}}, {10, 10, {}}}};
+    art::simplify(alone, tolerance);
+    CHECK(alone.nodes[0].transform.x.keys.size() == 2);
+}
+
+TEST_CASE("what comes near to the viewer is simplified less")
+{
+    Node node = of(filled(Drawing{{scene::rectangle({0, 0}, 9, 9, 0)}}));
+    node.name = "square";
+    node.transform.x = Channel{{{0, 0, {}}, {5, 5 + tolerance / 3, {}}, {10, 10, {}}}};
+    for (const double depth : {0.0, 80.0}) {
+        Document document = with(node);
+        document.camera = 100;
+        document.nodes[0].transform.z = depth;
+        art::simplify(document, tolerance);
+        CHECK(document.nodes[0].transform.x.keys.size() == (depth > 0 ? 3 : 2));
+    }
+}
+
 TEST_CASE("keys of drawings that are nearly equal are equal afterwards")
 {
     const auto at = [](double x) { return Drawing{{scene::ellipse({x, 5}, 4, 4)}}; };
