@@ -2,7 +2,6 @@
 
 #include "host/art/curve_length.hpp"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,6 +41,20 @@ bool is_shown(const std::vector<art::Span>& shown, double time)
                                [&](const art::Span& span) { return span.from <= time && time < span.to; });
 }
 
+template <typename AffineAt>
+MovingDrawing mapped(MovingDrawing drawing, AffineAt affine_at)
+{
+    drawing.cost *= 2;
+    drawing.at = [affine_at, at = std::move(drawing.at)](double time) {
+        art::Drawing result = at(time);
+        const Affine affine = affine_at(time);
+        for (scene::Outline& outline : result.outlines)
+            outline = affine.of(outline);
+        return result;
+    };
+    return drawing;
+}
+
 /// Keys at the times when something appears or vanishes.
 Channel jumps(const std::vector<art::Span>& shown)
 {
@@ -77,20 +90,17 @@ bool is_still(const art::Transform& transform)
 
 MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform)
 {
+    // Finding the eases of its channels takes longer than moving a few points.
+    constexpr double cost_of_transform = 100;
+    if (is_still(transform))
+        return mapped(std::move(drawing), [affine = affine_at(transform, 0)](double) { return affine; });
     for (const Channel* channel : flat_channels(transform))
         drawing.moments.add(*channel);
     if (transform.path)
         drawing.moments.add(transform.path->share);
-    drawing.cost = 2 * drawing.cost + (transform.path ? 100 : 0);
+    drawing.cost += cost_of_transform;
     const auto shared = std::make_shared<const art::Transform>(transform);
-    drawing.at = [shared, at = std::move(drawing.at)](double time) {
-        art::Drawing result = at(time);
-        const Affine affine = affine_at(*shared, time);
-        for (scene::Outline& outline : result.outlines)
-            outline = affine.of(outline);
-        return result;
-    };
-    return drawing;
+    return mapped(std::move(drawing), [shared](double time) { return affine_at(*shared, time); });
 }
 
 MovingDrawing while_shown(MovingDrawing drawing, const std::vector<art::Span>& shown)
