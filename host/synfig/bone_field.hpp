@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/synfig/bone_pair.hpp"
 #include "host/synfig/layer.hpp"
 
 #include <cstddef>
@@ -7,12 +8,6 @@
 #include <vector>
 
 namespace kfast::synfig {
-
-/// A bone at rest, and the one that it is posed as, at a moment; in pixels.
-struct BonePair {
-    Bone rest;
-    Bone pose;
-};
 
 /// The bones of a skeleton deformation, and how far each of them carries a place. Synfig's law: the share of
 /// a bone is how deep the place lies in its shape (a circle about each end, and what is between them,

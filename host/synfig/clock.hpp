@@ -21,6 +21,7 @@ public:
     /// All frames of the scene, up to `last`, that are a time of the canvas.
     std::vector<double> frames(double seconds, double last) const;
     Clock with(Gear gear) const;
+    bool is_plain() const { return gears_.empty(); } ///< goes with the scene
 
 private:
     double begin_;

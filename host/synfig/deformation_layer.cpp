@@ -21,7 +21,9 @@ public:
     Deformation(const Layer& layer, const BoneField& field) : layer_{layer}, field_{field}
     {
         if (field.keeps_lengths()) {
-            rig_ = posed_rig(layer, field);
+            rig_ = posed_rig(
+                {layer.name(), [&](double frame) { return field.pairs_at(frame); }, layer.bends({"bones"})},
+                layer.reading());
             rig_index_ = layer.reading().rigs.size();
             layer.reading().rigs.push_back(rig_->rig);
         }

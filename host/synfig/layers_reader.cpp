@@ -121,7 +121,9 @@ private:
             inner.clock = scope.clock.with(std::move(*gear));
             return up_to(count, inner, depth + 1);
         }
-        std::vector<art::Node> nodes = up_to(count, scope, depth + 1);
+        Scope inner = scope;
+        inner.is_deformed = scope.is_deformed || layer.type() == "skeleton_deformation";
+        std::vector<art::Node> nodes = up_to(count, inner, depth + 1);
         if (layer.type() == "skeleton_deformation")
             return deformed(layer, std::move(nodes));
         art::Node group;

@@ -1,6 +1,7 @@
 #include "host/synfig/line_layers.hpp"
 
 #include "host/synfig/line_shape.hpp"
+#include "host/synfig/linked_skin.hpp"
 #include "host/synfig/shape_layers.hpp"
 
 #include <algorithm>
@@ -139,7 +140,12 @@ private:
                 return {};
             return {{layer_.reading().to_canvas.of(outline_along(spline, origin(frame)))}};
         };
-        figure.drawing = traced(drawing, layer_.tracing({"bline", moves_ ? "" : "origin"}, place_tolerance));
+        figure.skin = linked_skin(layer_);
+        if (figure.skin)
+            figure.drawing = drawing(0);
+        else
+            figure.drawing =
+                traced(drawing, layer_.tracing({"bline", moves_ ? "" : "origin"}, place_tolerance));
         art::Fill paint = fill_of(layer_);
         art::Line line;
         line.colour = std::move(paint.colour);

@@ -19,9 +19,10 @@ double direction_of(const Bone& bone)
 
 class RigMaker {
 public:
-    RigMaker(const Layer& layer, const BoneField& field) : layer_{layer}, field_{field}
+    RigMaker(const PosedBones& bones, const Reading& reading)
+        : bones_{bones}, reading_{reading}, first_{bones.pairs_at(0)}
     {
-        const auto pairs = field.pairs_at(0);
+        const auto& pairs = first_;
         for (const BonePair& pair : pairs) {
             const auto found = std::ranges::find_if(pairs, [&](const BonePair& other) {
                 return !pair.pose.parent.empty() && other.pose.guid == pair.pose.parent;
@@ -35,9 +36,9 @@ public:
     PosedRig rig()
     {
         PosedRig result;
-        result.rig.name = layer_.name();
-        result.place.assign(field_.size(), none);
-        for (std::size_t i = 0; i < field_.size(); ++i)
+        result.rig.name = bones_.name;
+        result.place.assign(first_.size(), none);
+        for (std::size_t i = 0; i < first_.size(); ++i)
             add(i, result);
         return result;
     }
@@ -49,7 +50,7 @@ private:
     void add(std::size_t index, PosedRig& result)
     {
         std::vector<std::size_t> line{index};
-        while (parents_[line.back()] && line.size() <= field_.size())
+        while (parents_[line.back()] && line.size() <= first_.size())
             line.push_back(*parents_[line.back()]);
         for (auto bone = line.rbegin(); bone != line.rend(); ++bone)
             if (result.place[*bone] == none) {
@@ -60,17 +61,17 @@ private:
 
     art::Bone posed(std::size_t index, const PosedRig& result) const
     {
-        const art::Affine& to_canvas = layer_.reading().to_canvas;
+        const art::Affine& to_canvas = reading_.to_canvas;
         art::Bone bone;
         bone.name = names_[index];
-        bone.from = to_canvas.of(field_.rests()[index].from());
-        bone.to = to_canvas.of(field_.rests()[index].to());
+        bone.from = to_canvas.of(first_[index].rest.from());
+        bone.to = to_canvas.of(first_[index].rest.to());
         if (parents_[index])
             bone.parent = result.place[*parents_[index]];
-        const Tracing turns = layer_.tracing({"bones"}, angle_tolerance);
-        const Tracing places = layer_.tracing({"bones"}, place_tolerance);
+        const Tracing turns = tracing(angle_tolerance);
+        const Tracing places = tracing(place_tolerance);
         const std::function<double(double)> turn = [&](double frame) {
-            const auto pairs = field_.pairs_at(frame);
+            const auto pairs = bones_.pairs_at(frame);
             return turned(pairs, index) - (parents_[index] ? turned(pairs, *parents_[index]) : 0);
         };
         const std::function<double(double)> x = [&](double frame) { return shift(index, frame).x; };
@@ -78,7 +79,21 @@ private:
         bone.turn = traced(turn, turns);
         bone.x = traced(x, places);
         bone.y = traced(y, places);
+        const std::function<double(double)> length = [&](double frame) {
+            return reading_.pixels_per_unit * length_of(bones_.pairs_at(frame)[index].pose);
+        };
+        bone.length = traced(length, places);
+        if (bone.length->is_still() &&
+            std::abs(bone.length->value() - scene::distance(bone.from, bone.to)) < 0.01)
+            bone.length.reset();
         return bone;
+    }
+
+    static double length_of(const Bone& bone) { return scene::distance(bone.from(), bone.to()); }
+
+    Tracing tracing(double tolerance) const
+    {
+        return {0, reading_.frames, bones_.bends, tolerance, &reading_.budget};
     }
 
     /// Clockwise on the canvas, from rest.
@@ -90,8 +105,8 @@ private:
     /// Of the beginning of a bone, as if its parent had not turned.
     Spot shift(std::size_t index, double frame) const
     {
-        const auto pairs = field_.pairs_at(frame);
-        const art::Affine& to_canvas = layer_.reading().to_canvas;
+        const auto pairs = bones_.pairs_at(frame);
+        const art::Affine& to_canvas = reading_.to_canvas;
         const Spot now = to_canvas.of(pairs[index].pose.from());
         const Spot rest = to_canvas.of(pairs[index].rest.from());
         if (!parents_[index])
@@ -101,14 +116,15 @@ private:
         return back.of(now - to_canvas.of(parent.pose.from())) - (rest - to_canvas.of(parent.rest.from()));
     }
 
-    const Layer& layer_;
-    const BoneField& field_;
+    const PosedBones& bones_;
+    const Reading& reading_;
+    std::vector<BonePair> first_;
     std::vector<std::optional<std::size_t>> parents_;
     std::vector<std::string> names_;
 };
 
 }
 
-PosedRig posed_rig(const Layer& layer, const BoneField& field) { return RigMaker{layer, field}.rig(); }
+PosedRig posed_rig(const PosedBones& bones, const Reading& reading) { return RigMaker{bones, reading}.rig(); }
 
 }

@@ -1,16 +1,27 @@
 #pragma once
 
-#include "host/synfig/bone_field.hpp"
+#include "host/synfig/bone_pair.hpp"
+#include "host/synfig/layer.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace kfast::synfig {
 
-/// A skeleton in pixels: set up as the bones of a deformation rest, posed as they go. The bones have the
-/// order of `order`, which names them by their index in the field.
-struct PosedRig {
-    art::Rig rig;
-    std::vector<std::size_t> place; ///< of each bone of the field: its index in the rig
+/// What a skeleton is made of: always as many pairs, and the same bone at rest in each.
+struct PosedBones {
+    std::string name;
+    std::function<std::vector<BonePair>(double)> pairs_at; ///< by frames, in units of the file
+    std::vector<double> bends;                             ///< frames at which bones begin to go another way
 };
 
-PosedRig posed_rig(const Layer& layer, const BoneField& field);
+/// A skeleton in pixels: set up as the bones rest, posed as they go.
+struct PosedRig {
+    art::Rig rig;
+    std::vector<std::size_t> place; ///< of each pair: its index in the rig
+};
+
+PosedRig posed_rig(const PosedBones& bones, const Reading& reading);
 
 }

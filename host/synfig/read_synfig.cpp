@@ -43,6 +43,7 @@ public:
                         document.frame_rate,
                         document.frames,
                         gamma(),
+                        {},
                         {}};
         document.background = background(reading);
         document.nodes = read_layers(canvas_, reading, {{begin_, document.frame_rate}, "", 0, {}});

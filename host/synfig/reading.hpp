@@ -10,10 +10,17 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace kfast::synfig {
+
+/// A tree of bones as a skeleton.
+struct LinkedRig {
+    std::size_t rig = 0;                      ///< index into Reading::rigs
+    std::map<std::string, std::size_t> bones; ///< guids, and indices into the bones of the rig
+};
 
 /// What reading goes along with, through the whole file.
 struct Reading {
@@ -31,6 +38,8 @@ struct Reading {
     double frames = 1;
     std::array<double, 3> gamma{1, 1, 1}; ///< of red, green and blue
     std::vector<art::Rig> rigs;
+    /// Of the bones that things are linked to, by the guid of the bone that all of a tree hangs on.
+    std::map<std::string, LinkedRig> linked_rigs;
 };
 
 /// Where layers stand.
@@ -39,6 +48,7 @@ struct Scope {
     std::string path; ///< names from the outermost: "body / arm"
     int depth = 0;
     std::function<double(double)> line_growth; ///< by frames; a factor of the width of all lines
+    bool is_deformed = false;                  ///< by a skeleton deformation above
 };
 
 }

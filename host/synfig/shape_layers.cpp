@@ -1,6 +1,7 @@
 #include "host/synfig/shape_layers.hpp"
 
 #include "host/scene/shape.hpp"
+#include "host/synfig/linked_skin.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -277,11 +278,16 @@ std::optional<art::Node> read_shape_layer(const Layer& layer)
         return drawing;
     };
     art::Figure figure;
-    figure.drawing =
-        traced(drawing_at, layer.tracing({"bline", moves ? "" : "origin", "radius", "point1", "point2",
-                                          "expand", "bevel", "vector_list", "points", "angle", "radius1",
-                                          "radius2", "regular_polygon", "size"},
-                                         place_tolerance));
+    if (layer.type() == "region" && !inverted)
+        figure.skin = linked_skin(layer);
+    if (figure.skin)
+        figure.drawing = drawing_at(0);
+    else
+        figure.drawing =
+            traced(drawing_at, layer.tracing({"bline", moves ? "" : "origin", "radius", "point1", "point2",
+                                              "expand", "bevel", "vector_list", "points", "angle", "radius1",
+                                              "radius2", "regular_polygon", "size"},
+                                             place_tolerance));
     figure.fill = fill_of(layer);
     if (inverted)
         figure.fill->rule = FillRule::even_odd;

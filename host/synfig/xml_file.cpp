@@ -66,6 +66,15 @@ pugi::xml_node XmlFile::canvas_with_id(std::string_view id) const { return found
 
 pugi::xml_node XmlFile::with_guid(std::string_view guid) const { return found(guids_, guid); }
 
+std::vector<std::string> XmlFile::bones() const
+{
+    std::vector<std::string> guids;
+    for (const auto& [guid, element] : guids_)
+        if (std::string_view{element.name()} == "bone")
+            guids.push_back(guid);
+    return guids;
+}
+
 std::size_t XmlFile::place(pugi::xml_node element)
 {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, element.offset_debug()));

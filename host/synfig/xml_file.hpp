@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast::synfig {
 
@@ -22,6 +23,9 @@ public:
     pugi::xml_node canvas_with_id(std::string_view id) const;
     /// The element with that guid that has content.
     pugi::xml_node with_guid(std::string_view guid) const;
+
+    /// Of all elements <bone> that have content.
+    std::vector<std::string> bones() const;
 
     static std::size_t place(pugi::xml_node element);
     /// Throws Failure that names the file, the line and the column.

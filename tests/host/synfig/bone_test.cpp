@@ -84,3 +84,31 @@ TEST_CASE("values that are linked to a bone go with it")
     CHECK(file.node().transform.y.at(20) == doctest::Approx(0));
     CHECK(file.node().transform.x.at(10) == doctest::Approx(100 + 50 * 0.70711).epsilon(0.001));
 }
+
+TEST_CASE("a region whose points are all linked to bones has them as its skin")
+{
+    const auto link = [](const std::string& place, const std::string& translate) {
+        return "<bone_link type=\"vector\"><bone><bone_valuenode guid=\"P\"/></bone><base_value>" + place +
+               "</base_value><translate><bool value=\"" + translate + "\"/></translate></bone_link>";
+    };
+    const auto point = [&](const std::string& x, const std::string& y) {
+        const std::string tangent = link(vector("0.1", "0"), "false");
+        return "<entry><composite type=\"bline_point\"><point>" + link(vector(x, y), "true") +
+               "</point><t1>" + tangent + "</t1><t2>" + tangent + "</t2></composite></entry>";
+    };
+    const std::string spline = "<bline type=\"bline_point\" loop=\"true\">" + point("0", "0") +
+                               point("1", "0") + point("0.5", "0.3") + "</bline>";
+    const auto file = [&](const std::string& of_scope) {
+        return read_text(canvas("<bones>" + bone("P", "root", "0", turning) + "</bones>" +
+                                layer("region", parameter("bline", spline)) + of_scope));
+    };
+    const ReadFile plain = file("");
+    REQUIRE(plain.document.rigs.size() == 1);
+    CHECK(plain.document.rigs[0].bones.at(0).turn.keys.size() == 2);
+    REQUIRE(plain.figure().skin);
+    CHECK(plain.figure().skin->points.size() == 3);
+    CHECK(plain.figure().drawing.is_still());
+    const ReadFile looped = file(layer("timeloop", parameter("duration", "<time value=\"1s\"/>")));
+    CHECK(looped.document.rigs.empty());
+    CHECK_FALSE(looped.figure().drawing.is_still());
+}
