@@ -1,6 +1,7 @@
 #include "host/svg/paint.hpp"
 
 #include "host/svg/length.hpp"
+#include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
 
 #include <algorithm>
@@ -124,8 +125,7 @@ std::optional<Ink> paint(std::string_view property, const Style& style, const El
     auto ink = value.starts_with("url(") ? of_reference(value, {style, index, sheet, layer, losses})
                                          : plain(value, style);
     if (!ink && !value.starts_with("url("))
-        losses.add(
-            {std::string{property} + " \"" + std::string{value} + '"', layer, {}, "nothing is painted"});
+        losses.add({std::string{property} + " \"" + shortened(value) + '"', layer, {}, "nothing is painted"});
     if (ink)
         ink->opacity *= std::clamp(share(style[std::string{property} + "-opacity"]).value_or(1), 0.0, 1.0);
     if (ink && ink->opacity <= 0)

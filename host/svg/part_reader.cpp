@@ -1,10 +1,12 @@
 #include "host/svg/part_reader.hpp"
 
+#include "host/failure.hpp"
 #include "host/scene/shape.hpp"
 #include "host/svg/clip_cover.hpp"
 #include "host/svg/element_outlines.hpp"
 #include "host/svg/paint.hpp"
 #include "host/svg/pen_reader.hpp"
+#include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
 #include "host/svg/transform_list.hpp"
 #include "host/svg/transform_origin.hpp"
@@ -163,10 +165,11 @@ std::optional<Part> PartReader::read_element(pugi::xml_node element, const Aroun
     }
     art::Budget::check_depth(around.depth);
     budget_.take_node();
+    take_style(inside.style);
 
     Part part;
-    part.id = element.attribute("id").value();
-    part.label = element.attribute("inkscape:label").value();
+    part.id = shortened(element.attribute("id").value(), longest_name);
+    part.label = shortened(element.attribute("inkscape:label").value(), longest_name);
     part.kind = name;
     part.name = !part.label.empty() ? part.label : !part.id.empty() ? part.id : part.kind;
     part.layer = around.layer.empty() ? part.name : around.layer + " / " + part.name;
@@ -190,11 +193,21 @@ std::optional<Part> PartReader::read_element(pugi::xml_node element, const Aroun
     return part;
 }
 
+/// What elements inherit is copied for each of them, and once more wherever they are used.
+void PartReader::take_style(const Style& style)
+{
+    constexpr std::size_t most = std::size_t{1} << 29; // some seconds
+    style_bytes_ += style.bytes();
+    if (style_bytes_ > most)
+        throw Failure(
+            "styles and path data, counted wherever they are inherited or used, take more than 512 MB");
+}
+
 Affine PartReader::own_affine(const Style& style, const Around& around, const std::string& layer)
 {
     const auto affine = transform_list(style["transform"]);
     if (!affine) {
-        losses_->add({"transform \"" + std::string{style["transform"]} + '"', layer, {}, "it is ignored"});
+        losses_->add({"transform \"" + shortened(style["transform"]) + '"', layer, {}, "it is ignored"});
         return {};
     }
     return turns_about_own_box(style) ? *affine : about_origin(*affine, style, around.measure);
@@ -229,12 +242,11 @@ void PartReader::read_use(pugi::xml_node element, Part& part, Around& inside)
     const std::string_view id = referred_id(element);
     const pugi::xml_node referred = index_.find(id);
     if (!referred) {
-        losses_->add(
-            {"use of \"" + std::string{id} + '"', part.layer, {}, "nothing: it is not in this file"});
+        losses_->add({"use of \"" + shortened(id) + '"', part.layer, {}, "nothing: it is not in this file"});
         return;
     }
     if (part.label.empty() && part.id.empty())
-        part.name = id;
+        part.name = shortened(id, longest_name);
     const Affine place = art::moved(length(inside.style["x"], Axis::x, inside.measure).value_or(0),
                                     length(inside.style["y"], Axis::y, inside.measure).value_or(0));
     part.own = part.own * place;

@@ -8,6 +8,7 @@
 #include "host/svg/style.hpp"
 #include "host/svg/view_box.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -62,6 +63,7 @@ private:
     void read_shape(pugi::xml_node element, Part& part, Around& inside);
     void split_line(Part& part, const art::Drawing& line, bool below);
 
+    void take_style(const Style& style);
     void set_background(const Style& style);
     art::Affine set_canvas(pugi::xml_node root, const Style& style);
     art::Affine own_affine(const Style& style, const Around& around, const std::string& layer);
@@ -76,6 +78,7 @@ private:
     ElementIndex index_;
     StyleSheet sheet_;
     Picture picture_;
+    std::size_t style_bytes_ = 0;
 };
 
 }

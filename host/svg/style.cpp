@@ -2,6 +2,7 @@
 
 #include "host/svg/length.hpp"
 #include "host/svg/properties.hpp"
+#include "host/svg/shortened.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +19,7 @@ std::vector<Declaration> said(pugi::xml_node element, StyleSheet& sheet)
         if (property_of(attribute.name()).care != Care::unknown)
             result.push_back({attribute.name(), attribute.value(), false});
     for (const Rule* rule : sheet.matching(element))
-        result.insert(result.end(), rule->declarations.begin(), rule->declarations.end());
+        result.insert(result.end(), rule->declarations->begin(), rule->declarations->end());
     for (Declaration& own : declarations(element.attribute("style").value()))
         result.push_back(std::move(own));
     std::stable_partition(result.begin(), result.end(),
@@ -81,6 +82,14 @@ void Style::set(const std::string& property, std::string_view value)
     values_.insert_or_assign(property, std::string{value});
 }
 
+std::size_t Style::bytes() const
+{
+    std::size_t sum = 0;
+    for (const auto& [name, value] : values_)
+        sum += value.size();
+    return sum;
+}
+
 /// "var(--name, fallback)" as a whole value; what a variable holds may be one itself.
 void Style::put_in_custom_properties()
 {
@@ -101,11 +110,11 @@ void Style::report(const std::string& layer, art::Losses& losses) const
             continue;
         const Property property = property_of(name);
         if (property.care == Care::unknown)
-            losses.add({"property \"" + name + '"', layer, {}, "it is ignored"});
+            losses.add({"property \"" + shortened(name) + '"', layer, {}, "it is ignored"});
         else if (property.care == Care::reported && !value.empty() && value != property.usual)
             losses.add({name, layer, {}, std::string{property.instead}});
         if (value.find("var(") != value.npos || value.find("calc(") != value.npos)
-            losses.add({name + ": " + value, layer, {}, "it is as if it were not set"});
+            losses.add({name + ": " + shortened(value), layer, {}, "it is as if it were not set"});
     }
 }
 

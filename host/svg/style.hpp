@@ -3,6 +3,7 @@
 #include "host/art/losses.hpp"
 #include "host/svg/style_sheet.hpp"
 
+#include <cstddef>
 #include <map>
 #include <pugixml.hpp>
 #include <string>
@@ -17,6 +18,9 @@ public:
     /// Of an element inside of one with the style `outer`: from attributes, rules of the sheet, and its own
     /// "style".
     Style(const Style& outer, pugi::xml_node element, StyleSheet& sheet);
+
+    /// Of all values together.
+    std::size_t bytes() const;
 
     /// Adds what the scene will not have of it, as losses of the layer.
     void report(const std::string& layer, art::Losses& losses) const;

@@ -2,6 +2,7 @@
 
 #include "host/failure.hpp"
 #include "host/svg/length.hpp"
+#include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
 
 #include <algorithm>
@@ -204,11 +205,12 @@ void StyleSheet::add_elements(pugi::xml_node root, art::Losses& losses)
         std::string css;
         for (const auto child : element.children())
             css += child.value();
-        add(css, losses);
+        add(css, 0, losses);
     }
+    std::ranges::stable_sort(rules_, {}, [](const Rule& rule) { return rule.selector.specificity; });
 }
 
-void StyleSheet::add(std::string_view css, art::Losses& losses)
+void StyleSheet::add(std::string_view css, int depth, art::Losses& losses)
 {
     const std::string plain = without_comments(css);
     std::string_view rest = trimmed(plain);
@@ -218,19 +220,19 @@ void StyleSheet::add(std::string_view css, art::Losses& losses)
             return;
         const std::string_view prelude = trimmed(rest.substr(0, stop));
         if (rest[stop] == ';') {
-            add_at_rule(prelude, {}, losses);
+            add_at_rule(prelude, {}, depth, losses);
             rest = trimmed(rest.substr(stop + 1));
             continue;
         }
         std::size_t end = stop + 1;
-        for (int depth = 1; end < rest.size(); ++end) {
-            depth += rest[end] == '{' ? 1 : rest[end] == '}' ? -1 : 0;
-            if (depth == 0)
+        for (int open = 1; end < rest.size(); ++end) {
+            open += rest[end] == '{' ? 1 : rest[end] == '}' ? -1 : 0;
+            if (open == 0)
                 break;
         }
         const std::string_view body = rest.substr(stop + 1, end - stop - 1);
         if (prelude.starts_with('@'))
-            add_at_rule(prelude, body, losses);
+            add_at_rule(prelude, body, depth, losses);
         else
             add_rule(prelude, body, losses);
         rest = end < rest.size() ? trimmed(rest.substr(end + 1)) : std::string_view{};
@@ -239,30 +241,31 @@ void StyleSheet::add(std::string_view css, art::Losses& losses)
 
 void StyleSheet::add_rule(std::string_view selectors, std::string_view body, art::Losses& losses)
 {
-    const auto body_declarations = declarations(body);
+    const auto shared = std::make_shared<const std::vector<Declaration>>(declarations(body));
     for (const std::string_view text : split(selectors, ',')) {
         const auto read = selector(text);
         const std::string name{trimmed(text)};
         if (!read && name.find(":hover") == name.npos && name.find(":focus") == name.npos &&
             name.find(":active") == name.npos)
-            losses.add({"selector \"" + name + "\" of a style sheet", {}, {}, "the rule is ignored"});
+            losses.add(
+                {"selector \"" + shortened(name) + "\" of a style sheet", {}, {}, "the rule is ignored"});
         if (read)
-            rules_.push_back({*read, body_declarations});
+            rules_.push_back({*read, shared});
+        if (rules_.size() > most_rules)
+            throw Failure("more than 10000 rules in style sheets: take out those that are not needed");
     }
-    if (rules_.size() > most_rules)
-        throw Failure("more than 10000 rules in style sheets: take out those that are not needed");
-    std::ranges::stable_sort(rules_, {}, [](const Rule& rule) { return rule.selector.specificity; });
 }
 
-void StyleSheet::add_at_rule(std::string_view prelude, std::string_view body, art::Losses& losses)
+void StyleSheet::add_at_rule(std::string_view prelude, std::string_view body, int depth, art::Losses& losses)
 {
     const std::string name{prelude.substr(0, prelude.find_first_of(" \t\r\n("))};
     if (name == "@charset" || name == "@namespace" || name == "@font-face")
         return; // nothing that is drawn depends on it
     const std::string_view condition = trimmed(prelude.substr(name.size()));
-    if (name == "@media" && (condition == "screen" || condition == "all"))
-        return add(body, losses);
-    losses.add({name + " in a style sheet", {}, {}, "what stands in it is ignored"});
+    constexpr int deepest = 8;
+    if (name == "@media" && (condition == "screen" || condition == "all") && depth < deepest)
+        return add(body, depth + 1, losses);
+    losses.add({shortened(name) + " in a style sheet", {}, {}, "what stands in it is ignored"});
 }
 
 std::vector<const Rule*> StyleSheet::matching(pugi::xml_node element)

@@ -3,6 +3,7 @@
 #include "host/art/losses.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -42,24 +43,23 @@ struct Selector {
 
 struct Rule {
     Selector selector;
-    std::vector<Declaration> declarations;
+    std::shared_ptr<const std::vector<Declaration>> declarations; ///< of all selectors of the rule
 };
 
 /// The rules of all elements "style" of a text, in their order.
 class StyleSheet {
 public:
-    /// Adds those of all elements "style" below `root`.
+    /// Adds those of all elements "style" below `root`. What is not understood is added to `losses`.
     void add_elements(pugi::xml_node root, art::Losses& losses);
-
-    /// Adds the rules of a text. What is not understood is added to `losses`.
-    void add(std::string_view css, art::Losses& losses);
 
     /// Those that match, the one that wins last.
     std::vector<const Rule*> matching(pugi::xml_node element);
 
 private:
+    /// `depth` counts the rules with @ around it.
+    void add(std::string_view css, int depth, art::Losses& losses);
     void add_rule(std::string_view selectors, std::string_view body, art::Losses& losses);
-    void add_at_rule(std::string_view prelude, std::string_view body, art::Losses& losses);
+    void add_at_rule(std::string_view prelude, std::string_view body, int depth, art::Losses& losses);
 
     std::vector<Rule> rules_;
     std::size_t comparisons_ = 0;

@@ -2,6 +2,7 @@
 
 #include "host/svg/length.hpp"
 #include "host/svg/properties.hpp"
+#include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
 
 #include <algorithm>
@@ -45,18 +46,11 @@ struct Words : pugi::xml_tree_walker {
     std::string text;
 };
 
-/// The beginning of a long text; never half of a character.
 std::string words_of(pugi::xml_node element)
 {
-    constexpr std::size_t most = 40;
     Words words;
     element.traverse(words);
-    if (words.text.size() <= most)
-        return words.text;
-    std::size_t end = most;
-    while (end > 0 && (static_cast<unsigned char>(words.text[end]) & 0xC0) == 0x80)
-        --end;
-    return words.text.substr(0, end) + "...";
+    return shortened(words.text);
 }
 
 }
@@ -71,8 +65,10 @@ void report_unread(pugi::xml_node element, const std::string& layer, art::Losses
         return;
     }
     const auto known = std::ranges::find(unread, name, &Unread::name);
-    losses.add(
-        {'<' + name + '>', layer, {}, std::string{known == unread.end() ? "nothing" : known->instead}});
+    losses.add({'<' + shortened(name) + '>',
+                layer,
+                {},
+                std::string{known == unread.end() ? "nothing" : known->instead}});
 }
 
 void report_attributes(pugi::xml_node element, const std::string& layer, art::Losses& losses)
@@ -80,9 +76,9 @@ void report_attributes(pugi::xml_node element, const std::string& layer, art::Lo
     for (const auto attribute : element.attributes()) {
         const std::string_view name = attribute.name();
         if (name.starts_with("on"))
-            losses.add({"script of \"" + std::string{name} + '"', layer, {}, "it does not run"});
+            losses.add({"script of \"" + shortened(name) + '"', layer, {}, "it does not run"});
         else if (!is_known_attribute(name))
-            losses.add({"attribute \"" + std::string{name} + '"', layer, {}, "it is ignored"});
+            losses.add({"attribute \"" + shortened(name) + '"', layer, {}, "it is ignored"});
     }
 }
 

@@ -94,6 +94,33 @@ TEST_CASE("a style sheet that would take for ever is refused")
     CHECK(failure_of(drawing(css)).find("too many rules") != std::string::npos);
 }
 
+TEST_CASE("long styles are not copied without bounds")
+{
+    std::string text = "<path id='p' d='" + std::string(1'000'000, ' ') + "'/>";
+    for (int i = 0; i < 1000; ++i)
+        text += "<use href='#p'/>";
+    CHECK(failure_of(drawing(text)).find("512 MB") != std::string::npos);
+    const std::string long_name(100'000, 'x');
+    art::Losses losses;
+    const auto document = svg::read_svg(
+        {"test.svg", drawing("<circle r='3' id='" + long_name + "' " + long_name + "='1'/>")}, losses);
+    CHECK(document.nodes.front().name.size() < 300);
+    CHECK(losses.list().front().feature.size() < 100);
+}
+
+TEST_CASE("rules in rules in rules end somewhere")
+{
+    std::string css;
+    for (int i = 0; i < 20'000; ++i)
+        css += "@media screen{";
+    CHECK(failure_of(drawing("<style>" + css + "</style>")).empty());
+    std::string selectors = "a";
+    for (int i = 0; i < 20'000; ++i)
+        selectors += ",a";
+    CHECK(failure_of(drawing("<style>" + selectors + "{fill:red}</style>")).find("10000 rules") !=
+          std::string::npos);
+}
+
 TEST_CASE("entities do not grow without bounds")
 {
     std::string text = "<!DOCTYPE svg [<!ENTITY a \"" + std::string(100'000, 'x') + "\">\n]><svg><desc>";
