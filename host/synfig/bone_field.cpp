@@ -166,8 +166,7 @@ std::vector<double> BoneField::samples() const
     for (int i = 0; i <= even; ++i)
         times.push_back(layer_.reading().frames * i / even);
     std::ranges::sort(times);
-    const auto same = std::ranges::unique(times);
-    times.erase(same.begin(), same.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 

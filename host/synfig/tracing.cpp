@@ -119,8 +119,8 @@ private:
         if (tracing_.to > tracing_.from)
             times.push_back(tracing_.to);
         std::ranges::sort(times);
-        const auto close = std::ranges::unique(times, [](double a, double b) { return b - a < 3 * beside; });
-        times.erase(close.begin(), close.end());
+        const auto close = [](double a, double b) { return b - a < 3 * beside; };
+        times.erase(std::unique(times.begin(), times.end(), close), times.end());
         return times;
     }
 
