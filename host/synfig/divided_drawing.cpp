@@ -96,7 +96,8 @@ art::Drawing divided(const art::Drawing& drawing, const Division& division)
     art::Drawing result;
     for (std::size_t i = 0; i < drawing.outlines.size(); ++i) {
         const Outline& outline = drawing.outlines[i];
-        Outline& own = result.outlines.emplace_back(outline.from, std::vector<Curve>{}, outline.closed);
+        result.outlines.push_back({outline.from, {}, outline.closed});
+        Outline& own = result.outlines.back();
         Spot from = outline.from;
         for (std::size_t n = 0; n < outline.curves.size(); ++n) {
             add_divided(own.curves, from, outline.curves[n], division[i][n]);

@@ -119,9 +119,8 @@ private:
         if (tracing_.to > tracing_.from)
             times.push_back(tracing_.to);
         std::ranges::sort(times);
-        times.erase(
-            std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < 3 * beside; }),
-            times.end());
+        const auto close = [](double a, double b) { return b - a < 3 * beside; };
+        times.erase(std::unique(times.begin(), times.end(), close), times.end());
         return times;
     }
 

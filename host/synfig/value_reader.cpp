@@ -192,9 +192,11 @@ void ValueReader::read_waypoints(pugi::xml_node element, ValueNode& node)
         if (Waypoint point = waypoint(child, node.type); point.value)
             node.waypoints.push_back(std::move(point));
     std::ranges::stable_sort(node.waypoints, {}, &Waypoint::time);
-    const auto same = std::unique(node.waypoints.begin(), node.waypoints.end(),
-                                  [](const Waypoint& a, const Waypoint& b) { return a.time == b.time; });
-    node.waypoints.erase(same, node.waypoints.end());
+    const auto at_one_time = [](const Waypoint& left, const Waypoint& right) {
+        return left.time == right.time;
+    };
+    node.waypoints.erase(std::unique(node.waypoints.begin(), node.waypoints.end(), at_one_time),
+                         node.waypoints.end());
     if (node.waypoints.empty())
         file_.fail(node.place, "this animation has no waypoint");
 }
