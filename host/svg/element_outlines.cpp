@@ -4,6 +4,8 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/shape.hpp"
 #include "host/scene/svg_path.hpp"
+#include "host/svg/reported_length.hpp"
+#include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
 
 #include <algorithm>
@@ -19,9 +21,6 @@ using scene::Outline;
 using scene::Spot;
 using Outlines = std::vector<Outline>;
 
-/// Of coordinates in a file: further away nothing is seen, and squares of it are still finite.
-constexpr double farthest = 1e7;
-
 struct Shape {
     pugi::xml_node node;
     const Style& style;
@@ -32,15 +31,13 @@ struct Shape {
     /// Nothing where it is "auto" or not set.
     std::optional<double> given(const char* name, Axis axis) const
     {
-        const auto value = length(style[name], axis, measure);
-        return value && std::abs(*value) <= farthest ? value : std::nullopt;
+        return reported_length(name, style[name], axis, measure, layer, losses);
     }
     double get(const char* name, Axis axis) const { return given(name, axis).value_or(0); }
     /// Of the attributes of lines, which are no properties.
     double coordinate(const char* name, Axis axis) const
     {
-        const double value = length(node.attribute(name).value(), axis, measure).value_or(0);
-        return std::abs(value) <= farthest ? value : 0;
+        return reported_length(name, node.attribute(name).value(), axis, measure, layer, losses).value_or(0);
     }
 };
 
@@ -120,11 +117,15 @@ Outlines line(const Shape& shape)
 
 Outlines through_points(const Shape& shape, bool closed)
 {
-    const auto values = numbers(shape.node.attribute("points").value());
+    const std::string_view text = shape.node.attribute("points").value();
+    std::string_view rest;
+    const auto values = numbers(text, rest);
+    if (!rest.empty() || values.size() % 2 != 0)
+        shape.losses.add({"points: " + shortened(text), shape.layer, {}, "those up to the mistake"});
     std::vector<Spot> spots;
     for (std::size_t i = 0; i + 1 < values.size(); i += 2)
-        if (std::abs(values[i]) <= farthest && std::abs(values[i + 1]) <= farthest)
-            spots.push_back({values[i], values[i + 1]});
+        spots.push_back(
+            {std::clamp(values[i], -farthest, farthest), std::clamp(values[i + 1], -farthest, farthest)});
     if (spots.size() < 2)
         return {};
     return {scene::polyline(spots, closed)};

@@ -96,6 +96,12 @@ std::optional<double> share(std::string_view text)
 
 std::vector<double> numbers(std::string_view text)
 {
+    std::string_view rest;
+    return numbers(text, rest);
+}
+
+std::vector<double> numbers(std::string_view text, std::string_view& rest)
+{
     scene::PathScanner scanner{text};
     std::vector<double> result;
     scanner.skip_space();
@@ -103,6 +109,7 @@ std::vector<double> numbers(std::string_view text)
         result.push_back(*value);
         scanner.skip_separator();
     }
+    rest = text.substr(scanner.offset());
     return result;
 }
 

@@ -30,6 +30,8 @@ std::optional<double> share(std::string_view text);
 
 /// Numbers with space or commas between them, as far as they can be read.
 std::vector<double> numbers(std::string_view text);
+/// The same; `rest` is what cannot be read.
+std::vector<double> numbers(std::string_view text, std::string_view& rest);
 
 /// Without space at both ends.
 std::string_view trimmed(std::string_view text);

@@ -2,6 +2,8 @@
 
 #include "host/art/curve_length.hpp"
 #include "host/art/dashes.hpp"
+#include "host/svg/reported_length.hpp"
+#include "host/svg/shortened.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -59,8 +61,10 @@ std::optional<Pen> pen(const Ink& ink, const Style& style, const Measure& measur
 {
     constexpr double widest = 1e6;
     Pen pen{.ink = ink};
-    pen.width = length(style.get("stroke-width", "1"), Axis::diagonal, measure).value_or(1);
-    if (pen.width <= 0 || pen.width > widest)
+    pen.width = std::min(
+        widest, reported_length("stroke-width", style["stroke-width"], Axis::diagonal, measure, layer, losses)
+                    .value_or(1));
+    if (pen.width <= 0)
         return std::nullopt;
     pen.cap = cap_of(style["stroke-linecap"]);
     pen.join = join_of(style["stroke-linejoin"], layer, losses);
@@ -73,8 +77,13 @@ art::Drawing dashed_line(const art::Drawing& drawing, const Style& style, const 
                          double path_length, double scale, const std::string& layer, art::Budget& budget,
                          art::Losses& losses)
 {
-    auto pattern = pattern_of(style["stroke-dasharray"], measure);
-    double offset = length(style["stroke-dashoffset"], Axis::diagonal, measure).value_or(0);
+    const std::string_view dashes = style["stroke-dasharray"];
+    auto pattern = pattern_of(dashes, measure);
+    if (pattern.empty() && !dashes.empty() && dashes != "none")
+        losses.add({"stroke-dasharray: " + shortened(dashes), layer, {}, "the whole line"});
+    double offset = reported_length("stroke-dashoffset", style["stroke-dashoffset"], Axis::diagonal, measure,
+                                    layer, losses)
+                        .value_or(0);
     if (path_length > 0) {
         const double factor = length_of(drawing) / path_length;
         std::ranges::transform(pattern, pattern.begin(), [&](double each) { return factor * each; });

@@ -37,6 +37,25 @@ TEST_CASE("what is not drawn is told, with its words and its place")
     CHECK(losses_of("<rect width='3' height='3' transform='scale(1e9)'/>").size() == 1);
 }
 
+TEST_CASE("lengths that are none are told, and none is taken for another")
+{
+    CHECK(losses_of("<rect width='3' height='calc(1px + 2px)'/>") ==
+          Lines{"height: calc(1px + 2px) | rect | it is as if it were not set"});
+    CHECK(losses_of("<line x1='one' x2='9' stroke='red'/>") ==
+          Lines{"x1: one | line | it is as if it were not set"});
+    CHECK(losses_of("<path d='M0 0h9' stroke='red' stroke-width='thick' stroke-dashoffset='x'/>") ==
+          Lines{"stroke-width: thick | path | it is as if it were not set",
+                "stroke-dashoffset: x | path | it is as if it were not set"});
+    CHECK(losses_of("<path d='M0 0h9' stroke='red' stroke-dasharray='2 much'/>") ==
+          Lines{"stroke-dasharray: 2 much | path | the whole line"});
+    CHECK(losses_of("<polygon points='0 0 9 0 9 9 x'/>") ==
+          Lines{"points: 0 0 9 0 9 9 x | polygon | those up to the mistake"});
+    for (const char* const far : {"<rect x='1e9' width='5' height='5'/>", "<rect width='1e12' height='5'/>",
+                                  "<polygon points='0 0 1e9 0 9 9'/>"})
+        CHECK(losses_of(far).size() == 1);
+    CHECK(losses_of("<rect width='3' height='3' rx='auto'/>").empty());
+}
+
 TEST_CASE("what has no effect on the picture is not told")
 {
     CHECK(losses_of(R"(
