@@ -1,5 +1,6 @@
 #include "host/scene_text/bone_keys.hpp"
 
+#include "host/scene_text/grid.hpp"
 #include "host/scene_text/law_text.hpp"
 #include "host/scene_text/stored_keys.hpp"
 
@@ -99,11 +100,27 @@ private:
 
 bool is_zero(const Channel& channel) { return channel.is_still() && channel.value() == 0; }
 
+scene::Spot stored(scene::Spot spot)
+{
+    return {off_grid(on_grid(spot.x, coordinates), coordinates),
+            off_grid(on_grid(spot.y, coordinates), coordinates)};
+}
+
+}
+
+/// As the ends of a bone are rounded, it may be set up one step longer or shorter than it is.
+bool changes_length(const Bone& bone)
+{
+    if (!bone.length)
+        return false;
+    const double set_up = scene::distance(stored(bone.from), stored(bone.to));
+    return !bone.length->is_still() ||
+           std::abs(on_grid(bone.length->value(), widths) - on_grid(set_up, widths)) > 1;
 }
 
 std::vector<BoneKey> bone_keys(const Bone& bone)
 {
-    if (is_zero(bone.turn) && is_zero(bone.x) && is_zero(bone.y) && !bone.length)
+    if (is_zero(bone.turn) && is_zero(bone.x) && is_zero(bone.y) && !changes_length(bone))
         return {};
     return BoneWays{bone}.keys();
 }

@@ -20,6 +20,9 @@ struct BoneKey {
     std::optional<std::string> place_law = {}; ///< of x and y
 };
 
+/// Whether a bone is ever longer or shorter than it is set up, by more than rounding makes of it.
+bool changes_length(const art::Bone& bone);
+
 /// The keys of a bone; none if it stays as it is set up. Where the ways of its quantities differ more than a
 /// pose can say, they go straight between many keys.
 std::vector<BoneKey> bone_keys(const art::Bone& bone);

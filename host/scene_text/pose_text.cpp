@@ -89,7 +89,7 @@ private:
         add_number(node, "turn", key.turn, turns);
         add_number(node, "x", key.x, coordinates);
         add_number(node, "y", key.y, coordinates);
-        if (bone.length)
+        if (changes_length(bone))
             set(node, "length", number(on_grid(key.length, widths), widths));
         return node;
     }

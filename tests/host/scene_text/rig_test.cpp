@@ -60,6 +60,17 @@ TEST_CASE("bones that leave a moment by different laws have poses of their own")
     CHECK(text.find("pose 0 law=hold { upper }\n    pose 0.001 { lower }\n") != std::string::npos);
 }
 
+TEST_CASE("a length is told only where it is another than that of the bone as it is set up")
+{
+    art::Document made = with_arm(rising(0, 90), {0});
+    made.rigs.front().bones.front().length = {20.06};
+    CHECK(written(made) == written(with_arm(rising(0, 90), {0})));
+    made.rigs.front().bones.front().length = {21};
+    CHECK(written(made).find("pose 0 { upper length=21 }") != std::string::npos);
+    made.rigs.front().bones.front().length = rising(20, 30);
+    CHECK(written(made).find("pose 0 { upper length=20 }") != std::string::npos);
+}
+
 TEST_CASE("bones that turn further than half a turn do so as written")
 {
     CHECK(written(with_arm(rising(0, 720), {0})).find("bones arm turns=as-written {") != std::string::npos);
