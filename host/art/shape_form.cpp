@@ -54,10 +54,12 @@ std::optional<ShapeForm> round_form(const Box& box, const Stroke& stroke, double
     return std::nullopt;
 }
 
-/// Of both radii the larger: the other one is cut to half of its side.
+/// Of both radii the larger: the other one is cut to half of its side. Where corners take all of the upper
+/// side, the first curve is a corner already.
 double corner_radius(const Outline& outline, const Box& box)
 {
-    return std::max(outline.from.x - box.low.x, outline.curves[1].to.y - box.low.y);
+    const Spot corner_end = outline.curves[outline.curves[0].cubic ? 0 : 1].to;
+    return std::max(outline.from.x - box.low.x, corner_end.y - box.low.y);
 }
 
 std::optional<ShapeForm> rect_form(double radius, const Box& box, const Stroke& stroke, double fineness)

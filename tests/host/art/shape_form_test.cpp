@@ -89,6 +89,9 @@ TEST_CASE("rectangles are known by their beginning and direction")
     CHECK(round.corner == 6.5);
     const auto pill = std::get<art::RectForm>(shape_form(scene::rectangle({1, 2}, 30, 10, 12)));
     CHECK(pill.corner == 12);
+    const auto upright = std::get<art::RectForm>(shape_form(scene::rectangle({1, 2}, 10, 30, 5)));
+    CHECK(upright.height == 30);
+    CHECK(upright.corner == 5);
     const auto turned = std::vector<Spot>{{31, 2}, {31, 42}, {1, 42}, {1, 2}};
     CHECK(std::get<art::PolygonForm>(shape_form(scene::polyline(turned, true))).spots.size() == 4);
 }
