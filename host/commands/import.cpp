@@ -13,7 +13,9 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -23,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double fastest = 1000;
+constexpr InputKind import_input{"file to import", "a .json, .lottie, .svg or .sif file", "export it again"};
 
 struct ImportOptions {
     std::string file;
@@ -74,7 +77,7 @@ importing::Imported import_drawings(const ImportOptions& options)
 {
     std::vector<SourceText> drawings;
     for (const std::string& file : options.drawings)
-        drawings.push_back({file, read_input(file, scene_input)});
+        drawings.push_back({file, read_input(file, import_input)});
     return importing::import_key_drawings(std::move(drawings), frames_of(options), options.choice.options);
 }
 
@@ -82,7 +85,7 @@ importing::Imported import_file(const ImportOptions& options)
 {
     if (!options.drawings.empty())
         return import_drawings(options);
-    std::string content = read_input(options.file, scene_input);
+    std::string content = read_input(options.file, import_input);
     if (content.starts_with("KFB"))
         throw Failure(options.file + ": a compiled scene already");
     return importing::import_scene(options.file, std::move(content), options.choice.options);
@@ -98,6 +101,20 @@ void require_all(const ImportOptions& options, const art::Losses& losses)
                   importing::loss_list(losses, length));
 }
 
+/// A text that has been changed since it was imported must not be lost to a name that nobody has written.
+fs::path scene_beside(const std::string& input, const std::string& text)
+{
+    const fs::path path = fs::path{input}.replace_extension(".kfast");
+    std::error_code none_yet;
+    if (!fs::exists(path, none_yet) || fs::equivalent(path, input, none_yet))
+        return path;
+    std::ifstream file{path, std::ios::binary};
+    if (std::string{std::istreambuf_iterator<char>{file}, {}} != text)
+        throw Failure(path.string() + ": exists already, and is not the same: -o " + path.string() +
+                      " replaces it, or choose another name");
+    return path;
+}
+
 /// Returns the name for messages.
 std::string write_scene(const ImportOptions& options, const std::string& text)
 {
@@ -105,8 +122,8 @@ std::string write_scene(const ImportOptions& options, const std::string& text)
         std::cout << text << std::flush;
         return "standard output";
     }
-    const fs::path chosen = options.output.empty() ? fs::path{options.input()}.replace_extension(".kfast")
-                                                   : fs::path{options.output};
+    const fs::path chosen =
+        options.output.empty() ? scene_beside(options.input(), text) : fs::path{options.output};
     const fs::path path = output_path(chosen, options.input(), "file that is imported");
     write_file(path, std::as_bytes(std::span{text}));
     return path.string();

@@ -84,6 +84,15 @@ class ImportTest(ImportCase):
         self.assertIn("kfast 1\n", result.stdout)
         self.assertTrue(result.stderr.startswith("standard output: 1 object"), result.stderr)
 
+    def test_a_text_that_was_changed_is_replaced_by_name_alone(self):
+        self.run_kfast("import", "dot.json")
+        self.run_kfast("import", "dot.json")
+        self.write("dot.kfast", "// changed by hand")
+        self.refuse("import", "dot.json", status=1, says="-o dot.kfast replaces it")
+        self.assertEqual((self.folder / "dot.kfast").read_text(), "// changed by hand")
+        self.run_kfast("import", "dot.json", "-o", "dot.kfast")
+        self.assertIn("object dot", (self.folder / "dot.kfast").read_text())
+
     def test_never_overwrites_the_file(self):
         self.refuse("import", "dot.json", "-o", "dot.json", status=1, says="overwrite the file that is imported")
 
