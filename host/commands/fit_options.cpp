@@ -1,9 +1,11 @@
 #include "host/commands/fit_options.hpp"
 
+#include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/failure.hpp"
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"
+#include "host/fit/board_texts.hpp"
 
 namespace kfast {
 namespace {
@@ -23,7 +25,8 @@ fit::Display panel_named(const std::string& name)
 CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
 {
     CLI::Option* const board = app.add_option("--board", options.board,
-                                              "A known board, or the file that describes yours (docs/fit.md)")
+                                              "A known board (" + names_of(fit::board_texts()) +
+                                                  "), or the file that describes yours (docs/fit.md)")
                                    ->type_name("NAME");
     app.add_option_function<std::string>(
            "--panel", [&options](const std::string& name) { options.panel = panel_named(name); },
