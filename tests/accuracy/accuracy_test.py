@@ -1,6 +1,6 @@
 """Holds what kfast draws against the definition of coverage and against an independent renderer; see README.md:
 
-    accuracy_test.py <kfast> <scene.kfast or .json> <motion.json> <folder of frames NAME-NN.png>
+    accuracy_test.py <kfast> <motion.json> <folder of frames NAME-NN.png> <scene.kfast or .json>...
 """
 
 import pathlib
@@ -68,21 +68,24 @@ def failures(what, result, least_close, farthest):
         yield f"{what}: plain pixels differ"
 
 
-def test(kfast, scene, motion_file, references):
-    name = pathlib.Path(scene).stem
+def test(kfast, motion_file, references, *scenes):
+    name = pathlib.Path(motion_file).stem
     motion = Motion(pathlib.Path(motion_file))
-    with tempfile.TemporaryDirectory() as folder:
-        drawn = render_all(kfast, scene, folder)
-    size = drawn[0].size
+    drawn = {}
+    for scene in scenes:
+        with tempfile.TemporaryDirectory() as folder:
+            drawn[pathlib.Path(scene).name] = render_all(kfast, scene, folder)
+    size = next(iter(drawn.values()))[0].size
     true = [by_definition(motion, frame, size, TRUE_TOLERANCE) for frame in range(FRAMES)]
     sampled = range(0, FRAMES, STEP)
     independent = [on_panel(Image.open(pathlib.Path(references) / f"{name}-{frame:02}.png")) for frame in sampled]
     coarse = [by_definition(motion, frame, size, INDEPENDENT_TOLERANCE) for frame in sampled]
 
-    yield from failures(f"{name}: kfast, true area", compared(zip(drawn, true), motion),
-                        CLOSE_TO_TRUE, FARTHEST_FROM_TRUE)
-    yield from failures(f"{name}: kfast, independent", compared(zip(drawn[::STEP], independent), motion),
-                        CLOSE_TO_INDEPENDENT[name], FARTHEST_FROM_INDEPENDENT)
+    for scene, pictures in drawn.items():
+        yield from failures(f"{scene}: kfast, true area", compared(zip(pictures, true), motion),
+                            CLOSE_TO_TRUE, FARTHEST_FROM_TRUE)
+        yield from failures(f"{scene}: kfast, independent", compared(zip(pictures[::STEP], independent), motion),
+                            CLOSE_TO_INDEPENDENT[name], FARTHEST_FROM_INDEPENDENT)
     print(f"{name + ': true area, independent':35} {compared(zip(true[::STEP], independent), motion)}")
     yield from failures(f"{name}: coarse chords, independent", compared(zip(coarse, independent), motion),
                         CLOSE_TO_COARSE, FARTHEST_FROM_INDEPENDENT)
