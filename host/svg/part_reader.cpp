@@ -239,6 +239,7 @@ void PartReader::read_first(pugi::xml_node element, Part& part, Around& inside)
 void PartReader::read_use(pugi::xml_node element, Part& part, Around& inside)
 {
     part.is_group = true;
+    report_content(element, part.layer, *losses_);
     const std::string_view id = referred_id(element);
     const pugi::xml_node referred = index_.find(id);
     if (!referred) {
@@ -288,6 +289,7 @@ void PartReader::read_box(pugi::xml_node element, Part& part, Around& inside)
 void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
 {
     const Style& style = inside.style;
+    report_content(element, part.layer, *losses_);
     if (style["visibility"] == "hidden" || style["visibility"] == "collapse")
         return;
     part.drawing = outlines_of(element, style, inside.measure, part.layer, budget_, *losses_);

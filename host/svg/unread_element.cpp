@@ -71,6 +71,12 @@ void report_unread(pugi::xml_node element, const std::string& layer, art::Losses
                 std::string{known == unread.end() ? "nothing" : known->instead}});
 }
 
+void report_content(pugi::xml_node element, const std::string& layer, art::Losses& losses)
+{
+    for (const pugi::xml_node child : element.children())
+        report_unread(child, layer, losses);
+}
+
 void report_attributes(pugi::xml_node element, const std::string& layer, art::Losses& losses)
 {
     for (const auto attribute : element.attributes()) {

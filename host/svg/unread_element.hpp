@@ -10,6 +10,9 @@ namespace kfast::svg {
 /// Adds the loss of an element that is neither a shape nor a group, if its being left out can be seen.
 void report_unread(pugi::xml_node element, const std::string& layer, art::Losses& losses);
 
+/// The same of all that lies in an element that draws nothing of it: animations, for instance.
+void report_content(pugi::xml_node element, const std::string& layer, art::Losses& losses);
+
 /// Adds the losses of attributes that are not understood.
 void report_attributes(pugi::xml_node element, const std::string& layer, art::Losses& losses);
 
