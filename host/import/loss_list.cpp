@@ -77,11 +77,16 @@ std::string loss_list(const art::Losses& losses, ListLength length)
     const Most most = length == ListLength::cut ? on_a_screen : Most{};
     const std::vector<Kind> kinds = kinds_of(losses);
     const std::size_t count = std::min(kinds.size(), most.kinds);
+    const bool is_cut = count < kinds.size() || std::ranges::any_of(kinds, [&most](const Kind& kind) {
+                            return kind.places.size() > most.places;
+                        });
     std::string text;
     for (std::size_t index = 0; index < count; ++index)
         text.append(index == 0 ? "" : "\n").append(text_of(kinds[index], most.places));
     if (count < kinds.size())
         text.append("\n  and ").append(counted(kinds.size() - count, "more kind")).append(" of things");
+    if (is_cut)
+        text.append("\n  (all of them: 'kfast check', or 'kfast import --all-losses')");
     if (losses.beyond() > 0)
         text.append("\n  and ").append(std::to_string(losses.beyond())).append(" more, too many to keep");
     return text;

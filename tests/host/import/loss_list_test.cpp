@@ -30,13 +30,14 @@ TEST_CASE("a long list is cut, and says so")
     for (int number = 0; number < 20; ++number)
         losses.add({"gradient", std::to_string(number), std::nullopt, "its mean colour"});
     const std::string cut = loss_list(losses, ListLength::cut);
-    CHECK(cut.ends_with("      3\n      and 16 more"));
+    const std::string all = "\n  (all of them: 'kfast check', or 'kfast import --all-losses')";
+    CHECK(cut.ends_with("      3\n      and 16 more" + all));
     CHECK(loss_list(losses, ListLength::whole).ends_with("\n      19"));
 
     art::Losses kinds;
     for (int number = 0; number < 20; ++number)
         kinds.add({std::to_string(number), "a", std::nullopt, "b"});
-    CHECK(loss_list(kinds, ListLength::cut).ends_with("  15 (a): b\n  and 4 more kinds of things"));
+    CHECK(loss_list(kinds, ListLength::cut).ends_with("  15 (a): b\n  and 4 more kinds of things" + all));
     CHECK(loss_list(kinds, ListLength::whole).ends_with("  19 (a): b"));
 }
 
