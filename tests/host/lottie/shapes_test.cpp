@@ -147,6 +147,8 @@ TEST_CASE("what is not carried over is reported")
     CHECK(only_loss(square + R"(, {"ty": "fl", "bm": 1, "c": {"k": [1, 0, 0, 1]}})") == "blend mode");
     CHECK(only_loss(R"({"ty": "fl", "c": {"k": [1, 0, 0, 1]}, "shade": 1})") ==
           "member \"shade\" of a shape \"fl\"");
+    CHECK(read_shapes(R"({"ty": "el", "closed": true, "p": {"k": [0, 0]}, "s": {"k": [8, 8]}}, )" + red)
+              .losses.empty());
     CHECK(read_shapes(square + ',' + line + R"(, {"ty": "mm", "mm": 1}, )" + red).losses.empty());
 }
 
