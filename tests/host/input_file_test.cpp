@@ -52,7 +52,7 @@ TEST_CASE("the remedy fits what the file is to be")
     const TemporaryFolder folder;
     create(folder / "empty", 0);
     create(folder / "larger", input_limit + 1);
-    CHECK(failure(folder / ".").ends_with("this is a folder: name a .kfast or .kfb file in it"));
+    CHECK(failure(folder / ".").ends_with("this is a folder: name " + std::string{scene_files} + " in it"));
     CHECK(failure(folder / ".", font_input).ends_with("this is a folder: name a .ttf or .otf file in it"));
     CHECK(failure(folder / "empty", font_input).ends_with("the file is empty: copy it again"));
     CHECK(failure(folder / "larger", font_input).find("more than any font needs") != std::string::npos);
