@@ -14,8 +14,9 @@ TEST_CASE("what is not drawn is told, with its words and its place")
     CHECK(losses_of("<g inkscape:label='body'><text id='t'>Hello  <tspan>all</tspan></text></g>") ==
           Lines{"text \"Hello all\" | body | nothing: turn it into a path"});
     CHECK(losses_of("<image/>") == Lines{"<image> |  | nothing: only shapes are drawn"});
-    CHECK(losses_of("<rect id='r' width='3' height='3'><title>t</title><animate attributeName='x'/></rect>") ==
-          Lines{"<animate> | r | its values at rest"});
+    CHECK(
+        losses_of("<rect id='r' width='3' height='3'><title>t</title><animate attributeName='x'/></rect>") ==
+        Lines{"<animate> | r | its values at rest"});
     CHECK(losses_of("<rect id='r' width='3' height='3'/><use id='u' href='#r'><set/></use>") ==
           Lines{"<set> | u | its values at rest"});
     CHECK(losses_of("<blob/>") == Lines{"<blob> |  | nothing"});
