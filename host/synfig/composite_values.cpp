@@ -112,6 +112,13 @@ Value choice(Evaluator& evaluator, const ValueNode& node, double time)
     return evaluator.link(node, evaluator.truth(node, "switch", time) ? "link_on" : "link_off", time);
 }
 
+Value gradient_colour(Evaluator& evaluator, const ValueNode& node, double time)
+{
+    const double index = evaluator.number(node, "index", time);
+    const double position = evaluator.truth(node, "loop", time) ? index - std::floor(index) : index;
+    return {evaluator.link(node, "gradient", time).as<Gradient>().at(position)};
+}
+
 }
 
 ValueLaws composite_laws()
@@ -122,6 +129,8 @@ ValueLaws composite_laws()
             {"vectory", vector_y},
             {"vectorangle", vector_angle},
             {"vectorlength", vector_length},
+            {"gradientcolor", gradient_colour},
+            {"random", reference}, // without its noise
             {"reference", reference},
             {"greyed", reference},
             {"switch", choice}};
