@@ -12,6 +12,7 @@ namespace {
 constexpr int composite = 0;
 constexpr int straight = 1;
 constexpr int behind = 12;
+constexpr int straight_onto = 21;
 
 template <typename Law>
 Colour by_channels(const Colour& below, const Colour& above, Law law)
@@ -125,7 +126,7 @@ const std::map<int, Method>& methods()
                                            {18, {"difference", difference_of}},
                                            {19, {"alpha over"}},
                                            {20, {"overlay", overlay}},
-                                           {21, {"straight onto", onto}},
+                                           {straight_onto, {"straight onto", onto}},
                                            {22, {"add composite", add}},
                                            {23, {"alpha intersection"}}};
     return all;
@@ -146,10 +147,13 @@ std::string feature(int method)
            (found == methods().end() ? std::to_string(method) : '"' + std::string{found->second.name} + '"');
 }
 
+bool is_opaque(const Layer& layer)
+{
+    return layer.number("amount", 0, 1) >= 1 && layer.bends({"amount"}).empty();
+}
+
 Blending blending_everywhere(const Layer& layer, int method)
 {
-    if (method == straight && layer.number("amount", 0, 1) >= 1 && layer.bends({"amount"}).empty())
-        return Blending::replacing;
     const auto found = methods().find(method);
     if (found != methods().end() && found->second.tinting) {
         if (!found->second.is_exact)
@@ -171,12 +175,20 @@ Blending blending_of(const Layer& layer, Extent extent, bool lies_lowest)
         return Blending::behind;
     if (lies_lowest && methods().contains(method))
         return stands_alone(method) ? Blending::normal : Blending::left_out;
+    if (method == straight && is_opaque(layer))
+        return Blending::replacing;
     if (extent == Extent::everywhere)
         return blending_everywhere(layer, method);
+    if (method == straight_onto && is_opaque(layer)) {
+        layer.lose(feature(method), "painted instead of what lies below, even beyond it");
+        return Blending::replacing;
+    }
     const bool left_out = erases(method);
     layer.lose(feature(method), left_out ? "the layer is left out" : "painted over what lies below");
     return left_out ? Blending::left_out : Blending::normal;
 }
+
+bool is_composite(const Layer& layer) { return method_of(layer) == composite; }
 
 bool takes_away(const Layer& layer) { return erases(method_of(layer)); }
 

@@ -21,6 +21,8 @@ enum class Extent { shape, everywhere };
 /// Adds a loss where that is not what the layer asks for. `lies_lowest`: nothing in its canvas is below.
 Blending blending_of(const Layer& layer, Extent extent, bool lies_lowest);
 
+/// Whether a layer is painted the ordinary way.
+bool is_composite(const Layer& layer);
 /// Such a layer shows nothing of its own.
 bool takes_away(const Layer& layer);
 

@@ -137,20 +137,19 @@ std::optional<CoverGroup> covers_in(const Layer& group)
         return {};
     std::optional<CoverGroup> found;
     const Scope inner = inside_of(group);
-    bool alone = true;
+    art::Budget::check_depth(inner.depth);
     for (const pugi::xml_node child : group.canvas().children("layer")) {
         const Layer layer{child, group.reading(), inner};
         if (!layer.is_drawn() || is_change(layer))
             continue;
-        if (is_cover(layer) && !found)
-            found = CoverGroup{layer};
-        else if (is_cover(layer) || (found && takes_away(layer)))
-            alone = false;
+        const auto inside = is_cover(layer) ? std::optional{CoverGroup{layer}} : covers_in(layer);
+        if (inside && !found)
+            found = inside;
+        else if (inside || (found && takes_away(layer)))
+            found->is_alone = false;
         else
             return {};
     }
-    if (found)
-        found->is_alone = alone;
     return found;
 }
 

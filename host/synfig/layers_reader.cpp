@@ -120,7 +120,7 @@ private:
 
     static Blending blending_of(const Layer& layer, bool lies_lowest)
     {
-        const auto covers = covers_in(layer);
+        const auto covers = is_composite(layer) ? std::nullopt : covers_in(layer);
         const Extent extent = covers || is_cover(layer) ? Extent::everywhere : Extent::shape;
         const Blending blending = synfig::blending_of(layer, extent, lies_lowest);
         if (blending != Blending::tinting || !covers || covers->is_alone)

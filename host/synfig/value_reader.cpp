@@ -65,6 +65,26 @@ void collect_unknown(ValueNode& node)
         add(link->unknown);
 }
 
+/// Files of old versions number the parts of composites from "c1" on, and of radial ones from "c0" on.
+std::string_view current_link(const ValueNode& node, std::string_view name)
+{
+    using Parts = std::vector<std::string_view>;
+    static const std::map<std::string_view, Parts> composites{
+        {"vector", {"x", "y"}},
+        {"color", {"r", "g", "b", "a"}},
+        {"segment", {"p1", "t1", "p2", "t2"}},
+        {"bline_point", {"point", "width", "origin", "split", "t1", "t2"}}};
+    static const std::map<std::string_view, Parts> radial{
+        {"vector", {"radius", "theta"}}, {"color", {"y_luma", "saturation", "hue", "alpha"}}};
+    if (name.size() != 2 || name[0] != 'c' || (node.kind != "composite" && node.kind != "radial_composite"))
+        return name;
+    const bool is_radial = node.kind == "radial_composite";
+    const auto& known = is_radial ? radial : composites;
+    const auto parts = known.find(node.type);
+    const auto index = static_cast<std::size_t>(name[1] - (is_radial ? '0' : '1'));
+    return parts == known.end() || index >= parts->second.size() ? name : parts->second[index];
+}
+
 bool is_guid_reference(pugi::xml_node element) { return element.attribute("guid") && !element.first_child(); }
 
 }
@@ -311,12 +331,12 @@ void ValueReader::read_links(pugi::xml_node element, ValueNode& node)
     for (const pugi::xml_attribute attribute : element.attributes()) {
         const std::string_view name = attribute.name();
         if (name != "guid" && name != "id" && name != "type" && name != "static" && name != "interpolation")
-            node.links.emplace_back(name, with_id(attribute.value(), node.place));
+            node.links.emplace_back(current_link(node, name), with_id(attribute.value(), node.place));
     }
     for (const pugi::xml_node child : element.children())
         if (child.type() == pugi::node_element)
             if (ValueNodePtr value = read_inside(child))
-                node.links.emplace_back(child.name(), std::move(value));
+                node.links.emplace_back(current_link(node, child.name()), std::move(value));
 }
 
 double ValueReader::number(pugi::xml_node element, const char* attribute, double usual) const

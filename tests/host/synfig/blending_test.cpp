@@ -86,6 +86,11 @@ TEST_CASE("a group of nothing but a gradient tints by its mean colour, and tells
     CHECK(colour_of(file.node()).red == doctest::Approx(0.75));
     REQUIRE(file.losses.list().size() == 1);
     CHECK(file.losses.list()[0].feature == "gradient");
+    CHECK(read_layers(red_ball + group(method("13"), group("", cover))).document.nodes.size() == 1);
+    const std::string hole = layer("circle", method("19"));
+    const ReadFile left_out = read_layers(red_ball + group(method("13"), cover + hole));
+    CHECK(colour_of(left_out.node()).red == 1);
+    CHECK(left_out.losses.list().size() == 1);
 }
 
 TEST_CASE("what is transparent in a gradient has no say in the mean colour")
@@ -114,6 +119,17 @@ TEST_CASE("a colour straight over everything is all that is left")
     REQUIRE(file.document.nodes.size() == 2);
     CHECK(colour_of(file.document.nodes[0]).green == 1);
     CHECK(file.losses.empty());
+}
+
+TEST_CASE("a shape straight over others is all that is left; straight onto them, that is told")
+{
+    CHECK(read_layers(red_ball + layer("circle", method("1"))).document.nodes.size() == 1);
+    CHECK(read_layers(red_ball + layer("circle", method("1"))).losses.empty());
+    const ReadFile onto = read_layers(red_ball + layer("circle", method("21")));
+    CHECK(onto.document.nodes.size() == 1);
+    CHECK(onto.losses.list().size() == 1);
+    const std::string half = layer("circle", method("1") + parameter("amount", real("0.5")));
+    CHECK(read_layers(red_ball + half).document.nodes.size() == 2);
 }
 
 TEST_CASE("onto nothing, nothing is drawn; straight, a layer stands alone")

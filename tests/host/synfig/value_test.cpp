@@ -56,3 +56,19 @@ TEST_CASE("values and canvases of other files are told, and not mixed up with ow
     REQUIRE(file.losses.list().size() == 1);
     CHECK(file.losses.list()[0].feature == "value \"other.sif#:gold\" of another file");
 }
+
+TEST_CASE("files of old versions number the parts of composites")
+{
+    const std::string polar = "<radial_composite type=\"vector\"><c0>" + real("0.5") +
+                              "</c0><c1><angle value=\"90\"/></c1></radial_composite>";
+    const std::string origin =
+        "<composite type=\"vector\"><c1>" + real("1") + "</c1><c2>" + real("-0.5") + "</c2></composite>";
+    const auto middle = [](const std::string& value) {
+        const ReadFile file = read_layers(
+            layer("rectangle", parameter("point1", value) + parameter("point2", vector("0", "0"))));
+        return file.figure().drawing.value().outlines.at(0);
+    };
+    CHECK(middle(origin).curves.at(0).to.x == doctest::Approx(150));
+    CHECK(middle(origin).curves.at(1).to.y == doctest::Approx(75));
+    CHECK(middle(polar).from.y == doctest::Approx(25));
+}
