@@ -79,6 +79,14 @@ Ease ease_through(double at_third, double at_two_thirds)
     return {EaseKind::cubic, 1.0 / 3, 3 * first - 1.5 * second, 2.0 / 3, 3 * second - 1.5 * first};
 }
 
+/// A scene holds but some hundred different laws: those that are nearly the same become one.
+Ease on_grid(Ease ease, double grid)
+{
+    ease.y1 = std::round(ease.y1 * grid) / grid;
+    ease.y2 = std::round(ease.y2 * grid) / grid;
+    return ease;
+}
+
 bool within_law(const Ease& ease)
 {
     return std::min(ease.y1, ease.y2) >= lowest_swing && std::max(ease.y1, ease.y2) <= highest_swing;
@@ -224,10 +232,16 @@ private:
                 return false;
             }
         }
-        const bool found = follows(from, to, first, last, ease);
-        if (!found)
+        if (!follows(from, to, first, last, ease)) {
             ease = {};
-        return found;
+            return false;
+        }
+        for (const double grid : {8.0, 32.0, 128.0})
+            if (const Ease rounded = on_grid(ease, grid); follows(from, to, first, last, rounded)) {
+                ease = rounded;
+                break;
+            }
+        return true;
     }
 
     bool follows(double from, double to, const std::vector<double>& first, const std::vector<double>& last,
