@@ -183,7 +183,8 @@ Blending blending_of(const Layer& layer, Extent extent, bool lies_lowest)
         layer.lose(feature(method), "painted instead of what lies below, even beyond it");
         return Blending::replacing;
     }
-    const bool left_out = erases(method);
+    // Beyond what lies below it there is nothing of an inverted shape but all of the canvas.
+    const bool left_out = erases(method) || layer.truth("invert", 0, false);
     layer.lose(feature(method), left_out ? "the layer is left out" : "painted over what lies below");
     return left_out ? Blending::left_out : Blending::normal;
 }

@@ -132,6 +132,15 @@ TEST_CASE("a shape straight over others is all that is left; straight onto them,
     CHECK(read_layers(red_ball + half).document.nodes.size() == 2);
 }
 
+TEST_CASE("an inverted shape onto others does not cover all of the canvas")
+{
+    const std::string inverted = parameter("invert", "<bool value=\"true\"/>");
+    const ReadFile file = read_layers(red_ball + layer("star", method("13") + inverted));
+    CHECK(file.document.nodes.size() == 1);
+    CHECK(file.losses.list().size() == 1);
+    CHECK(read_layers(red_ball + layer("star", inverted)).document.nodes.size() == 2);
+}
+
 TEST_CASE("onto nothing, nothing is drawn; straight, a layer stands alone")
 {
     const ReadFile file = read_layers(layer("circle", method("13")));
