@@ -87,6 +87,8 @@ TEST_CASE("a group of nothing but a gradient tints by its mean colour, and tells
     REQUIRE(file.losses.list().size() == 1);
     CHECK(file.losses.list()[0].feature == "gradient");
     CHECK(read_layers(red_ball + group(method("13"), group("", cover))).document.nodes.size() == 1);
+    const std::string faint = method("13") + parameter("amount", real("0.4"));
+    CHECK(colour_of(read_layers(red_ball + group(faint, cover)).node()).red == doctest::Approx(0.9));
     const std::string hole = layer("circle", method("19"));
     const ReadFile left_out = read_layers(red_ball + group(method("13"), cover + hole));
     CHECK(colour_of(left_out.node()).red == 1);
