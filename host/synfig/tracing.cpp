@@ -79,7 +79,8 @@ Ease ease_through(double at_third, double at_two_thirds)
     return {EaseKind::cubic, 1.0 / 3, 3 * first - 1.5 * second, 2.0 / 3, 3 * second - 1.5 * first};
 }
 
-/// A scene holds but some hundred different laws: those that are nearly the same become one.
+/// A scene holds but some hundred different laws: those that are nearly the same become one, within twice
+/// the tolerance.
 Ease on_grid(Ease ease, double grid)
 {
     ease.y1 = std::round(ease.y1 * grid) / grid;
@@ -219,7 +220,7 @@ private:
                 most = i;
         const double change = first.empty() ? 0 : last[most] - first[most];
         if (std::abs(change) > tracing_.tolerance / 16) {
-            if (follows(from, to, first, last, {}))
+            if (follows(from, to, first, last, {}, tracing_.tolerance))
                 return true;
             const auto third = numbers_of(value_at_(from + span / 3));
             const auto two_thirds = numbers_of(value_at_(from + 2 * span / 3));
@@ -232,12 +233,13 @@ private:
                 return false;
             }
         }
-        if (!follows(from, to, first, last, ease)) {
+        if (!follows(from, to, first, last, ease, tracing_.tolerance)) {
             ease = {};
             return false;
         }
-        for (const double grid : {8.0, 32.0, 128.0})
-            if (const Ease rounded = on_grid(ease, grid); follows(from, to, first, last, rounded)) {
+        for (const double grid : {4.0, 16.0, 64.0})
+            if (const Ease rounded = on_grid(ease, grid);
+                follows(from, to, first, last, rounded, 2 * tracing_.tolerance)) {
                 ease = rounded;
                 break;
             }
@@ -245,7 +247,7 @@ private:
     }
 
     bool follows(double from, double to, const std::vector<double>& first, const std::vector<double>& last,
-                 const Ease& ease) const
+                 const Ease& ease, double tolerance) const
     {
         const int samples = std::clamp(static_cast<int>(2 * (to - from)), 5, 96);
         // Beginning in the middle, where what does not fit shows first.
@@ -256,7 +258,7 @@ private:
                 return false;
             const double way = art::share_of_way(ease, share);
             for (std::size_t n = 0; n < here.size(); ++n)
-                if (!(std::abs(here[n] - art::mixed(first[n], last[n], way)) <= tracing_.tolerance))
+                if (!(std::abs(here[n] - art::mixed(first[n], last[n], way)) <= tolerance))
                     return false;
         }
         return true;
