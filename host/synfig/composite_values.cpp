@@ -1,5 +1,6 @@
 #include "host/synfig/composite_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -112,6 +113,28 @@ Value choice(Evaluator& evaluator, const ValueNode& node, double time)
     return evaluator.link(node, evaluator.truth(node, "switch", time) ? "link_on" : "link_off", time);
 }
 
+Value gradient_colour(Evaluator& evaluator, const ValueNode& node, double time)
+{
+    const double index = evaluator.number(node, "index", time);
+    const double position = evaluator.truth(node, "loop", time) ? index - std::floor(index) : index;
+    return {evaluator.link(node, "gradient", time).as<Gradient>().at(position)};
+}
+
+/// Where its colours lie is not seen of a gradient.
+Value unturned_gradient(Evaluator& evaluator, const ValueNode& node, double time)
+{
+    return evaluator.link(node, "gradient", time);
+}
+
+/// So are stripes: one pair of them has the same mean colour as many.
+Value stripes(Evaluator& evaluator, const ValueNode& node, double time)
+{
+    const Colour first = evaluator.link(node, "color1", time).as<Colour>();
+    const Colour second = evaluator.link(node, "color2", time).as<Colour>();
+    const double width = std::clamp(evaluator.number(node, "width", time, 0.5), 0.0, 1.0);
+    return {Gradient{{{0, first}, {width, first}, {width, second}, {1, second}}}};
+}
+
 }
 
 ValueLaws composite_laws()
@@ -122,8 +145,12 @@ ValueLaws composite_laws()
             {"vectory", vector_y},
             {"vectorangle", vector_angle},
             {"vectorlength", vector_length},
+            {"gradient_rotate", unturned_gradient},
+            {"gradientcolor", gradient_colour},
+            {"random", reference}, // without its noise
             {"reference", reference},
             {"greyed", reference},
+            {"stripes", stripes},
             {"switch", choice}};
 }
 

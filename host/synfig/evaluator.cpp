@@ -59,6 +59,11 @@ Evaluator::Law Evaluator::law_of(std::string_view kind)
     return found == laws.end() ? nullptr : found->second;
 }
 
+bool Evaluator::knows(std::string_view kind)
+{
+    return law_of(kind) && kind != "random" && kind != "duplicate";
+}
+
 Value Evaluator::at(const ValueNode& node, double time)
 {
     if (++steps_ > most_steps)
@@ -67,10 +72,8 @@ Value Evaluator::at(const ValueNode& node, double time)
     if (node.kind == "constant")
         return node.constant;
     const Law law = law_of(node.kind);
-    if (!law) {
-        losses_.add({"value <" + node.kind + '>', "", {}, "nothing, as if it was 0"});
+    if (!law)
         return {};
-    }
     if (++depth_ > deepest)
         file_.fail(node.place, "this value depends on itself, or on too many others one after the other");
     Value value = law(*this, node, time);
@@ -81,7 +84,11 @@ Value Evaluator::at(const ValueNode& node, double time)
 Bone Evaluator::bone(const std::string& guid, double time)
 {
     const ValueNodePtr node = guid.empty() ? nullptr : reader_.bone(guid);
-    return node ? at(*node, time).as<Bone>() : Bone{};
+    if (!node)
+        return {};
+    for (const std::string& kind : node->unknown)
+        losses_.add({"value <" + kind + "> of a bone", "", {}, instead_of_value});
+    return at(*node, time).as<Bone>();
 }
 
 Value Evaluator::link(const ValueNode& node, std::string_view name, double time)

@@ -10,6 +10,9 @@
 
 namespace kfast::synfig {
 
+/// What there is of value nodes that Evaluator does not know.
+inline constexpr const char* instead_of_value = "nothing, as if it was 0, or what it starts from";
+
 /// Works out what values are at a time, in seconds.
 class Evaluator {
 public:
@@ -18,8 +21,10 @@ public:
     {
     }
 
-    /// Throws Failure when that takes too many steps. A value node that is not known is a loss, and worth
-    /// nothing.
+    /// False for value nodes that are worth nothing, or only what they would be without their own doing:
+    /// whoever has such is to tell.
+    static bool knows(std::string_view kind);
+    /// Throws Failure when that takes too many steps.
     Value at(const ValueNode& node, double time);
     /// The bone of that name at that time; none: the root, where the canvas begins.
     Bone bone(const std::string& guid, double time);

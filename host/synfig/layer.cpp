@@ -37,18 +37,26 @@ Layer::Layer(pugi::xml_node element, Reading& reading, const Scope& scope)
     reading.budget.take_node();
     if (name_.empty())
         name_ = type_;
-    drawn_ =
-        !says(element.attribute("active"), false) && !says(element.attribute("exclude_from_rendering"), true);
+    drawn_ = is_drawn(element);
     if (!drawn_)
         return;
     for (const pugi::xml_node child : element.children("param")) {
         const std::string_view name = current_name(child.attribute("name").value(), type_);
-        if (name == "canvas")
+        if (name == "canvas") {
             canvas_ = child.attribute("use") ? reading.file.canvas_with_id(child.attribute("use").value())
                                              : child.child("canvas");
-        else if (ValueNodePtr value = reading.values.read_inside(child))
+        } else if (ValueNodePtr value = reading.values.read_inside(child)) {
+            for (const std::string& kind : value->unknown)
+                lose("value <" + kind + '>', instead_of_value);
             parameters_.insert_or_assign(std::string{name}, std::move(value));
+        }
     }
+}
+
+bool Layer::is_drawn(pugi::xml_node element)
+{
+    return !says(element.attribute("active"), false) &&
+           !says(element.attribute("exclude_from_rendering"), true);
 }
 
 std::string Layer::path() const { return scope_.path.empty() ? name_ : scope_.path + " / " + name_; }
@@ -103,6 +111,12 @@ art::Rgb Layer::rgb(const Colour& colour) const
 {
     const auto& gamma = reading_->gamma;
     return {encoded(colour.red, gamma[0]), encoded(colour.green, gamma[1]), encoded(colour.blue, gamma[2])};
+}
+
+Colour Layer::colour(const art::Rgb& rgb) const
+{
+    const auto& gamma = reading_->gamma;
+    return {std::pow(rgb.red, gamma[0]), std::pow(rgb.green, gamma[1]), std::pow(rgb.blue, gamma[2])};
 }
 
 void Layer::lose(const std::string& feature, const std::string& instead) const

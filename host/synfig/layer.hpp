@@ -21,6 +21,7 @@ public:
     Reading& reading() const { return *reading_; }
     /// False if it is switched off.
     bool is_drawn() const { return drawn_; }
+    static bool is_drawn(pugi::xml_node element);
     std::string version() const { return element_.attribute("version").value(); }
     bool has(std::string_view name) const { return parameters_.contains(name); }
     const ValueNode* parameter(std::string_view name) const;
@@ -37,6 +38,7 @@ public:
     Tracing tracing(const std::vector<std::string_view>& names, double tolerance) const;
     /// Opaque red, green and blue as pictures have them, by the gamma of the canvas.
     art::Rgb rgb(const Colour& colour) const;
+    Colour colour(const art::Rgb& rgb) const; ///< the other way
     void lose(const std::string& feature, const std::string& instead) const;
     /// Adds a loss for each parameter that is none of these.
     void lose_others(const std::vector<std::string_view>& known) const;

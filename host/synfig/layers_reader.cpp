@@ -1,10 +1,12 @@
 #include "host/synfig/layers_reader.hpp"
 
 #include "host/synfig/blending.hpp"
+#include "host/synfig/cover_layers.hpp"
 #include "host/synfig/deformation_layer.hpp"
 #include "host/synfig/group_layers.hpp"
 #include "host/synfig/line_layers.hpp"
 #include "host/synfig/shape_layers.hpp"
+#include "host/synfig/tint.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -15,12 +17,6 @@
 namespace kfast::synfig {
 namespace {
 
-bool covers_all(const Layer& layer)
-{
-    return layer.type() == "SolidColor" || layer.type() == "solid_color" ||
-           layer.type().ends_with("_gradient") || layer.type() == "noise";
-}
-
 class CanvasLayers {
 public:
     CanvasLayers(pugi::xml_node canvas, Reading& reading, const Scope& scope)
@@ -29,6 +25,9 @@ public:
         for (const pugi::xml_node child : canvas.children("layer"))
             elements_.push_back(child);
         sort_by_depth();
+        const auto drawn =
+            std::ranges::find_if(elements_, [](pugi::xml_node element) { return Layer::is_drawn(element); });
+        lowest_drawn_ = static_cast<std::size_t>(drawn - elements_.begin());
     }
 
     std::vector<art::Node> nodes() { return up_to(elements_.size(), scope_, 0); }
@@ -83,28 +82,60 @@ private:
     std::vector<art::Node> up_to(std::size_t count, const Scope& scope, int depth)
     {
         art::Budget::check_depth(depth);
-        std::vector<art::Node> above; // the topmost first
+        std::vector<art::Node> above;  // the topmost first
+        std::vector<art::Node> lowest; // what is painted behind all the others, the lowest first
+        std::vector<Tint> tints;       // the uppermost first
         while (count > 0) {
             const Layer layer{elements_[--count], reading_, scope};
             if (!layer.is_drawn())
                 continue;
             if (is_for_all_below(layer)) {
-                std::vector<art::Node> nodes = changed(layer, count, scope, depth);
-                std::move(above.rbegin(), above.rend(), std::back_inserter(nodes));
-                return nodes;
+                add(tinted(tints, changed(layer, count, scope, depth)), above);
+                break;
             }
-            const Blending blending = blending_of(layer, covers_all(layer));
-            if (blending == Blending::left_out)
-                continue;
-            auto nodes = read(layer);
-            if (blending == Blending::behind)
-                std::move(nodes.begin(), nodes.end(), std::back_inserter(lowest_));
-            else
-                std::move(nodes.rbegin(), nodes.rend(), std::back_inserter(above));
+            const Blending blending = blending_of(layer, count == lowest_drawn_);
+            if (blending == Blending::tinting)
+                tints.push_back(tint_of(layer));
+            else if (blending != Blending::left_out)
+                add(tinted(tints, read(layer)), blending == Blending::behind ? lowest : above);
+            if (blending == Blending::replacing)
+                break;
         }
-        std::move(lowest_.rbegin(), lowest_.rend(), std::back_inserter(above));
-        lowest_.clear();
-        return {std::make_move_iterator(above.rbegin()), std::make_move_iterator(above.rend())};
+        std::move(lowest.rbegin(), lowest.rend(), std::back_inserter(above));
+        std::ranges::reverse(above);
+        return above;
+    }
+
+    static void add(std::vector<art::Node> nodes, std::vector<art::Node>& above)
+    {
+        std::move(nodes.rbegin(), nodes.rend(), std::back_inserter(above));
+    }
+
+    static std::vector<art::Node> tinted(const std::vector<Tint>& tints, std::vector<art::Node> nodes)
+    {
+        for (auto tint = tints.rbegin(); tint != tints.rend(); ++tint)
+            tint->apply(nodes);
+        return nodes;
+    }
+
+    static Blending blending_of(const Layer& layer, bool lies_lowest)
+    {
+        const auto covers = is_composite(layer) ? std::nullopt : covers_in(layer);
+        const Extent extent = covers || is_cover(layer) ? Extent::everywhere : Extent::shape;
+        const Blending blending = synfig::blending_of(layer, extent, lies_lowest);
+        if (blending != Blending::tinting || !covers || covers->is_alone)
+            return blending;
+        layer.lose("blend method of a group that fills all of the canvas", "the layer is left out");
+        return Blending::left_out;
+    }
+
+    static Tint tint_of(const Layer& layer)
+    {
+        const auto covers = covers_in(layer);
+        const Layer& cover = covers ? covers->lowest : layer;
+        if (colour_name(cover) != std::string_view{"color"})
+            cover.lose("gradient", "its mean colour, on what lies below");
+        return covers ? Tint{layer, cover} : Tint{layer};
     }
 
     static bool is_for_all_below(const Layer& layer)
@@ -142,6 +173,8 @@ private:
             return nodes;
         if (is_group(layer))
             nodes.push_back(group(layer));
+        else if (auto cover = read_cover_layer(layer))
+            nodes.push_back(std::move(*cover));
         else if (auto shape = read_shape_layer(layer))
             nodes.push_back(std::move(*shape));
         else if (auto line = read_line_layer(layer))
@@ -173,7 +206,7 @@ private:
     Reading& reading_;
     Scope scope_;
     std::vector<pugi::xml_node> elements_; ///< the lowest first
-    std::vector<art::Node> lowest_;        ///< what is painted behind all the others, the topmost first
+    std::size_t lowest_drawn_ = 0;         ///< of `elements_`; their number if none is drawn
 };
 
 }

@@ -45,7 +45,7 @@ public:
                         gamma(),
                         {},
                         {}};
-        document.background = background(reading);
+        document.background = background();
         document.nodes = read_layers(canvas_, reading, {{begin_, document.frame_rate}, "", 0, {}});
         document.rigs = std::move(reading.rigs);
         set_markers(document);
@@ -131,15 +131,14 @@ private:
                 number("gamma-b", usual, 0.01, 100)};
     }
 
-    std::optional<art::Rgb> background(const Reading& reading) const
+    /// Synfig 1.5.1 paints it as it is, without the gamma that layers get.
+    std::optional<art::Rgb> background() const
     {
         const auto colour = numbers<4>("bgcolor", {0, 0, 0, 0});
         if (colour[3] <= 0)
             return {};
-        const auto encoded = [&](std::size_t channel) {
-            return std::clamp(std::pow(std::max(0.0, colour[channel]), 1 / reading.gamma[channel]), 0.0, 1.0);
-        };
-        return art::Rgb{encoded(0), encoded(1), encoded(2)};
+        return art::Rgb{std::clamp(colour[0], 0.0, 1.0), std::clamp(colour[1], 0.0, 1.0),
+                        std::clamp(colour[2], 0.0, 1.0)};
     }
 
     void set_markers(art::Document& document) const

@@ -1,6 +1,7 @@
 #include "host/synfig/shape_layers.hpp"
 
 #include "host/scene/shape.hpp"
+#include "host/synfig/cover_layers.hpp"
 #include "host/synfig/linked_skin.hpp"
 
 #include <algorithm>
@@ -145,36 +146,12 @@ const std::map<std::string_view, ShapeLaw>& shape_laws()
     return laws;
 }
 
-Colour mean_colour(const Value& value)
-{
-    if (const Colour* colour = std::get_if<Colour>(&value.held))
-        return *colour;
-    Value total{Colour{0, 0, 0, 0}};
-    const auto entries = value.as<List>().entries;
-    for (const Value& entry : entries)
-        total = sum(total, entry);
-    return entries.empty() ? Colour{}
-                           : product(total, 1.0 / static_cast<double>(entries.size())).as<Colour>();
-}
-
 void lose_soft_edges(const Layer& layer)
 {
     for (const char* name : {"feather", "feather_x", "feather_y"})
         if (layer.number(name, 0, 0) > 0 || !layer.bends({name}).empty())
             layer.lose("soft edge", "a sharp one");
 }
-
-art::Node filled_everywhere(const Layer& layer)
-{
-    art::Node node = node_of(layer);
-    art::Figure figure;
-    figure.drawing = art::Drawing{{everywhere(layer.reading())}};
-    figure.fill = fill_of(layer);
-    node.content = std::move(figure);
-    return node;
-}
-
-bool is_gradient(std::string_view type) { return type.ends_with("_gradient"); }
 
 }
 
@@ -193,13 +170,14 @@ Outline outline_along(const List& points, Spot origin)
 
 art::Fill fill_of(const Layer& layer)
 {
-    const std::string_view name = is_gradient(layer.type()) ? "gradient" : "color";
-    const auto colour_at = [&](double frame) { return mean_colour(layer.at(name, frame)); };
+    const std::string_view name = colour_name(layer);
     art::Fill fill;
-    const std::function<art::Rgb(double)> rgb = [&](double frame) { return layer.rgb(colour_at(frame)); };
+    const std::function<art::Rgb(double)> rgb = [&](double frame) {
+        return layer.rgb(colour_at(layer, frame));
+    };
     fill.colour = traced(rgb, layer.tracing({name}, colour_tolerance));
     const std::function<double(double)> opacity = [&](double frame) {
-        return layer.has(name) ? std::clamp(colour_at(frame).alpha, 0.0, 1.0) : 1.0;
+        return layer.has(name) ? std::clamp(colour_at(layer, frame).alpha, 0.0, 1.0) : 1.0;
     };
     fill.opacity = traced(opacity, layer.tracing({name}, opacity_tolerance));
     fill.rule = layer.number("winding_style", 0, 0) == 1 ? FillRule::even_odd : FillRule::nonzero;
@@ -215,13 +193,6 @@ art::Node node_of(const Layer& layer)
     };
     node.opacity = traced(opacity, layer.tracing({"amount"}, opacity_tolerance));
     return node;
-}
-
-Outline everywhere(const Reading& reading)
-{
-    const double x = std::min(reading.width, 600.0);
-    const double y = std::min(reading.height, 600.0);
-    return scene::rectangle({-x, -y}, reading.width + 2 * x, reading.height + 2 * y, 0);
 }
 
 bool moves_as_a_whole(const Layer& layer)
@@ -248,14 +219,6 @@ void move_by_origin(art::Node& node, const Layer& layer)
 
 std::optional<art::Node> read_shape_layer(const Layer& layer)
 {
-    if (layer.type() == "SolidColor" || layer.type() == "solid_color") {
-        layer.lose_others({"color"});
-        return filled_everywhere(layer);
-    }
-    if (is_gradient(layer.type())) {
-        layer.lose("gradient", "its mean colour all over");
-        return filled_everywhere(layer);
-    }
     const auto law = shape_laws().find(layer.type());
     if (law == shape_laws().end())
         return {};

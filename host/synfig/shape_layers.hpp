@@ -7,8 +7,8 @@
 
 namespace kfast::synfig {
 
-/// What is drawn by layers that fill a shape: regions, circles, rectangles, polygons, stars, checker boards,
-/// and those that fill all of the canvas. Nothing for layers of other types.
+/// What is drawn by layers that fill a shape: regions, circles, rectangles, polygons, stars and checker
+/// boards. Nothing for layers of other types.
 std::optional<art::Node> read_shape_layer(const Layer& layer);
 
 /// The outline along the points of a spline, in the units of the file.
@@ -22,7 +22,5 @@ art::Node node_of(const Layer& layer);
 /// keys of their own then.
 bool moves_as_a_whole(const Layer& layer);
 void move_by_origin(art::Node& node, const Layer& layer);
-/// All of the canvas and as much around it, for what is painted everywhere.
-scene::Outline everywhere(const Reading& reading);
 
 }

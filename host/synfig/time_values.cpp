@@ -1,5 +1,6 @@
 #include "host/synfig/time_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kfast::synfig {
@@ -40,8 +41,22 @@ Value timed_swap(Evaluator& evaluator, const ValueNode& node, double time)
     return sum(after, product(difference(before, after), (moment - time) / length));
 }
 
+/// By central differences over an interval, like the roughest of Synfig's.
+Value derivative(Evaluator& evaluator, const ValueNode& node, double time)
+{
+    const double interval = std::max(1e-6, evaluator.number(node, "interval", time, 0.01));
+    const auto at = [&](double moment) { return evaluator.link(node, "link", moment); };
+    if (evaluator.number(node, "order", time, 0) == 0)
+        return product(difference(at(time + interval / 2), at(time - interval / 2)), 1 / interval);
+    const Value bend = sum(difference(at(time + interval), product(at(time), 2)), at(time - interval));
+    return product(bend, 1 / (interval * interval));
 }
 
-ValueLaws time_laws() { return {{"step", step}, {"timeloop", time_loop}, {"timed_swap", timed_swap}}; }
+}
+
+ValueLaws time_laws()
+{
+    return {{"step", step}, {"timeloop", time_loop}, {"timed_swap", timed_swap}, {"derivative", derivative}};
+}
 
 }

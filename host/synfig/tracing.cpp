@@ -79,6 +79,15 @@ Ease ease_through(double at_third, double at_two_thirds)
     return {EaseKind::cubic, 1.0 / 3, 3 * first - 1.5 * second, 2.0 / 3, 3 * second - 1.5 * first};
 }
 
+/// A scene holds but some hundred different laws: those that are nearly the same become one, within twice
+/// the tolerance.
+Ease on_grid(Ease ease, double grid)
+{
+    ease.y1 = std::round(ease.y1 * grid) / grid;
+    ease.y2 = std::round(ease.y2 * grid) / grid;
+    return ease;
+}
+
 bool within_law(const Ease& ease)
 {
     return std::min(ease.y1, ease.y2) >= lowest_swing && std::max(ease.y1, ease.y2) <= highest_swing;
@@ -211,7 +220,7 @@ private:
                 most = i;
         const double change = first.empty() ? 0 : last[most] - first[most];
         if (std::abs(change) > tracing_.tolerance / 16) {
-            if (follows(from, to, first, last, {}))
+            if (follows(from, to, first, last, {}, tracing_.tolerance))
                 return true;
             const auto third = numbers_of(value_at_(from + span / 3));
             const auto two_thirds = numbers_of(value_at_(from + 2 * span / 3));
@@ -224,14 +233,21 @@ private:
                 return false;
             }
         }
-        const bool found = follows(from, to, first, last, ease);
-        if (!found)
+        if (!follows(from, to, first, last, ease, tracing_.tolerance)) {
             ease = {};
-        return found;
+            return false;
+        }
+        for (const double grid : {4.0, 16.0, 64.0})
+            if (const Ease rounded = on_grid(ease, grid);
+                follows(from, to, first, last, rounded, 2 * tracing_.tolerance)) {
+                ease = rounded;
+                break;
+            }
+        return true;
     }
 
     bool follows(double from, double to, const std::vector<double>& first, const std::vector<double>& last,
-                 const Ease& ease) const
+                 const Ease& ease, double tolerance) const
     {
         const int samples = std::clamp(static_cast<int>(2 * (to - from)), 5, 96);
         // Beginning in the middle, where what does not fit shows first.
@@ -242,7 +258,7 @@ private:
                 return false;
             const double way = art::share_of_way(ease, share);
             for (std::size_t n = 0; n < here.size(); ++n)
-                if (!(std::abs(here[n] - art::mixed(first[n], last[n], way)) <= tracing_.tolerance))
+                if (!(std::abs(here[n] - art::mixed(first[n], last[n], way)) <= tolerance))
                     return false;
         }
         return true;

@@ -12,8 +12,8 @@ namespace kfast::synfig {
 struct Tracing {
     double from = 0; ///< frames of the scene
     double to = 1;
-    std::vector<double> bends; ///< frames at which values begin another way, or jump; in any order
-    double tolerance = 1.0 / 64;
+    std::vector<double> bends;   ///< frames at which values begin another way, or jump; in any order
+    double tolerance = 1.0 / 64; ///< of keys; ways between them may be off by twice as much
     art::Budget* budget = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include "host/art/affine.hpp"
 #include "host/scene/outline.hpp"
+#include "host/synfig/gradient.hpp"
 
 #include <string>
 #include <utility>
@@ -11,14 +12,6 @@
 namespace kfast::synfig {
 
 using scene::Spot;
-
-/// As in the file: linear or not, as the canvas says by its gamma; not limited to 0 to 1.
-struct Colour {
-    double red = 0;
-    double green = 0;
-    double blue = 0;
-    double alpha = 1;
-};
 
 /// A point of a spline. The way to the next point leaves along leaving() and arrives along its `arriving`,
 /// both three times as long as the arms of a Bézier curve.
@@ -89,8 +82,8 @@ struct List {
 
 /// What a value node is at a moment. Numbers are reals, integers, angles in degrees, and times in seconds.
 struct Value {
-    std::variant<std::monostate, bool, double, Spot, Colour, std::string, SplinePoint, WidthPoint, Placement,
-                 Bone, BoneName, List>
+    std::variant<std::monostate, bool, double, Spot, Colour, Gradient, std::string, SplinePoint, WidthPoint,
+                 Placement, Bone, BoneName, List>
         held;
 
     /// What is held, or a default where something else is.

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,6 +50,9 @@ struct ValueNode {
     std::vector<Waypoint> waypoints; ///< of "animated", in the order of their times
     std::vector<Entry> entries;      ///< of lists
     bool loop = false;
+    /// Kinds that cannot be worked out, or not as Synfig does, of itself and of all that it is made of but
+    /// bones: a few of them.
+    std::set<std::string> unknown;
 
     /// Nothing where there is no such link.
     const ValueNode* link(std::string_view name) const

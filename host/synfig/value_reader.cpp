@@ -1,10 +1,12 @@
 #include "host/synfig/value_reader.hpp"
 
+#include "host/synfig/evaluator.hpp"
 #include "host/synfig/time_text.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <iterator>
 
@@ -44,6 +46,45 @@ bool is_constant(std::string_view kind)
     return std::ranges::find(kinds, kind) != std::end(kinds);
 }
 
+void collect_unknown(ValueNode& node)
+{
+    constexpr std::size_t most = 8;
+    const auto add = [&node](const std::set<std::string>& kinds) {
+        for (const std::string& kind : kinds)
+            if (node.unknown.size() < most)
+                node.unknown.insert(kind);
+    };
+    if (!Evaluator::knows(node.kind))
+        node.unknown.insert(node.kind);
+    for (const Waypoint& point : node.waypoints)
+        if (point.value)
+            add(point.value->unknown);
+    for (const Entry& entry : node.entries)
+        add(entry.value->unknown);
+    for (const auto& [name, link] : node.links)
+        add(link->unknown);
+}
+
+/// Files of old versions number the parts of composites from "c1" on, and of radial ones from "c0" on.
+std::string_view current_link(const ValueNode& node, std::string_view name)
+{
+    using Parts = std::vector<std::string_view>;
+    static const std::map<std::string_view, Parts> composites{
+        {"vector", {"x", "y"}},
+        {"color", {"r", "g", "b", "a"}},
+        {"segment", {"p1", "t1", "p2", "t2"}},
+        {"bline_point", {"point", "width", "origin", "split", "t1", "t2"}}};
+    static const std::map<std::string_view, Parts> radial{
+        {"vector", {"radius", "theta"}}, {"color", {"y_luma", "saturation", "hue", "alpha"}}};
+    if (name.size() != 2 || name[0] != 'c' || (node.kind != "composite" && node.kind != "radial_composite"))
+        return name;
+    const bool is_radial = node.kind == "radial_composite";
+    const auto& known = is_radial ? radial : composites;
+    const auto parts = known.find(node.type);
+    const auto index = static_cast<std::size_t>(name[1] - (is_radial ? '0' : '1'));
+    return parts == known.end() || index >= parts->second.size() ? name : parts->second[index];
+}
+
 bool is_guid_reference(pugi::xml_node element) { return element.attribute("guid") && !element.first_child(); }
 
 }
@@ -58,11 +99,16 @@ ValueNodePtr ValueReader::read_inside(pugi::xml_node holder)
 
 ValueNodePtr ValueReader::with_id(std::string_view id, std::size_t place)
 {
-    const pugi::xml_node element = file_.value_with_id(id);
-    if (!element)
-        file_.fail(place, "there is no value with the id \"" + std::string{id} +
-                              "\": values of other files cannot be used");
-    return read(element);
+    if (const pugi::xml_node element = file_.value_with_id(id))
+        return read(element);
+    if (!XmlFile::is_of_another_file(id))
+        file_.fail(place, "there is no value with the id \"" + std::string{id} + '"');
+    losses_.add(
+        {"value \"" + std::string{id} + "\" of another file", "", {}, "the usual value, such as black"});
+    auto nothing = std::make_shared<ValueNode>();
+    nothing->kind = "constant";
+    nothing->place = place;
+    return nothing;
 }
 
 ValueNodePtr ValueReader::bone(std::string_view guid)
@@ -110,6 +156,7 @@ ValueNodePtr ValueReader::read_new(pugi::xml_node element)
             node->constant.held = BoneName{element.attribute("guid").value()};
         read_links(element, *node);
     }
+    collect_unknown(*node);
     return node;
 }
 
@@ -118,8 +165,10 @@ Value ValueReader::constant(pugi::xml_node element)
     const std::string_view kind = element.name();
     if (kind == "bool")
         return {is_true(element.attribute("value"))};
-    if (kind == "real" || kind == "integer" || kind == "angle")
+    if (kind == "real" || kind == "angle")
         return {number(element, "value", 0)};
+    if (kind == "integer")
+        return {integer(element)};
     if (kind == "time")
         return {time(element, "value")};
     if (kind == "string")
@@ -137,12 +186,23 @@ Value ValueReader::constant(pugi::xml_node element)
         return {placement(element)};
     if (kind == "bone_valuenode")
         return {BoneName{element.attribute("guid").value()}};
-    if (kind == "list" || kind == "gradient")
+    if (kind == "gradient")
+        return {gradient(element)};
+    if (kind == "list")
         return list_constant(element);
     return {};
 }
 
-/// Of a gradient, the colours.
+Gradient ValueReader::gradient(pugi::xml_node element)
+{
+    Gradient gradient;
+    for (const pugi::xml_node child : element.children("color"))
+        gradient.stops.push_back(
+            {std::clamp(number(child, "pos", 0), 0.0, 1.0), constant(child).as<Colour>()});
+    std::ranges::stable_sort(gradient.stops, {}, &GradientStop::position);
+    return gradient;
+}
+
 Value ValueReader::list_constant(pugi::xml_node element)
 {
     List list{{}, is_true(element.attribute("loop"))};
@@ -271,18 +331,29 @@ void ValueReader::read_links(pugi::xml_node element, ValueNode& node)
     for (const pugi::xml_attribute attribute : element.attributes()) {
         const std::string_view name = attribute.name();
         if (name != "guid" && name != "id" && name != "type" && name != "static" && name != "interpolation")
-            node.links.emplace_back(name, with_id(attribute.value(), node.place));
+            node.links.emplace_back(current_link(node, name), with_id(attribute.value(), node.place));
     }
     for (const pugi::xml_node child : element.children())
         if (child.type() == pugi::node_element)
             if (ValueNodePtr value = read_inside(child))
-                node.links.emplace_back(child.name(), std::move(value));
+                node.links.emplace_back(current_link(node, child.name()), std::move(value));
 }
 
 double ValueReader::number(pugi::xml_node element, const char* attribute, double usual) const
 {
     const auto found = element.attribute(attribute);
     return found ? number_of(found.value(), element) : usual;
+}
+
+/// Seeds of noise are as large as 32 bits go; nothing else is.
+double ValueReader::integer(pugi::xml_node element) const
+{
+    const std::string_view text = element.attribute("value").value();
+    std::int64_t value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+        return number(element, "value", 0);
+    return std::clamp(static_cast<double>(value), -most_number, most_number);
 }
 
 double ValueReader::number_inside(pugi::xml_node element, double usual) const

@@ -23,6 +23,7 @@ public:
     ValueNodePtr read(pugi::xml_node element);
     /// Of what has a value inside, or names one by its attribute `use`. Nothing with neither.
     ValueNodePtr read_inside(pugi::xml_node holder);
+    /// Of what stands in another file: nothing, which is a loss.
     ValueNodePtr with_id(std::string_view id, std::size_t place);
     /// Nothing where there is no such bone.
     ValueNodePtr bone(std::string_view guid);
@@ -31,6 +32,7 @@ private:
     ValueNodePtr read_new(pugi::xml_node element);
     Value constant(pugi::xml_node element);
     Value list_constant(pugi::xml_node element);
+    Gradient gradient(pugi::xml_node element);
     SplinePoint spline_point(pugi::xml_node element);
     WidthPoint width_point(pugi::xml_node element);
     Placement placement(pugi::xml_node element);
@@ -41,6 +43,7 @@ private:
     void read_switchings(pugi::xml_attribute times, bool on, Entry& entry);
     void read_links(pugi::xml_node element, ValueNode& node);
     double number(pugi::xml_node element, const char* attribute, double usual) const;
+    double integer(pugi::xml_node element) const;
     double number_inside(pugi::xml_node element, double usual) const;
     double number_of(std::string_view text, pugi::xml_node element) const;
     double time(pugi::xml_node element, const char* attribute) const;

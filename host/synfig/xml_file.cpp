@@ -60,9 +60,20 @@ XmlFile::XmlFile(const SourceText& source) : source_{source}
     document_.traverse(collecting);
 }
 
-pugi::xml_node XmlFile::value_with_id(std::string_view id) const { return found(values_, last_part(id)); }
+bool XmlFile::is_of_another_file(std::string_view id)
+{
+    return id.find('#') != std::string_view::npos && !id.starts_with('#');
+}
 
-pugi::xml_node XmlFile::canvas_with_id(std::string_view id) const { return found(canvases_, last_part(id)); }
+pugi::xml_node XmlFile::value_with_id(std::string_view id) const
+{
+    return is_of_another_file(id) ? pugi::xml_node{} : found(values_, last_part(id));
+}
+
+pugi::xml_node XmlFile::canvas_with_id(std::string_view id) const
+{
+    return is_of_another_file(id) ? pugi::xml_node{} : found(canvases_, last_part(id));
+}
 
 pugi::xml_node XmlFile::with_guid(std::string_view guid) const { return found(guids_, guid); }
 

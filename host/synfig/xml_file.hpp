@@ -18,6 +18,8 @@ public:
     explicit XmlFile(const SourceText& source);
 
     pugi::xml_node root() const { return document_.document_element(); }
+    /// "other.sif#:legs": such values and canvases are not there.
+    static bool is_of_another_file(std::string_view id);
     /// Nothing where no element has that id. Only the last part of a path of ids counts: ":legs:left".
     pugi::xml_node value_with_id(std::string_view id) const;
     pugi::xml_node canvas_with_id(std::string_view id) const;

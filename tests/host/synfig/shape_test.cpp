@@ -100,3 +100,12 @@ TEST_CASE("an origin that changes moves the figure, each axis by its own keys")
     CHECK(file.node().transform.x.keys[1].value == doctest::Approx(150));
     CHECK(file.node().transform.y.keys[1].value == doctest::Approx(25));
 }
+
+TEST_CASE("the background has no gamma")
+{
+    const ReadFile file = read_text(canvas("", "version=\"1.0\" bgcolor=\"0.5 0.25 0 1\""));
+    REQUIRE(file.document.background);
+    CHECK(file.document.background->red == 0.5);
+    CHECK(file.document.background->green == 0.25);
+    CHECK_FALSE(read_layers("").document.background);
+}
