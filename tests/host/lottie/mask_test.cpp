@@ -61,6 +61,18 @@ std::string extent(const art::Drawing& drawing)
     return number(box.left) + ' ' + number(box.top) + ' ' + number(box.right) + ' ' + number(box.bottom);
 }
 
+/// Of a square of 10 by 10 pixels whose middle moves in 40 frames.
+art::Animated<art::Drawing> moving_behind(const std::string& path, const std::string& from,
+                                          const std::string& to)
+{
+    const std::string shapes =
+        R"("shapes": [{"ty": "rc", "s": {"k": [10, 10]}, "p": {"a": 1, "k": [{"t": 0, "s": [)" + from +
+        R"(]}, {"t": 40, "s": [)" + to + R"(]}]}}, {"ty": "fl", "c": {"k": [1, 0, 0]}}])";
+    const art::Document document = read_whole(animation_text(
+        R"({"ty": 4, "ip": 0, "op": 60, "masksProperties": [)" + mask(path) + "], " + shapes + "}"));
+    return figure_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
+}
+
 bool is_lost(const std::string& text, const char* feature)
 {
     art::Losses losses;
@@ -115,16 +127,19 @@ TEST_CASE("what is filled is cut to a convex mask, and a box to any")
 
 TEST_CASE("what a mask leaves of something that moves changes, and is empty while it is beyond")
 {
-    const std::string shapes = R"("shapes": [{"ty": "rc", "s": {"k": [10, 10]}, "p": {"a": 1, "k":
-        [{"t": 0, "s": [-20, 5]}, {"t": 40, "s": [20, 5]}]}}, {"ty": "fl", "c": {"k": [1, 0, 0]}}])";
-    const art::Document document =
-        read_whole(animation_text(R"({"ty": 4, "ip": 0, "op": 60, "masksProperties": [)" +
-                                  mask(rectangle(0, 0, 60, 60)) + "], " + shapes + "}"));
-    const art::Animated<art::Drawing> drawing = figure_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
+    const art::Animated<art::Drawing> drawing = moving_behind(rectangle(0, 0, 60, 60), "-20, 5", "20, 5");
     CHECK(drawing.at(10).outlines.empty());
     CHECK(extent(drawing.at(18)) == "0 0 3 10");
     CHECK(extent(drawing.at(20)) == "0 0 5 10");
     CHECK(extent(drawing.at(30)) == "5 0 15 10");
+}
+
+TEST_CASE("what passes a mask between two looks at it is seen there")
+{
+    const art::Animated<art::Drawing> drawing = moving_behind(rectangle(-5, 0, 5, 10), "-200, 5", "200, 5");
+    CHECK(drawing.at(18).outlines.empty());
+    CHECK(extent(drawing.at(20)) == "-5 0 5 10");
+    CHECK(drawing.at(22).outlines.empty());
 }
 
 TEST_CASE("other masks are reported")
