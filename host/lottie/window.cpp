@@ -76,10 +76,13 @@ Drawing cut_by(const Drawing& polygon, const Drawing& drawing)
     return convex ? convex->cut(drawing) : Drawing{};
 }
 
+/// Whether figures are cut whose part inside changes, so that it is baked.
+enum class Moving { cut, stays };
+
 class Cutter {
 public:
-    Cutter(const Window& window, const art::Span& seen, art::Budget& budget)
-        : window_{window}, seen_{seen}, budget_{budget}
+    Cutter(const Window& window, Moving moving, const art::Span& seen, art::Budget& budget)
+        : window_{window}, moving_{moving}, seen_{seen}, budget_{budget}
     {
     }
 
@@ -89,6 +92,8 @@ public:
     }
 
     bool is_all_cut() const { return is_all_cut_; }
+    /// Whether moving figures take so much that the scene is better off without cutting them.
+    bool is_too_much() const { return is_too_much_; }
 
 private:
     bool leaves_something(art::Node& node)
@@ -124,6 +129,7 @@ private:
         if (is_polygon)
             figure.fill->rule = window_.rule;
         figure.drawing = keys_of(part, budget_);
+        count_points(figure.drawing);
         return std::ranges::any_of(figure.drawing.keys,
                                    [](const auto& key) { return !key.value.outlines.empty(); });
     }
@@ -182,25 +188,42 @@ private:
         return part;
     }
 
-    /// Of all that is computed while keys are found; much is left for what comes after.
-    bool is_affordable(const MovingDrawing& drawing) const
+    /// What finding the keys may take, and leave for what comes after.
+    bool is_affordable(const MovingDrawing& drawing)
     {
-        constexpr double moments_per_frame = 40;
-        constexpr double share = 1.0 / 16;
+        constexpr double looks_per_frame = 40;
+        constexpr double most_computed = 1 << 23;
         if (drawing.moments.empty())
             return true;
+        if (moving_ == Moving::stays || is_too_much_)
+            return false;
         const double frames = drawing.moments.list().rbegin()->first - drawing.moments.list().begin()->first;
-        return drawing.cost * moments_per_frame * frames <
-               share * static_cast<double>(budget_.computed_points_left());
+        computed_ += drawing.cost * looks_per_frame * frames;
+        is_too_much_ = computed_ > most_computed ||
+                       budget_.computed_points_left() < art::Budget::most_computed_points / 4 * 3;
+        return !is_too_much_;
+    }
+
+    void count_points(const art::Animated<Drawing>& drawing)
+    {
+        constexpr std::size_t most_points = 1 << 13;
+        if (!drawing.is_still())
+            for (const auto& key : drawing.keys)
+                points_ += points_of(key.value).size();
+        is_too_much_ = is_too_much_ || points_ > most_points;
     }
 
     static constexpr double cost_of_cutting = 8;
 
     const Window& window_;
+    const Moving moving_;
     const art::Span& seen_;
     art::Budget& budget_;
     Way way_;
+    double computed_ = 0;
+    std::size_t points_ = 0;
     bool is_all_cut_ = true;
+    bool is_too_much_ = false;
 };
 
 }
@@ -212,9 +235,14 @@ Window window_of(const art::Animated<Drawing>& drawing)
 
 bool cut_to(const Window& window, std::vector<art::Node>& nodes, const art::Span& seen, art::Budget& budget)
 {
-    Cutter cutter{window, seen, budget};
+    const std::vector<art::Node> whole = nodes;
+    Cutter cutter{window, Moving::cut, seen, budget};
     cutter.cut(nodes);
-    return cutter.is_all_cut();
+    if (!cutter.is_too_much())
+        return cutter.is_all_cut();
+    nodes = whole;
+    Cutter{window, Moving::stays, seen, budget}.cut(nodes);
+    return false;
 }
 
 }

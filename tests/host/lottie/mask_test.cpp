@@ -142,6 +142,24 @@ TEST_CASE("what passes a mask between two looks at it is seen there")
     CHECK(drawing.at(22).outlines.empty());
 }
 
+TEST_CASE("where too much moves behind a mask, nothing that moves is cut")
+{
+    std::string shapes;
+    for (int i = 0; i < 400; ++i)
+        shapes += R"({"ty": "gr", "it": [{"ty": "el", "s": {"k": [10, 10]}, "p": {"a": 1, "k":
+            [{"t": 0, "s": [-20, 5]}, {"t": 40, "s": [20, 5]}]}}, {"ty": "fl", "c": {"k": [1, 0, 0]}}]},)";
+    shapes.pop_back();
+    art::Losses losses;
+    const art::Document document =
+        read_with(animation_text(R"({"ty": 4, "ip": 0, "op": 60, "masksProperties": [)" +
+                                 mask(rectangle(0, 0, 60, 60)) + R"(], "shapes": [)" + shapes + "]}"),
+                  losses);
+    REQUIRE(losses.list().size() == 1);
+    CHECK(losses.list()[0].instead == "what reaches beyond it is seen");
+    for (const art::Node& node : group_of(document.nodes.at(0)).nodes)
+        CHECK(figure_of(group_of(node).nodes.at(0)).drawing.keys.size() == 2);
+}
+
 TEST_CASE("other masks are reported")
 {
     const char* const cutting = "masks that cut each other, or grow";
