@@ -157,7 +157,7 @@ TEST_CASE("where too much moves behind a mask, nothing that moves is cut")
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].instead == "what reaches beyond it is seen");
     for (const art::Node& node : group_of(document.nodes.at(0)).nodes)
-        CHECK(figure_of(group_of(node).nodes.at(0)).drawing.keys.size() == 2);
+        CHECK(figure_of(node).drawing.keys.size() == 2);
 }
 
 TEST_CASE("other masks are reported")
