@@ -199,6 +199,18 @@ TEST_CASE("a matte that covers the layer changes nothing, its opposite hides it,
     CHECK(is_lost(with("1", faint), "matte"));
 }
 
+TEST_CASE("a matte cuts where it and the layer have moved to")
+{
+    const std::string matte = R"({"ty": 1, "td": 1, "nm": "matte", "sw": 10, "sh": 70, "sc": "#ffffff",
+        "ip": 0, "op": 60, "ks": {"p": {"a": 1, "k": [{"t": 0, "s": [0, 0]}, {"t": 40, "s": [40, 0]}]}}},)";
+    const art::Document document =
+        read_whole(animation_text(matte + solid(R"("tt": 1, "ks": {"p": {"k": [5, 0]}}, )")));
+    const auto& drawing = figure_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
+    CHECK(extent(drawing.at(0)) == "0 0 5 10");
+    CHECK(extent(drawing.at(10)) == "5 0 15 10");
+    CHECK(drawing.at(30).outlines.empty());
+}
+
 TEST_CASE("a matte may be named by its number")
 {
     const std::string text = animation_text(

@@ -152,6 +152,7 @@ TEST_CASE("what reaches beyond a precomposition is cut or reported, if the canva
     const std::string aside = precomposition(R"("ks": {"p": {"k": [-20, 0]}}, )");
     CHECK(read_whole(with_assets(precomposition(R"("ks": {"p": {"k": [10, 0]}}, )"), far)).nodes.size() == 1);
     CHECK(read_whole(with_assets(aside, far)).nodes.size() == 1);
+    CHECK(read_whole(with_assets(precomposition(""), line)).nodes.size() == 1);
     read_with(with_assets(aside, line), losses);
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].feature == "edge of a precomposition");
