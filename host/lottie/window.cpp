@@ -206,7 +206,7 @@ private:
 
     void count_points(const art::Animated<Drawing>& drawing)
     {
-        constexpr std::size_t most_points = 1 << 13;
+        constexpr std::size_t most_points = 1 << 15;
         if (!drawing.is_still())
             for (const auto& key : drawing.keys)
                 points_ += points_of(key.value).size();
