@@ -15,6 +15,14 @@ scene::Outline Affine::of(const scene::Outline& outline) const
     return result;
 }
 
+std::optional<Affine> Affine::inverse() const
+{
+    const double growth = determinant();
+    if (!(std::abs(growth) > 1e-12) || !std::isfinite(growth))
+        return std::nullopt;
+    return Affine{d / growth, -b / growth, -c / growth, a / growth, 0, 0} * moved(-e, -f);
+}
+
 Affine turned(double degrees)
 {
     const double angle = degrees * std::numbers::pi / 180;

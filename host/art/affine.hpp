@@ -2,6 +2,8 @@
 
 #include "host/scene/outline.hpp"
 
+#include <optional>
+
 namespace kfast::art {
 
 /// Maps (x, y) to (a x + c y + e, b x + d y + f), the order of SVG's matrix(a b c d e f).
@@ -19,6 +21,9 @@ struct Affine {
     }
     scene::Outline of(const scene::Outline& outline) const;
     constexpr double determinant() const { return a * d - b * c; }
+
+    /// The way back. Nothing where all is flattened to a line.
+    std::optional<Affine> inverse() const;
 
     friend bool operator==(const Affine&, const Affine&) = default;
 };

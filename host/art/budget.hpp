@@ -19,6 +19,7 @@ public:
     void take_points(std::size_t count);
     void take_keys(std::size_t count);
     void take_computed_points(std::size_t count);
+    std::size_t computed_points_left() const { return most_computed_points - computed_points_; }
     static void check_depth(int depth);
 
 private:

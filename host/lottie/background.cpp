@@ -15,8 +15,7 @@ bool is_still(const art::Transform& transform)
                    &transform.scale_x, &transform.scale_y, &transform.rotate, &transform.rotate_x,
                    &transform.rotate_y, &transform.skew, &transform.skew_axis},
                [](const art::Channel* channel) { return steady_value(*channel).has_value(); }) &&
-           steady_value(transform.z) == 0.0 && steady_value(transform.rotate_x) == 0.0 &&
-           steady_value(transform.rotate_y) == 0.0;
+           is_flat(transform);
 }
 
 bool is_plain(const art::Node& node)

@@ -88,16 +88,23 @@ bool is_still(const art::Transform& transform)
     return !transform.path && std::ranges::all_of(flat_channels(transform), &Channel::is_still);
 }
 
+Moments moments_of(const art::Transform& transform)
+{
+    Moments moments;
+    for (const Channel* channel : flat_channels(transform))
+        moments.add(*channel);
+    if (transform.path)
+        moments.add(transform.path->share);
+    return moments;
+}
+
 MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform)
 {
     // Finding the eases of its channels takes longer than moving a few points.
     constexpr double cost_of_transform = 100;
     if (is_still(transform))
         return mapped(std::move(drawing), [affine = affine_at(transform, 0)](double) { return affine; });
-    for (const Channel* channel : flat_channels(transform))
-        drawing.moments.add(*channel);
-    if (transform.path)
-        drawing.moments.add(transform.path->share);
+    drawing.moments.add(moments_of(transform));
     drawing.cost += cost_of_transform;
     const auto shared = std::make_shared<const art::Transform>(transform);
     return mapped(std::move(drawing), [shared](double time) { return affine_at(*shared, time); });

@@ -12,6 +12,9 @@ art::Affine affine_at(const art::Transform& transform, double time);
 /// Whether it is the same all along, but for its depth.
 bool is_still(const art::Transform& transform);
 
+/// Of all that moves its plane.
+Moments moments_of(const art::Transform& transform);
+
 /// The drawing as it is seen outside of the transform.
 MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform);
 

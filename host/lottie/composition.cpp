@@ -148,7 +148,7 @@ private:
         apply_matte_to(content, layer, index);
         if (content.empty())
             return std::nullopt;
-        return within_parents(leaf(std::move(content), layer, shown, index, chain), index, parents, chain);
+        return within_parents(leaf(std::move(content), layer, shown, index, chain), parents, chain);
     }
 
     void report_missing_parent(const Json& layer, const Reading& reading) const
@@ -214,8 +214,7 @@ private:
         return group;
     }
 
-    art::Node within_parents(art::Node node, std::size_t, const std::vector<std::size_t>& parents,
-                             Chain& chain)
+    art::Node within_parents(art::Node node, const std::vector<std::size_t>& parents, Chain& chain)
     {
         for (std::size_t i = 0; i < parents.size(); ++i) {
             reading_.budget.take_node();

@@ -2,7 +2,7 @@
 #include "host/lottie/moving_drawing.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -103,6 +103,20 @@ private:
         add({moment.first, computed(moment.first), *ease});
     }
 
+    /// Where to look whether an ease tells a way of so many frames. What may take another form at any time
+    /// may do so, and be as before soon after, in between.
+    std::vector<double> looks(double frames) const
+    {
+        std::vector<double> shares{0.37, 0.87, 0.13, 0.61};
+        constexpr double looks_per_frame = 4;
+        constexpr double most_looks = 1024;
+        const double count =
+            drawing_.changes_form ? std::min(most_looks, std::ceil(looks_per_frame * frames)) : 0;
+        for (double i = 1; i < count; ++i)
+            shares.push_back(i / count);
+        return shares;
+    }
+
     /// The one that tells the whole way, if one does.
     std::optional<art::Ease> ease_between(const std::pair<const double, Moment>& moment, double to) const
     {
@@ -113,7 +127,7 @@ private:
         const Drawing begin = computed(from);
         const Drawing end = computed(to);
         const bool one_form = art::same_form(begin, end);
-        for (const double share : {0.37, 0.87, 0.13, 0.61}) {
+        for (const double share : looks(to - from)) {
             const Drawing drawing = computed(from + share * (to - from));
             std::erase_if(eases, [&](const art::Ease& ease) {
                 if (!one_form && ease.kind != art::EaseKind::hold)

@@ -19,9 +19,12 @@ std::vector<art::Node> read_solid(const Layer& layer)
     layer.reading.budget.take_points(5);
     art::Figure figure;
     figure.drawing = solid_drawing(layer.json);
-    figure.fill.emplace().colour = solid_colour(layer.json);
     if (figure.drawing.value().outlines.empty())
         return {};
+    const auto colour = solid_colour(layer.json);
+    if (!colour)
+        report(layer, "solid of the colour " + kfast::quoted(text_at(layer.json, "sc")), "black");
+    figure.fill.emplace().colour = colour.value_or(art::Rgb{});
     art::Node node;
     node.content = std::move(figure);
     return {std::move(node)};

@@ -45,6 +45,7 @@ std::vector<art::Node> read_content(const Layer& layer, Animation& animation);
 
 /// Of a solid, in its own coordinates.
 art::Drawing solid_drawing(const Json& solid);
-art::Rgb solid_colour(const Json& solid);
+/// Nothing if "sc" is no colour, such as "#ff8000".
+std::optional<art::Rgb> solid_colour(const Json& solid);
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/lottie/coverage.hpp"
 #include "host/lottie/transform.hpp"
+#include "host/lottie/window.hpp"
 
 #include <utility>
 
@@ -199,25 +200,68 @@ bool is_exact(const std::vector<Mask>& masks, const art::Node& solid, const Laye
     });
 }
 
-/// A solid with the shape of its masks; nothing if they are of other kinds. Reports what is not exact.
-std::optional<std::vector<art::Node>> cut_out(const art::Node& solid, const std::vector<Mask>& masks,
-                                              const Layer& layer)
+bool is_exact_hole(const std::vector<Mask>& masks, const art::Node& solid, const Layer& layer)
 {
     const Mask& first = masks.front();
-    if (masks.size() == 1 && is_hole(first) && steady_value(first.opacity) == 1.0 &&
-        steady_value(first.expansion) == 0.0 &&
-        lies_within(first, std::get<art::Figure>(solid.content).drawing.value(), layer))
-        return std::vector{pierced(solid, first)};
+    return masks.size() == 1 && is_hole(first) && steady_value(first.opacity) == 1.0 &&
+           steady_value(first.expansion) == 0.0 &&
+           lies_within(first, std::get<art::Figure>(solid.content).drawing.value(), layer);
+}
+
+std::vector<art::Node> shaped(const art::Node& solid, const std::vector<Mask>& masks)
+{
     std::vector<art::Node> parts;
     for (const Mask& mask : masks)
         if (is_added(mask))
             parts.push_back(shaped(solid, mask));
-    if (parts.empty())
-        return std::nullopt;
-    if (!is_exact(masks, solid, layer))
+    return parts;
+}
+
+/// Whether what the layer draws is seen through the mask as through a hole.
+bool is_window(const Mask& mask, bool is_first)
+{
+    const bool keeps_inside = mask.mode == 'i' || mask.mode == 'd' || (is_first && is_added(mask));
+    return keeps_inside && !mask.inverted && has_outline(mask.path) && steady_value(mask.opacity) == 1.0 &&
+           steady_value(mask.expansion) == 0.0;
+}
+
+bool are_windows(const std::vector<Mask>& masks)
+{
+    return std::ranges::all_of(masks,
+                               [&](const Mask& mask) { return is_window(mask, &mask == &masks.front()); });
+}
+
+void cut_to(const std::vector<Mask>& masks, std::vector<art::Node>& nodes, const Layer& layer)
+{
+    bool is_all_cut = true;
+    for (const Mask& mask : masks)
+        is_all_cut = cut_to(window_of(mask.path), nodes, layer.seen, layer.reading.budget) && is_all_cut;
+    if (!is_all_cut)
+        layer.reading.losses.add(
+            {"mask", layer.reading.layer, std::nullopt, "what reaches beyond it is seen"});
+}
+
+/// As far as that is possible; reports the rest.
+void apply(const std::vector<Mask>& masks, std::vector<art::Node>& nodes, const Layer& layer)
+{
+    const bool is_solid = kind_of(layer.json) == LayerKind::solid;
+    if (is_solid && is_exact_hole(masks, nodes.front(), layer)) {
+        nodes = {pierced(nodes.front(), masks.front())};
+        return;
+    }
+    if (is_solid && is_exact(masks, nodes.front(), layer)) {
+        nodes = shaped(nodes.front(), masks);
+        return;
+    }
+    if (are_windows(masks))
+        return cut_to(masks, nodes, layer);
+    if (is_solid && std::ranges::any_of(masks, is_added)) {
+        nodes = shaped(nodes.front(), masks);
         layer.reading.losses.add({"masks that cut each other, or grow", layer.reading.layer, std::nullopt,
                                   "the whole shapes of those that are added"});
-    return parts;
+        return;
+    }
+    layer.reading.losses.add({"mask", layer.reading.layer, std::nullopt, "the layer is drawn without it"});
 }
 
 }
@@ -233,14 +277,8 @@ void apply_masks(std::vector<art::Node>& nodes, const Layer& layer)
     const Coverage coverage = coverage_of(masks, nodes, layer);
     if (coverage == Coverage::nothing)
         nodes.clear();
-    if (coverage != Coverage::part)
-        return;
-    if (kind_of(layer.json) == LayerKind::solid)
-        if (auto parts = cut_out(nodes.front(), masks, layer)) {
-            nodes = std::move(*parts);
-            return;
-        }
-    layer.reading.losses.add({"mask", layer.reading.layer, std::nullopt, "the layer is drawn without it"});
+    if (coverage == Coverage::part)
+        apply(masks, nodes, layer);
 }
 
 }

@@ -1,6 +1,9 @@
 #include "host/lottie/matte.hpp"
 
+#include "host/lottie/carried.hpp"
 #include "host/lottie/coverage.hpp"
+#include "host/lottie/transform.hpp"
+#include "host/lottie/window.hpp"
 
 #include <utility>
 
@@ -25,6 +28,100 @@ Coverage coverage_at(double time, std::span<const art::Node> nodes, const Layer&
     const Coverage coverage =
         is_shown ? coverage_of(corners, source.nodes, *source_matrix, time, by_luminance) : Coverage::nothing;
     return is_inverted ? inverted(coverage) : coverage;
+}
+
+using Way = std::vector<const art::Transform*>;
+
+/// What is filled, and can be seen by its form alone.
+struct Shape {
+    const art::Figure* figure;
+    Way way; ///< the outermost first
+};
+
+/// Nothing if there is more than one figure, or one that is seen through or is not always there.
+std::optional<Shape> lone_shape(const std::vector<art::Node>& nodes)
+{
+    Shape shape{};
+    const std::vector<art::Node>* inside = &nodes;
+    while (!shape.figure) {
+        if (inside->size() != 1)
+            return std::nullopt;
+        const art::Node& node = inside->front();
+        if (steady_value(node.opacity) != 1.0 || node.shown != std::vector<art::Span>{{}})
+            return std::nullopt;
+        shape.way.push_back(&node.transform);
+        if (const auto* group = std::get_if<art::Group>(&node.content))
+            inside = &group->nodes;
+        else
+            shape.figure = &std::get<art::Figure>(node.content);
+    }
+    const bool is_filled = shape.figure->fill && steady_value(shape.figure->fill->opacity) == 1.0;
+    return is_filled && !shape.figure->line ? std::optional{std::move(shape)} : std::nullopt;
+}
+
+/// The transforms around that are not around the other one as well, the innermost first.
+Way own_way(const Around* around, const Around* other)
+{
+    Way way;
+    const auto is_around_other = [&](const Around* one) {
+        const Around* outer = other;
+        while (outer && outer != one)
+            outer = outer->outer;
+        return outer == one;
+    };
+    for (; around && !is_around_other(around); around = around->outer)
+        way.push_back(around->transform);
+    return way;
+}
+
+art::Affine matrix_from(const Way& innermost_first, double time)
+{
+    art::Affine matrix;
+    for (const art::Transform* transform : innermost_first)
+        matrix = matrix_at(*transform, time) * matrix;
+    return matrix;
+}
+
+/// As the layer that is matted sees it; the layers must outlive it. Nothing if no window shows the same.
+std::optional<Window> window_through(const Layer& layer, const MatteSource& source)
+{
+    const auto shape = lone_shape(source.nodes);
+    if (!shape || source.shown.from > layer.seen.from || source.shown.to < layer.seen.to)
+        return std::nullopt;
+    Way inner{shape->way.rbegin(), shape->way.rend()};
+    const Way to_layers = own_way(&source.layer.around, &layer.around);
+    inner.insert(inner.end(), to_layers.begin(), to_layers.end());
+    const Way outer = own_way(&layer.around, &source.layer.around);
+    Window window = window_of(shape->figure->drawing);
+    window.rule = shape->figure->fill->rule;
+    for (const Way* way : std::initializer_list<const Way*>{&inner, &outer})
+        for (const art::Transform* transform : *way) {
+            if (!transform || !is_flat(*transform))
+                return std::nullopt;
+            window.drawing.moments.add(moments_of(*transform));
+        }
+    window.drawing.cost += static_cast<double>(inner.size() + outer.size());
+    window.drawing.at = [inner, outer, at = std::move(window.drawing.at)](double time) {
+        art::Drawing drawing = at(time);
+        const auto back = matrix_from(outer, time).inverse();
+        const art::Affine matrix = back.value_or(art::Affine{}) * matrix_from(inner, time);
+        for (scene::Outline& outline : drawing.outlines)
+            outline = matrix.of(outline);
+        return drawing;
+    };
+    return window;
+}
+
+/// Where the matte is one shape.
+bool cut_by_shape(std::vector<art::Node>& nodes, const Layer& layer, const MatteSource& source, int mode)
+{
+    const auto window = MatteMode{mode} == MatteMode::alpha ? window_through(layer, source) : std::nullopt;
+    if (!window)
+        return false;
+    if (!cut_to(*window, nodes, layer.seen, layer.reading.budget))
+        layer.reading.losses.add(
+            {"matte", layer.reading.layer, std::nullopt, "what reaches beyond it is seen"});
+    return true;
 }
 
 /// The opacity of the layer counts as well.
@@ -60,7 +157,7 @@ void apply_matte(std::vector<art::Node>& nodes, const Layer& layer, MatteSource 
     }
     if (all_along == Coverage::nothing)
         nodes.clear();
-    if (all_along == Coverage::part)
+    if (all_along == Coverage::part && !cut_by_shape(nodes, layer, source, mode))
         report_matte(layer);
 }
 

@@ -1,7 +1,10 @@
 #include "host/lottie/path_item.hpp"
 
+#include "host/art/baked_drawing.hpp"
+#include "host/lottie/carried.hpp"
 #include "host/lottie/member.hpp"
 #include "host/lottie/polystar.hpp"
+#include "host/lottie/transform.hpp"
 #include "host/scene/shape.hpp"
 
 #include <algorithm>
@@ -52,6 +55,47 @@ MovingDrawing moving(std::initializer_list<const Channel*> channels,
     return drawing;
 }
 
+/// Whether it leads from one end to the other without a bend or a way back, so that its length says where.
+bool is_straight(Spot from, const scene::Curve& curve)
+{
+    const Spot way = curve.to - from;
+    const auto lies_on_way = [&](Spot spot) {
+        const double along = dot(way, spot - from);
+        return cross(way, spot - from) == 0 && along >= 0 && along <= dot(way, way);
+    };
+    return !curve.cubic || (lies_on_way(curve.c1) && lies_on_way(curve.c2));
+}
+
+bool is_straight(const Outline& path)
+{
+    Spot from = path.from;
+    return std::ranges::all_of(path.curves, [&](const scene::Curve& curve) {
+        return is_straight(std::exchange(from, curve.to), curve);
+    });
+}
+
+/// Where "p" is; along its tangents, where it has them.
+art::PlaceChannels read_place(const Json& item, const Reading& reading)
+{
+    art::Transform transform;
+    read_position(transform, item, reading, false);
+    if (!transform.path)
+        return {transform.x, transform.y};
+    if (is_straight(transform.path->path.outlines.front()))
+        return {channel(item, "p", 0, 1, reading), channel(item, "p", 1, 1, reading)};
+    const auto& keys = transform.path->share.keys;
+    art::Baking baking{
+        .from = keys.front().time, .to = keys.back().time, .critical = {}, .tolerance = baked_tolerance};
+    for (const auto& key : keys)
+        baking.critical.push_back(key.time);
+    return art::baked_place(
+        [&](double time) {
+            const art::Affine affine = affine_at(transform, time);
+            return Spot{affine.e, affine.f};
+        },
+        baking);
+}
+
 /// The middle and the size of a rectangle or an ellipse.
 struct Box {
     Channel x;
@@ -62,8 +106,8 @@ struct Box {
 
 Box read_box(const Json& item, const Reading& reading)
 {
-    return {channel(item, "p", 0, 1, reading), channel(item, "p", 1, 1, reading),
-            channel(item, "s", 0, 1, reading), channel(item, "s", 1, 1, reading)};
+    auto [x, y] = read_place(item, reading);
+    return {std::move(x), std::move(y), channel(item, "s", 0, 1, reading), channel(item, "s", 1, 1, reading)};
 }
 
 /// Beginning at twelve o'clock instead of three.
@@ -189,11 +233,17 @@ void report_tips(const StarChannels& star, const Reading& reading)
 void read_star(PathItem& result, const Json& item, bool is_reversed, const Reading& reading)
 {
     constexpr int polygon = 2;
-    const StarChannels star{channel(item, "p", 0, 1, reading),  channel(item, "p", 1, 1, reading),
-                            channel(item, "pt", 0, 1, reading), channel(item, "r", 0, 1, reading),
-                            channel(item, "or", 0, 1, reading), channel(item, "os", 0, 0.01, reading),
-                            channel(item, "ir", 0, 1, reading), channel(item, "is", 0, 0.01, reading),
-                            whole_at(item, "sy", 1) != polygon, is_reversed};
+    const art::PlaceChannels place = read_place(item, reading);
+    const StarChannels star{place.x,
+                            place.y,
+                            channel(item, "pt", 0, 1, reading),
+                            channel(item, "r", 0, 1, reading),
+                            channel(item, "or", 0, 1, reading),
+                            channel(item, "os", 0, 0.01, reading),
+                            channel(item, "ir", 0, 1, reading),
+                            channel(item, "is", 0, 0.01, reading),
+                            whole_at(item, "sy", 1) != polygon,
+                            is_reversed};
     report_tips(star, reading);
     result.drawing = moving({&star.x, &star.y, &star.tips, &star.turn, &star.outer, &star.outer_roundness,
                              &star.inner, &star.inner_roundness},

@@ -2,6 +2,8 @@
 
 #include "host/lottie/extent.hpp"
 #include "host/lottie/time_remap.hpp"
+#include "host/lottie/window.hpp"
+#include "host/scene/shape.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
@@ -108,32 +110,44 @@ std::vector<art::Node> read_remapped(const Layer& layer, const Json& layers, Ani
     return nodes;
 }
 
-bool covers_canvas(const Layer& layer, const Box& bounds, double time, const Animation& animation)
+/// What the canvas shows of a box inside of the layer; all of it where that is not known.
+Box seen_part(Box box, const Layer& layer, double time, const Animation& animation)
 {
     const auto matrix = canvas_matrix(&layer.around, time);
-    if (!matrix)
-        return false;
-    const art::Drawing frame{{matrix->of(scene::Outline{{bounds.left, bounds.top},
-                                                        {scene::line_to({bounds.right, bounds.top}),
-                                                         scene::line_to({bounds.right, bounds.bottom}),
-                                                         scene::line_to({bounds.left, bounds.bottom})},
-                                                        true})}};
-    return contains(frame, Box{0, 0, animation.width, animation.height}.corners());
+    const auto back = matrix ? matrix->inverse() : std::nullopt;
+    if (!back || box.empty())
+        return box;
+    Box canvas;
+    for (const scene::Spot corner : Box{0, 0, animation.width, animation.height}.corners())
+        canvas.include(back->of(corner));
+    return {std::max(box.left, canvas.left), std::max(box.top, canvas.top), std::min(box.right, canvas.right),
+            std::min(box.bottom, canvas.bottom)};
+}
+
+/// When something is first seen beyond the edges.
+std::optional<double> first_seen_beyond(const Box& edges, std::span<const art::Node> nodes,
+                                        const Layer& layer, const Animation& animation)
+{
+    for (const double time :
+         sample_times(layer.seen, weight(nodes) + weight(&layer.around), layer.reading.budget))
+        if (!seen_part(box_at(nodes, time), layer, time, animation).lies_within(edges))
+            return time;
+    return std::nullopt;
 }
 
 /// A composition ends at its own edges, which the scene has only at those of the canvas.
-void check_edges(const Layer& layer, std::span<const art::Node> nodes, const Animation& animation)
+void cut_at_edges(std::vector<art::Node>& nodes, const Layer& layer, const Animation& animation)
 {
-    const Box bounds{0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};
-    if (bounds.empty())
+    const Box edges{0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};
+    if (edges.empty())
         return;
-    for (const double time :
-         sample_times(layer.seen, weight(nodes) + weight(&layer.around), layer.reading.budget))
-        if (!box_at(nodes, time).lies_within(bounds) && !covers_canvas(layer, bounds, time, animation)) {
-            layer.reading.losses.add(
-                {"edge of a precomposition", layer.reading.layer, time, "what reaches beyond it is seen"});
-            return;
-        }
+    const auto time = first_seen_beyond(edges, nodes, layer, animation);
+    if (!time)
+        return;
+    const art::Drawing frame{{scene::rectangle({0, 0}, edges.right, edges.bottom, 0)}};
+    if (!cut_to(window_of(frame), nodes, layer.seen, layer.reading.budget))
+        layer.reading.losses.add(
+            {"edge of a precomposition", layer.reading.layer, time, "what reaches beyond it is seen"});
 }
 
 }
@@ -145,7 +159,7 @@ std::vector<art::Node> read_precomposition(const Layer& layer, Animation& animat
                                        ? read_remapped(layer, opened.layers(), animation)
                                        : read_composition({opened.layers(), &layer.around, layer.seen},
                                                           animation, inner_reading(layer, stretched(layer)));
-    check_edges(layer, nodes, animation);
+    cut_at_edges(nodes, layer, animation);
     return nodes;
 }
 

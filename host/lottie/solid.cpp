@@ -26,15 +26,15 @@ art::Drawing solid_drawing(const Json& solid)
     return {{scene::rectangle({0, 0}, width, height, 0)}};
 }
 
-art::Rgb solid_colour(const Json& solid)
+std::optional<art::Rgb> solid_colour(const Json& solid)
 {
     const std::string text = six_digits(text_at(solid, "sc"));
     unsigned value = 0;
     const char* const end = text.data() + text.size();
     if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, value, 16).ptr != end)
-        throw WrongMember(solid, "\"sc\" is no colour: one is a text such as \"#ff8000\"");
+        return std::nullopt;
     const auto channel = [&](unsigned shift) { return (value >> shift & 0xff) / 255.0; };
-    return {channel(16), channel(8), channel(0)};
+    return art::Rgb{channel(16), channel(8), channel(0)};
 }
 
 }

@@ -115,6 +115,12 @@ art::Transform read_flat(const Json& ks, const Reading& reading, bool turns)
 
 }
 
+bool is_flat(const art::Transform& transform)
+{
+    return steady_value(transform.z) == 0.0 && steady_value(transform.rotate_x) == 0.0 &&
+           steady_value(transform.rotate_y) == 0.0;
+}
+
 std::optional<double> steady_value(const Channel& channel)
 {
     const double value = channel.keys.front().value;

@@ -14,6 +14,9 @@ void read_position(art::Transform& transform, const Json& owner, const Reading& 
 /// The value of a channel that always has the same one.
 std::optional<double> steady_value(const art::Channel& channel);
 
+/// Whether it never leaves its plane.
+bool is_flat(const art::Transform& transform);
+
 /// Lottie grows before it leans, a transform the other way round: turns the one into the other where the
 /// scales differ.
 void lean_before_growing(art::Transform& transform);

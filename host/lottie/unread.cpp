@@ -76,6 +76,17 @@ void report_unknown(const Json& layer, const Reading& reading)
             report(reading, std::string{"member "} + kfast::quoted(name), "it is not looked at");
 }
 
+/// A property may name a value of the file that others set anew.
+void report_slot(const Json& part, const std::string& path, const Animation& animation,
+                 const Reading& reading)
+{
+    const Json* const slots = find_member(animation.root, "slots");
+    const Json* const id = find_member(part, "sid");
+    if (slots && id && id->is_string() && slots->contains(id->get_ref<const std::string&>()))
+        report(reading, "slot " + kfast::quoted(id->get<std::string>()) + " of " + path,
+               "the value that stands beside its name");
+}
+
 bool is_expression(const Json& part)
 {
     const Json* const text = find_member(part, "x");
@@ -90,6 +101,7 @@ void report_expressions(const Json& part, const std::string& path, Animation& an
     if (part.is_object() && is_expression(part))
         report(reading, std::string{"expression of "} + path, "its value without the expression");
     if (part.is_object()) {
+        report_slot(part, path, animation, reading);
         for (const auto& [name, member] : part.items())
             if (member.is_structured() && name != "ef" && name != "sy")
                 report_expressions(member, path.empty() ? std::string{name} : path + '.' + name, animation,

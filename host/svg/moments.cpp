@@ -81,7 +81,7 @@ std::optional<Motion> motion_of(const Moments& moments)
     const Moments seen = present(moments);
     const auto all = ways(seen);
     const std::size_t rest = moment_of_rest(all);
-    const auto back = inverse(all[rest]);
+    const auto back = all[rest].inverse();
     const auto box = box_of(*seen[rest].part, all[rest]);
     if (!back || !box)
         return std::nullopt;

@@ -70,15 +70,6 @@ std::optional<Move> move_of(const Affine& m)
         scale_x, m.determinant() / scale_x, std::atan2(m.b, m.a) * 180 / std::numbers::pi, {m.e, m.f}};
 }
 
-std::optional<Affine> inverse(const Affine& m)
-{
-    const double determinant = m.determinant();
-    if (!(std::abs(determinant) > 1e-12) || !std::isfinite(determinant))
-        return std::nullopt;
-    return Affine{m.d / determinant, -m.b / determinant, -m.c / determinant, m.a / determinant, 0, 0} *
-           art::moved(-m.e, -m.f);
-}
-
 Spot pivot_of(std::span<const Affine> affines, const Box& box)
 {
     const auto fixed = fixed_point(affines);

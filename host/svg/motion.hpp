@@ -21,9 +21,6 @@ struct Move {
 /// Nothing where it leans, or flattens all to a line.
 std::optional<Move> move_of(const art::Affine& affine);
 
-/// The way back. Nothing where all is flattened to a line.
-std::optional<art::Affine> inverse(const art::Affine& affine);
-
 /// What something that lies in `box` at first turns and grows about, as it moves by `affines`: the point that
 /// stays where it is, if there is one not far from the box, else the middle of the box.
 scene::Spot pivot_of(std::span<const art::Affine> affines, const Box& box);

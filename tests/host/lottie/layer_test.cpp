@@ -18,6 +18,16 @@ art::Node first(const std::string& layers) { return read_whole(animation_text(la
 
 }
 
+TEST_CASE("a solid without a colour is black, and reported")
+{
+    art::Losses losses;
+    const art::Document document = read_with(
+        animation_text(R"({"ty": 1, "nm": "wall", "sw": 9, "sh": 9, "sc": "", "ip": 0, "op": 60})"), losses);
+    REQUIRE(losses.list().size() == 1);
+    CHECK(losses.list()[0].feature == "solid of the colour \"\"");
+    CHECK(figure_of(group_of(document.nodes.at(0)).nodes.at(0)).fill->colour.value() == art::Rgb{});
+}
+
 TEST_CASE("the canvas, the rate and the length are those of the file")
 {
     const art::Document document =

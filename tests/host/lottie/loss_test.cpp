@@ -54,6 +54,13 @@ TEST_CASE("what a layer has besides is reported where it is")
           "box: expression of ks.r");
 }
 
+TEST_CASE("a slot keeps the value that stands beside it")
+{
+    const std::string text = solid(R"("ks": {"r": {"k": 3, "sid": "lean"}}, )");
+    CHECK(lost(animation_text(text, R"("slots": {"lean": {"p": {"k": 40}}}, )")) ==
+          "box: slot \"lean\" of ks.r");
+}
+
 TEST_CASE("layers in a precomposition are named with what they are in")
 {
     CHECK(lost(animation_text(R"({"ty": 0, "nm": "comp", "refId": "c", "ip": 0, "op": 60})",

@@ -141,13 +141,19 @@ TEST_CASE("compositions that use the next one many times are too much")
     CHECK(failure_of(text).find("more than 65535 layers") != std::string::npos);
 }
 
-TEST_CASE("what reaches beyond a precomposition is reported, if the canvas does not end there as well")
+TEST_CASE("what reaches beyond a precomposition is cut or reported, if the canvas does not end there as well")
 {
+    const std::string line = R"({"ty": 4, "ip": 0, "op": 60, "shapes": [{"ty": "rc", "s": {"k": [200, 10]},
+        "p": {"k": [0, 20]}}, {"ty": "st", "c": {"k": [1, 0, 0]}, "w": {"k": 2}}]})";
     const std::string far =
         R"({"ty": 1, "nm": "box", "sw": 200, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60})";
     CHECK(read_whole(with_assets(precomposition(""), far)).nodes.size() == 1);
     art::Losses losses;
-    read_with(with_assets(precomposition(R"("ks": {"p": {"k": [10, 0]}}, )"), far), losses);
+    const std::string aside = precomposition(R"("ks": {"p": {"k": [-20, 0]}}, )");
+    CHECK(read_whole(with_assets(precomposition(R"("ks": {"p": {"k": [10, 0]}}, )"), far)).nodes.size() == 1);
+    CHECK(read_whole(with_assets(aside, far)).nodes.size() == 1);
+    CHECK(read_whole(with_assets(precomposition(""), line)).nodes.size() == 1);
+    read_with(with_assets(aside, line), losses);
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].feature == "edge of a precomposition");
     CHECK(losses.list()[0].layer == "comp");

@@ -1,0 +1,87 @@
+#include "host/art/convex_polygon.hpp"
+#include "host/scene/shape.hpp"
+
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace kfast;
+using scene::Spot;
+
+namespace {
+
+art::Drawing box(double left, double top, double right, double bottom)
+{
+    return {{scene::rectangle({left, top}, right - left, bottom - top, 0)}};
+}
+
+art::Drawing polygon(std::span<const Spot> corners) { return {{scene::polyline(corners, true)}}; }
+
+/// The area of all, each outline in chords.
+double area(const art::Drawing& drawing)
+{
+    double doubled = 0;
+    for (const scene::Outline& outline : drawing.outlines) {
+        Spot from = outline.from;
+        const auto go = [&](Spot to) {
+            doubled += cross(from, to);
+            from = to;
+        };
+        for (const scene::Curve& curve : outline.curves) {
+            const scene::Curve cubic = art::as_cubic(from, curve);
+            const Spot begin = from;
+            for (int i = 1; i <= 100; ++i) {
+                const double t = i / 100.0;
+                const double rest = 1 - t;
+                go(rest * rest * rest * begin + 3 * rest * rest * t * cubic.c1 + 3 * rest * t * t * cubic.c2 +
+                   t * t * t * cubic.to);
+            }
+        }
+        go(outline.from);
+    }
+    return std::abs(doubled) / 2;
+}
+
+}
+
+TEST_CASE("a convex polygon is one whose corners lie on one side of each side")
+{
+    CHECK(art::ConvexPolygon::of(box(0, 0, 10, 10)));
+    CHECK(art::ConvexPolygon::of(polygon(std::array{Spot{0, 0}, Spot{0, 9}, Spot{9, 0}})));
+    CHECK_FALSE(art::ConvexPolygon::of(polygon(std::array{Spot{0, 0}, Spot{9, 0}, Spot{2, 2}, Spot{0, 9}})));
+    CHECK_FALSE(art::ConvexPolygon::of(
+        polygon(std::array{Spot{0, -10}, Spot{6, 8}, Spot{-10, -3}, Spot{10, -3}, Spot{-6, 8}})));
+    CHECK_FALSE(art::ConvexPolygon::of({{scene::ellipse({0, 0}, 5, 5)}}));
+    CHECK_FALSE(art::ConvexPolygon::of(box(0, 0, 10, 0)));
+    CHECK_FALSE(art::ConvexPolygon::of({}));
+}
+
+TEST_CASE("curves are cut where they cross its sides")
+{
+    const auto half = art::ConvexPolygon::of(box(0, -20, 20, 20));
+    REQUIRE(half);
+    const art::Drawing circle{{scene::ellipse({0, 0}, 10, 10)}};
+    CHECK(area(half->cut(circle)) == doctest::Approx(area(circle) / 2).epsilon(1e-3));
+    const auto quarter = art::ConvexPolygon::of(box(20, 20, 0, 0));
+    REQUIRE(quarter);
+    CHECK(area(quarter->cut(circle)) == doctest::Approx(area(circle) / 4).epsilon(1e-3));
+    CHECK(half->cut(circle).outlines.at(0).closed);
+}
+
+TEST_CASE("what lies inside stays as it is, what lies outside goes")
+{
+    const auto window = art::ConvexPolygon::of(box(0, 0, 10, 10));
+    REQUIRE(window);
+    CHECK(area(window->cut(box(2, 2, 8, 8))) == doctest::Approx(36));
+    const art::Drawing same = window->cut(box(0, 0, 10, 10));
+    CHECK(area(same) == doctest::Approx(100));
+    CHECK(same.outlines.at(0).curves.size() == 4);
+    CHECK(window->cut(box(11, 2, 18, 8)).outlines.empty());
+    CHECK(area(window->cut(box(-10, -10, 20, 20))) == doctest::Approx(100).epsilon(1e-3));
+    const std::array spots{Spot{1, 1}, Spot{9, 9}};
+    CHECK(window->contains(spots, 1));
+    CHECK_FALSE(window->contains(spots, 2));
+    const std::array beyond{Spot{12, 1}, Spot{14, 9}};
+    CHECK(window->misses(beyond, 1));
+    CHECK_FALSE(window->misses(beyond, 3));
+}
