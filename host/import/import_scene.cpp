@@ -104,19 +104,50 @@ CompiledScene compiled(const std::string& name, const std::string& text)
             "). If that names no limit of scenes, it is a mistake in kfast: please report it, with the file");
 }
 
-Imported made_of(art::Document document, const std::string& name, const Options& options, art::Losses losses)
+/// What the art comes to when it is made smaller by `share` for the sake of its coordinates.
+struct Draft {
+    art::Document document;
+    art::Losses losses;
+    scene_text::SceneText written;
+};
+
+Draft drafted(art::Document document, art::Losses losses, double share, const std::string& name,
+              const Options& options)
 {
-    Imported imported;
-    fit_canvas(document, options.size, losses);
+    fit_canvas(document, options.size, share, losses);
     art::crop(document, losses);
     art::simplify(document, options.tolerance);
-    imported.text = scene_text::scene_text(document, name, options.tolerance, losses);
+    scene_text::SceneText written = scene_text::scene_text(document, name, options.tolerance, losses);
+    return {std::move(document), std::move(losses), std::move(written)};
+}
+
+bool is_too_large(const art::Document& document)
+{
+    return std::max(document.width, document.height) > longest_side;
+}
+
+Draft draft_of(const art::Document& document, const art::Losses& losses, const std::string& name,
+               const Options& options)
+{
+    Draft draft = drafted(document, losses, 1, name, options);
+    if (options.size)
+        return draft;
+    const double share = share_within_reach(draft.document, draft.written.reach, is_too_large(document));
+    return share < 1 ? drafted(document, losses, share, name, options) : std::move(draft);
+}
+
+Imported made_of(const art::Document& document, const std::string& name, const Options& options,
+                 const art::Losses& losses)
+{
+    Draft draft = draft_of(document, losses, name, options);
+    Imported imported;
+    imported.text = std::move(draft.written.text);
     if (imported.text.size() > most_scene_text_bytes)
         refuse(name,
                "makes a scene text larger than 4 MB, more than kfast reads: draw less, or raise --tolerance");
     imported.compiled = compiled(name, imported.text);
-    imported.extent = extent_of(document);
-    imported.losses = std::move(losses);
+    imported.extent = extent_of(draft.document);
+    imported.losses = std::move(draft.losses);
     return imported;
 }
 
@@ -128,7 +159,7 @@ Imported import_scene(const std::string& name, std::string content, const Option
 {
     art::Losses losses;
     art::Document document = read({name, unpacked(name, std::move(content))}, options, losses);
-    return made_of(std::move(document), name, options, std::move(losses));
+    return made_of(document, name, options, losses);
 }
 
 Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const double> times,
@@ -140,9 +171,10 @@ Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const d
             refuse(drawing.name, "is no SVG file, as key drawings are");
     }
     art::Losses losses;
-    art::Document document = svg::read_svg_keys(drawings, times, options.drawings, losses);
+    const art::Document document =
+        svg::read_svg_keys(drawings, times, options.drawings, losses);
     const std::string name = drawings.empty() ? "" : drawings.front().name;
-    return made_of(std::move(document), name, options, std::move(losses));
+    return made_of(document, name, options, losses);
 }
 
 }

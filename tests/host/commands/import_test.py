@@ -125,6 +125,22 @@ class ImportTest(ImportCase):
         self.assertIn("canvas of 4094x2000 pixels: all of it smaller, on 2047x1000", result.stderr)
         self.run_kfast("check", "large.json", "--strict", "--size", "2047x2047")
 
+    def test_what_goes_far_beyond_a_large_canvas_makes_it_smaller(self):
+        def flying(side):
+            move = {"a": 1, "k": [{"t": 0, "s": [10, 10]}, {"t": 30, "s": [90, 4000]}]}
+            shapes = [{"ty": "el", "p": {"a": 0, "k": [0, 0]}, "s": {"a": 0, "k": [20, 20]}}, FILL]
+            layer = {"ty": 4, "nm": "dot", "ip": 0, "op": 30, "st": 0, "ks": {"p": move}, "shapes": shapes}
+            return json.dumps({**FRAME, "w": side, "h": side, "layers": [layer]})
+        self.write("tall.json", flying(3000))
+        result = self.run_kfast("import", "tall.json", "-o", "-")
+        self.assertIn("canvas 1528 1528", result.stdout)
+        self.assertNotIn("scale", result.stdout)
+        self.assertIn("canvas of 3000x3000 pixels: all of it smaller, on 1528x1528", result.stderr)
+        self.write("small.json", flying(1000))
+        text = self.run_kfast("import", "small.json", "-o", "-", "--strict").stdout
+        self.assertIn("canvas 1000 1000", text)
+        self.assertIn("group scale=2", text)
+
     def test_tolerance_leaves_points_out(self):
         scene = ROOT / "tests/accuracy/lottie/walker.json"
         points = []

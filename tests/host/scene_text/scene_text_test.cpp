@@ -60,7 +60,7 @@ TEST_CASE("the origin is told without its folder")
 {
     art::Losses losses;
     CHECK(scene_text::scene_text(document({}), "some/where/eye.json", 0.1, losses)
-              .starts_with("// Made from eye.json.\n"));
+              .text.starts_with("// Made from eye.json.\n"));
 }
 
 TEST_CASE("what stands still is drawn where it is seen")
