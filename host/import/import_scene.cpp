@@ -30,17 +30,33 @@ constexpr const char* known_files =
     throw Failure(name + ": " + reason);
 }
 
+/// What SVG is drawn on, where black is the colour of what has none.
+constexpr Colour paper{255, 255, 255};
+
 std::string unpacked(const std::string& name, std::string content)
 {
     return archive::is_gzip(content) ? archive::gunzipped(name, content, most_unpacked_bytes)
                                      : std::move(content);
 }
 
+/// What lies behind a document that says nothing of it.
+void put_behind(art::Document& document, Colour colour)
+{
+    if (!document.background)
+        document.background = {colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0};
+}
+
+art::Document on_paper(art::Document document, const Options& options)
+{
+    put_behind(document, options.background.value_or(paper));
+    return document;
+}
+
 art::Document read_xml(const SourceText& source, const Options& options, art::Losses& losses)
 {
     const std::string_view root = root_element(source.text);
     if (root == "svg")
-        return svg::read_svg(source, options.drawings, losses);
+        return on_paper(svg::read_svg(source, options.drawings, losses), options);
     if (root == "canvas")
         return synfig::read_synfig(source, losses);
     refuse(source.name, "an XML file, but neither SVG nor Synfig: " + std::string{known_files});
@@ -159,6 +175,8 @@ Imported import_scene(const std::string& name, std::string content, const Option
 {
     art::Losses losses;
     art::Document document = read({name, unpacked(name, std::move(content))}, options, losses);
+    if (options.background)
+        put_behind(document, *options.background);
     return made_of(document, name, options, losses);
 }
 
@@ -172,7 +190,7 @@ Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const d
     }
     art::Losses losses;
     const art::Document document =
-        svg::read_svg_keys(drawings, times, options.drawings, losses);
+        on_paper(svg::read_svg_keys(drawings, times, options.drawings, losses), options);
     const std::string name = drawings.empty() ? "" : drawings.front().name;
     return made_of(document, name, options, losses);
 }

@@ -141,6 +141,22 @@ class ImportTest(ImportCase):
         self.assertIn("canvas 1000 1000", text)
         self.assertIn("group scale=2", text)
 
+    def test_background_of_files_that_have_none(self):
+        self.write("sun.svg", SVG.format(x=20))
+        self.write("night.svg", SVG.format(x=20).replace("<svg", '<svg style="background-color: navy"'))
+        self.assertIn("background=white", self.scene("sun.svg"))
+        night = self.run_kfast("import", "night.svg", "--background", "red", "-o", "-").stdout
+        self.assertIn('background "#000080"', night)
+        self.assertNotIn("background=", self.scene("dot.json"))
+        for name in ("sun.svg", "dot.json"):
+            text = self.run_kfast("import", name, "--background", "#0F8", "-o", "-").stdout
+            self.assertRegex(text, 'canvas.* background=background\n')
+            self.assertIn('background "#00ff88"', text)
+        self.run_kfast("import", "--keys", "sun.svg", "night.svg", "--at", "0", "9", "-o", "keys.kfast")
+        self.assertIn("background=white", (self.folder / "keys.kfast").read_text())
+        self.refuse("import", "sun.svg", "--background", "snowy", status=2, says="'snowy' is no colour: take a name like")
+        self.refuse("import", "sun.svg", "--background", "#fff8", status=2, says="cannot be transparent")
+
     def test_tolerance_leaves_points_out(self):
         scene = ROOT / "tests/accuracy/lottie/walker.json"
         points = []
