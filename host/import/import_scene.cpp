@@ -103,7 +103,26 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
     refuse(source.name, "the text is in UTF-16: save it as UTF-8");
 }
 
-/// The text cannot be seen: what is wrong with it is either a limit that is exceeded, or a mistake of kfast.
+/// As the compiler's messages of limits have it; see docs/scene-language.md, "Limits".
+bool names_limit(std::string_view message)
+{
+    return message.find("holds") != std::string_view::npos ||
+           message.find("at most") != std::string_view::npos;
+}
+
+/// Tells of a text that is not seen: either a limit of scenes is exceeded, or kfast is wrong.
+[[noreturn]] void refuse_text(const std::string& name, const std::string& text, const Diagnostic& found)
+{
+    std::string line = visible(excerpt(text, found.place).line);
+    line.erase(0, line.find_first_not_of(' '));
+    const std::string message = found.message + " (" + line + ')';
+    if (names_limit(found.message))
+        refuse(name,
+               "more than a scene can be: " + message + (found.remedy.empty() ? "" : "; ") + found.remedy);
+    refuse(name, "no scene can be made of it: " + message +
+                     "; this is a mistake in kfast: please report it, with the file");
+}
+
 CompiledScene compiled(const std::string& name, const std::string& text)
 {
     Diagnostics diagnostics;
@@ -112,12 +131,9 @@ CompiledScene compiled(const std::string& name, const std::string& text)
     const std::vector<Diagnostic> found = diagnostics.sorted();
     if (scene && found.empty())
         return std::move(*scene);
-    const auto first = std::ranges::find(
-        found, diagnostics.has_errors() ? Severity::error : Severity::warning, &Diagnostic::severity);
-    refuse(
-        name,
-        "no scene can be made of it: " + first->message + " (" + visible(excerpt(text, first->place).line) +
-            "). If that names no limit of scenes, it is a mistake in kfast: please report it, with the file");
+    refuse_text(name, text,
+                *std::ranges::find(found, diagnostics.has_errors() ? Severity::error : Severity::warning,
+                                   &Diagnostic::severity));
 }
 
 /// What the art comes to when it is made smaller by `share` for the sake of its coordinates.

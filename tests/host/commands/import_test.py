@@ -141,6 +141,21 @@ class ImportTest(ImportCase):
         self.assertIn("canvas 1000 1000", text)
         self.assertIn("group scale=2", text)
 
+    def test_limits_of_scenes_are_told_with_a_remedy(self):
+        def turning(number):
+            turn = {"a": 1, "k": [{"t": 0, "s": [0], "o": {"x": 0.3, "y": number / 300}, "i": {"x": 0.6, "y": 1}},
+                                  {"t": 30, "s": [90]}]}
+            shapes = [{"ty": "rc", "p": {"a": 0, "k": [9, 9]}, "s": {"a": 0, "k": [20, 9]}, "r": {"a": 0, "k": 0}}, FILL]
+            return {"ty": 4, "nm": "bar", "ip": 0, "op": 30, "st": 0, "ks": {"r": turn}, "shapes": shapes}
+        self.write("laws.json", json.dumps({**FRAME, "layers": [turning(number) for number in range(300)]}))
+        self.refuse("import", "laws.json", status=1,
+                    says="laws.json: more than a scene can be: the format holds 255 different pairs of velocity laws")
+        self.refuse("import", "laws.json", status=1, says="; use laws again that other keys have")
+        zigzag = " ".join(f"{x % 60} {x * 7 % 40}" for x in range(70000))
+        self.write("zigzag.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40">'
+                                 + "".join(f'<path d="M {zigzag[:4000]} {x}"/>' for x in range(99)) + "</svg>")
+        self.refuse("import", "zigzag.svg", "--tolerance", "0", status=1, says="; draw it with fewer points")
+
     def test_background_of_files_that_have_none(self):
         self.write("sun.svg", SVG.format(x=20))
         self.write("night.svg", SVG.format(x=20).replace("<svg", '<svg style="background-color: navy"'))
