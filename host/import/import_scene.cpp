@@ -168,10 +168,21 @@ Draft draft_of(const art::Document& document, const art::Losses& losses, const s
     return share < 1 ? drafted(document, losses, share, name, options) : std::move(draft);
 }
 
+/// What fails while art is simplified and written does not know the file.
+Draft named_draft_of(const art::Document& document, const art::Losses& losses, const std::string& name,
+                     const Options& options)
+{
+    try {
+        return draft_of(document, losses, name, options);
+    } catch (const Failure& failure) {
+        refuse(name, failure.what());
+    }
+}
+
 Imported made_of(const art::Document& document, const std::string& name, const Options& options,
                  const art::Losses& losses)
 {
-    Draft draft = draft_of(document, losses, name, options);
+    Draft draft = named_draft_of(document, losses, name, options);
     Imported imported;
     imported.text = std::move(draft.written.text);
     if (imported.text.size() > most_scene_text_bytes)

@@ -151,6 +151,10 @@ class ImportTest(ImportCase):
         self.refuse("import", "laws.json", status=1,
                     says="laws.json: more than a scene can be: the format holds 255 different pairs of velocity laws")
         self.refuse("import", "laws.json", status=1, says="; use laws again that other keys have")
+        spin = {"a": 1, "k": [{"t": time, "s": [time * time % 251], "h": 1} for time in range(70000)]}
+        dot = {"ty": 4, "nm": "dot", "ip": 0, "op": 70000, "st": 0, "ks": {"r": spin}, "shapes": turning(0)["shapes"]}
+        self.write("keys.json", json.dumps({**FRAME, "op": 70000, "layers": [dot]}))
+        self.refuse("import", "keys.json", status=1, says="keys.json: something has more than 65535 keys")
         zigzag = " ".join(f"{x % 60} {x * 7 % 40}" for x in range(70000))
         self.write("zigzag.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40">'
                                  + "".join(f'<path d="M {zigzag[:4000]} {x}"/>' for x in range(99)) + "</svg>")
