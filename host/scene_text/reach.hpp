@@ -17,6 +17,14 @@ struct Reach {
     double in_groups = 0;  ///< as they are with them; beyond 2047, they are held there
 };
 
+/// How far a bone may begin from where it is set up, for scenes to hold its way from its parent.
+inline double room_of(const art::Rig& rig, const art::Bone& bone)
+{
+    const scene::Spot around = bone.parent ? rig.bones[*bone.parent].from : scene::Spot{};
+    const scene::Spot offset = bone.from - around;
+    return std::max(2047 - std::max(std::abs(offset.x), std::abs(offset.y)), 0.0);
+}
+
 /// Of bones, as set up and as moved.
 inline double reach_of(const art::Rig& rig)
 {

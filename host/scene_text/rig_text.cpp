@@ -2,6 +2,7 @@
 
 #include "host/failure.hpp"
 #include "host/scene/limits.hpp"
+#include "host/scene_text/bone_keys.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/nodes.hpp"
 #include "host/scene_text/pose_text.hpp"
@@ -89,6 +90,13 @@ bool exceeds(const art::Channel& channel, const Grid& grid)
                                [&](const auto& key) { return std::abs(key.value) > grid.high; });
 }
 
+bool leaves_room(const Bone& bone, const Rig& rig)
+{
+    const auto keys = bone_keys(bone);
+    return std::ranges::any_of(
+        keys, [room = room_of(rig, bone)](const BoneKey& key) { return std::hypot(key.x, key.y) > room; });
+}
+
 void report_ranges(const Rig& rig, art::Losses& losses)
 {
     const auto lose = [&](std::string feature) {
@@ -96,6 +104,8 @@ void report_ranges(const Rig& rig, art::Losses& losses)
     };
     if (reach_of(rig) > coordinates.high)
         lose("coordinates of bones beyond 2047 px");
+    else if (std::ranges::any_of(rig.bones, [&](const Bone& bone) { return leaves_room(bone, rig); }))
+        lose("a bone that begins more than 2047 px from its parent's origin");
     if (std::ranges::any_of(rig.bones, [](const Bone& bone) { return exceeds(bone.turn, turns); }))
         lose("a bone that turns more than 15 times");
     if (std::ranges::any_of(rig.bones,

@@ -333,6 +333,19 @@ TEST_CASE("a canvas or a scene that is too large is refused")
     CHECK_THROWS_AS(scene_text::scene_text(endless, "x", 0.1, losses), Failure);
 }
 
+TEST_CASE("what goes far is told, with and without groups that grow")
+{
+    Transform moving;
+    moving.x = rising(0, 3000);
+    art::Losses losses;
+    const scene_text::Reach reach =
+        scene_text::scene_text(document({node("box", filled(box(0, 0, 8, 8)), moving)}), "x", 0.1, losses)
+            .reach;
+    CHECK(reach.left_alone == 3000);
+    CHECK(reach.in_groups == 1500);
+    CHECK(losses.empty());
+}
+
 TEST_CASE("huge numbers are held, and that is told")
 {
     Transform huge;
