@@ -79,6 +79,7 @@ TEST_CASE("how much smaller art becomes for its coordinates")
     CHECK(share_within_reach(tall, {.left_alone = 8160, .in_groups = 4080}, false) ==
           doctest::Approx(0.4995));
     CHECK(share_within_reach(tall, {.left_alone = 100, .in_groups = 100}, true) == 1);
+    CHECK(share_within_reach(tall, {.left_alone = 4000, .in_groups = 2047}, false) == 1);
     CHECK(share_within_reach(of_size(961, 100), far, true) == doctest::Approx(0.4995));
     CHECK(share_within_reach(of_size(959, 100), far, true) == 1);
 }
