@@ -55,12 +55,23 @@ double reach_of(const Node& node)
     return reach;
 }
 
+/// From each other at any two times: places are written as ways from where the anchor is.
+double farthest(const Channel& channel, const Channel& other)
+{
+    const auto range = [](const Channel& of) {
+        const auto [low, high] = std::ranges::minmax(of.keys, {}, &art::Key<double>::value);
+        return std::pair{low.value, high.value};
+    };
+    const auto [low, high] = range(channel);
+    const auto [other_low, other_high] = range(other);
+    return std::max(std::abs(high - other_low), std::abs(other_high - low));
+}
+
 double distance_of(const Transform& transform)
 {
     if (transform.path)
         return reach_of(transform.path->path);
-    return std::max(largest(transform.x) + largest(transform.anchor_x),
-                    largest(transform.y) + largest(transform.anchor_y));
+    return std::max(farthest(transform.x, transform.anchor_x), farthest(transform.y, transform.anchor_y));
 }
 
 /// The power of two that brings `reach` within bounds.

@@ -343,6 +343,11 @@ TEST_CASE("what goes far is told, with and without groups that grow")
             .reach;
     CHECK(reach.left_alone == 3000);
     CHECK(reach.in_groups == 1500);
+    Transform turning;
+    turning.x = turning.anchor_x = {1500};
+    turning.rotate = rising(0, 90);
+    CHECK(scene_text::scene_text(document({node("box", filled(box(0, 0, 8, 8)), turning)}), "x", 0.1, losses)
+              .reach.left_alone == 1500);
     CHECK(losses.empty());
 }
 
