@@ -2,6 +2,7 @@
 
 #include "host/art/affine.hpp"
 #include "host/art/ease_part.hpp"
+#include "host/art/matrix_at.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -174,8 +175,7 @@ double reach_of(const Extent& content, const Transform& transform)
 
 double skew_growth(const Transform& transform)
 {
-    constexpr double steepest = 89.9;
-    const double degrees = std::min(greatest(transform.skew), steepest);
+    const double degrees = std::min(greatest(transform.skew), steepest_skew);
     return 1 + std::tan(degrees * std::numbers::pi / 180);
 }
 

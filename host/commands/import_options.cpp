@@ -3,6 +3,7 @@
 #include "host/commands/number_range.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/import/canvas_size.hpp"
+#include "host/scene/palette.hpp"
 
 #include <algorithm>
 #include <string>
@@ -23,6 +24,18 @@ Size canvas_size(const std::string& text)
     return size;
 }
 
+Colour background(const std::string& text)
+{
+    const std::optional<Colour> colour = scene::Palette{}.find(text);
+    if (!colour)
+        throw CLI::ValidationError("--background", '\'' + text +
+                                                       "' is no colour: take a name like white or navy, or "
+                                                       "red, green and blue like \"#ff8000\"");
+    if (colour->opacity != 255)
+        throw CLI::ValidationError("--background", "the background cannot be transparent");
+    return *colour;
+}
+
 }
 
 void declare_import_options(CLI::App& app, ImportChoice& choice)
@@ -36,6 +49,12 @@ void declare_import_options(CLI::App& app, ImportChoice& choice)
            "--size", [&choice](const std::string& text) { choice.options.size = canvas_size(text); },
            "Scale it so that its canvas just lies within this (default: as it is)")
         ->type_name("WxH")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--background",
+           [&choice](const std::string& text) { choice.options.background = background(text); },
+           "Behind a file that says nothing of its background (default: white for SVG, otherwise black)")
+        ->type_name("COLOR")
         ->group(group);
     app.add_option("--animation", choice.options.animation,
                    "Which one of a .lottie file that has several (default: the one it begins with)")

@@ -30,17 +30,33 @@ constexpr const char* known_files =
     throw Failure(name + ": " + reason);
 }
 
+/// What SVG is drawn on, where black is the colour of what has none.
+constexpr Colour paper{255, 255, 255};
+
 std::string unpacked(const std::string& name, std::string content)
 {
     return archive::is_gzip(content) ? archive::gunzipped(name, content, most_unpacked_bytes)
                                      : std::move(content);
 }
 
+/// What lies behind a document that says nothing of it.
+void put_behind(art::Document& document, Colour colour)
+{
+    if (!document.background)
+        document.background = {colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0};
+}
+
+art::Document on_paper(art::Document document, const Options& options)
+{
+    put_behind(document, options.background.value_or(paper));
+    return document;
+}
+
 art::Document read_xml(const SourceText& source, const Options& options, art::Losses& losses)
 {
     const std::string_view root = root_element(source.text);
     if (root == "svg")
-        return svg::read_svg(source, options.drawings, losses);
+        return on_paper(svg::read_svg(source, options.drawings, losses), options);
     if (root == "canvas")
         return synfig::read_synfig(source, losses);
     refuse(source.name, "an XML file, but neither SVG nor Synfig: " + std::string{known_files});
@@ -87,7 +103,26 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
     refuse(source.name, "the text is in UTF-16: save it as UTF-8");
 }
 
-/// The text cannot be seen: what is wrong with it is either a limit that is exceeded, or a mistake of kfast.
+/// As the compiler's messages of limits have it; see docs/scene-language.md, "Limits".
+bool names_limit(std::string_view message)
+{
+    return message.find("holds") != std::string_view::npos ||
+           message.find("at most") != std::string_view::npos;
+}
+
+/// Tells of a text that is not seen: either a limit of scenes is exceeded, or kfast is wrong.
+[[noreturn]] void refuse_text(const std::string& name, const std::string& text, const Diagnostic& found)
+{
+    std::string line = visible(excerpt(text, found.place).line);
+    line.erase(0, line.find_first_not_of(' '));
+    const std::string message = found.message + " (" + line + ')';
+    if (names_limit(found.message))
+        refuse(name,
+               "more than a scene can be: " + message + (found.remedy.empty() ? "" : "; ") + found.remedy);
+    refuse(name, "no scene can be made of it: " + message +
+                     "; this is a mistake in kfast: please report it, with the file");
+}
+
 CompiledScene compiled(const std::string& name, const std::string& text)
 {
     Diagnostics diagnostics;
@@ -96,27 +131,66 @@ CompiledScene compiled(const std::string& name, const std::string& text)
     const std::vector<Diagnostic> found = diagnostics.sorted();
     if (scene && found.empty())
         return std::move(*scene);
-    const auto first = std::ranges::find(
-        found, diagnostics.has_errors() ? Severity::error : Severity::warning, &Diagnostic::severity);
-    refuse(
-        name,
-        "no scene can be made of it: " + first->message + " (" + visible(excerpt(text, first->place).line) +
-            "). If that names no limit of scenes, it is a mistake in kfast: please report it, with the file");
+    refuse_text(name, text,
+                *std::ranges::find(found, diagnostics.has_errors() ? Severity::error : Severity::warning,
+                                   &Diagnostic::severity));
 }
 
-Imported made_of(art::Document document, const std::string& name, const Options& options, art::Losses losses)
+/// What the art comes to when it is made smaller by `share` for the sake of its coordinates.
+struct Draft {
+    art::Document document;
+    art::Losses losses;
+    scene_text::SceneText written;
+};
+
+Draft drafted(art::Document document, art::Losses losses, double share, const std::string& name,
+              const Options& options)
 {
-    Imported imported;
-    fit_canvas(document, options.size, losses);
+    fit_canvas(document, options.size, share, losses);
     art::crop(document, losses);
     art::simplify(document, options.tolerance);
-    imported.text = scene_text::scene_text(document, name, options.tolerance, losses);
+    scene_text::SceneText written = scene_text::scene_text(document, name, options.tolerance, losses);
+    return {std::move(document), std::move(losses), std::move(written)};
+}
+
+bool is_too_large(const art::Document& document)
+{
+    return std::max(document.width, document.height) > longest_side;
+}
+
+Draft draft_of(const art::Document& document, const art::Losses& losses, const std::string& name,
+               const Options& options)
+{
+    Draft draft = drafted(document, losses, 1, name, options);
+    if (options.size)
+        return draft;
+    const double share = share_within_reach(draft.document, draft.written.reach, is_too_large(document));
+    return share < 1 ? drafted(document, losses, share, name, options) : std::move(draft);
+}
+
+/// What fails while art is simplified and written does not know the file.
+Draft named_draft_of(const art::Document& document, const art::Losses& losses, const std::string& name,
+                     const Options& options)
+{
+    try {
+        return draft_of(document, losses, name, options);
+    } catch (const Failure& failure) {
+        refuse(name, failure.what());
+    }
+}
+
+Imported made_of(const art::Document& document, const std::string& name, const Options& options,
+                 const art::Losses& losses)
+{
+    Draft draft = named_draft_of(document, losses, name, options);
+    Imported imported;
+    imported.text = std::move(draft.written.text);
     if (imported.text.size() > most_scene_text_bytes)
         refuse(name,
                "makes a scene text larger than 4 MB, more than kfast reads: draw less, or raise --tolerance");
     imported.compiled = compiled(name, imported.text);
-    imported.extent = extent_of(document);
-    imported.losses = std::move(losses);
+    imported.extent = extent_of(draft.document);
+    imported.losses = std::move(draft.losses);
     return imported;
 }
 
@@ -128,7 +202,9 @@ Imported import_scene(const std::string& name, std::string content, const Option
 {
     art::Losses losses;
     art::Document document = read({name, unpacked(name, std::move(content))}, options, losses);
-    return made_of(std::move(document), name, options, std::move(losses));
+    if (options.background)
+        put_behind(document, *options.background);
+    return made_of(document, name, options, losses);
 }
 
 Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const double> times,
@@ -140,9 +216,10 @@ Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const d
             refuse(drawing.name, "is no SVG file, as key drawings are");
     }
     art::Losses losses;
-    art::Document document = svg::read_svg_keys(drawings, times, options.drawings, losses);
+    const art::Document document =
+        on_paper(svg::read_svg_keys(drawings, times, options.drawings, losses), options);
     const std::string name = drawings.empty() ? "" : drawings.front().name;
-    return made_of(std::move(document), name, options, std::move(losses));
+    return made_of(document, name, options, losses);
 }
 
 }

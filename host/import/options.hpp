@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/colour.hpp"
 #include "core/size.hpp"
 #include "host/art/tolerance.hpp"
 #include "host/svg/key_options.hpp"
@@ -13,6 +14,7 @@ namespace kfast::importing {
 struct Options {
     double tolerance = art::usual_tolerance; ///< canvas pixels, 0 or more
     std::optional<Size> size;                ///< the art is scaled so that its canvas just lies within it
+    std::optional<Colour> background;        ///< opaque, of files that say nothing of theirs
     std::string animation;                   ///< of a dotLottie file; "": the one that it begins with
     svg::KeyOptions drawings;                ///< how drawings of SVG become keys
 };

@@ -1,5 +1,6 @@
 #include "host/lottie/background.hpp"
 
+#include "host/art/matrix_at.hpp"
 #include "host/lottie/extent.hpp"
 #include "host/lottie/transform.hpp"
 

@@ -1,12 +1,11 @@
 #include "host/lottie/carried.hpp"
 
-#include "host/art/curve_length.hpp"
+#include "host/art/matrix_at.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 namespace kfast::lottie {
@@ -20,19 +19,6 @@ std::array<const Channel*, 9> flat_channels(const art::Transform& transform)
     return {&transform.anchor_x, &transform.anchor_y, &transform.x,
             &transform.y,        &transform.scale_x,  &transform.scale_y,
             &transform.rotate,   &transform.skew,     &transform.skew_axis};
-}
-
-Affine leant(double skew, double axis)
-{
-    const double shear = -std::tan(skew * std::numbers::pi / 180);
-    return art::turned(-axis) * Affine{1, 0, shear, 1, 0, 0} * art::turned(axis);
-}
-
-scene::Spot position_at(const art::Transform& transform, double time)
-{
-    if (!transform.path || transform.path->path.outlines.empty())
-        return {transform.x.at(time), transform.y.at(time)};
-    return art::spot_along(transform.path->path.outlines.front(), transform.path->share.at(time));
 }
 
 bool is_shown(const std::vector<art::Span>& shown, double time)
@@ -73,16 +59,6 @@ Channel jumps(const std::vector<art::Span>& shown)
 
 }
 
-Affine affine_at(const art::Transform& transform, double time)
-{
-    const scene::Spot to = position_at(transform, time);
-    Affine result = art::moved(to.x, to.y) * art::turned(transform.rotate.at(time)) *
-                    art::grown(transform.scale_x.at(time), transform.scale_y.at(time));
-    if (const double skew = transform.skew.at(time); skew != 0)
-        result = result * leant(skew, transform.skew_axis.at(time));
-    return result * art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
-}
-
 bool is_still(const art::Transform& transform)
 {
     return !transform.path && std::ranges::all_of(flat_channels(transform), &Channel::is_still);
@@ -103,11 +79,11 @@ MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform)
     // Finding the eases of its channels takes longer than moving a few points.
     constexpr double cost_of_transform = 100;
     if (is_still(transform))
-        return mapped(std::move(drawing), [affine = affine_at(transform, 0)](double) { return affine; });
+        return mapped(std::move(drawing), [affine = matrix_at(transform, 0)](double) { return affine; });
     drawing.moments.add(moments_of(transform));
     drawing.cost += cost_of_transform;
     const auto shared = std::make_shared<const art::Transform>(transform);
-    return mapped(std::move(drawing), [shared](double time) { return affine_at(*shared, time); });
+    return mapped(std::move(drawing), [shared](double time) { return matrix_at(*shared, time); });
 }
 
 MovingDrawing while_shown(MovingDrawing drawing, const std::vector<art::Span>& shown)

@@ -1,13 +1,9 @@
 #pragma once
 
-#include "host/art/affine.hpp"
 #include "host/art/document.hpp"
 #include "host/lottie/moving_drawing.hpp"
 
 namespace kfast::lottie {
-
-/// What a transform does in its plane at a moment.
-art::Affine affine_at(const art::Transform& transform, double time);
 
 /// Whether it is the same all along, but for its depth.
 bool is_still(const art::Transform& transform);

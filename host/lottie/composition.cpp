@@ -1,5 +1,6 @@
 #include "host/lottie/composition.hpp"
 
+#include "host/art/matrix_at.hpp"
 #include "host/lottie/extent.hpp"
 #include "host/lottie/layer.hpp"
 #include "host/lottie/masks.hpp"

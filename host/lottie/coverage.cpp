@@ -1,5 +1,7 @@
 #include "host/lottie/coverage.hpp"
 
+#include "host/art/matrix_at.hpp"
+
 namespace kfast::lottie {
 namespace {
 

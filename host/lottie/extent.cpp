@@ -1,9 +1,8 @@
 #include "host/lottie/extent.hpp"
 
-#include "host/art/curve_length.hpp"
+#include "host/art/matrix_at.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace kfast::lottie {
 namespace {
@@ -11,19 +10,12 @@ namespace {
 using art::Affine;
 using scene::Spot;
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double breadth = 0.01;
 
 bool is_shown(const art::Node& node, double time)
 {
     return std::ranges::any_of(node.shown,
                                [&](const art::Span& span) { return span.from <= time && time < span.to; });
-}
-
-Spot direction_along(const scene::Outline& path, double share)
-{
-    constexpr double step = 1e-4;
-    return art::spot_along(path, share + step) - art::spot_along(path, share - step);
 }
 
 double growth(const Affine& matrix) { return std::sqrt(std::abs(matrix.determinant())); }
@@ -131,24 +123,6 @@ bool Box::touches(const Box& other) const
 std::vector<Spot> Box::corners() const
 {
     return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-}
-
-Affine matrix_at(const art::Transform& transform, double time)
-{
-    Spot position{transform.x.at(time), transform.y.at(time)};
-    double turn = transform.rotate.at(time);
-    if (transform.path) {
-        const scene::Outline& path = transform.path->path.outlines.front();
-        const double share = transform.path->share.at(time);
-        position = art::spot_along(path, share);
-        const Spot direction = direction_along(path, share);
-        if (transform.path->turns)
-            turn += std::atan2(direction.y, direction.x) / degree;
-    }
-    return art::moved(position.x, position.y) * art::turned(turn) *
-           art::grown(transform.scale_x.at(time), transform.scale_y.at(time)) *
-           art::leant(transform.skew.at(time), transform.skew_axis.at(time)) *
-           art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
 }
 
 Box box_at(std::span<const art::Node> nodes, double time, const Affine& matrix)

@@ -26,9 +26,6 @@ struct Box {
     std::vector<scene::Spot> corners() const;
 };
 
-/// Turns in space and depths are left aside.
-art::Affine matrix_at(const art::Transform& transform, double time);
-
 /// Around all control points and widths of lines that are seen at the time, in the coordinates of `matrix`.
 Box box_at(std::span<const art::Node> nodes, double time, const art::Affine& matrix = {});
 

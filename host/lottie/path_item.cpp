@@ -90,7 +90,7 @@ art::PlaceChannels read_place(const Json& item, const Reading& reading)
         baking.critical.push_back(key.time);
     return art::baked_place(
         [&](double time) {
-            const art::Affine affine = affine_at(transform, time);
+            const art::Affine affine = art::matrix_at(transform, time);
             return Spot{affine.e, affine.f};
         },
         baking);

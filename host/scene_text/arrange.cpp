@@ -10,7 +10,7 @@
 
 namespace kfast::scene_text {
 
-void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
+Reach arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
 {
     join_parts(nodes);
     drop_unseen(nodes, arranging.length);
@@ -19,9 +19,11 @@ void arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
     fold(nodes);
     straighten(nodes, arranging);
     fold(nodes);
-    fit_ranges(nodes);
+    Reach reach;
+    reach.left_alone = fit_ranges(nodes);
     limit_depth(nodes, arranging);
-    hold_in_ranges(nodes, arranging.losses);
+    reach.in_groups = hold_in_ranges(nodes, arranging.losses);
+    return reach;
 }
 
 }

@@ -3,6 +3,7 @@
 #include "host/art/budget.hpp"
 #include "host/art/document.hpp"
 #include "host/art/losses.hpp"
+#include "host/scene_text/reach.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,6 @@ struct Arranging {
 };
 
 /// Brings nodes into a form of which each is one item of a scene.
-void arrange(std::vector<art::Node>& nodes, const Arranging& arranging);
+Reach arrange(std::vector<art::Node>& nodes, const Arranging& arranging);
 
 }

@@ -3,6 +3,7 @@
 #include "host/art/baked_drawing.hpp"
 #include "host/art/curve_length.hpp"
 #include "host/art/every_animation.hpp"
+#include "host/art/matrix_at.hpp"
 #include "host/scene_text/arrange.hpp"
 #include "host/scene_text/placement.hpp"
 
@@ -81,7 +82,7 @@ private:
         art::every_animation(node.transform,
                              [&](const auto& animated) { add_times(animated, action.critical); });
         action.at = [outer_at = outer.at, own = node.transform](double time) {
-            return outer_at(time) * full_matrix_at(own, time);
+            return outer_at(time) * matrix_at(own, time);
         };
         return action;
     }

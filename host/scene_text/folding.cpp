@@ -1,5 +1,6 @@
 #include "host/scene_text/folding.hpp"
 
+#include "host/art/matrix_at.hpp"
 #include "host/scene_text/carrying.hpp"
 #include "host/scene_text/placement.hpp"
 #include "host/scene_text/spans.hpp"

@@ -1,5 +1,6 @@
 #include "host/scene_text/leaning.hpp"
 
+#include "host/art/matrix_at.hpp"
 #include "host/scene_text/baking.hpp"
 #include "host/scene_text/placement.hpp"
 #include "host/scene_text/sums.hpp"

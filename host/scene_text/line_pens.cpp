@@ -1,5 +1,6 @@
 #include "host/scene_text/line_pens.hpp"
 
+#include "host/art/matrix_at.hpp"
 #include "host/scene_text/placement.hpp"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "host/scene_text/placement.hpp"
 
-#include "host/art/curve_length.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +14,6 @@ using art::Channel;
 using art::Transform;
 
 constexpr double tiny = 1e-9;
-/// What leans by a quarter turn has no width; its tangent has no value.
-constexpr double steepest = 89.9;
 
 bool is(const Channel& channel, double value)
 {
@@ -52,36 +48,6 @@ bool is_still(const Transform& transform)
 bool lies_flat(const Transform& transform) { return is(transform.rotate_x, 0) && is(transform.rotate_y, 0); }
 
 bool leans(const Transform& transform) { return !is(transform.skew, 0); }
-
-Affine shape_at(const Transform& transform, double time)
-{
-    const Affine lean = leans(transform)
-                            ? art::leant(std::clamp(transform.skew.at(time), -steepest, steepest),
-                                         transform.skew_axis.at(time))
-                            : Affine{};
-    return art::turned(transform.rotate.at(time)) *
-           art::grown(transform.scale_x.at(time), transform.scale_y.at(time)) * lean;
-}
-
-Affine matrix_at(const Transform& transform, double time)
-{
-    return art::moved(transform.x.at(time), transform.y.at(time)) * shape_at(transform, time) *
-           art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
-}
-
-Affine full_matrix_at(const Transform& transform, double time)
-{
-    if (!transform.path)
-        return matrix_at(transform, time);
-    constexpr double beside = 1e-4;
-    const scene::Outline& path = transform.path->path.outlines.front();
-    const double share = std::clamp(transform.path->share.at(time), 0.0, 1.0);
-    const scene::Spot place = art::spot_along(path, share);
-    const scene::Spot way = art::spot_along(path, share + beside) - art::spot_along(path, share - beside);
-    const double turn = transform.path->turns ? std::atan2(way.y, way.x) * 180 / std::numbers::pi : 0;
-    return art::moved(place.x, place.y) * art::turned(turn) * shape_at(transform, time) *
-           art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
-}
 
 bool Placement::is_even() const { return near(std::abs(scale_x), std::abs(scale_y)); }
 

@@ -16,14 +16,6 @@ bool lies_flat(const art::Transform& transform);
 /// Whether it leans at any time.
 bool leans(const art::Transform& transform);
 
-/// What the transform does to its content at a time, its depth and turns in space aside. The path leads
-/// nowhere here.
-art::Affine matrix_at(const art::Transform& transform, double time);
-/// Likewise, along the path if there is one.
-art::Affine full_matrix_at(const art::Transform& transform, double time);
-/// As matrix_at() without the place: how it turns, grows and leans.
-art::Affine shape_at(const art::Transform& transform, double time);
-
 /// What an affine map is made of, if it turns and grows, perhaps unevenly or mirrored, but does not lean.
 struct Placement {
     double x = 0;

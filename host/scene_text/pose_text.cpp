@@ -3,6 +3,7 @@
 #include "host/scene_text/bone_keys.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/nodes.hpp"
+#include "host/scene_text/reach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ public:
     PoseText(const art::Rig& rig, const RigNames& names)
     {
         for (std::size_t i = 0; i < rig.bones.size(); ++i)
-            add(rig.bones[i], names.bones[i]);
+            add(rig.bones[i], names.bones[i], room_of(rig, rig.bones[i]));
     }
 
     Poses write(std::int32_t length) const
@@ -50,14 +51,25 @@ public:
     }
 
 private:
-    void add(const art::Bone& bone, const std::string& name)
+    void add(const art::Bone& bone, const std::string& name, double room)
     {
-        const std::vector<BoneKey> keys = bone_keys(bone);
+        std::vector<BoneKey> keys = bone_keys(bone);
+        for (BoneKey& key : keys)
+            hold(key, room);
         for (std::size_t i = 0; i < keys.size(); ++i) {
             place(keys[i], bone_node(bone, name, keys[i]));
             if (i > 0 && std::abs(keys[i].turn - keys[i - 1].turn) > widest_turn)
                 turns_wide_ = true;
         }
+    }
+
+    static void hold(BoneKey& key, double room)
+    {
+        const double away = std::hypot(key.x, key.y);
+        if (away <= room)
+            return;
+        key.x *= room / away;
+        key.y *= room / away;
     }
 
     void place(const BoneKey& key, kdl::Node bone)

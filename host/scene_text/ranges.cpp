@@ -3,6 +3,7 @@
 #include "host/scene_text/carrying.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/placement.hpp"
+#include "host/scene_text/reach.hpp"
 #include "host/scene_text/sums.hpp"
 
 #include <algorithm>
@@ -18,7 +19,6 @@ using art::Group;
 using art::Node;
 using art::Transform;
 
-constexpr double widest = 2040; ///< leaves room for rounding, and for points that are moved beside others
 /// From here on, what 1/16 px is rounded to shows.
 constexpr double coarse_scale = 2;
 
@@ -55,42 +55,57 @@ double reach_of(const Node& node)
     return reach;
 }
 
+/// From each other at any two times: places are written as ways from where the anchor is.
+double farthest(const Channel& channel, const Channel& other)
+{
+    const auto range = [](const Channel& of) {
+        const auto [low, high] = std::ranges::minmax(of.keys, {}, &art::Key<double>::value);
+        return std::pair{low.value, high.value};
+    };
+    const auto [low, high] = range(channel);
+    const auto [other_low, other_high] = range(other);
+    return std::max(std::abs(high - other_low), std::abs(other_high - low));
+}
+
 double distance_of(const Transform& transform)
 {
     if (transform.path)
         return reach_of(transform.path->path);
-    return std::max(largest(transform.x) + largest(transform.anchor_x),
-                    largest(transform.y) + largest(transform.anchor_y));
+    return std::max(farthest(transform.x, transform.anchor_x), farthest(transform.y, transform.anchor_y));
 }
 
 /// The power of two that brings `reach` within bounds.
-double shrink_for(double reach) { return std::exp2(std::ceil(std::log2(reach / widest))); }
+double shrink_for(double reach) { return std::exp2(std::ceil(std::log2(reach / widest_reach))); }
 
 class Ranges {
 public:
     /// Without `losses` there may be new groups.
     explicit Ranges(art::Losses* losses) : losses_{losses} {}
 
-    void fit(std::vector<Node>& nodes)
+    /// Returns the greatest coordinate.
+    double fit(std::vector<Node>& nodes)
     {
         for (Node& node : nodes)
             fit(node);
+        return reach_;
     }
 
 private:
     void fit(Node& node)
     {
         const double scale = std::max(largest(node.transform.scale_x), largest(node.transform.scale_y));
-        if (scale > coarse_scale && reach_of(node) * scale < widest)
+        if (scale > coarse_scale && reach_of(node) * scale < widest_reach)
             draw_larger(node, scale);
-        if (const double reach = reach_of(node); reach > widest)
+        if (const double reach = reach_of(node); reach > widest_reach)
             draw_larger(node, 1 / shrink_for(reach));
         unwind(node.transform.rotate);
         if (auto* const group = std::get_if<Group>(&node.content))
             fit(group->nodes);
+        const double distance = distance_of(node.transform);
+        reach_ = std::max({reach_, reach_of(node), distance});
         if (losses_ != nullptr)
             check(node);
-        else if (const double distance = distance_of(node.transform); distance > widest)
+        else if (distance > widest_reach)
             go_further(node, shrink_for(distance));
     }
 
@@ -160,12 +175,13 @@ private:
     }
 
     art::Losses* losses_;
+    double reach_ = 0;
 };
 
 }
 
-void fit_ranges(std::vector<Node>& nodes) { Ranges{nullptr}.fit(nodes); }
+double fit_ranges(std::vector<Node>& nodes) { return Ranges{nullptr}.fit(nodes); }
 
-void hold_in_ranges(std::vector<Node>& nodes, art::Losses& losses) { Ranges{&losses}.fit(nodes); }
+double hold_in_ranges(std::vector<Node>& nodes, art::Losses& losses) { return Ranges{&losses}.fit(nodes); }
 
 }

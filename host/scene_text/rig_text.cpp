@@ -2,13 +2,16 @@
 
 #include "host/failure.hpp"
 #include "host/scene/limits.hpp"
+#include "host/scene_text/bone_keys.hpp"
 #include "host/scene_text/grid.hpp"
 #include "host/scene_text/nodes.hpp"
 #include "host/scene_text/pose_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace kfast::scene_text {
 namespace {
@@ -75,6 +78,41 @@ private:
     const RigNames& names_;
 };
 
+void take_reach(const Rig& rig, Reach& reach)
+{
+    reach.left_alone = std::max(reach.left_alone, reach_of(rig));
+    reach.in_groups = std::max(reach.in_groups, reach_of(rig));
+}
+
+bool exceeds(const art::Channel& channel, const Grid& grid)
+{
+    return std::ranges::any_of(channel.keys,
+                               [&](const auto& key) { return std::abs(key.value) > grid.high; });
+}
+
+bool leaves_room(const Bone& bone, const Rig& rig)
+{
+    const auto keys = bone_keys(bone);
+    return std::ranges::any_of(
+        keys, [room = room_of(rig, bone)](const BoneKey& key) { return std::hypot(key.x, key.y) > room; });
+}
+
+void report_ranges(const Rig& rig, art::Losses& losses)
+{
+    const auto lose = [&](std::string feature) {
+        losses.add({std::move(feature), rig.name, {}, "it is held at that"});
+    };
+    if (reach_of(rig) > coordinates.high)
+        lose("coordinates of bones beyond 2047 px");
+    else if (std::ranges::any_of(rig.bones, [&](const Bone& bone) { return leaves_room(bone, rig); }))
+        lose("a bone that begins more than 2047 px from its parent's origin");
+    if (std::ranges::any_of(rig.bones, [](const Bone& bone) { return exceeds(bone.turn, turns); }))
+        lose("a bone that turns more than 15 times");
+    if (std::ranges::any_of(rig.bones,
+                            [](const Bone& bone) { return bone.length && exceeds(*bone.length, widths); }))
+        lose("a bone longer than 4095 px");
+}
+
 void check_limits(const art::Document& document, const std::set<std::size_t>& rigs)
 {
     std::size_t bones = 0;
@@ -107,14 +145,17 @@ std::vector<RigNames> rig_names(const std::vector<Rig>& rigs)
     return result;
 }
 
-std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing)
+std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing, Reach& reach)
 {
     std::set<std::size_t> rigs;
     collect_rigs(document.nodes, rigs);
     check_limits(document, rigs);
     std::vector<kdl::Node> nodes;
-    for (const std::size_t rig : rigs)
+    for (const std::size_t rig : rigs) {
+        take_reach(document.rigs[rig], reach);
+        report_ranges(document.rigs[rig], writing.losses);
         nodes.push_back(RigText{document.rigs[rig], writing.rigs[rig]}.write(writing.length));
+    }
     return nodes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "host/art/document.hpp"
 #include "host/kdl/document.hpp"
+#include "host/scene_text/reach.hpp"
 #include "host/scene_text/writing.hpp"
 
 #include <vector>
@@ -11,7 +12,8 @@ namespace kfast::scene_text {
 /// Gives skeletons and their bones names.
 std::vector<RigNames> rig_names(const std::vector<art::Rig>& rigs);
 
-/// A node `bones` for each of the skeletons that carry something of `nodes`.
-std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing);
+/// A node `bones` for each of the skeletons that carry something of the document's nodes. Takes their
+/// coordinates into `reach`; what is beyond the numbers of scenes is held there, which is a loss.
+std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing, Reach& reach);
 
 }

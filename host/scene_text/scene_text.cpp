@@ -78,24 +78,24 @@ std::string section(const std::vector<kdl::Node>& nodes)
 
 }
 
-std::string scene_text(const Document& document, std::string_view origin, double tolerance,
-                       art::Losses& losses)
+SceneText scene_text(const Document& document, std::string_view origin, double tolerance, art::Losses& losses)
 {
     Document arranged = document;
     check_finite(arranged);
     const std::int32_t length = ticks_of(arranged);
     art::crop(arranged, losses);
     art::Budget budget;
-    arrange(arranged.nodes, {length, tolerance, losses, budget});
+    Reach reach = arrange(arranged.nodes, {length, tolerance, losses, budget});
     Writing writing{length, losses, budget};
     writing.rigs = rig_names(arranged.rigs);
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
     std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
     const std::vector<kdl::Node> symbols = share_drawings(items);
-    const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing);
+    const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing, reach);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
-    return first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
-           section(rigs) + section(symbols) + section(items) + section(markers);
+    return {first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +
+                section(rigs) + section(symbols) + section(items) + section(markers),
+            reach};
 }
 
 }

@@ -1,5 +1,7 @@
 #include "host/synfig/flat_figures.hpp"
 
+#include "host/art/matrix_at.hpp"
+
 #include <cmath>
 
 namespace kfast::synfig {
@@ -13,14 +15,6 @@ std::vector<const art::Channel*> channels_of(const Transform& transform)
 {
     return {&transform.anchor_x, &transform.anchor_y, &transform.x,      &transform.y,
             &transform.scale_x,  &transform.scale_y,  &transform.rotate, &transform.skew};
-}
-
-Affine matrix_at(const Transform& transform, double time)
-{
-    return art::moved(transform.x.at(time), transform.y.at(time)) * art::turned(transform.rotate.at(time)) *
-           art::grown(transform.scale_x.at(time), transform.scale_y.at(time)) *
-           art::leant(transform.skew.at(time), transform.skew_axis.at(time)) *
-           art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
 }
 
 art::Drawing mapped(const Affine& matrix, art::Drawing drawing)

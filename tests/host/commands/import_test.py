@@ -134,6 +134,57 @@ class ImportTest(ImportCase):
         self.assertIn("canvas of 4094x2000 pixels: all of it smaller, on 2047x1000", result.stderr)
         self.run_kfast("check", "large.json", "--strict", "--size", "2047x2047")
 
+    def test_what_goes_far_beyond_a_large_canvas_makes_it_smaller(self):
+        def flying(side):
+            move = {"a": 1, "k": [{"t": 0, "s": [10, 10]}, {"t": 30, "s": [90, 4000]}]}
+            shapes = [{"ty": "el", "p": {"a": 0, "k": [0, 0]}, "s": {"a": 0, "k": [20, 20]}}, FILL]
+            layer = {"ty": 4, "nm": "dot", "ip": 0, "op": 30, "st": 0, "ks": {"p": move}, "shapes": shapes}
+            return json.dumps({**FRAME, "w": side, "h": side, "layers": [layer]})
+        self.write("tall.json", flying(3000))
+        result = self.run_kfast("import", "tall.json", "-o", "-")
+        self.assertIn("canvas 1528 1528", result.stdout)
+        self.assertNotIn("scale", result.stdout)
+        self.assertIn("canvas of 3000x3000 pixels: all of it smaller, on 1528x1528", result.stderr)
+        self.write("small.json", flying(1000))
+        text = self.run_kfast("import", "small.json", "-o", "-", "--strict").stdout
+        self.assertIn("canvas 1000 1000", text)
+        self.assertIn("group scale=2", text)
+
+    def test_limits_of_scenes_are_told_with_a_remedy(self):
+        def turning(number):
+            turn = {"a": 1, "k": [{"t": 0, "s": [0], "o": {"x": 0.3, "y": number / 300}, "i": {"x": 0.6, "y": 1}},
+                                  {"t": 30, "s": [90]}]}
+            shapes = [{"ty": "rc", "p": {"a": 0, "k": [9, 9]}, "s": {"a": 0, "k": [20, 9]}, "r": {"a": 0, "k": 0}}, FILL]
+            return {"ty": 4, "nm": "bar", "ip": 0, "op": 30, "st": 0, "ks": {"r": turn}, "shapes": shapes}
+        self.write("laws.json", json.dumps({**FRAME, "layers": [turning(number) for number in range(300)]}))
+        self.refuse("import", "laws.json", status=1,
+                    says="laws.json: more than a scene can be: the format holds 255 different pairs of velocity laws")
+        self.refuse("import", "laws.json", status=1, says="; use laws again that other keys have")
+        spin = {"a": 1, "k": [{"t": time, "s": [time * time % 251], "h": 1} for time in range(70000)]}
+        dot = {"ty": 4, "nm": "dot", "ip": 0, "op": 70000, "st": 0, "ks": {"r": spin}, "shapes": turning(0)["shapes"]}
+        self.write("keys.json", json.dumps({**FRAME, "op": 70000, "layers": [dot]}))
+        self.refuse("import", "keys.json", status=1, says="keys.json: something has more than 65535 keys")
+        zigzag = " ".join(f"{x % 60} {x * 7 % 40}" for x in range(70000))
+        self.write("zigzag.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40">'
+                                 + "".join(f'<path d="M {zigzag[:4000]} {x}"/>' for x in range(99)) + "</svg>")
+        self.refuse("import", "zigzag.svg", "--tolerance", "0", status=1, says="; draw it with fewer points")
+
+    def test_background_of_files_that_have_none(self):
+        self.write("sun.svg", SVG.format(x=20))
+        self.write("night.svg", SVG.format(x=20).replace("<svg", '<svg style="background-color: navy"'))
+        self.assertIn("background=white", self.scene("sun.svg"))
+        night = self.run_kfast("import", "night.svg", "--background", "red", "-o", "-").stdout
+        self.assertIn('background "#000080"', night)
+        self.assertNotIn("background=", self.scene("dot.json"))
+        for name in ("sun.svg", "dot.json"):
+            text = self.run_kfast("import", name, "--background", "#0F8", "-o", "-").stdout
+            self.assertRegex(text, 'canvas.* background=background\n')
+            self.assertIn('background "#00ff88"', text)
+        self.run_kfast("import", "--keys", "sun.svg", "night.svg", "--at", "0", "9", "-o", "keys.kfast")
+        self.assertIn("background=white", (self.folder / "keys.kfast").read_text())
+        self.refuse("import", "sun.svg", "--background", "snowy", status=2, says="'snowy' is no colour: take a name like")
+        self.refuse("import", "sun.svg", "--background", "#fff8", status=2, says="cannot be transparent")
+
     def test_tolerance_leaves_points_out(self):
         scene = ROOT / "tests/accuracy/lottie/walker.json"
         points = []

@@ -1,7 +1,6 @@
 #include "tests/host/lottie/lottie_text.hpp"
 
-#include "host/art/affine.hpp"
-#include "host/lottie/extent.hpp"
+#include "host/art/matrix_at.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

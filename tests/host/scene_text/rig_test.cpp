@@ -102,4 +102,34 @@ TEST_CASE("a skeleton that carries nothing is left out")
     CHECK(written(made).find("bones") == std::string::npos);
 }
 
+TEST_CASE("what bones do beyond the numbers of scenes is told")
+{
+    const auto loss_of = [](const art::Document& made) {
+        art::Losses losses;
+        written(made, losses);
+        REQUIRE(losses.list().size() == 1);
+        CHECK(losses.list()[0].layer == "arm");
+        return losses.list()[0].feature;
+    };
+    CHECK(loss_of(with_arm(rising(0, 5401), {0})) == "a bone that turns more than 15 times");
+    art::Document far = with_arm({0}, {0});
+    far.rigs.front().bones.front().x = rising(0, 2100);
+    CHECK(loss_of(far) == "coordinates of bones beyond 2047 px");
+    far.rigs.front().bones.front().x = rising(0, 2040);
+    CHECK(loss_of(far) == "a bone that begins more than 2047 px from its parent's origin");
+    art::Document long_bone = with_arm({0}, {0});
+    long_bone.rigs.front().bones.back().length = rising(20, 4100);
+    CHECK(loss_of(long_bone) == "a bone longer than 4095 px");
+}
+
+TEST_CASE("bones count for how far coordinates go")
+{
+    art::Losses losses;
+    art::Document far = with_arm({0}, {0});
+    far.rigs.front().bones.front().y = rising(0, -2500);
+    const scene_text::Reach reach = scene_text::scene_text(far, "x", 0.1, losses).reach;
+    CHECK(reach.left_alone == 2500);
+    CHECK(reach.in_groups == 2500);
+}
+
 }

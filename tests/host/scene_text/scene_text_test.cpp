@@ -60,7 +60,7 @@ TEST_CASE("the origin is told without its folder")
 {
     art::Losses losses;
     CHECK(scene_text::scene_text(document({}), "some/where/eye.json", 0.1, losses)
-              .starts_with("// Made from eye.json.\n"));
+              .text.starts_with("// Made from eye.json.\n"));
 }
 
 TEST_CASE("what stands still is drawn where it is seen")
@@ -331,6 +331,24 @@ TEST_CASE("a canvas or a scene that is too large is refused")
     art::Document endless = document({});
     endless.frames = 1e7;
     CHECK_THROWS_AS(scene_text::scene_text(endless, "x", 0.1, losses), Failure);
+}
+
+TEST_CASE("what goes far is told, with and without groups that grow")
+{
+    Transform moving;
+    moving.x = rising(0, 3000);
+    art::Losses losses;
+    const scene_text::Reach reach =
+        scene_text::scene_text(document({node("box", filled(box(0, 0, 8, 8)), moving)}), "x", 0.1, losses)
+            .reach;
+    CHECK(reach.left_alone == 3000);
+    CHECK(reach.in_groups == 1500);
+    Transform turning;
+    turning.x = turning.anchor_x = {1500};
+    turning.rotate = rising(0, 90);
+    CHECK(scene_text::scene_text(document({node("box", filled(box(0, 0, 8, 8)), turning)}), "x", 0.1, losses)
+              .reach.left_alone == 1500);
+    CHECK(losses.empty());
 }
 
 TEST_CASE("huge numbers are held, and that is told")

@@ -57,7 +57,7 @@ class Drawings(unittest.TestCase):
             return
         run(KFAST, "render", drawing, "--frame", "0", "-o", ours)
         plain = FOLDER / "plain" / drawing.name
-        run(RSVG, "--background-color", "black", plain if plain.exists() else drawing, "-o", theirs)
+        run(RSVG, "--background-color", "white", plain if plain.exists() else drawing, "-o", theirs)
         difference = compare(ours, theirs)
         self.assertEqual(difference.problems(), [], difference)
 
@@ -77,12 +77,12 @@ class KeyDrawings(unittest.TestCase):
             for time, pose in zip(times, poses):
                 with self.subTest(pose=pose.name):
                     run(KFAST, "render", scene, "--time", str(time), "-o", ours)
-                    run(RSVG, "--background-color", "black", pose, "-o", theirs)
+                    run(RSVG, "--background-color", "white", pose, "-o", theirs)
                     difference = compare(ours, theirs)
                     self.assertEqual(difference.problems(), [], difference)
             for time, after in zip(times, times[1:]):
                 run(KFAST, "render", scene, "--time", str((time + after) / 2), "-o", ours)
-                run(RSVG, "--background-color", "black", poses[times.index(time)], "-o", theirs)
+                run(RSVG, "--background-color", "white", poses[times.index(time)], "-o", theirs)
                 self.assertTrue(compare(ours, theirs).problems(), f"nothing moves from {time} on")
 
     def test_files(self):
