@@ -147,7 +147,8 @@ bool matches(const Compound& compound, pugi::xml_node element)
 struct StyleFinder : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override
     {
-        if (element_name(node) == "style")
+        const std::string_view type = node.attribute("type").value();
+        if (element_name(node) == "style" && (type.empty() || type == "text/css"))
             found.push_back(node);
         return true;
     }

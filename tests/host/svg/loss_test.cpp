@@ -1,3 +1,4 @@
+#include "host/svg/read_svg.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 
 #include <doctest/doctest.h>
@@ -48,4 +49,38 @@ TEST_CASE("what has no effect on the picture is not told")
         <rect width="3" height="3" clip-path="none" mask="none" marker-end="none" shape-rendering="crispEdges"/></g>
         <text display="none">x</text><g display="none"><image/></g><image visibility="hidden"/>)")
               .empty());
+}
+
+TEST_CASE("what uses itself is told by its name, and not drawn")
+{
+    CHECK(losses_of("<use id='a' href='#a'/>") == Lines{"\"a\" inside of itself | a | nothing"});
+    CHECK(losses_of("<g id='a'><circle r='3'/><use href='#b'/></g><g id='b'><use href='#a'/></g>") ==
+          Lines{"\"a\" inside of itself | a / use / b / use | nothing",
+                "\"b\" inside of itself | b / use / a / use | nothing"});
+    CHECK(losses_of("<symbol id='s'><use href='#s'/></symbol><use href='#s'/>") ==
+          Lines{"\"s\" inside of itself | use / s / use | nothing"});
+    CHECK(losses_of("<clipPath id='c'><circle r='3' clip-path='url(#c)'/></clipPath>"
+                    "<circle r='9' clip-path='url(#c)'/>") == Lines{"clip-path | circle | drawn whole"});
+}
+
+TEST_CASE("what is for other languages, or needs extensions, is told")
+{
+    CHECK(losses_of("<rect width='3' height='3' systemLanguage='ru, de-AT'/>") ==
+          Lines{"systemLanguage \"ru, de-AT\" |  | nothing: kfast draws what is for English, and without "
+                "extensions"});
+    CHECK(losses_of("<rect width='3' height='3' systemLanguage=''/>").size() == 1);
+    CHECK(losses_of("<rect width='3' height='3' requiredExtensions='x'/>").size() == 1);
+    CHECK(losses_of("<rect width='3' height='3' systemLanguage='ru, en-GB'/>").empty());
+    CHECK(losses_of("<switch><rect systemLanguage='ru'/><rect width='3' height='3'/></switch>").empty());
+}
+
+TEST_CASE("a canvas without a size of its own kind is told")
+{
+    art::Losses losses;
+    svg::read_svg({"a.svg", drawing("", "width='0' height='-3'")}, losses);
+    CHECK(losses.list().size() == 1);
+    CHECK(losses_of("<g/>").empty());
+    art::Losses of_root;
+    svg::read_svg({"a.svg", drawing("", "width='9' height='9' transform='scale(2)'")}, of_root);
+    CHECK(of_root.list().size() == 1);
 }

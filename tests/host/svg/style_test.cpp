@@ -134,3 +134,11 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
     }
     CHECK(fill(painted("nothing")) == "#00ff00");
 }
+
+TEST_CASE("style sheets of other languages are none")
+{
+    CHECK(fill("<style type='text/css'>rect{fill:red}</style><rect id='it' width='9' height='9'/>") ==
+          "#ff0000");
+    CHECK(fill("<style type='text/less'>rect{fill:red}</style><rect id='it' width='9' height='9'/>") ==
+          "#000000");
+}
