@@ -4,6 +4,7 @@
 #include "host/svg/part_reader.hpp"
 #include "host/svg/svg_text.hpp"
 #include "host/svg/transform_list.hpp"
+#include "host/svg/transform_origin.hpp"
 
 #include <utility>
 
@@ -59,11 +60,11 @@ std::optional<art::Drawing> PartReader::clip_area(pugi::xml_node clip, const Par
     const auto own = transform_list(is_mask ? "" : style["transform"]);
     if (!own)
         return std::nullopt;
-    Affine affine = *own;
+    Affine affine = about_origin(*own, style, inside.measure);
     const char* units = clip.attribute(is_mask ? "maskContentUnits" : "clipPathUnits").value();
     if (units == std::string_view{"objectBoundingBox"})
-        affine = art::moved(box->least.x, box->least.y) *
-                 art::grown(box->most.x - box->least.x, box->most.y - box->least.y) * affine;
+        affine = affine * art::moved(box->least.x, box->least.y) *
+                 art::grown(box->most.x - box->least.x, box->most.y - box->least.y);
 
     const auto shape = only_shape(clip, style, inside);
     if (!shape)
@@ -118,13 +119,10 @@ bool PartReader::region_covers(pugi::xml_node mask, const Part& part, const Arou
     return covers(outline_of(region), corners_of(*seen));
 }
 
-/// The edge of a nested drawing or of a symbol.
-void PartReader::clip_to_box(Part& part, const Around& inside, const ViewBox& seen)
+/// The edge of a nested drawing or of a symbol, in the coordinates of its element.
+void PartReader::clip_to_box(Part& part, const Around& inside, const Box& edge)
 {
-    Around here = inside;
-    here.place = {};
-    if (!clip_to(outline_of({{seen.x, seen.y}, {seen.x + seen.width, seen.y + seen.height}}),
-                 "overflow hidden", part, here))
+    if (!clip_to(outline_of(edge), "overflow hidden", part, inside))
         part.parts.clear();
 }
 

@@ -302,19 +302,21 @@ void PartReader::read_box(pugi::xml_node element, Part& part, Around& inside)
     if (!(width > 0) || !(height > 0))
         return;
     const auto box = view_box(element.attribute("viewBox").value());
+    const Spot corner{length(style["x"], Axis::x, outer).value_or(0),
+                      length(style["y"], Axis::y, outer).value_or(0)};
+    const Affine outside = inside.to_canvas;
     const Affine place =
-        art::moved(length(style["x"], Axis::x, outer).value_or(0),
-                   length(style["y"], Axis::y, outer).value_or(0)) *
+        art::moved(corner.x, corner.y) *
         (box ? fitted(*box, width, height, element.attribute("preserveAspectRatio").value()) : Affine{});
     part.own = part.own * place;
     inside.place = place;
-    inside.to_canvas = inside.to_canvas * place;
-    const ViewBox seen = box.value_or(ViewBox{0, 0, width, height});
-    inside.measure.width = seen.width;
-    inside.measure.height = seen.height;
+    inside.to_canvas = outside * place;
+    inside.measure.width = box ? box->width : width;
+    inside.measure.height = box ? box->height : height;
     read_children(element, part, inside);
+    inside.to_canvas = outside;
     if (style["overflow"] != "visible" && style["overflow"] != "auto")
-        clip_to_box(part, inside, seen);
+        clip_to_box(part, inside, {corner, corner + Spot{width, height}});
 }
 
 void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)

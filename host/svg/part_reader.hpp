@@ -71,7 +71,7 @@ private:
     art::Affine own_affine(const Style& style, const Around& around, const std::string& layer);
     bool apply_clip(const char* property, const char* instead, Part& part, const Around& inside);
     bool clip_to(const art::Drawing& area, const char* feature, Part& part, const Around& inside);
-    void clip_to_box(Part& part, const Around& inside, const ViewBox& seen);
+    void clip_to_box(Part& part, const Around& inside, const Box& edge);
     std::optional<art::Drawing> clip_area(pugi::xml_node clip, const Part& part, const Around& inside);
     std::optional<Part> only_shape(pugi::xml_node clip, const Style& style, const Around& inside);
     bool region_covers(pugi::xml_node mask, const Part& part, const Around& inside);

@@ -53,6 +53,10 @@ TEST_CASE("a clip cuts fills")
           Corners{25, 20, 40, 30});
     CHECK(rest("<rect id='r' x='25' y='10' width='20' height='20'/><clipPath id='c'><use "
                "href='#r'/></clipPath>") == Corners{25, 20, 40, 30});
+    CHECK(rest("<clipPath id='c' clipPathUnits='objectBoundingBox' transform='translate(5 0)'>"
+               "<rect width='.5' height='1'/></clipPath>") == Corners{25, 20, 35, 40});
+    CHECK(rest("<clipPath id='c' transform='scale(.5)' transform-origin='30 30'>"
+               "<rect x='20' y='20' width='20' height='20'/></clipPath>") == Corners{25, 25, 35, 35});
 }
 
 TEST_CASE("what lies outside of a clip is not drawn")
@@ -150,6 +154,9 @@ TEST_CASE("a nested drawing cuts at its edge")
     const auto document =
         read_drawing("<svg x='10' y='10' width='20' height='20'><rect x='-5' width='9' height='9'/></svg>");
     CHECK(box(figure(document, "rect").drawing.value()) == Corners{10, 10, 14, 19});
+    const auto with_room = read_drawing("<svg x='10' y='10' width='20' height='20' viewBox='0 0 10 5'>"
+                                        "<rect width='10' height='9'/></svg>");
+    CHECK(box(figure(with_room, "rect").drawing.value()) == Corners{10, 15, 30, 30});
     CHECK(losses_of("<svg x='10' y='10' width='20' height='20'><circle r='5' stroke='red'/></svg>") ==
           std::vector<std::string>{"overflow hidden | svg / circle | the line is drawn whole"});
     CHECK(losses_of("<svg x='10' y='10' width='20' height='20' overflow='visible'><circle r='5'/></svg>")
