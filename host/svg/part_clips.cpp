@@ -40,6 +40,8 @@ bool PartReader::clip_to(const art::Drawing& area, const char* feature, Part& pa
         return false;
     if (covers(seen_through(inside.to_canvas, area), corners_of({{0, 0}, {picture_.width, picture_.height}})))
         return true;
+    if (!convex_corners(area))
+        return true; // too far away for numbers to tell its sides apart; so is what lies in it
     Clip clip{area, budget_};
     const bool is_left = clip.apply(part, inside.place);
     for (const std::string& layer : clip.whole_lines())

@@ -4,7 +4,6 @@
 #include "host/scene/shape.hpp"
 #include "host/svg/condition.hpp"
 #include "host/svg/element_outlines.hpp"
-#include "host/svg/paint.hpp"
 #include "host/svg/pen_reader.hpp"
 #include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
@@ -334,9 +333,9 @@ void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
         return;
     }
     if (has_inside(part.drawing))
-        part.fill = paint("fill", style, index_, sheet_, part.layer, *losses_);
-    if (const auto ink = paint("stroke", style, index_, sheet_, part.layer, *losses_))
-        part.pen = pen(*ink, style, inside.measure, part.layer, *losses_);
+        part.fill = ink("fill", part, inside);
+    if (const auto painted = ink("stroke", part, inside))
+        part.pen = pen(*painted, style, inside.measure, part.layer, *losses_);
     for (const char* marker : {"marker-start", "marker-mid", "marker-end"})
         if (index_.find(url_id(style[marker])))
             losses_->add({"marker", part.layer, {}, "the line without it"});

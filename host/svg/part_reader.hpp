@@ -65,6 +65,10 @@ private:
 
     bool is_for_here(pugi::xml_node element, const std::string& layer);
     bool is_inside_of_itself(pugi::xml_node element, const std::string& layer);
+    /// As paint(), and the mean colour of patterns.
+    std::optional<Ink> ink(const char* property, const Part& part, const Around& inside);
+    std::optional<Ink> pattern_ink(pugi::xml_node pattern, const Part& part, const Around& inside);
+    double tile_area(pugi::xml_node pattern, const Part& part, const Around& inside);
     void take_style(const Style& style);
     void set_background(const Style& style);
     art::Affine set_canvas(pugi::xml_node root, const Style& style);

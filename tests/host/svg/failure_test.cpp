@@ -136,10 +136,13 @@ TEST_CASE("numbers out of all proportion give a scene of finite ones")
     art::Losses losses;
     const auto document = svg::read_svg(
         {"test.svg",
-         drawing("<g transform='scale(1e300)'><g transform='scale(1e300)'><circle r='3'/></g></g>"
-                 "<circle r='3' stroke='red' stroke-width='1e300'/><rect width='1e300' height='3'/>"
-                 "<path d='M0 0H1e308'/>",
-                 "width='1e300' height='3' viewBox='0 0 1e-300 1e-300'")},
+         drawing(
+             "<g transform='scale(1e300)'><g transform='scale(1e300)'><circle r='3'/></g></g>"
+             "<circle r='3' stroke='red' stroke-width='1e300'/><rect width='1e300' height='3'/>"
+             "<path d='M0 0H1e308'/><svg y='1e300' width='9' height='9'><circle r='30'/></svg>"
+             "<clipPath id='c'><rect x='1e300' width='1e300' height='9' transform='scale(1e300)'/></clipPath>"
+             "<circle r='3' clip-path='url(#c)'/>",
+             "width='1e300' height='3' viewBox='0 0 1e-300 1e-300'")},
         losses);
     CHECK(document.width <= 1e5);
     for (const art::Node& node : document.nodes)
