@@ -127,7 +127,8 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
                                               {"late", "#800080", 1.0},
                                               {"mostly", "#bf0040", 1.0},
                                               {"clear", "#ff0000", 0.5}}) {
-        CAPTURE(id);
+        const std::string whose = id; // clang 14 captures no bindings
+        CAPTURE(whose);
         const auto document = read_lossy(painted(id));
         CHECK(hex(figure(document, "it").fill->colour.value()) == colour);
         CHECK(figure(document, "it").fill->opacity.value() == doctest::Approx(opacity));
