@@ -45,8 +45,10 @@ std::vector<std::string_view> split(std::string_view text, char separator)
             ++depth;
         else if (letter == ')')
             --depth;
-        else if (letter == separator && depth <= 0)
-            parts.push_back(text.substr(std::exchange(begin, i + 1), i - begin));
+        else if (letter == separator && depth <= 0) {
+            parts.push_back(text.substr(begin, i - begin));
+            begin = i + 1;
+        }
     }
     parts.push_back(text.substr(std::min(begin, text.size())));
     return parts;
