@@ -2,6 +2,7 @@
 
 #include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
+#include "host/text/glyph.hpp"
 
 #include <algorithm>
 
@@ -29,7 +30,8 @@ std::string advice(const ImportReport& report)
 {
     if (report.is_size_chosen || std::max(report.canvas.width, report.canvas.height) > coarse_canvas)
         return "";
-    return "the canvas is small, and places are rounded to 1/16 px: --size 240x240 keeps more of its shapes\n";
+    return "the canvas is small, and places are rounded to 1/16 px: --size 240x240 keeps more of its "
+           "shapes\n";
 }
 
 }
@@ -42,10 +44,13 @@ std::string import_text(const ImportReport& report, importing::ListLength length
         counted(extent.points, "point") + "; " + counted(report.imported.compiled.bytes.size(), "byte") +
         " compiled, " + counted(report.block_bytes, "byte") + " of memory at " +
         std::to_string(report.canvas.width) + 'x' + std::to_string(report.canvas.height) + '\n';
+    for (const std::string& note : report.imported.notes)
+        text += visible(note) + '\n';
     const art::Losses& losses = report.imported.losses;
     if (losses.empty())
         return text + advice(report) + "all is carried over\n";
-    return text + advice(report) + importing::loss_count(losses) + ":\n" + importing::loss_list(losses, length) + '\n';
+    return text + advice(report) + importing::loss_count(losses) + ":\n" +
+           importing::loss_list(losses, length) + '\n';
 }
 
 std::string import_json(const ImportReport& report)
@@ -61,6 +66,7 @@ std::string import_json(const ImportReport& report)
          {"bytes", imported.compiled.bytes.size()},
          {"memory",
           {{"bytes", report.block_bytes}, {"width", report.canvas.width}, {"height", report.canvas.height}}},
+         {"notes", imported.notes},
          {"losses", losses_of(imported.losses)},
          {"more_losses", imported.losses.beyond()}});
 }

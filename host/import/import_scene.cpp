@@ -52,11 +52,13 @@ art::Document on_paper(art::Document document, const Options& options)
     return document;
 }
 
-art::Document read_xml(const SourceText& source, const Options& options, art::Losses& losses)
+using Notes = std::vector<std::string>;
+
+art::Document read_xml(const SourceText& source, const Options& options, art::Losses& losses, Notes& notes)
 {
     const std::string_view root = root_element(source.text);
     if (root == "svg")
-        return on_paper(svg::read_svg(source, options.drawings, losses), options);
+        return on_paper(svg::read_svg(source, options.drawings, losses, notes), options);
     if (root == "canvas")
         return synfig::read_synfig(source, losses);
     refuse(source.name, "an XML file, but neither SVG nor Synfig: " + std::string{known_files});
@@ -81,7 +83,7 @@ art::Document read_zip(const SourceText& source, const Options& options, art::Lo
     return document;
 }
 
-art::Document read(const SourceText& source, const Options& options, art::Losses& losses)
+art::Document read(const SourceText& source, const Options& options, art::Losses& losses, Notes& notes)
 {
     const auto kind = kind_of(source.text);
     if (kind != ContentKind::zip && !options.animation.empty())
@@ -92,7 +94,7 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
     case ContentKind::json:
         return lottie::read_lottie(source, losses);
     case ContentKind::xml:
-        return read_xml(source, options, losses);
+        return read_xml(source, options, losses, notes);
     case ContentKind::zip:
         return read_zip(source, options, losses);
     case ContentKind::gzip:
@@ -201,10 +203,13 @@ bool can_import(std::string_view content) { return kind_of(content).has_value();
 Imported import_scene(const std::string& name, std::string content, const Options& options)
 {
     art::Losses losses;
-    art::Document document = read({name, unpacked(name, std::move(content))}, options, losses);
+    Notes notes;
+    art::Document document = read({name, unpacked(name, std::move(content))}, options, losses, notes);
     if (options.background)
         put_behind(document, *options.background);
-    return made_of(document, name, options, losses);
+    Imported imported = made_of(std::move(document), name, options, std::move(losses));
+    imported.notes = std::move(notes);
+    return imported;
 }
 
 Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const double> times,

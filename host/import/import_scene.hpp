@@ -22,6 +22,7 @@ struct Imported {
     CompiledScene compiled; ///< the text, which compiles without errors and warnings
     Extent extent;
     art::Losses losses;
+    std::vector<std::string> notes; ///< what was taken in one of several ways, and how to have it otherwise
 };
 
 /// Whether the content of a file is, by its first bytes, of a kind that may be imported: no scene text and no

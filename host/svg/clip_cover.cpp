@@ -44,17 +44,31 @@ Sides sides_of(Spot place, const std::vector<Spot>& corners)
     return sides;
 }
 
-}
-
-bool covers(const art::Drawing& area, std::span<const Spot> places)
+bool lie_inside(std::span<const Spot> places, const std::vector<Spot>& corners)
 {
-    if (area.outlines.size() != 1 || area.outlines.front().curves.size() < 2)
-        return false;
-    const auto corners = corners_of(area.outlines.front());
     return std::ranges::all_of(places, [&](Spot place) {
         const Sides sides = sides_of(place, corners);
         return sides.left != sides.right;
     });
+}
+
+}
+
+std::optional<std::vector<Spot>> convex_corners(const art::Drawing& drawing)
+{
+    if (drawing.outlines.size() != 1 || drawing.outlines.front().curves.size() < 2)
+        return std::nullopt;
+    auto corners = corners_of(drawing.outlines.front());
+    if (scene::distance(corners.front(), corners.back()) <= 0)
+        corners.pop_back();
+    constexpr std::size_t most = 1024; // they are compared with each other
+    return corners.size() <= most && lie_inside(corners, corners) ? std::optional{corners} : std::nullopt;
+}
+
+bool covers(const art::Drawing& area, std::span<const Spot> places)
+{
+    const auto corners = convex_corners(area);
+    return corners && lie_inside(places, *corners);
 }
 
 }

@@ -72,12 +72,21 @@ art::Rgb of_hsl(double hue, double saturation, double lightness)
     return {channel(0), channel(8), channel(4)};
 }
 
+/// Between commas, as CSS had it first, all channels are numbers or all are percentages.
+bool is_mixed(std::string_view arguments, const std::vector<Component>& parts)
+{
+    return arguments.find(',') != arguments.npos &&
+           !(parts[0].unit == parts[1].unit && parts[1].unit == parts[2].unit);
+}
+
 std::optional<Ink> function(std::string_view name, std::string_view arguments)
 {
     const auto parts = components(arguments);
     if (!parts || parts->size() < 3 || parts->size() > 4)
         return std::nullopt;
     const double opacity = parts->size() == 4 ? share_of((*parts)[3], 1) : 1;
+    if ((name == "rgb" || name == "rgba") && is_mixed(arguments, *parts))
+        return std::nullopt;
     if (name == "rgb" || name == "rgba")
         return Ink{{share_of((*parts)[0], 255), share_of((*parts)[1], 255), share_of((*parts)[2], 255)},
                    opacity};

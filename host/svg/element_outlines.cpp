@@ -34,6 +34,12 @@ struct Shape {
         return reported_length(name, style[name], axis, measure, layer, losses);
     }
     double get(const char* name, Axis axis) const { return given(name, axis).value_or(0); }
+    /// Below 0 is an error, which leaves it "auto".
+    std::optional<double> radius(const char* name, Axis axis) const
+    {
+        const auto value = given(name, axis);
+        return value && *value >= 0 ? value : std::nullopt;
+    }
     /// Of the attributes of lines, which are no properties.
     double coordinate(const char* name, Axis axis) const
     {
@@ -77,8 +83,8 @@ Outlines rect(const Shape& shape)
     const double height = shape.get("height", Axis::y);
     if (width <= 0 || height <= 0)
         return {};
-    const auto rx = shape.given("rx", Axis::x);
-    const auto ry = shape.given("ry", Axis::y);
+    const auto rx = shape.radius("rx", Axis::x);
+    const auto ry = shape.radius("ry", Axis::y);
     const double corner_x = std::clamp(rx.value_or(ry.value_or(0)), 0.0, width / 2);
     const double corner_y = std::clamp(ry.value_or(rx.value_or(0)), 0.0, height / 2);
     if (corner_x == 0 || corner_y == 0)
@@ -103,8 +109,8 @@ Outlines circle(const Shape& shape)
 
 Outlines ellipse(const Shape& shape)
 {
-    const auto rx = shape.given("rx", Axis::x);
-    const auto ry = shape.given("ry", Axis::y);
+    const auto rx = shape.radius("rx", Axis::x);
+    const auto ry = shape.radius("ry", Axis::y);
     return round(shape, rx.value_or(ry.value_or(0)), ry.value_or(rx.value_or(0)));
 }
 

@@ -70,8 +70,10 @@ std::optional<double> length(std::string_view text, Axis axis, const Measure& me
         return std::nullopt;
     if (found->unit == "%")
         return found->value / 100 * whole(axis, measure);
-    if (found->unit == "em" || found->unit == "rem")
+    if (found->unit == "em")
         return found->value * measure.font_size;
+    if (found->unit == "rem")
+        return found->value * measure.root_font_size;
     if (found->unit == "ex" || found->unit == "ch")
         return found->value * measure.font_size / 2;
     const auto unit = std::ranges::find(units, found->unit, &Unit::name);

@@ -13,6 +13,7 @@ struct Measure {
     double width = 100; ///< of the nearest view box, in its units
     double height = 100;
     double font_size = 16;
+    double root_font_size = 16; ///< of the outermost element
 };
 
 /// What of the view box a percentage is of.

@@ -1,9 +1,11 @@
 #include "host/svg/part.hpp"
 
 #include "host/art/curve_length.hpp"
+#include "host/scene/shape.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kfast::svg {
 namespace {
@@ -56,6 +58,21 @@ private:
 
 }
 
+std::array<Spot, 4> corners_of(const Box& box)
+{
+    return {box.least, Spot{box.most.x, box.least.y}, box.most, Spot{box.least.x, box.most.y}};
+}
+
+art::Drawing outline_of(const Box& box) { return {{scene::polyline(corners_of(box), true)}}; }
+
+art::Drawing seen_through(const art::Affine& affine, const art::Drawing& drawing)
+{
+    art::Drawing result;
+    for (const scene::Outline& outline : drawing.outlines)
+        result.outlines.push_back(affine.of(outline));
+    return result;
+}
+
 std::optional<Box> box_of(const Part& part, const art::Affine& affine)
 {
     GrowingBox box{false};
@@ -68,6 +85,27 @@ std::optional<Box> box_with_lines(const Part& part, const art::Affine& affine)
     GrowingBox box{true};
     box.add(part, affine);
     return box.box();
+}
+
+void split_line(Part& part, const art::Drawing& line, bool below)
+{
+    Part fill = part;
+    fill.pen.reset();
+    fill.own = {};
+    fill.opacity = 1;
+    Part stroke = fill;
+    fill.kind += " fill";
+    stroke.kind += " line";
+    stroke.name += " line";
+    stroke.id = stroke.id.empty() ? "" : stroke.id + " line";
+    stroke.label = stroke.label.empty() ? "" : stroke.label + " line";
+    stroke.fill.reset();
+    stroke.pen = std::exchange(part.pen, std::nullopt);
+    stroke.drawing = line;
+    part.fill.reset();
+    part.drawing = {};
+    part.is_group = true;
+    part.parts = below ? std::vector{stroke, fill} : std::vector{fill, stroke};
 }
 
 bool looks_like(const Part& left, const Part& right)

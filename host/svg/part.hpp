@@ -6,6 +6,7 @@
 #include "host/art/drawing.hpp"
 #include "host/svg/colour.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,12 +50,20 @@ struct Box {
     scene::Spot centre() const { return 0.5 * (least + most); }
 };
 
+std::array<scene::Spot, 4> corners_of(const Box& box);
+art::Drawing outline_of(const Box& box);
+
+art::Drawing seen_through(const art::Affine& affine, const art::Drawing& drawing);
+
 /// Around all that is drawn of a part, seen through `affine`, which takes the place of its own. Nothing where
 /// nothing is drawn.
 std::optional<Box> box_of(const Part& part, const art::Affine& affine);
 
 /// Likewise; lines count with half of their width.
 std::optional<Box> box_with_lines(const Part& part, const art::Affine& affine);
+
+/// Makes a group of a shape with a fill and a line: a figure has one drawing, and its line over its fill.
+void split_line(Part& part, const art::Drawing& line, bool below);
 
 /// Whether both look the same, whatever their elements are called.
 bool looks_like(const Part& left, const Part& right);

@@ -2,9 +2,8 @@
 
 #include "host/failure.hpp"
 #include "host/scene/shape.hpp"
-#include "host/svg/clip_cover.hpp"
+#include "host/svg/condition.hpp"
 #include "host/svg/element_outlines.hpp"
-#include "host/svg/paint.hpp"
 #include "host/svg/pen_reader.hpp"
 #include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
@@ -23,20 +22,6 @@ namespace {
 using art::Affine;
 using scene::Spot;
 
-/// The corners of a rectangle.
-std::array<Spot, 4> corners_of(Spot least, Spot most)
-{
-    return {least, Spot{most.x, least.y}, most, Spot{least.x, most.y}};
-}
-
-art::Drawing seen_through(const Affine& affine, const art::Drawing& drawing)
-{
-    art::Drawing result;
-    for (const scene::Outline& outline : drawing.outlines)
-        result.outlines.push_back(affine.of(outline));
-    return result;
-}
-
 /// Lines alone have no inside.
 bool has_inside(const art::Drawing& drawing)
 {
@@ -54,16 +39,29 @@ bool line_lies_below(std::string_view paint_order)
 double opacity_of(const Style& style) { return std::clamp(share(style["opacity"]).value_or(1), 0.0, 1.0); }
 
 /// A canvas of nothing, or of the size of a house, is one of a usual size.
-double canvas_side(double side)
+double canvas_side(double side, art::Losses& losses)
 {
     constexpr double largest = 1e5;
-    return side > 0 && side <= largest ? side : 100;
+    if (side > 0 && side <= largest)
+        return side;
+    losses.add({"width or height of the drawing, not within 0 and 100000", {}, {}, "100 pixels"});
+    return 100;
 }
 
-bool is_one_of_first(pugi::xml_node element)
-{
-    return !element_name(element).empty() && *element.attribute("requiredExtensions").value() == '\0';
-}
+/// Takes an element out of a list of those that are being read when it ends.
+class Reading {
+public:
+    Reading(std::vector<pugi::xml_node>& open, pugi::xml_node element) : open_{open}
+    {
+        open.push_back(element);
+    }
+    ~Reading() { open_.pop_back(); }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+private:
+    std::vector<pugi::xml_node>& open_;
+};
 
 /// What a "use" shows stands in its place, if there is nothing that only a group can do.
 void take_place_of_use(Part& use)
@@ -108,10 +106,15 @@ Picture PartReader::read()
     inside.to_canvas = root.own = set_canvas(root_, inside.style);
     root.opacity = opacity_of(inside.style);
     const auto box = view_box(root_.attribute("viewBox").value());
-    inside.measure = {box ? box->width : picture_.width, box ? box->height : picture_.height,
-                      font_size(inside.style, {})};
-    if (inside.style["display"] != "none")
+    const double font = font_size(inside.style, {});
+    inside.measure = {box ? box->width : picture_.width, box ? box->height : picture_.height, font, font};
+    if (inside.style["display"] != "none" && is_for_here(root_, {}))
         read_children(root_, root, inside);
+    if (!inside.style["transform"].empty())
+        losses_->add({"transform of the outermost svg", {}, {}, "it is ignored"});
+    if (!apply_clip("clip-path", "drawn whole", root, inside) ||
+        !apply_clip("mask", "drawn without it", root, inside))
+        root.parts.clear();
     return std::move(picture_);
 }
 
@@ -124,7 +127,7 @@ void PartReader::set_background(const Style& style)
             number(child.attribute("inkscape:pageopacity").value()).value_or(0) > 0)
             ink = colour(child.attribute("pagecolor").value());
     if (ink && ink->opacity > 0)
-        picture_.background = ink->colour;
+        picture_.background = art::mixed(art::Rgb{1, 1, 1}, ink->colour, ink->opacity); // pages are white
 }
 
 /// From the coordinates of the drawing to pixels.
@@ -136,8 +139,8 @@ Affine PartReader::set_canvas(pugi::xml_node root, const Style& style)
     const auto width = length(style["width"], Axis::x, whole);
     const auto height = length(style["height"], Axis::y, whole);
     const double ratio = whole.width / whole.height;
-    picture_.width = canvas_side(width ? *width : height && box ? *height * ratio : whole.width);
-    picture_.height = canvas_side(height ? *height : width && box ? *width / ratio : whole.height);
+    picture_.width = canvas_side(width ? *width : height && box ? *height * ratio : whole.width, *losses_);
+    picture_.height = canvas_side(height ? *height : width && box ? *width / ratio : whole.height, *losses_);
     if (!box)
         return {};
     return fitted(*box, picture_.width, picture_.height, root.attribute("preserveAspectRatio").value());
@@ -163,9 +166,12 @@ std::optional<Part> PartReader::read_element(pugi::xml_node element, const Aroun
             report_unread(element, around.layer, *losses_);
         return std::nullopt;
     }
+    if (!is_for_here(element, around.layer) || is_inside_of_itself(element, around.layer))
+        return std::nullopt;
     art::Budget::check_depth(around.depth);
     budget_.take_node();
     take_style(inside.style);
+    const Reading reading{open_, element};
 
     Part part;
     part.id = shortened(element.attribute("id").value(), longest_name);
@@ -181,16 +187,38 @@ std::optional<Part> PartReader::read_element(pugi::xml_node element, const Aroun
     part.own = own_affine(inside.style, around, part.layer);
     part.opacity = opacity_of(inside.style);
     inside.to_canvas = around.to_canvas * part.own;
+    const Affine outside_of_place = inside.to_canvas;
     (this->*kind->read)(element, part, inside);
     if (part.is_group ? part.parts.empty() : !part.fill && !part.pen)
         return std::nullopt;
     if (turns_about_own_box(inside.style))
         part.own = about_own_box(part, inside.style);
-    check_clip("clip-path", "drawn whole", part, inside);
-    check_clip("mask", "drawn without it", part, inside);
+    inside.to_canvas = outside_of_place;
+    if (!apply_clip("clip-path", "drawn whole", part, inside) ||
+        !apply_clip("mask", "drawn without it", part, inside))
+        return std::nullopt;
     if (name == "use")
         take_place_of_use(part);
     return part;
+}
+
+bool PartReader::is_for_here(pugi::xml_node element, const std::string& layer)
+{
+    const std::string condition = unmet_condition(element);
+    if (!condition.empty())
+        losses_->add(
+            {condition, layer, {}, "nothing: kfast draws what is for English, and without extensions"});
+    return condition.empty();
+}
+
+/// By a use, or by a clip, of an element that holds it. SVG has it that this one is not drawn.
+bool PartReader::is_inside_of_itself(pugi::xml_node element, const std::string& layer)
+{
+    if (std::ranges::find(open_, element) == open_.end())
+        return false;
+    losses_->add(
+        {'"' + shortened(element.attribute("id").value()) + "\" inside of itself", layer, {}, "nothing"});
+    return true;
 }
 
 /// What elements inherit is copied for each of them, and once more wherever they are used.
@@ -228,12 +256,13 @@ void PartReader::read_first(pugi::xml_node element, Part& part, Around& inside)
 {
     part.is_group = true;
     ++inside.depth;
-    for (const pugi::xml_node child : element.children())
-        if (is_one_of_first(child)) {
-            if (auto read = read_element(child, inside))
-                part.parts.push_back(std::move(*read));
-            return;
-        }
+    for (const pugi::xml_node child : element.children()) {
+        if (element_name(child).empty() || !unmet_condition(child).empty())
+            continue;
+        if (auto read = read_element(child, inside))
+            part.parts.push_back(std::move(*read));
+        return;
+    }
 }
 
 void PartReader::read_use(pugi::xml_node element, Part& part, Around& inside)
@@ -251,6 +280,7 @@ void PartReader::read_use(pugi::xml_node element, Part& part, Around& inside)
     const Affine place = art::moved(length(inside.style["x"], Axis::x, inside.measure).value_or(0),
                                     length(inside.style["y"], Axis::y, inside.measure).value_or(0));
     part.own = part.own * place;
+    inside.place = place;
     inside.to_canvas = inside.to_canvas * place;
     Around around = inside;
     around.width = length(inside.style["width"], Axis::x, inside.measure);
@@ -272,18 +302,21 @@ void PartReader::read_box(pugi::xml_node element, Part& part, Around& inside)
     if (!(width > 0) || !(height > 0))
         return;
     const auto box = view_box(element.attribute("viewBox").value());
+    const Spot corner{length(style["x"], Axis::x, outer).value_or(0),
+                      length(style["y"], Axis::y, outer).value_or(0)};
+    const Affine outside = inside.to_canvas;
     const Affine place =
-        art::moved(length(style["x"], Axis::x, outer).value_or(0),
-                   length(style["y"], Axis::y, outer).value_or(0)) *
+        art::moved(corner.x, corner.y) *
         (box ? fitted(*box, width, height, element.attribute("preserveAspectRatio").value()) : Affine{});
     part.own = part.own * place;
-    inside.to_canvas = inside.to_canvas * place;
-    const ViewBox seen = box.value_or(ViewBox{0, 0, width, height});
-    inside.measure.width = seen.width;
-    inside.measure.height = seen.height;
+    inside.place = place;
+    inside.to_canvas = outside * place;
+    inside.measure.width = box ? box->width : width;
+    inside.measure.height = box ? box->height : height;
     read_children(element, part, inside);
+    inside.to_canvas = outside;
     if (style["overflow"] != "visible" && style["overflow"] != "auto")
-        check_overflow(part, inside, seen);
+        clip_to_box(part, inside, {corner, corner + Spot{width, height}});
 }
 
 void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
@@ -296,10 +329,15 @@ void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
     if (part.drawing.outlines.empty())
         return;
     part.rule = style["fill-rule"] == "evenodd" ? FillRule::even_odd : FillRule::nonzero;
+    if (reads_clip_) {
+        if (has_inside(part.drawing))
+            part.fill = Ink{};
+        return;
+    }
     if (has_inside(part.drawing))
-        part.fill = paint("fill", style, index_, sheet_, part.layer, *losses_);
-    if (const auto ink = paint("stroke", style, index_, sheet_, part.layer, *losses_))
-        part.pen = pen(*ink, style, inside.measure, part.layer, *losses_);
+        part.fill = ink("fill", part, inside);
+    if (const auto painted = ink("stroke", part, inside))
+        part.pen = pen(*painted, style, inside.measure, part.layer, *losses_);
     for (const char* marker : {"marker-start", "marker-mid", "marker-end"})
         if (index_.find(url_id(style[marker])))
             losses_->add({"marker", part.layer, {}, "the line without it"});
@@ -312,90 +350,10 @@ void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
     const bool below = part.fill && line_lies_below(style["paint-order"]);
     if (!part.fill)
         part.drawing = std::move(line);
-    else if (below || !(line == part.drawing))
+    else if (below || !(line == part.drawing)) {
+        budget_.take_node();
         split_line(part, line, below);
-}
-
-/// A figure has one drawing, and its line over its fill.
-void PartReader::split_line(Part& part, const art::Drawing& line, bool below)
-{
-    budget_.take_node();
-    Part fill = part;
-    fill.pen.reset();
-    fill.own = {};
-    fill.opacity = 1;
-    Part stroke = fill;
-    fill.kind += " fill";
-    stroke.kind += " line";
-    stroke.name += " line";
-    stroke.id = stroke.id.empty() ? "" : stroke.id + " line";
-    stroke.label = stroke.label.empty() ? "" : stroke.label + " line";
-    stroke.fill.reset();
-    stroke.pen = std::exchange(part.pen, std::nullopt);
-    stroke.drawing = line;
-    part.fill.reset();
-    part.drawing = {};
-    part.is_group = true;
-    part.parts = below ? std::vector{stroke, fill} : std::vector{fill, stroke};
-}
-
-void PartReader::check_clip(const char* property, const char* instead, const Part& part, const Around& inside)
-{
-    const std::string_view value = inside.style[property];
-    if (value.empty() || value == "none")
-        return;
-    const pugi::xml_node clip = index_.find(url_id(value));
-    if (value.starts_with("url(") && !clip)
-        return;
-    if (!clip || !shows_whole(clip, part, inside))
-        losses_->add({property, part.layer, {}, instead});
-}
-
-/// Whether a clip or a mask takes nothing away from a part.
-bool PartReader::shows_whole(pugi::xml_node clip, const Part& part, const Around& inside)
-{
-    const auto box = box_with_lines(part, {});
-    const bool is_mask = element_name(clip) == "mask";
-    const char* units = clip.attribute(is_mask ? "maskContentUnits" : "clipPathUnits").value();
-    const auto clip_affine = transform_list(clip.attribute("transform").value());
-    if (!box || !clip_affine || clip.attribute("clip-path"))
-        return !box;
-    Affine affine = *clip_affine;
-    if (units == std::string_view{"objectBoundingBox"}) {
-        const Box inner = *box_of(part, {});
-        affine = art::moved(inner.least.x, inner.least.y) *
-                 art::grown(inner.most.x - inner.least.x, inner.most.y - inner.least.y) * affine;
     }
-
-    Part area;
-    Around around = inside;
-    around.style = Style{{}, clip, sheet_};
-    art::Losses of_no_interest;
-    art::Losses* const losses = std::exchange(losses_, &of_no_interest);
-    read_children(clip, area, around);
-    losses_ = losses;
-    if (area.parts.size() != 1 || area.parts.front().is_group)
-        return false;
-    const Part& shape = area.parts.front();
-    const bool is_light =
-        shape.fill && shape.fill->opacity >= 1 && shape.opacity >= 1 &&
-        (shape.fill->colour == art::Rgb{1, 1, 1} || Style{{}, clip, sheet_}["mask-type"] == "alpha");
-    if (is_mask && !is_light)
-        return false;
-    const art::Drawing here = seen_through(affine * shape.own, shape.drawing);
-    return covers(here, corners_of(box->least, box->most)) ||
-           covers(seen_through(inside.to_canvas, here),
-                  corners_of({0, 0}, {picture_.width, picture_.height}));
-}
-
-void PartReader::check_overflow(const Part& part, const Around& inside, const ViewBox& seen)
-{
-    const auto box = box_with_lines(part, {});
-    const art::Drawing area{
-        {scene::polyline(corners_of({seen.x, seen.y}, {seen.x + seen.width, seen.y + seen.height}), true)}};
-    if (box && !covers(area, corners_of(box->least, box->most)) &&
-        !covers(seen_through(inside.to_canvas, area), corners_of({0, 0}, {picture_.width, picture_.height})))
-        losses_->add({"overflow hidden", part.layer, {}, "seen beyond the box as well"});
 }
 
 }

@@ -31,7 +31,7 @@ public:
     PartReader(pugi::xml_node root, std::vector<pugi::xml_node> shown, art::Budget& budget,
                art::Losses& losses);
 
-    /// Throws Failure when elements lie too deep in each other, or use themselves, and where the budget is
+    /// Throws Failure when elements lie too deep in each other, and where the budget is
     /// exceeded.
     Picture read();
 
@@ -46,6 +46,7 @@ private:
         /// Of a symbol that is used: of the "use".
         std::optional<double> width = std::nullopt;
         std::optional<double> height = std::nullopt;
+        art::Affine place = {}; ///< of what stands inside, where its element puts it after its transform
     };
     struct ElementKind {
         std::string_view name;
@@ -61,15 +62,23 @@ private:
     void read_use(pugi::xml_node element, Part& part, Around& inside);
     void read_box(pugi::xml_node element, Part& part, Around& inside);
     void read_shape(pugi::xml_node element, Part& part, Around& inside);
-    void split_line(Part& part, const art::Drawing& line, bool below);
 
+    bool is_for_here(pugi::xml_node element, const std::string& layer);
+    bool is_inside_of_itself(pugi::xml_node element, const std::string& layer);
+    /// As paint(), and the mean colour of patterns.
+    std::optional<Ink> ink(const char* property, const Part& part, const Around& inside);
+    std::optional<Ink> pattern_ink(pugi::xml_node pattern, const Part& part, const Around& inside);
+    double tile_area(pugi::xml_node pattern, const Part& part, const Around& inside);
     void take_style(const Style& style);
     void set_background(const Style& style);
     art::Affine set_canvas(pugi::xml_node root, const Style& style);
     art::Affine own_affine(const Style& style, const Around& around, const std::string& layer);
-    void check_clip(const char* property, const char* instead, const Part& part, const Around& inside);
-    bool shows_whole(pugi::xml_node clip, const Part& part, const Around& inside);
-    void check_overflow(const Part& part, const Around& inside, const ViewBox& seen);
+    bool apply_clip(const char* property, const char* instead, Part& part, const Around& inside);
+    bool clip_to(const art::Drawing& area, const char* feature, Part& part, const Around& inside);
+    void clip_to_box(Part& part, const Around& inside, const Box& edge);
+    std::optional<art::Drawing> clip_area(pugi::xml_node clip, const Part& part, const Around& inside);
+    std::optional<Part> only_shape(pugi::xml_node clip, const Style& style, const Around& inside);
+    bool region_covers(pugi::xml_node mask, const Part& part, const Around& inside);
 
     pugi::xml_node root_;
     std::vector<pugi::xml_node> shown_;
@@ -78,7 +87,9 @@ private:
     ElementIndex index_;
     StyleSheet sheet_;
     Picture picture_;
+    std::vector<pugi::xml_node> open_; ///< that are being read, from the outermost
     std::size_t style_bytes_ = 0;
+    bool reads_clip_ = false; ///< so that all shapes are filled
 };
 
 }

@@ -4,8 +4,10 @@
 #include "host/svg/layer_keys.hpp"
 #include "host/svg/part_reader.hpp"
 #include "host/svg/pose_document.hpp"
+#include "host/svg/shortened.hpp"
 #include "host/svg/svg_text.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace kfast::svg {
@@ -16,13 +18,26 @@ Failure of_file(const SourceText& source, const Failure& failure)
     return Failure{source.name + ": " + failure.what()};
 }
 
-art::Document document_of(const pugi::xml_document& text, const KeyOptions& options, art::Losses& losses)
+std::string told(const std::vector<KeyLayer>& layers)
+{
+    constexpr std::size_t most = 8;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(layers.size(), most); ++i)
+        names += (i == 0 ? "\"" : ", \"") + shortened(layers[i].name) + '"';
+    return "the layers " + names + (layers.size() > most ? ", ..." : "") +
+           " are key drawings, by their names: --layers never draws them over each other";
+}
+
+art::Document document_of(const pugi::xml_document& text, const KeyOptions& options, art::Losses& losses,
+                          std::vector<std::string>& notes)
 {
     art::Budget budget;
     const auto layers = key_layers(drawing_of(text), options);
     std::vector<pugi::xml_node> shown;
     for (const KeyLayer& layer : layers)
         shown.push_back(layer.element);
+    if (!layers.empty() && options.layers == LayerKeys::automatic)
+        notes.push_back(told(layers));
     Picture picture = PartReader{drawing_of(text), shown, budget, losses}.read();
     std::vector<Pose> poses;
     if (layers.empty())
@@ -34,14 +49,21 @@ art::Document document_of(const pugi::xml_document& text, const KeyOptions& opti
 
 }
 
-art::Document read_svg(const SourceText& source, const KeyOptions& options, art::Losses& losses)
+art::Document read_svg(const SourceText& source, const KeyOptions& options, art::Losses& losses,
+                       std::vector<std::string>& notes)
 {
     const auto text = parsed(source);
     try {
-        return document_of(text, options, losses);
+        return document_of(text, options, losses, notes);
     } catch (const Failure& failure) {
         throw of_file(source, failure);
     }
+}
+
+art::Document read_svg(const SourceText& source, const KeyOptions& options, art::Losses& losses)
+{
+    std::vector<std::string> not_told;
+    return read_svg(source, options, losses, not_told);
 }
 
 art::Document read_svg(const SourceText& source, art::Losses& losses) { return read_svg(source, {}, losses); }

@@ -45,8 +45,10 @@ std::vector<std::string_view> split(std::string_view text, char separator)
             ++depth;
         else if (letter == ')')
             --depth;
-        else if (letter == separator && depth <= 0)
-            parts.push_back(text.substr(std::exchange(begin, i + 1), i - begin));
+        else if (letter == separator && depth <= 0) {
+            parts.push_back(text.substr(begin, i - begin));
+            begin = i + 1;
+        }
     }
     parts.push_back(text.substr(std::min(begin, text.size())));
     return parts;
@@ -147,7 +149,8 @@ bool matches(const Compound& compound, pugi::xml_node element)
 struct StyleFinder : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override
     {
-        if (element_name(node) == "style")
+        const std::string_view type = node.attribute("type").value();
+        if (element_name(node) == "style" && (type.empty() || type == "text/css"))
             found.push_back(node);
         return true;
     }

@@ -1,6 +1,7 @@
 #include "host/svg/svg_text.hpp"
 
 #include "host/failure.hpp"
+#include "host/svg/namespaces.hpp"
 
 #include <map>
 #include <string>
@@ -10,7 +11,6 @@
 namespace kfast::svg {
 namespace {
 
-constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 constexpr std::size_t longest_text = std::size_t{1} << 26; ///< bytes, with entities put in
 
 using Entities = std::map<std::string, std::string, std::less<>>;
@@ -74,15 +74,6 @@ std::string beginning_small(std::string text)
     return text;
 }
 
-std::string_view namespace_of(pugi::xml_node node, std::string_view prefix)
-{
-    const std::string declaration = prefix.empty() ? "xmlns" : "xmlns:" + std::string{prefix};
-    for (; node; node = node.parent())
-        if (const auto attribute = node.attribute(declaration.c_str()))
-            return attribute.value();
-    return {};
-}
-
 }
 
 pugi::xml_document parsed(const SourceText& source)
@@ -93,6 +84,7 @@ pugi::xml_document parsed(const SourceText& source)
     if (!result)
         throw at_place(source, text, static_cast<std::size_t>(result.offset),
                        "this is no XML: " + beginning_small(result.description()));
+    resolve_namespaces(document);
     if (!drawing_of(document))
         throw Failure(source.name + ": there is no drawing in it: its outermost element is not <svg>");
     return document;
@@ -103,11 +95,7 @@ std::string_view element_name(pugi::xml_node node)
     if (node.type() != pugi::node_element)
         return {};
     const std::string_view name = node.name();
-    const std::size_t colon = name.find(':');
-    if (colon == name.npos)
-        return name;
-    return namespace_of(node, name.substr(0, colon)) == svg_namespace ? name.substr(colon + 1)
-                                                                      : std::string_view{};
+    return name.find(':') == name.npos ? name : std::string_view{};
 }
 
 pugi::xml_node drawing_of(const pugi::xml_document& document)

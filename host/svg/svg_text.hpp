@@ -10,8 +10,8 @@ namespace kfast::svg {
 /// with line and column when it is no XML, or holds no drawing of SVG.
 pugi::xml_document parsed(const SourceText& source);
 
-/// The name of an element of SVG, without a prefix. Empty for texts, and for elements of other namespaces,
-/// such as those that Inkscape keeps its own things in.
+/// The name of an element of SVG in a text that was parsed(), without a prefix. Empty for texts, and for
+/// elements of other namespaces, such as those that Inkscape keeps its own things in.
 std::string_view element_name(pugi::xml_node node);
 
 /// The drawing: the outermost element.

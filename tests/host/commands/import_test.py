@@ -217,6 +217,14 @@ class KeyDrawingTest(ImportCase):
         self.assertIn("20", result.stdout)
         self.assertIn("object sun", result.stdout)
 
+    def test_layers_that_are_keys_are_told(self):
+        layers = "".join(f'<g id="{name}"><circle r="{3 + index}"/></g>' for index, name in enumerate(("f 0", "f 12")))
+        self.write("layers.svg", f'<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90">{layers}</svg>')
+        told = 'the layers "f 0", "f 12" are key drawings, by their names: --layers never draws them over each other'
+        self.assertIn(told + "\n", self.run_kfast("import", "layers.svg").stdout)
+        self.assertEqual(json.loads(self.run_kfast("import", "layers.svg", "--json").stdout)["notes"], [told])
+        self.assertNotIn("by their names", self.run_kfast("import", "layers.svg", "--layers", "never").stdout)
+
     def test_the_scene_is_named_after_the_first(self):
         self.run_kfast("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", "9")
         self.assertTrue((self.folder / "pose10.kfast").is_file())

@@ -28,6 +28,7 @@ TEST_CASE("all ways to write a colour")
     CHECK(ink("rgb(100%,50%,0%)") == "#ff8000 100");
     CHECK(ink("rgba(255,128,0,.25)") == "#ff8000 25");
     CHECK(ink("rgb(255 128 0 / 25%)") == "#ff8000 25");
+    CHECK(ink("rgb(0 50% 0)") == "#008000 100");
     CHECK(ink("RGB(300,-5,0)") == "#ff0000 100");
     CHECK(ink("hsl(120, 100%, 25%)") == "#008000 100");
     CHECK(ink("hsla(0.5turn,100%,50%,0.5)") == "#00ffff 50");
@@ -38,8 +39,8 @@ TEST_CASE("all ways to write a colour")
 
 TEST_CASE("what is no colour")
 {
-    for (const char* text :
-         {"", "blurple", "#12", "#12345", "rgb(1,2)", "rgb(1,2,3", "rgb(a,b,c)", "hsl()", "rgb 1"})
+    for (const char* text : {"", "blurple", "#12", "#12345", "rgb(1,2)", "rgb(1,2,3", "rgb(a,b,c)", "hsl()",
+                             "rgb 1", "rgb(0,50%,0)"})
         CHECK_MESSAGE(ink(text) == "none", text);
 }
 

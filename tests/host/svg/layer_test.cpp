@@ -1,3 +1,4 @@
+#include "host/svg/read_svg.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 
 #include <doctest/doctest.h>
@@ -55,4 +56,21 @@ TEST_CASE("layers that cannot be keys are refused")
           "test.svg: the layers \"0\" and \"f 0\" are named by the same frame: rename one of them");
     CHECK(failure_of(drawing(layer("0", small)), {.layers = svg::LayerKeys::always}).find("no two layers") !=
           std::string::npos);
+}
+
+TEST_CASE("layers that are taken as keys by themselves are told")
+{
+    const std::string text =
+        drawing("<g inkscape:label='0'><circle r='3'/></g><g inkscape:label='12'><circle r='4'/></g>");
+    const auto notes = [&](svg::LayerKeys layers) {
+        art::Losses losses;
+        std::vector<std::string> told;
+        svg::read_svg({"a.svg", text}, {.layers = layers}, losses, told);
+        return told;
+    };
+    CHECK(notes(svg::LayerKeys::automatic) ==
+          std::vector<std::string>{"the layers \"0\", \"12\" are key drawings, by their names: "
+                                   "--layers never draws them over each other"});
+    CHECK(notes(svg::LayerKeys::always).empty());
+    CHECK(notes(svg::LayerKeys::never).empty());
 }

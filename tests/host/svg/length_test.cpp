@@ -9,7 +9,7 @@ using namespace kfast::svg;
 
 TEST_CASE("lengths have units, at 96 px to the inch")
 {
-    const Measure measure{200, 100, 10};
+    const Measure measure{200, 100, 10, 12};
     CHECK(length("12", Axis::x, measure) == 12);
     CHECK(length(" -1.5e1px ", Axis::x, measure) == -15);
     CHECK(length("1in", Axis::x, measure) == 96);
@@ -18,6 +18,8 @@ TEST_CASE("lengths have units, at 96 px to the inch")
     CHECK(length("72pt", Axis::x, measure) == doctest::Approx(96));
     CHECK(length("6pc", Axis::x, measure) == 96);
     CHECK(length("2em", Axis::x, measure) == 20);
+    CHECK(length("2rem", Axis::x, measure) == 24);
+    CHECK(length("2ch", Axis::x, measure) == 10);
     CHECK(length("10%", Axis::x, measure) == 20);
     CHECK(length("10%", Axis::y, measure) == 10);
     CHECK(length("10%", Axis::diagonal, measure) == doctest::Approx(15.8114));

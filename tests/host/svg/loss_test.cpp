@@ -1,5 +1,7 @@
+#include "host/svg/read_svg.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace kfast;
@@ -37,6 +39,9 @@ TEST_CASE("what is not drawn is told, with its words and its place")
     CHECK(losses_of("<path d='M0 0h9' stroke='red' stroke-linejoin='arcs'/>").size() == 1);
     CHECK(losses_of("<pattern id='p'/><rect width='3' height='3' fill='url(#p)'/>") ==
           Lines{"pattern | rect | nothing"});
+    CHECK(losses_of(
+              "<pattern id='p' width='4' height='4' patternUnits='userSpaceOnUse'><circle r='1'/></pattern>"
+              "<rect width='3' height='3' fill='url(#p)'/>") == Lines{"pattern | rect | its mean colour"});
     CHECK(losses_of("<marker id='m'/><path d='M0 0h9' stroke='red' marker='url(#m)'/>") ==
           Lines{"marker | path | the line without it"});
     CHECK(losses_of("<rect width='3' height='3' transform='scale(1e9)'/>").size() == 1);
@@ -72,4 +77,61 @@ TEST_CASE("what has no effect on the picture is not told")
         <rect width="3" height="3" clip-path="none" mask="none" marker-end="none" shape-rendering="crispEdges"/></g>
         <text display="none">x</text><g display="none"><image/></g><image visibility="hidden"/>)")
               .empty());
+}
+
+TEST_CASE("a pattern is painted as its mean colour")
+{
+    const auto fill = [](const std::string& attributes, const std::string& content) {
+        const auto document = read_lossy("<pattern id='p' " + attributes + ">" + content +
+                                         "</pattern><rect id='it' width='20' height='10' fill='url(#p)'/>");
+        if (document.nodes.empty())
+            return std::string{"nothing"};
+        const auto& found = *figure(document, "it").fill;
+        return hex(found.colour.value()) + ' ' + std::to_string(std::lround(100 * found.opacity.value()));
+    };
+    const std::string of_user = "width='4' height='4' patternUnits='userSpaceOnUse'";
+    const std::string half = "<rect width='4' height='2' fill='red'/>";
+    CHECK(fill(of_user, half) == "#ff0000 50");
+    CHECK(fill(of_user, "<rect width='4' height='4' fill='blue'/>" + half) == "#800080 100");
+    CHECK(fill(of_user, "<g transform='scale(2)'><path d='M0 1H2' stroke='red' stroke-width='1'/></g>") ==
+          "#ff0000 50");
+    CHECK(fill("width='.1' height='.2'", "<rect width='2' height='1' fill='red'/>") == "#ff0000 50");
+    CHECK(fill("width='9' height='9' viewBox='0 0 8 2'", half) == "#ff0000 50");
+    CHECK(fill("href='#q'", "") == "nothing");
+    CHECK(fill(of_user, "<rect width='4' height='2' fill='url(#p)'/>") == "nothing");
+    CHECK(fill(of_user, "") == "nothing");
+}
+
+TEST_CASE("what uses itself is told by its name, and not drawn")
+{
+    CHECK(losses_of("<use id='a' href='#a'/>") == Lines{"\"a\" inside of itself | a | nothing"});
+    CHECK(losses_of("<g id='a'><circle r='3'/><use href='#b'/></g><g id='b'><use href='#a'/></g>") ==
+          Lines{"\"a\" inside of itself | a / use / b / use | nothing",
+                "\"b\" inside of itself | b / use / a / use | nothing"});
+    CHECK(losses_of("<symbol id='s'><use href='#s'/></symbol><use href='#s'/>") ==
+          Lines{"\"s\" inside of itself | use / s / use | nothing"});
+    CHECK(losses_of("<clipPath id='c'><circle r='3' clip-path='url(#c)'/></clipPath>"
+                    "<circle r='9' clip-path='url(#c)'/>") == Lines{"clip-path | circle | drawn whole"});
+}
+
+TEST_CASE("what is for other languages, or needs extensions, is told")
+{
+    CHECK(losses_of("<rect width='3' height='3' systemLanguage='ru, de-AT'/>") ==
+          Lines{"systemLanguage \"ru, de-AT\" |  | nothing: kfast draws what is for English, and without "
+                "extensions"});
+    CHECK(losses_of("<rect width='3' height='3' systemLanguage=''/>").size() == 1);
+    CHECK(losses_of("<rect width='3' height='3' requiredExtensions='x'/>").size() == 1);
+    CHECK(losses_of("<rect width='3' height='3' systemLanguage='ru, en-GB'/>").empty());
+    CHECK(losses_of("<switch><rect systemLanguage='ru'/><rect width='3' height='3'/></switch>").empty());
+}
+
+TEST_CASE("a canvas without a size of its own kind is told")
+{
+    art::Losses losses;
+    svg::read_svg({"a.svg", drawing("", "width='0' height='-3'")}, losses);
+    CHECK(losses.list().size() == 1);
+    CHECK(losses_of("<g/>").empty());
+    art::Losses of_root;
+    svg::read_svg({"a.svg", drawing("", "width='9' height='9' transform='scale(2)'")}, of_root);
+    CHECK(of_root.list().size() == 1);
 }

@@ -127,3 +127,35 @@ TEST_CASE("a line below its fill is a figure below it")
     CHECK(document.nodes[0].name == "it line");
     CHECK(document.nodes[1].name == "it");
 }
+
+TEST_CASE("a radius below nothing is as the other one")
+{
+    CHECK(box_of("<ellipse id='it' cx='50' cy='50' rx='-3' ry='20'/>") == Box{30, 30, 70, 70});
+    CHECK(box_of("<ellipse id='it' cx='50' cy='50' rx='20' ry='-3'/>") == Box{30, 30, 70, 70});
+    const auto rect = figure(read_drawing("<rect id='it' width='30' height='40' rx='-2' ry='5'/>"), "it");
+    CHECK(rect.drawing.value() == art::Drawing{{scene::rectangle({0, 0}, 30, 40, 5)}});
+}
+
+TEST_CASE("elements are of SVG by their namespace, not by their prefix")
+{
+    const auto document = read_drawing(R"(
+        <s:g xmlns="http://example.org/other" xmlns:s="http://www.w3.org/2000/svg" xmlns:t="http://example.org/other">
+            <s:rect id="it" width="9" height="9"/><rect id="other" width="9" height="9"/><t:rect width="9" height="9"/>
+        </s:g><rect id="behind" width="9" height="9"/><s:rect width="9" height="9"/>)");
+    CHECK(document.nodes.size() == 2);
+    CHECK(document.nodes.front().name == "it");
+    CHECK(document.nodes.back().name == "behind");
+    CHECK(failure_of("<svg width='9' height='9'><rect width='3' height='3'/></svg>").empty());
+}
+
+TEST_CASE("a background that is half transparent lies on a white page")
+{
+    const auto document = read_drawing("", R"(width="9" height="9" style="background-color:#0000ff80")");
+    CHECK(hex(*document.background) == "#7f7fff");
+}
+
+TEST_CASE("em is of the element, rem of the outermost one")
+{
+    CHECK(box_of("<g font-size='20'><rect id='it' width='1em' height='1rem'/></g>",
+                 "width='100' height='100' font-size='10'") == Box{0, 0, 20, 10});
+}

@@ -127,10 +127,19 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
                                               {"late", "#800080", 1.0},
                                               {"mostly", "#bf0040", 1.0},
                                               {"clear", "#ff0000", 0.5}}) {
-        CAPTURE(id);
+        const std::string whose = id; // clang 14 captures no bindings
+        CAPTURE(whose);
         const auto document = read_lossy(painted(id));
         CHECK(hex(figure(document, "it").fill->colour.value()) == colour);
         CHECK(figure(document, "it").fill->opacity.value() == doctest::Approx(opacity));
     }
     CHECK(fill(painted("nothing")) == "#00ff00");
+}
+
+TEST_CASE("style sheets of other languages are none")
+{
+    CHECK(fill("<style type='text/css'>rect{fill:red}</style><rect id='it' width='9' height='9'/>") ==
+          "#ff0000");
+    CHECK(fill("<style type='text/less'>rect{fill:red}</style><rect id='it' width='9' height='9'/>") ==
+          "#000000");
 }
