@@ -29,7 +29,8 @@ std::string advice(const ImportReport& report)
 {
     if (report.is_size_chosen || std::max(report.canvas.width, report.canvas.height) > coarse_canvas)
         return "";
-    return "the canvas is small, and places are rounded to 1/16 px: --size 240x240 keeps more of its shapes\n";
+    return "the canvas is small, and places are rounded to 1/16 px: --size 240x240 keeps more of its "
+           "shapes\n";
 }
 
 }
@@ -45,7 +46,8 @@ std::string import_text(const ImportReport& report, importing::ListLength length
     const art::Losses& losses = report.imported.losses;
     if (losses.empty())
         return text + advice(report) + "all is carried over\n";
-    return text + advice(report) + importing::loss_count(losses) + ":\n" + importing::loss_list(losses, length) + '\n';
+    return text + advice(report) + importing::loss_count(losses) + ":\n" +
+           importing::loss_list(losses, length) + '\n';
 }
 
 std::string import_json(const ImportReport& report)
