@@ -40,16 +40,15 @@ public:
 private:
     void add_member(std::string& all, std::size_t most_bytes)
     {
-        std::array<char, 65536> block{};
         for (int status = Z_OK; status != Z_STREAM_END;) {
-            stream_.next_out = reinterpret_cast<Bytef*>(block.data());
-            stream_.avail_out = static_cast<uInt>(block.size());
+            stream_.next_out = reinterpret_cast<Bytef*>(block_.data());
+            stream_.avail_out = static_cast<uInt>(block_.size());
             status = inflate(&stream_, Z_NO_FLUSH);
             if (status == Z_BUF_ERROR)
                 throw Failure(name_ + ": breaks off before its end: copy it again");
             if (status != Z_OK && status != Z_STREAM_END)
                 throw Failure(name_ + ": the packed file is damaged: copy it again");
-            all.append(block.data(), block.size() - stream_.avail_out);
+            all.append(block_.data(), block_.size() - stream_.avail_out);
             if (all.size() > most_bytes)
                 throw Failure(name_ + ": holds more than " + std::to_string(most_bytes >> 20) +
                               " MB: is it the right file?");
@@ -65,6 +64,7 @@ private:
 
     const std::string& name_;
     z_stream stream_{};
+    std::array<char, 65536> block_{};
 };
 
 }
