@@ -44,7 +44,7 @@ bool erases(int method) { return method == 14 || method == 15 || method == 19 ||
 
 Blending blending_of(const Layer& layer, bool covers_all)
 {
-    const int method = static_cast<int>(layer.number("blend_method", 0, composite));
+    const int method = layer.whole("blend_method", 0, composite);
     if (method == composite)
         return Blending::normal;
     if (method == behind)

@@ -19,7 +19,7 @@ public:
     }
 
     /// Throws Failure when that takes too many steps. A value node that is not known is a loss, and worth
-    /// nothing.
+    /// nothing. Numbers, places and colours are finite.
     Value at(const ValueNode& node, double time);
     /// The bone of that name at that time; none: the root, where the canvas begins.
     Bone bone(const std::string& guid, double time);

@@ -49,6 +49,7 @@ struct ValueNode {
     std::vector<Waypoint> waypoints; ///< of "animated", in the order of their times
     std::vector<Entry> entries;      ///< of lists
     bool loop = false;
+    int depth = 0; ///< nodes below each other that it is made of, itself not counted
 
     /// Nothing where there is no such link.
     const ValueNode* link(std::string_view name) const
