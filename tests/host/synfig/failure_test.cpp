@@ -75,21 +75,6 @@ TEST_CASE("bones that hang on themselves are failures")
               .find("depends on itself") != std::string::npos);
 }
 
-TEST_CASE("values that are known by ids lie in each other only so deep")
-{
-    std::string layers;
-    for (int i = 0; i < 1000; ++i) {
-        const std::string outer = "a" + std::to_string(999 - i);
-        const std::string inner = "a" + std::to_string(1000 - i);
-        layers += "<defs><switch type=\"real\" id=\"" + outer + "\" link_off=\"zero\" link_on=\"" + inner +
-                  "\" switch=\"no\"/></defs>" + "<layer type=\"circle\"><param name=\"radius\" use=\"" +
-                  outer + "\"/></layer>";
-    }
-    const std::string ends = "<defs><real value=\"0\" id=\"zero\"/><real value=\"1\" id=\"a1000\"/>"
-                             "<bool value=\"false\" id=\"no\"/></defs>";
-    CHECK(failure(canvas(ends + layers)).find("one after the other") != std::string::npos);
-}
-
 TEST_CASE("long lines of bones are failures")
 {
     std::string bones;
