@@ -16,10 +16,13 @@ bool begins(const std::string& text, const std::string& beginning) { return text
 
 std::string nested(const std::string& name, int depth, const std::string& content)
 {
-    std::string text = content;
-    for (int i = 0; i < depth; ++i)
-        text = "<" + name + ">" + text + "</" + name + ">";
-    return text;
+    std::string open;
+    std::string close;
+    for (int i = 0; i < depth; ++i) {
+        open += "<" + name + ">";
+        close += "</" + name + ">";
+    }
+    return open + content + close;
 }
 
 std::string keys_failure(std::size_t drawings, const std::vector<double>& times)
