@@ -86,8 +86,8 @@ struct Group {
 
 /// A curve to move along.
 struct MotionPath {
-    Drawing path;  ///< one open outline with at least one curve
-    Channel share; ///< of its length
+    Drawing path;       ///< one open outline with at least one curve
+    Channel share;      ///< of its length
     bool turns = false; ///< its direction is added to the rotation about z
     friend bool operator==(const MotionPath&, const MotionPath&) = default;
 };
@@ -123,7 +123,7 @@ struct Span {
 struct Node {
     std::string name; ///< as in the file; may be empty, and need not be unique
     Transform transform;
-    Channel opacity = {1};          ///< of the finished picture of all that is inside
+    Channel opacity = {1};                          ///< of the finished picture of all that is inside
     std::vector<Span> shown = std::vector<Span>(1); ///< when it is seen: rising and apart; none means never
     /// Not 0: neighbours with the same number are one group, written for each of its members because others
     /// may lie between them (a parent in Lottie). Their transforms are the same.

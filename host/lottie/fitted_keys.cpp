@@ -167,6 +167,8 @@ private:
             if (changed(other)) {
                 while (other - same > art::Baking::jump) {
                     const double middle = (same + other) / 2;
+                    if (!(same < middle && middle < other))
+                        break; // so late that times are no finer
                     (changed(middle) ? other : same) = middle;
                 }
                 return other;

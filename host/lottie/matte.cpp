@@ -1,5 +1,6 @@
 #include "host/lottie/matte.hpp"
 
+#include "host/art/matrix_at.hpp"
 #include "host/lottie/carried.hpp"
 #include "host/lottie/coverage.hpp"
 #include "host/lottie/transform.hpp"
@@ -78,7 +79,7 @@ art::Affine matrix_from(const Way& innermost_first, double time)
 {
     art::Affine matrix;
     for (const art::Transform* transform : innermost_first)
-        matrix = matrix_at(*transform, time) * matrix;
+        matrix = art::matrix_at(*transform, time) * matrix;
     return matrix;
 }
 

@@ -1,6 +1,7 @@
 #include "host/lottie/path_item.hpp"
 
 #include "host/art/baked_drawing.hpp"
+#include "host/art/matrix_at.hpp"
 #include "host/lottie/carried.hpp"
 #include "host/lottie/member.hpp"
 #include "host/lottie/polystar.hpp"

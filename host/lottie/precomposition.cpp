@@ -12,6 +12,10 @@
 namespace kfast::lottie {
 namespace {
 
+// Times of the scene, which are at most so many times those of the file, have to tell moments from each
+// other.
+constexpr double largest_stretch = 1000;
+
 /// The composition that a layer shows, among those that are open while it is read.
 class Opened {
 public:
@@ -51,7 +55,10 @@ LayerTime stretched(const Layer& layer)
     const double start = number_at(layer.json, "st", 0);
     if (stretch == 0)
         throw WrongMember(layer.json, "\"sr\" is 0: 1 is the usual stretch");
-    return {outer.scene_frame(start), outer.stretch * stretch};
+    const LayerTime time{outer.scene_frame(start), outer.stretch * stretch};
+    if (!(std::abs(time.stretch) >= 1 / largest_stretch && std::abs(time.stretch) <= largest_stretch))
+        throw WrongMember(layer.json, "\"sr\" is too far from 1, with those of the layers around it");
+    return time;
 }
 
 /// A remapping that is one even way is a stretch.
@@ -61,6 +68,8 @@ std::optional<LayerTime> even_time(const std::vector<TimePiece>& pieces)
         return std::nullopt;
     const TimePiece& piece = pieces.front();
     const double stretch = (piece.to - piece.from) / (piece.end - piece.begin);
+    if (std::abs(stretch) > largest_stretch)
+        return std::nullopt;
     return LayerTime{piece.from - stretch * piece.begin, stretch};
 }
 
@@ -99,7 +108,7 @@ std::vector<art::Node> read_remapped(const Layer& layer, const Json& layers, Ani
     const Reading& outer = layer.reading;
     const art::Channel frame =
         read_channel(layer.json, "tm", 0, 0, animation.frame_rate, outer.time, outer.budget);
-    std::vector<TimePiece> pieces = time_pieces(frame, layer.seen);
+    std::vector<TimePiece> pieces = time_pieces(frame, layer.seen, outer.budget);
     keep_last_frame(pieces, number_at(layer.json, "op", largest_number));
     if (const auto even = even_time(pieces))
         return read_composition({layers, &layer.around, layer.seen}, animation, inner_reading(layer, *even));

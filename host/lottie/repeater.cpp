@@ -84,6 +84,8 @@ std::vector<art::Span> shown(const Channel& copies, double index, art::Budget& b
             continue;
         while (after - before > 1.0 / 1024) {
             const double middle = (before + after) / 2;
+            if (!(before < middle && middle < after))
+                break; // so late that times are no finer
             (is_there(middle) == there ? before : after) = middle;
         }
         there = !there;

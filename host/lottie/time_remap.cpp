@@ -15,11 +15,21 @@ using art::EaseKind;
 using art::mixed;
 using art::same_form;
 
-void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double from, double to)
+/// Where time runs slower than that, it stands still.
+constexpr double slowest = 1e-6;
+
+TimePiece piece_between(double from, double to, double begin, double end)
+{
+    return {from, to, begin, std::abs(end - begin) < slowest ? begin : end};
+}
+
+void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double from, double to,
+               art::Budget& budget)
 {
     while (from < to) {
+        budget.take_keys(1);
         const double next = std::min(to, std::floor(from) + 1);
-        pieces.push_back({from, next, frame.at(from), frame.at(next)});
+        pieces.push_back(piece_between(from, next, frame.at(from), frame.at(next)));
         from = next;
     }
 }
@@ -109,6 +119,7 @@ void retime(art::Animated<Value>& animated, const std::vector<TimePiece>& pieces
     std::vector<Way<Value>> ways{{-endless, pieces.front().from, first, first, {}}};
     for (const TimePiece& piece : pieces) {
         budget.take_keys(1);
+        budget.take_computed_points(animated.keys.size());
         add_ways(ways, animated, piece);
     }
     ways.push_back({pieces.back().to, endless, ways.back().end, ways.back().end, {}});
@@ -153,7 +164,7 @@ bool is_always(const std::vector<art::Span>& spans) { return spans == std::vecto
 
 }
 
-std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& span)
+std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& span, art::Budget& budget)
 {
     std::vector<TimePiece> pieces;
     const auto& keys = frame.keys;
@@ -170,13 +181,13 @@ std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& s
         if (keys[i].ease.kind == EaseKind::hold || keys[i].value == keys[i + 1].value) {
             add_still(from, to, keys[i].value);
         } else if (keys[i].ease.kind == EaseKind::cubic) {
-            add_eased(pieces, frame, from, to);
+            add_eased(pieces, frame, from, to, budget);
         } else {
             const auto value = [&](double time) {
                 return art::mixed(keys[i].value, keys[i + 1].value,
                                   (time - keys[i].time) / (keys[i + 1].time - keys[i].time));
             };
-            pieces.push_back({from, to, value(from), value(to)});
+            pieces.push_back(piece_between(from, to, value(from), value(to)));
         }
     }
     add_still(std::max(span.from, keys.back().time), span.to, keys.back().value);

@@ -17,7 +17,7 @@ struct TimePiece {
 
 /// Pieces of a span, without gaps. `frame` is that of the composition over frames of the scene; where it is
 /// eased there is a piece for each frame.
-std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& span);
+std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& span, art::Budget& budget);
 
 /// Turns times of the composition into those of the scene.
 void retime(std::vector<art::Node>& nodes, const std::vector<TimePiece>& pieces, art::Budget& budget);

@@ -1,6 +1,7 @@
 #include "host/lottie/window.hpp"
 
 #include "host/art/convex_polygon.hpp"
+#include "host/art/matrix_at.hpp"
 #include "host/lottie/carried.hpp"
 #include "host/lottie/coverage.hpp"
 #include "host/lottie/transform.hpp"
@@ -45,7 +46,7 @@ Affine matrix_of(const Way& way, double time)
 {
     Affine matrix;
     for (const art::Transform& transform : way)
-        matrix = matrix * matrix_at(transform, time);
+        matrix = matrix * art::matrix_at(transform, time);
     return matrix;
 }
 

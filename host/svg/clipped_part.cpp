@@ -65,7 +65,7 @@ bool Clip::apply(Part& part, const Affine& affine)
 
 bool Clip::cut_fill(Part& part, const Affine& affine)
 {
-    const auto inwards = inverse(affine);
+    const auto inwards = affine.inverse();
     if (!inwards)
         return true; // it has no area
     part.drawing = common(part.drawing, seen_through(*inwards, area_), budget_);

@@ -13,6 +13,7 @@
 namespace kfast::svg {
 namespace {
 
+constexpr int most_specific = 1'000'000'000;
 constexpr std::size_t most_rules = 10'000;
 constexpr std::size_t most_comparisons = 20'000'000; ///< of rules with elements: some seconds
 
@@ -99,7 +100,9 @@ std::optional<Compound> take_compound(std::string_view& text)
 
 int specificity(const Compound& compound)
 {
-    return static_cast<int>(10'000 * compound.ids.size() + 100 * compound.classes.size()) +
+    constexpr std::size_t most = 99; // of a kind: the next one counts more than them all
+    return static_cast<int>(10'000 * std::min(compound.ids.size(), most) +
+                            100 * std::min(compound.classes.size(), most)) +
            (compound.type.empty() ? 0 : 1);
 }
 
@@ -111,7 +114,7 @@ std::optional<Selector> selector(std::string_view text)
         const auto compound = take_compound(text);
         if (!compound)
             return std::nullopt;
-        result.specificity += specificity(*compound);
+        result.specificity = std::min(result.specificity + specificity(*compound), most_specific);
         text = trimmed(text);
         const bool is_parent = text.starts_with('>');
         if (is_parent)

@@ -12,6 +12,7 @@ namespace kfast::svg {
 namespace {
 
 constexpr std::size_t longest_text = std::size_t{1} << 26; ///< bytes, with entities put in
+constexpr std::size_t longest_name = 256;                  ///< of an entity
 
 using Entities = std::map<std::string, std::string, std::less<>>;
 
@@ -46,12 +47,13 @@ std::string with_entities(const SourceText& source)
     std::string result;
     std::size_t copied = 0;
     for (std::size_t at = text.find('&'); at != text.npos; at = text.find('&', at + 1)) {
-        const std::size_t end = text.find(';', at);
-        const auto entity = entities.find(text.substr(at + 1, end == text.npos ? 0 : end - at - 1));
+        const std::string_view name = text.substr(at + 1, longest_name);
+        const std::size_t length = name.find(';');
+        const auto entity = entities.find(name.substr(0, length == name.npos ? 0 : length));
         if (entity == entities.end())
             continue;
         result.append(text.substr(copied, at - copied)).append(entity->second);
-        copied = end + 1;
+        copied = at + 1 + length + 1;
         if (result.size() > longest_text)
             throw Failure(source.name + ": its entities make it longer than 64 MB: write them out");
     }

@@ -132,7 +132,7 @@ const std::map<int, Method>& methods()
     return all;
 }
 
-int method_of(const Layer& layer) { return static_cast<int>(layer.number("blend_method", 0, composite)); }
+int method_of(const Layer& layer) { return layer.whole("blend_method", 0, composite); }
 
 /// Such layers take away from what lies below, and show nothing of their own.
 bool erases(int method) { return method == 14 || method == 15 || method == 19 || method == 23; }

@@ -9,14 +9,33 @@
 #include "host/synfig/waypoint_way.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <variant>
 
 namespace kfast::synfig {
 namespace {
 
 constexpr int deepest = 400;
 constexpr std::size_t most_steps = 30'000'000;
+
+// Formulas reach any number; what no canvas needs is cut off, so that all further arithmetic stays finite.
+constexpr double largest = 1e12;
+
+double bounded(double value) { return std::isnan(value) ? 0 : std::clamp(value, -largest, largest); }
+
+Value bounded(Value value)
+{
+    if (double* number = std::get_if<double>(&value.held))
+        *number = bounded(*number);
+    else if (Spot* spot = std::get_if<Spot>(&value.held))
+        *spot = {bounded(spot->x), bounded(spot->y)};
+    else if (Colour* colour = std::get_if<Colour>(&value.held))
+        *colour = {bounded(colour->red), bounded(colour->green), bounded(colour->blue),
+                   bounded(colour->alpha)};
+    return value;
+}
 
 Value constant(Evaluator&, const ValueNode& node, double) { return node.constant; }
 
@@ -76,7 +95,7 @@ Value Evaluator::at(const ValueNode& node, double time)
         return {};
     if (++depth_ > deepest)
         file_.fail(node.place, "this value depends on itself, or on too many others one after the other");
-    Value value = law(*this, node, time);
+    Value value = bounded(law(*this, node, time));
     --depth_;
     return value;
 }

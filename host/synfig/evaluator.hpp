@@ -24,7 +24,7 @@ public:
     /// False for value nodes that are worth nothing, or only what they would be without their own doing:
     /// whoever has such is to tell.
     static bool knows(std::string_view kind);
-    /// Throws Failure when that takes too many steps.
+    /// Throws Failure when that takes too many steps. Numbers, places and colours are finite.
     Value at(const ValueNode& node, double time);
     /// The bone of that name at that time; none: the root, where the canvas begins.
     Bone bone(const std::string& guid, double time);

@@ -79,6 +79,12 @@ double Layer::number(std::string_view name, double frame, double usual) const
     return std::isfinite(value) ? value : usual;
 }
 
+int Layer::whole(std::string_view name, double frame, int usual) const
+{
+    constexpr double most = 1e9;
+    return static_cast<int>(std::clamp(number(name, frame, usual), -most, most));
+}
+
 bool Layer::truth(std::string_view name, double frame, bool usual) const
 {
     return at(name, frame).truth(usual);

@@ -30,6 +30,7 @@ public:
 
     Value at(std::string_view name, double frame) const;
     double number(std::string_view name, double frame, double usual) const;
+    int whole(std::string_view name, double frame, int usual) const;
     bool truth(std::string_view name, double frame, bool usual) const;
     Spot spot(std::string_view name, double frame, Spot usual = {}) const;
 

@@ -71,7 +71,7 @@ private:
         const Tracing turns = tracing(angle_tolerance);
         const Tracing places = tracing(place_tolerance);
         const std::function<double(double)> turn = [&](double frame) {
-            const auto pairs = bones_.pairs_at(frame);
+            const auto pairs = pairs_at(frame);
             return turned(pairs, index) - (parents_[index] ? turned(pairs, *parents_[index]) : 0);
         };
         const std::function<double(double)> x = [&](double frame) { return shift(index, frame).x; };
@@ -80,13 +80,21 @@ private:
         bone.x = traced(x, places);
         bone.y = traced(y, places);
         const std::function<double(double)> length = [&](double frame) {
-            return reading_.pixels_per_unit * length_of(bones_.pairs_at(frame)[index].pose);
+            return reading_.pixels_per_unit * length_of(pairs_at(frame)[index].pose);
         };
         bone.length = traced(length, places);
         if (bone.length->is_still() &&
             std::abs(bone.length->value() - scene::distance(bone.from, bone.to)) < 0.01)
             bone.length.reset();
         return bone;
+    }
+
+    /// As many as at the beginning: lists of bones may change with time.
+    std::vector<BonePair> pairs_at(double frame) const
+    {
+        auto pairs = bones_.pairs_at(frame);
+        pairs.resize(first_.size());
+        return pairs;
     }
 
     static double length_of(const Bone& bone) { return scene::distance(bone.from(), bone.to()); }
@@ -105,7 +113,7 @@ private:
     /// Of the beginning of a bone, as if its parent had not turned.
     Spot shift(std::size_t index, double frame) const
     {
-        const auto pairs = bones_.pairs_at(frame);
+        const auto pairs = pairs_at(frame);
         const art::Affine& to_canvas = reading_.to_canvas;
         const Spot now = to_canvas.of(pairs[index].pose.from());
         const Spot rest = to_canvas.of(pairs[index].rest.from());

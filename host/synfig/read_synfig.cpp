@@ -108,7 +108,8 @@ private:
         const auto box = numbers<4>("view-box", {-4, 2.25, 4, -2.25});
         const double width = box[2] - box[0];
         const double height = box[1] - box[3];
-        if (width == 0 || height == 0)
+        constexpr double least = 1e-6;
+        if (std::abs(width) < least || std::abs(height) < least)
             file_.fail(XmlFile::place(canvas_), "the view-box of the canvas is empty");
         pixels_per_unit_ = std::abs(document.height / height);
         const double across = document.width / width;

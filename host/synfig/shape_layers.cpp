@@ -95,7 +95,7 @@ art::Drawing polygon(const Layer& layer, double frame, Spot origin)
 art::Drawing star(const Layer& layer, double frame, Spot origin)
 {
     constexpr int most_tips = 1000;
-    const int tips = std::clamp(static_cast<int>(layer.number("points", frame, 5)), 2, most_tips);
+    const int tips = std::clamp(layer.whole("points", frame, 5), 2, most_tips);
     const double turn = layer.number("angle", frame, 90) * std::numbers::pi / 180;
     const bool regular = layer.truth("regular_polygon", frame, false);
     const double outer = layer.number("radius1", frame, 1);
@@ -123,14 +123,17 @@ art::Drawing checker_board(const Layer& layer, double frame, Spot)
         return {};
     const Spot corner{-reading.to_canvas.e / reading.pixels_per_unit,
                       reading.to_canvas.f / reading.pixels_per_unit - down};
-    const int first_column = static_cast<int>(std::floor((corner.x - origin.x) / cell.x));
-    const int first_row = static_cast<int>(std::floor((corner.y - origin.y) / cell.y));
+    // From the origin, which may be far away, to the first square on the canvas.
+    const Spot skipped{std::floor((corner.x - origin.x) / cell.x),
+                       std::floor((corner.y - origin.y) / cell.y)};
+    const int parity = std::fmod(skipped.x + skipped.y, 2) != 0 ? 1 : 0;
+    const Spot first{origin.x + skipped.x * cell.x, origin.y + skipped.y * cell.y};
     art::Drawing drawing;
-    for (int row = first_row; origin.y + row * cell.y < corner.y + down; ++row)
-        for (int column = first_column; origin.x + column * cell.x < corner.x + across; ++column)
-            if ((row + column) % 2 != 0)
-                drawing.outlines.push_back(scene::rectangle(
-                    {origin.x + column * cell.x, origin.y + row * cell.y}, cell.x, cell.y, 0));
+    for (int row = 0; first.y + row * cell.y < corner.y + down; ++row)
+        for (int column = 0; first.x + column * cell.x < corner.x + across; ++column)
+            if ((row + column + parity) % 2 != 0)
+                drawing.outlines.push_back(
+                    scene::rectangle({first.x + column * cell.x, first.y + row * cell.y}, cell.x, cell.y, 0));
     return drawing;
 }
 

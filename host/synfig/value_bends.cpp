@@ -1,12 +1,16 @@
 #include "host/synfig/value_bends.hpp"
 
+#include "host/failure.hpp"
+
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace kfast::synfig {
 namespace {
 
 constexpr std::size_t most_repeats = 10'000;
+constexpr int deepest = 1200; ///< values, bones that hang on each other included
 
 double constant(const ValueNode& node, std::string_view name)
 {
@@ -20,6 +24,15 @@ void ValueBends::add(const ValueNode& node)
 {
     if (!seen_.insert(&node).second)
         return;
+    if (++depth_ > deepest)
+        throw Failure("more than " + std::to_string(deepest) +
+                      " values are made of each other: take bones out of the skeleton");
+    add_new(node);
+    --depth_;
+}
+
+void ValueBends::add_new(const ValueNode& node)
+{
     if (const BoneName* name = std::get_if<BoneName>(&node.constant.held); name && node.kind == "constant")
         if (const ValueNodePtr bone = reader_.bone(name->guid))
             add(*bone);
@@ -59,10 +72,10 @@ void ValueBends::add_repeats(const ValueNode& node)
     if (node.kind == "timeloop")
         for (const double time : inner.times())
             offsets.push_back(std::fmod(std::abs(time - constant(node, "link_time")), length));
-    for (double turn = std::floor((from_ - start) / length); start + turn * length <= to_; ++turn)
+    const double first = start + std::floor((from_ - start) / length) * length;
+    for (int turn = 0; first + turn * length <= to_ && times_.size() < most_repeats; ++turn)
         for (const double offset : offsets)
-            if (times_.size() < most_repeats)
-                times_.insert(start + turn * length + offset);
+            times_.insert(first + turn * length + offset);
 }
 
 }

@@ -12,10 +12,12 @@ class ValueBends {
 public:
     ValueBends(ValueReader& reader, double from, double to) : reader_{reader}, from_{from}, to_{to} {}
 
+    /// Throws Failure where too many values are made of each other.
     void add(const ValueNode& node);
     const std::set<double>& times() const { return times_; }
 
 private:
+    void add_new(const ValueNode& node);
     void add_links(const ValueNode& node);
     void add_repeats(const ValueNode& node);
 
@@ -24,6 +26,7 @@ private:
     double to_;
     std::set<double> times_;
     std::set<const ValueNode*> seen_;
+    int depth_ = 0;
 };
 
 }

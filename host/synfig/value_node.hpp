@@ -53,6 +53,7 @@ struct ValueNode {
     /// Kinds that cannot be worked out, or not as Synfig does, of itself and of all that it is made of but
     /// bones: a few of them.
     std::set<std::string> unknown;
+    int depth = 0; ///< nodes below each other that it is made of, itself not counted
 
     /// Nothing where there is no such link.
     const ValueNode* link(std::string_view name) const

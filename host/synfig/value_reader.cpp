@@ -14,6 +14,8 @@ namespace kfast::synfig {
 namespace {
 
 constexpr int deepest_value = 120;
+// Values that are known by an id may lie in each other in any number, though none is read within the other.
+constexpr int deepest_formula = 400;
 constexpr double most_number = 1e9;
 
 pugi::xml_node first_element(pugi::xml_node parent)
@@ -83,6 +85,19 @@ std::string_view current_link(const ValueNode& node, std::string_view name)
     const auto parts = known.find(node.type);
     const auto index = static_cast<std::size_t>(name[1] - (is_radial ? '0' : '1'));
     return parts == known.end() || index >= parts->second.size() ? name : parts->second[index];
+}
+
+int depth_below(const ValueNode& node)
+{
+    int deepest = 0;
+    const auto look_at = [&](const ValueNode& inner) { deepest = std::max(deepest, inner.depth + 1); };
+    for (const auto& [name, link] : node.links)
+        look_at(*link);
+    for (const Waypoint& point : node.waypoints)
+        look_at(*point.value);
+    for (const Entry& entry : node.entries)
+        look_at(*entry.value);
+    return deepest;
 }
 
 bool is_guid_reference(pugi::xml_node element) { return element.attribute("guid") && !element.first_child(); }
@@ -157,6 +172,9 @@ ValueNodePtr ValueReader::read_new(pugi::xml_node element)
         read_links(element, *node);
     }
     collect_unknown(*node);
+    node->depth = depth_below(*node);
+    if (node->depth > deepest_formula)
+        file_.fail(node->place, "this value is made of too many others one after the other");
     return node;
 }
 
@@ -377,7 +395,7 @@ double ValueReader::time(pugi::xml_node element, const char* attribute) const
     const auto found = time_of(text, frame_rate_);
     if (!found)
         file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no time, such as \"1s 12f\"");
-    return *found;
+    return std::clamp(*found, begin_of_time, end_of_time);
 }
 
 }

@@ -147,9 +147,8 @@ TEST_CASE("a drawing with another at rest moves as that does, and keeps its dist
         const Bytes drawing_bytes = packed(it.drawing);
         const Bytes rest_bytes = packed(at_rest);
         const Bytes skin = skin_bytes(it.runs, 1);
-        const CarriedDrawing carried{drawing_at(drawing_bytes, 0),
-                                     drawing_at(rest_bytes, 0), SkinReader{ByteReader{skin}},
-                                     bones.all()};
+        const CarriedDrawing carried{drawing_at(drawing_bytes, 0), drawing_at(rest_bytes, 0),
+                                     SkinReader{ByteReader{skin}}, bones.all()};
         worst = std::max(worst, worst_error(it, carried, bones));
     }
     CHECK(worst < 2.0 / 65536);

@@ -129,8 +129,8 @@ class Pair {
 public:
     Pair(const scene::Drawing& from, const scene::Drawing& to, Progress way, std::uint32_t unit_bits)
         : from_{packed(from)}, to_{packed(to)}, nodes_(backbone_node_count(drawing_at(from_, 0))),
-          live{nodes_, unit_bits, drawing_at(from_, 0), drawing_at(to_, 0), way},
-          exact{from, to, way, unit_bits}
+          live{nodes_, unit_bits, drawing_at(from_, 0), drawing_at(to_, 0), way}, exact{from, to, way,
+                                                                                        unit_bits}
     {
     }
 

@@ -119,8 +119,9 @@ TEST_CASE("a player writes to its block and to the rows it is asked for, nowhere
 TEST_CASE("a block has room for edges, a row of coverage, steps and a row for each level of blending")
 {
     const auto block_bytes = [](const std::string& properties) {
-        const Bytes bytes = compiled("kfast 1\ncanvas 9 9\ngroup " + properties +
-                                     " { group opacity=0.5 { object o fill=red stroke=blue { rect 0 0 9 9 } } }");
+        const Bytes bytes =
+            compiled("kfast 1\ncanvas 9 9\ngroup " + properties +
+                     " { group opacity=0.5 { object o fill=red stroke=blue { rect 0 0 9 9 } } }");
         return Player::block_bytes(*SceneView::parse(bytes), {20, 10});
     };
     constexpr std::size_t steps = 2 * 2; // to begin and to end blending, of two pictures

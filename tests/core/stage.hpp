@@ -19,7 +19,8 @@ inline SceneView accepted(const Bytes& file)
 {
     const auto scene = SceneView::parse(file);
     if (!scene)
-        throw std::invalid_argument{"the scene is refused: " + std::to_string(static_cast<int>(scene.error()))};
+        throw std::invalid_argument{"the scene is refused: " +
+                                    std::to_string(static_cast<int>(scene.error()))};
     return *scene;
 }
 

@@ -48,7 +48,9 @@ TEST_CASE("nothing moves while steps are still")
     std::mt19937 random{20};
     for (int round = 0; round < 300; ++round) {
         const Time to = first + Time{1 + static_cast<std::int32_t>(random() % 6000)};
-        const auto steps = [&] { return VelocityLaw::in_steps(static_cast<std::uint16_t>(1 + random() % 40)); };
+        const auto steps = [&] {
+            return VelocityLaw::in_steps(static_cast<std::uint16_t>(1 + random() % 40));
+        };
         const LawPair laws{steps(), round % 3 == 0 ? VelocityLaw::hold : steps()};
         const auto whole = static_cast<std::uint32_t>((to - first).ticks);
         const Time moment = first + Time{static_cast<std::int32_t>(random() % whole)};
@@ -70,7 +72,8 @@ TEST_CASE("steps over the longest stretch are still where it is certain")
         const Still still = between(to, Time{ticks}, law);
         CHECK(still.contains(Time{ticks}));
         CHECK(are_equal(progress_at(to, still.begin.ticks, {law, law}), progress_at(to, ticks, {law, law})));
-        CHECK(are_equal(progress_at(to, still.end.ticks - 1, {law, law}), progress_at(to, ticks, {law, law})));
+        CHECK(
+            are_equal(progress_at(to, still.end.ticks - 1, {law, law}), progress_at(to, ticks, {law, law})));
     }
 }
 

@@ -20,7 +20,8 @@ inline void check_import(std::string content)
     try {
         importing::import_scene("fuzz", std::move(content), {});
     } catch (const Failure& failure) {
-        if (std::string_view{failure.what()}.find("no scene can be made of it") == std::string_view::npos)
+        // Elsewhere in a message the words can only come from the bytes.
+        if (!std::string_view{failure.what()}.starts_with("fuzz: no scene can be made of it"))
             return;
         std::cerr << failure.what() << '\n';
         std::abort();

@@ -92,7 +92,8 @@ TEST_CASE("a board has a beam in place of a panel")
     CHECK(target.beam->is_laser);
     CHECK(target.bus.kind == BusKind::dac);
     const std::string begin = "board a { core cortex-m0 clock=(MHz)9; memory flash=(KiB)9 ram=(KiB)9; ";
-    check_refused(begin + "bus dac clock=(MHz)9; beam scope; panel st7789 }", "1:1", "both a panel and a beam");
+    check_refused(begin + "bus dac clock=(MHz)9; beam scope; panel st7789 }", "1:1",
+                  "both a panel and a beam");
     check_refused(begin + "bus spi clock=(MHz)9; beam scope }", "1:1", "a beam needs the bus of a converter");
     check_refused(begin + "bus dac clock=(MHz)9; panel st7789 }", "1:1", "this bus has no panel");
     check_refused(begin + "bus dac clock=(MHz)9; beam blue }", "1:99", "allowed: scope");

@@ -47,6 +47,28 @@ TEST_CASE("a length that is none, or too long, is refused")
     CHECK(failure_of(lasting("5.25")) == "");
 }
 
+TEST_CASE("times that are stretched beyond all measure are refused, or end")
+{
+    const auto comps = [](const std::string& outer, const std::string& inner, const std::string& shape) {
+        return animation_text(
+            R"({"ty": 0, "refId": "a", "ip": 0, "op": 60)" + outer + "}",
+            R"("assets": [{"id": "a", "layers": [{"ty": 0, "refId": "b", "ip": 0, "op": 1e9)" + inner +
+                R"(}]}, {"id": "b", "layers": [{"ty": 4, "ip": 0, "op": 1e9, )" +
+                R"("shapes": [{"ty": "el", "s": {"k": [9, 9]}, "p": {"k": [0, 0]}}, )" + shape +
+                R"({"ty": "fl", "c": {"k": [1, 0, 0]}}]}]}], )");
+    };
+    CHECK(failure_of(comps(R"(, "sr": 100)", R"(, "sr": 100)", "")).find("too far from 1") !=
+          std::string::npos);
+    const auto eased = [](const char* time, const char* seconds) {
+        return R"(, "tm": {"k": [{"t": 0, "s": [0], "o": {"x": 0.5, "y": 0}, "i": {"x": 0.5, "y": 1}}, {"t": )" +
+               std::string{time} + R"(, "s": [)" + seconds + "]}]}";
+    };
+    CHECK(failure_of(comps(eased("60", "1e6"), eased("1e9", "1e9"), "")).find("keys") != std::string::npos);
+    CHECK(failure_of(comps(
+              R"(, "sr": 1000)", "",
+              R"({"ty": "rp", "c": {"k": [{"t": 999999999.9, "s": [1]}, {"t": 1e9, "s": [3]}]}}, )")) == "");
+}
+
 TEST_CASE("more keys than there may be are refused")
 {
     std::string keys;

@@ -56,6 +56,16 @@ TEST_CASE("layers that cannot be keys are refused")
           "test.svg: the layers \"0\" and \"f 0\" are named by the same frame: rename one of them");
     CHECK(failure_of(drawing(layer("0", small)), {.layers = svg::LayerKeys::always}).find("no two layers") !=
           std::string::npos);
+    std::string many;
+    for (int i = 0; i < 501; ++i)
+        many += layer(std::to_string(i), small);
+    CHECK(failure_of(drawing(many)).find("more than 500 layers") != std::string::npos);
+    std::string shared;
+    for (int i = 0; i < 60'000; ++i)
+        shared += "<circle r='9'/>";
+    CHECK(failure_of(drawing(shared + layer("0", small) + layer("1", small) + layer("2", small) +
+                             layer("3", small) + layer("4", small)))
+              .find("too many shapes outside of the 5 layers") != std::string::npos);
 }
 
 TEST_CASE("layers that are taken as keys by themselves are told")

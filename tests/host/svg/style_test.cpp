@@ -1,7 +1,6 @@
 #include "tests/host/svg/drawing_text.hpp"
 
 #include <doctest/doctest.h>
-#include <tuple>
 
 using namespace kfast;
 using namespace kfast::test;
@@ -123,15 +122,17 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
         CHECK(losses_of(found).size() == (id == "self" || id == "nothing" ? 0 : 1));
         return found;
     };
-    for (const auto& [id, colour, opacity] : {std::tuple{"even", "#800080", 1.0},
-                                              {"late", "#800080", 1.0},
-                                              {"mostly", "#bf0040", 1.0},
-                                              {"clear", "#ff0000", 0.5}}) {
-        const std::string whose = id; // clang 14 captures no bindings
-        CAPTURE(whose);
-        const auto document = read_lossy(painted(id));
-        CHECK(hex(figure(document, "it").fill->colour.value()) == colour);
-        CHECK(figure(document, "it").fill->opacity.value() == doctest::Approx(opacity));
+    struct Mean {
+        std::string id;
+        std::string colour;
+        double opacity;
+    };
+    for (const Mean& mean : {Mean{"even", "#800080", 1}, Mean{"late", "#800080", 1},
+                             Mean{"mostly", "#bf0040", 1}, Mean{"clear", "#ff0000", 0.5}}) {
+        CAPTURE(mean.id);
+        const auto document = read_lossy(painted(mean.id));
+        CHECK(hex(figure(document, "it").fill->colour.value()) == mean.colour);
+        CHECK(figure(document, "it").fill->opacity.value() == doctest::Approx(mean.opacity));
     }
     CHECK(fill(painted("nothing")) == "#00ff00");
 }
