@@ -223,7 +223,8 @@ class KeyDrawingTest(ImportCase):
         told = 'the layers "f 0", "f 12" are key drawings, by their names: --layers never draws them over each other'
         self.assertIn(told + "\n", self.run_kfast("import", "layers.svg").stdout)
         self.assertEqual(json.loads(self.run_kfast("import", "layers.svg", "--json").stdout)["notes"], [told])
-        self.assertNotIn("by their names", self.run_kfast("import", "layers.svg", "--layers", "never").stdout)
+        self.assertNotIn("by their names", self.run_kfast("import", "layers.svg", "--layers", "never",
+                                                          "-o", "still.kfast").stdout)
 
     def test_the_scene_is_named_after_the_first(self):
         self.run_kfast("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", "9")
