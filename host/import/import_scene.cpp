@@ -3,6 +3,7 @@
 #include "host/archive/gzip.hpp"
 #include "host/archive/zip_file.hpp"
 #include "host/art/prepare.hpp"
+#include "host/art/shared_eases.hpp"
 #include "host/failure.hpp"
 #include "host/import/canvas_size.hpp"
 #include "host/import/content_kind.hpp"
@@ -151,6 +152,7 @@ Draft drafted(art::Document document, art::Losses losses, double share, const st
     fit_canvas(document, options.size, share, losses);
     art::crop(document, losses);
     art::simplify(document, options.tolerance);
+    art::share_eases(document, losses);
     scene_text::SceneText written = scene_text::scene_text(document, name, options.tolerance, losses);
     return {std::move(document), std::move(losses), std::move(written)};
 }
