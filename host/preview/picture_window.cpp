@@ -87,7 +87,7 @@ std::optional<PreviewKey> pressed(SDL_Keycode code)
         return PreviewKey::faster;
     case SDLK_DOWN:
         return PreviewKey::slower;
-    case SDLK_r:
+    case SDLK_v:
         return PreviewKey::reverse;
     case SDLK_c:
         return PreviewKey::next_clip;

@@ -58,10 +58,10 @@ void Playback::press(PreviewKey key, Seconds now)
     case PreviewKey::travel:
         reveals_travel_ = !reveals_travel_;
         return;
-    case PreviewKey::help:
-        return;
     case PreviewKey::quit:
         wants_to_quit_ = true;
+        return;
+    default: // not of the playback
         return;
     }
 }

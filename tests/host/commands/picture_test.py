@@ -220,7 +220,7 @@ class PreviewTest(CommandTest):
         self.assertEqual(events("--clip", "sway"), ["4 shut", "4 shut2", "9.5 late"])
 
     def test_keys_change_speed_and_clip(self):
-        out = self.run_kfast("preview", "marked.kfast", "--headless", "--keys", "right up r space c space c b b").stdout
+        out = self.run_kfast("preview", "marked.kfast", "--headless", "--keys", "right up v space c space c b b").stdout
         states = [line.rsplit("  ", 1)[0] for line in out.splitlines() if line.startswith("frame")]
         self.assertEqual(states, [
             "frame 2  0.067 s  paused",

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/canvas_map.hpp"
+#include "host/picture/frame_source.hpp"
+#include "host/preview/programme.hpp"
+#include "host/scene_file.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// A scene that a preview has open, on the display that was chosen.
+struct OpenedScene {
+    std::filesystem::path file;
+    SceneFile scene;
+    std::unique_ptr<FrameSource> source; ///< looks into `scene`
+    Programme programme;                 ///< likewise
+    Size panel;
+    Fit fit = Fit::contain;
+    bool is_round = false;  ///< the corners of the panel are not seen
+    bool is_beam = false;   ///< the screen of a vector display
+    std::string panel_name; ///< empty if none was named
+};
+
+/// Opens a file as the options of the command say. Throws Failure, whose text has all that the compiler
+/// found.
+using Opener = std::function<std::unique_ptr<OpenedScene>(const std::filesystem::path& file)>;
+
+}

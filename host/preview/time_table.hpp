@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/time.hpp"
+#include "host/preview/programme.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// One item of the scene on the time line.
+struct TimeRow {
+    std::size_t item = 0; ///< its place in SceneFile::item_names
+    std::string name;     ///< as in the scene; of a compiled scene "object 3"
+    int depth = 0;        ///< groups around it
+    std::vector<Time> keys;
+};
+
+/// What happens when: rows from the top item down, clips and events.
+struct TimeTable {
+    struct Event {
+        Time time;
+        std::string name;
+    };
+    Time end;
+    std::vector<TimeRow> rows;
+    std::vector<Part> clips;
+    std::vector<Event> events;
+};
+
+TimeTable time_table(const SceneView& scene, const std::vector<std::string>& item_names);
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace kfast {
+
+/// What a preview shows besides the picture.
+struct ViewOptions {
+    bool onion_skin = false;    ///< the key frames before and after, faintly
+    bool bones = false;         ///< skeletons and backbones
+    bool numbers = false;       ///< points and strokes of the selected object, or of all, after equalization
+    bool changed_areas = false; ///< what a board would send for this picture
+    bool panel_frame = false;   ///< the edge of the module around the picture
+    bool fit_report = false;    ///< memory and speed on a board, in the panel at the side
+    bool time_line = true;
+    int zoom = 0; ///< window pixels per panel pixel; 0: as large as fits
+    /// The place of an item in SceneFile::item_names; none is selected at first.
+    std::optional<std::size_t> selected;
+};
+
+}
