@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/picture/picture.hpp"
 #include "host/preview/opened_scene.hpp"
 #include "host/preview/playback.hpp"
 #include "host/preview/preview_key.hpp"
