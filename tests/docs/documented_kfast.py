@@ -37,6 +37,8 @@ def without(arguments, option, values=0):
 
 
 def on_simulated_board(arguments):
+    if any(argument.startswith("sim:") for argument in arguments):
+        return arguments
     if "--device" not in arguments:
         return arguments if "--udev-rule" in arguments or "--help" in arguments else [*arguments, "--device", SIMULATED]
     first = arguments.index("--device")
