@@ -2,13 +2,14 @@
 
 #include "core/error_text.hpp"
 #include "library/kfast.hpp"
+#include "library/playback.hpp"
 
 #include <array>
 #include <new>
 #include <type_traits>
 
 struct kfast_player {
-    kfast::Animation animation;
+    kfast::Playback playback;
 };
 
 // Whoever lent the block takes it back without asking.
@@ -16,7 +17,8 @@ static_assert(std::is_trivially_destructible_v<kfast_player>);
 
 namespace {
 
-using kfast::Animation, kfast::Error, kfast::PixelFormat, kfast::Player, kfast::Rect, kfast::Size;
+using kfast::Animation, kfast::Error, kfast::EventView, kfast::PixelFormat, kfast::Player, kfast::Rect,
+    kfast::Size;
 
 constexpr kfast_error code_of(Error error)
 {
@@ -111,7 +113,7 @@ kfast_error draw(kfast_player* player, void* buffer, std::size_t bytes, kfast_dr
         draw_rectangle(area.x, area.y, area.width, area.height, pixels.data(), user);
     };
     const std::span room{static_cast<std::byte*>(buffer), bytes};
-    return player->animation.draw<format>(room, hand_out) ? KFAST_OK : KFAST_BUFFER_TOO_SMALL;
+    return player->playback.draw<format>(room, hand_out) ? KFAST_OK : KFAST_BUFFER_TOO_SMALL;
 }
 
 }
@@ -144,7 +146,7 @@ kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes,
     const auto animation = Animation::create(bytes_of(scene, scene_bytes), {width, height}, room.rest);
     if (!animation)
         return code_of(animation.error());
-    *player = new (room.player) kfast_player{*animation};
+    *player = new (room.player) kfast_player{kfast::Playback{*animation}};
     return KFAST_OK;
 }
 
@@ -153,8 +155,8 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name)
     if (player == nullptr)
         return KFAST_NULL_POINTER;
     if (name != nullptr)
-        return player->animation.choose_clip(name) ? KFAST_OK : KFAST_NO_SUCH_CLIP;
-    player->animation.choose_scene();
+        return player->playback.choose_clip(name) ? KFAST_OK : KFAST_NO_SUCH_CLIP;
+    player->playback.choose_scene();
     return KFAST_OK;
 }
 
@@ -162,14 +164,14 @@ kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t valu
 {
     if (player == nullptr || name == nullptr)
         return KFAST_NULL_POINTER;
-    return player->animation.set_input(name, value) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
+    return player->playback.change().set_input(name, value) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
 }
 
 kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text)
 {
     if (player == nullptr || name == nullptr || text == nullptr)
         return KFAST_NULL_POINTER;
-    return player->animation.set_text(name, text) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
+    return player->playback.change().set_text(name, text) ? KFAST_OK : KFAST_NO_SUCH_INPUT;
 }
 
 kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
@@ -178,12 +180,12 @@ kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfas
     const bool has_strokes = points != nullptr && stroke_points != nullptr;
     if (player == nullptr || name == nullptr || (strokes != 0 && !has_strokes))
         return KFAST_NULL_POINTER;
-    const auto drawing = player->animation.drawing(name);
+    const auto drawing = player->playback.change().drawing(name);
     if (!drawing)
         return KFAST_NO_SUCH_INPUT;
     if (!tell(*drawing, points, {stroke_points, strokes}))
         return KFAST_DRAWING_TOO_LARGE;
-    player->animation.show_next_drawing(name);
+    player->playback.change().show_next_drawing(name);
     return KFAST_OK;
 }
 
@@ -191,7 +193,7 @@ kfast_error kfast_show(kfast_player* player, int32_t time)
 {
     if (player == nullptr)
         return KFAST_NULL_POINTER;
-    player->animation.show({time});
+    player->playback.change().show({time});
     return KFAST_OK;
 }
 
@@ -199,9 +201,21 @@ kfast_error kfast_show_after(kfast_player* player, uint32_t milliseconds)
 {
     if (player == nullptr)
         return KFAST_NULL_POINTER;
-    player->animation.show_after(milliseconds);
+    player->playback.change().show_after(milliseconds);
     return KFAST_OK;
 }
+
+int kfast_update(kfast_player* player, uint32_t milliseconds, kfast_event_passed event_passed, void* user)
+{
+    if (player == nullptr)
+        return 0;
+    return player->playback.update(milliseconds, [=](const EventView& event) {
+        if (event_passed != nullptr)
+            event_passed(event.name.data(), event.name.size(), user);
+    });
+}
+
+int kfast_finished(const kfast_player* player) { return player != nullptr && player->playback.finished(); }
 
 kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_bytes,
                               kfast_draw_rectangle draw_rectangle, void* user)
@@ -249,6 +263,6 @@ kfast_error kfast_redraw(kfast_player* player)
 {
     if (player == nullptr)
         return KFAST_NULL_POINTER;
-    player->animation.redraw();
+    player->playback.change().redraw();
     return KFAST_OK;
 }

@@ -46,8 +46,8 @@ size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int h
 kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes, const void* scene,
                          size_t scene_bytes, int width, int height);
 
-/* What times count from: a clip of the scene, or with NULL the whole scene again, as at first. If there is no
- * such clip, nothing changes. */
+/* What times count from, and what kfast_update() plays: a clip of the scene, or with NULL the whole scene
+ * again, as at first. If there is no such clip, nothing changes. */
 kfast_error kfast_choose_clip(kfast_player* player, const char* name);
 
 /* Times are in 1/1024 frame; KFAST_FRAME * 12 is the 13th frame. */
@@ -68,10 +68,10 @@ typedef struct kfast_point {
     int16_t y;
 } kfast_point;
 
-/* Sets a drawing among the inputs of the scene, such as a curve that is measured, from the next kfast_show() on:
- * to as many strokes as `strokes`, of stroke_points[0], stroke_points[1], ... points, which lie one after another
- * in `points`. A stroke is closed if it ends where it begins. All is copied. No strokes are the empty drawing. If
- * there is no such drawing, or if it takes less, nothing changes. */
+/* Sets a drawing among the inputs of the scene, such as a curve that is measured, from the next kfast_show()
+ * on: to as many strokes as `strokes`, of stroke_points[0], stroke_points[1], ... points, which lie one after
+ * another in `points`. A stroke is closed if it ends where it begins. All is copied. No strokes are the empty
+ * drawing. If there is no such drawing, or if it takes less, nothing changes. */
 kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
                               const uint16_t* stroke_points, size_t strokes);
 
@@ -81,6 +81,18 @@ kfast_error kfast_show(kfast_player* player, int32_t time);
 
 /* As kfast_show(), after so many milliseconds; rounded down to 1/1024 frame. */
 kfast_error kfast_show_after(kfast_player* player, uint32_t milliseconds);
+
+/* An event of the scene that is passed: the bytes of its name in UTF-8, with no 0 behind them. */
+typedef void (*kfast_event_passed)(const char* name, size_t bytes, void* user);
+
+/* Plays by a clock of yours, one whole frame of the scene after another: computes the picture for when it
+ * shows so many milliseconds, and tells the events that were passed since the call before (event_passed may
+ * be NULL). The first call, and the first one after kfast_choose_clip(), is the beginning. The clock may run
+ * over 2^32. Whether there is something to be drawn: 1, or 0 if the frame is the same and nothing was set. */
+int kfast_update(kfast_player* player, uint32_t milliseconds, kfast_event_passed event_passed, void* user);
+
+/* Whether what kfast_update() plays has come to its end, as a clip does that plays once: 1 or 0. */
+int kfast_finished(const kfast_player* player);
 
 /* Takes the pixels of one rectangle: its rows from the top down, each of them starting on a byte. They are
  * gone after the call. */

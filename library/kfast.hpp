@@ -97,10 +97,11 @@ public:
 
     /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
     /// its loop decides what it stands for.
-    void show(Time time)
-    {
-        player_.show_moment(stretch_.begin + wrap(time, stretch_.length(), stretch_.loop));
-    }
+    void show(Time time) { show_moment(stretch_.begin + wrap(time, stretch_.length(), stretch_.loop)); }
+
+    /// Computes the picture of a moment of the whole timeline, whatever was chosen: 0 … the length of the
+    /// scene.
+    void show_moment(Time moment) { player_.show_moment(moment); }
 
     /// As show(), after so many milliseconds; rounded down to 1/1024 frame.
     void show_after(std::uint32_t milliseconds)

@@ -21,6 +21,7 @@ OTHERS = (
     (r"^export ", "only prepares what follows it"),
     (r"^while :", "runs until somebody stops it"),
     (r"^build/library/", "is built by others: the test library_example"),
+    (r"^(find_package|target_link|c\+\+ |lib_deps|compiler\.)", "belongs into the reader's project: tests/packages"),
     (r"^(valgrind|cp -r boards|sed -i)", "needs a board that is being ported, or minutes"),
 )
 

@@ -1,0 +1,40 @@
+// Eyes that blink when a button is pressed, which connects its pin to ground; then they go on with all of the scene.
+#include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
+
+#include <SPI.h>
+#include <TFT_eSPI.h>
+#include <kfast_player.hpp>
+
+const int button_pin = 14;
+
+TFT_eSPI tft;
+KfastPlayer<robot_eyes_block_bytes> eyes;
+uint16_t pixels[16 * robot_eyes_width];
+bool was_pressed = false;
+
+void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
+{
+    tft.pushImage(x, y, width, height, pixels);
+}
+
+void setup()
+{
+    Serial.begin(115200);
+    pinMode(button_pin, INPUT_PULLUP);
+    tft.init();
+    tft.setSwapBytes(true);
+    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(eyes.error());
+}
+
+void loop()
+{
+    const bool is_pressed = digitalRead(button_pin) == LOW;
+    if (is_pressed && !was_pressed)
+        eyes.play("blink");
+    else if (eyes.finished())
+        eyes.play();
+    was_pressed = is_pressed;
+    if (eyes.update(millis()))
+        eyes.draw(pixels, draw_rectangle);
+}

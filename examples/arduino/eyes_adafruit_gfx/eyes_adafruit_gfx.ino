@@ -1,0 +1,38 @@
+// Robot eyes on a display that a library on Adafruit_GFX drives: an ST7789 of 240 x 240 pixels. An event of the scene is told.
+#include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
+
+#include <Adafruit_GFX.h>
+#include <Adafruit_ST7789.h>
+#include <SPI.h>
+#include <kfast_player.hpp>
+
+const int select_pin = 10, command_pin = 9, reset_pin = 8;
+
+Adafruit_ST7789 tft(select_pin, command_pin, reset_pin);
+KfastPlayer<robot_eyes_block_bytes> eyes;
+uint16_t pixels[8 * robot_eyes_width];
+
+void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
+{
+    tft.drawRGBBitmap(x, y, pixels, width, height);
+}
+
+void event_passed(KfastEvent event)
+{
+    if (event == "blinked")
+        Serial.println("blinked");
+}
+
+void setup()
+{
+    Serial.begin(115200);
+    tft.init(robot_eyes_width, robot_eyes_height);
+    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(eyes.error());
+}
+
+void loop()
+{
+    if (eyes.update(millis(), event_passed))
+        eyes.draw(pixels, draw_rectangle);
+}

@@ -1,0 +1,27 @@
+// Robot eyes on a board of M5Stack, in the left upper corner of its display. LovyanGFX takes pixels in the same way.
+#include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
+
+#include <M5Unified.h>
+#include <kfast_player.hpp>
+
+KfastPlayer<robot_eyes_block_bytes> eyes;
+uint16_t pixels[16 * robot_eyes_width];
+
+void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
+{
+    M5.Display.pushImage(x, y, width, height, reinterpret_cast<const lgfx::rgb565_t*>(pixels));
+}
+
+void setup()
+{
+    Serial.begin(115200);
+    M5.begin();
+    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(eyes.error());
+}
+
+void loop()
+{
+    if (eyes.update(millis()))
+        eyes.draw(pixels, draw_rectangle);
+}

@@ -1,0 +1,30 @@
+// Robot eyes on a display that TFT_eSPI drives, of 240 x 240 pixels.
+#include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
+
+#include <SPI.h>
+#include <TFT_eSPI.h> // its User_Setup.h names your display and its pins
+#include <kfast_player.hpp>
+
+TFT_eSPI tft;
+KfastPlayer<robot_eyes_block_bytes> eyes;
+uint16_t pixels[16 * robot_eyes_width]; // the more rows, the fewer and larger the rectangles
+
+void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
+{
+    tft.pushImage(x, y, width, height, pixels);
+}
+
+void setup()
+{
+    Serial.begin(115200);
+    tft.init();
+    tft.setSwapBytes(true); // pixels lie in memory as this processor has them; the display wants the high byte first
+    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(eyes.error());
+}
+
+void loop()
+{
+    if (eyes.update(millis()))
+        eyes.draw(pixels, draw_rectangle);
+}

@@ -1,0 +1,24 @@
+# What belongs to the command: firmware for boards, texts to read, and what the command itself writes for a shell.
+include(${PROJECT_SOURCE_DIR}/cmake/firmware_images.cmake)
+kfast_install_firmware(${KFAST_BOARD_BUILDS}/pico OPTIONAL)
+
+set(TEXTS ${CMAKE_INSTALL_DATADIR}/doc/kfast)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/NOTICE
+    DESTINATION ${TEXTS} COMPONENT kfast)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DESTINATION ${TEXTS} COMPONENT kfast)
+
+if(EXISTS ${PROJECT_SOURCE_DIR}/editors)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/editors DESTINATION ${CMAKE_INSTALL_DATADIR}/kfast COMPONENT kfast)
+endif()
+
+# It has to run on the computer that builds it.
+if(NOT CMAKE_CROSSCOMPILING)
+    file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/install_shell_files.cmake CONTENT
+"set(KFAST $<TARGET_FILE:kfast>)
+set(DATA ${CMAKE_INSTALL_DATADIR})
+set(MANUAL ${CMAKE_INSTALL_MANDIR})
+set(BUILD ${CMAKE_CURRENT_BINARY_DIR})
+include(${CMAKE_CURRENT_LIST_DIR}/install_shell_files.cmake)
+")
+    install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/install_shell_files.cmake COMPONENT kfast)
+endif()

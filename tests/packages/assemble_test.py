@@ -1,0 +1,111 @@
+"""scripts/assemble: manifests and sources are whole, and agree with the project."""
+
+import json
+import re
+import subprocess
+import unittest
+import zipfile
+
+from assembled import ROOT, assembled, output_of, temporary_folder
+
+VERSION = re.search(r"project\(kfast VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+# https://arduino.github.io/arduino-cli/latest/library-specification/#library-metadata
+ARDUINO_FIELDS = {"name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url", "architectures"}
+# https://docs.platformio.org/en/latest/manifests/library-json: the fields, and those that there must be.
+PLATFORMIO_FIELDS = {"$schema", "name", "version", "description", "keywords", "homepage", "repository", "authors", "license",
+                     "frameworks", "platforms", "headers", "examples", "dependencies", "export", "scripts", "build"}
+PLATFORMIO_REQUIRED = {"name", "version"}
+PLATFORMIO_BUILD = {"flags", "unflags", "includeDir", "srcDir", "srcFilter", "extraScript", "libArchive", "libLDFMode",
+                    "libCompatMode", "builder"}
+
+
+class Assemble(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = temporary_folder(cls)
+        cls.made = {kind: assembled(kind, cls.folder / kind) for kind in ("arduino", "platformio", "esp-idf")}
+
+    def test_every_include_is_found_and_every_source_is_there(self):
+        wanted = {str(path.relative_to(ROOT)) for folder in ("core", "library") for path in (ROOT / folder).rglob("*.[ch]*")}
+        for kind, folder in self.made.items():
+            sources = {str(path.relative_to(folder / "src")) for path in (folder / "src").rglob("*.*")}
+            self.assertEqual(set(), {name for name in wanted if not name.endswith(".cmake")} - sources, kind)
+            for name in sources - {"kfast_language.h"}:
+                for included in INCLUDE.findall((folder / "src" / name).read_text()):
+                    self.assertIn(included, sources, f"{kind}: {name}")
+
+    def test_nothing_is_left_to_be_filled_in(self):
+        for folder in self.made.values():
+            for path in folder.glob("*.*"):
+                self.assertIsNone(re.search(r"@[A-Z]+@", path.read_text()), path)
+
+    def test_arduino_has_all_fields(self):
+        lines = (self.made["arduino"] / "library.properties").read_text().splitlines()
+        fields = dict(line.split("=", 1) for line in lines)
+        self.assertEqual(set(), ARDUINO_FIELDS - set(fields))
+        self.assertTrue(all(fields.values()))
+        self.assertEqual(VERSION, fields["version"])
+        self.assertTrue((self.made["arduino"] / "src" / fields["includes"]).is_file())
+
+    def test_arduino_knows_the_words_of_the_player(self):
+        header = "".join((ROOT / "library" / name).read_text() for name in ("kfast_player.hpp", "kfast.h"))
+        lines = (self.made["arduino"] / "keywords.txt").read_text().splitlines()
+        self.assertGreater(len(lines), 10)
+        for line in lines:
+            word, kind = line.split("\t")
+            self.assertRegex(header, rf"\b{word}\b")
+            self.assertIn(kind, {"KEYWORD1", "KEYWORD2", "LITERAL1"})
+
+    def test_every_sketch_has_the_name_of_its_folder_and_its_scene(self):
+        sketches = sorted((self.made["arduino"] / "examples").iterdir())
+        self.assertGreater(len(sketches), 3)
+        for sketch in sketches:
+            self.assertTrue((sketch / f"{sketch.name}.ino").is_file())
+            self.assertTrue((sketch / "robot_eyes.h").is_file())
+
+    def test_platformio_has_only_fields_that_there_are(self):
+        manifest = json.loads((self.made["platformio"] / "library.json").read_text())
+        self.assertEqual(set(), set(manifest) - PLATFORMIO_FIELDS)
+        self.assertEqual(set(), PLATFORMIO_REQUIRED - set(manifest))
+        self.assertEqual(set(), set(manifest["build"]) - PLATFORMIO_BUILD)
+        self.assertEqual(VERSION, manifest["version"])
+        for header in manifest["headers"]:
+            self.assertTrue((self.made["platformio"] / "src" / header).is_file())
+
+    def test_the_component_registers_every_source(self):
+        script = self.folder / "register.cmake"
+        script.write_text("""
+            function(idf_component_register)
+                cmake_parse_arguments(PARSE_ARGV 0 COMPONENT "" "" "SRC_DIRS;INCLUDE_DIRS")
+                foreach(FOLDER ${COMPONENT_SRC_DIRS})
+                    file(GLOB SOURCES ${ROOT}/${FOLDER}/*.cpp)
+                    list(APPEND ALL ${SOURCES})
+                endforeach()
+                list(JOIN ALL "\\n" ALL)
+                file(WRITE ${ROOT}/../registered "${ALL}\\n${COMPONENT_INCLUDE_DIRS}")
+            endfunction()
+            include(${ROOT}/CMakeLists.txt)
+        """)
+        folder = self.made["esp-idf"]
+        output_of("cmake", f"-DROOT={folder}", "-P", script)
+        *sources, includes = (folder.parent / "registered").read_text().splitlines()
+        self.assertEqual(sorted(map(str, (folder / "src").rglob("*.cpp"))), sorted(sources))
+        self.assertEqual("src", includes)
+        self.assertIn(f'version: "{VERSION}"\n', (folder / "idf_component.yml").read_text())
+
+    def test_what_is_there_is_not_written_over(self):
+        again = subprocess.run([ROOT / "scripts/assemble", "arduino", self.folder / "arduino"], capture_output=True, text=True)
+        self.assertEqual(1, again.returncode)
+        self.assertIn("exists already", again.stderr)
+
+    def test_a_zip_holds_the_folder(self):
+        _, name = output_of(ROOT / "scripts/assemble", "arduino", self.folder / "zipped", "--zip", text=True).splitlines()
+        with zipfile.ZipFile(name) as archive:
+            self.assertIn("KFAST/library.properties", archive.namelist())
+            self.assertIn("KFAST/src/core/player.cpp", archive.namelist())
+
+
+if __name__ == "__main__":
+    unittest.main()
