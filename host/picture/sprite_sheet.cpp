@@ -74,9 +74,15 @@ void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source
         const Rect place = grid.place(done);
         put(widen(source.show(moments[done].time)), sheet, place.x, place.y);
     }
-    write_png(target, sheet);
     const std::string json = sheet_json(target.filename().string(), sheet, grid, moments, timeline);
-    write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
+    write_png(target, sheet);
+    try {
+        write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(target, ignored); // of little use alone
+        throw;
+    }
 }
 
 }
