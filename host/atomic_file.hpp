@@ -23,6 +23,9 @@ public:
     void write(std::span<const std::byte> bytes);
     void commit();
 
+    /// For a program that writes the file instead; until commit().
+    int descriptor() const { return descriptor_; }
+
 private:
     void open_special();
     void open_temporary();

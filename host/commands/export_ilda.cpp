@@ -3,8 +3,10 @@
 #include "host/beam/ilda_writer.hpp"
 #include "host/commands/export_kinds.hpp"
 #include "host/commands/sound_beam.hpp"
+#include "host/commands/work_bar.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
+#include "host/picture/film_moment.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -12,19 +14,13 @@
 namespace kfast {
 namespace {
 
-/// What one play shows, frame by frame: with ping-pong there and back, and the end of what plays once.
-std::vector<Time> frame_times(const Timeline& timeline)
+std::vector<FilmMoment> played_moments(const Timeline& timeline)
 {
-    std::vector<Time> times;
-    const std::int64_t period = timeline.period_ticks();
-    for (std::int64_t ticks = 0; ticks < period; ticks += Time::ticks_per_frame)
-        times.push_back(timeline.shown_at(ticks));
-    if (timeline.stretch.loop == Loop::once)
-        times.push_back(timeline.shown_at(period));
-    if (times.size() > most_ilda_records)
-        throw Failure("one play has " + counted(times.size(), "frame") + ", more than the " +
+    std::vector<FilmMoment> moments = film_moments(timeline);
+    if (moments.size() > most_ilda_records)
+        throw Failure("one play has " + counted(moments.size(), "frame") + ", more than the " +
                       std::to_string(most_ilda_records) + " of an ILDA file: play less with --clip");
-    return times;
+    return moments;
 }
 
 struct Drawn {
@@ -51,8 +47,12 @@ void add_frame(Drawn& drawn, std::span<const BeamPoint> points, const BeamReport
 Drawn drawn_frames(BeamSource& source, const Timeline& timeline)
 {
     Drawn drawn;
-    for (const Time time : frame_times(timeline))
-        add_frame(drawn, source.show(time), source.report());
+    const std::vector<FilmMoment> moments = played_moments(timeline);
+    WorkBar bar{"drawing"};
+    for (const FilmMoment& moment : moments) {
+        bar.tell(drawn.frames.size(), moments.size());
+        add_frame(drawn, source.show(moment.time), source.report());
+    }
     return drawn;
 }
 

@@ -2,6 +2,7 @@
 #include "host/commands/export_kinds.hpp"
 #include "host/commands/rounded_text.hpp"
 #include "host/commands/sound_beam.hpp"
+#include "host/commands/work_bar.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
 #include "host/sound/sound_loop.hpp"
@@ -35,7 +36,8 @@ std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeli
 
 SoundLoop made_loop(BeamSource& source, const Timeline& timeline, std::uint64_t length)
 try {
-    return sound_loop(source, timeline, length);
+    WorkBar bar{"drawing"};
+    return sound_loop(source, timeline, length, bar.teller());
 } catch (const std::length_error& reason) {
     throw Failure(std::string{reason.what()} + ": make it longer with --seconds");
 }

@@ -18,7 +18,7 @@ struct Options {
 
 void print_beam_fit(const Options& options, const fit::Target& target, const SceneFile& scene)
 {
-    const fit::BeamFit report = fit::beam_fit(scene.view, target, options.fit.frames_per_second);
+    const fit::BeamFit report = beam_fit(options.fit, target, scene);
     const BeamFitFacts facts{options.file, target, report};
     std::cout << (options.json ? json_text(facts) : fit_text(facts));
     std::cout.flush(); // before the reasons

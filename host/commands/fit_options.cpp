@@ -2,6 +2,7 @@
 
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/work_bar.hpp"
 #include "host/failure.hpp"
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"
@@ -53,10 +54,18 @@ fit::Target chosen_target(const FitOptions& options)
 
 fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, const SceneFile& scene)
 {
+    WorkBar bar{"measuring"};
     return fit::fit_report({.scene = scene.view,
                             .item_names = scene.item_names,
                             .target = target,
-                            .frames_per_second = options.frames_per_second});
+                            .frames_per_second = options.frames_per_second,
+                            .tell = bar.teller()});
+}
+
+fit::BeamFit beam_fit(const FitOptions& options, const fit::Target& target, const SceneFile& scene)
+{
+    WorkBar bar{"measuring"};
+    return fit::beam_fit(scene.view, target, options.frames_per_second, bar.teller());
 }
 
 std::string misfit_text(const std::string& file, const fit::Target& target,
@@ -78,7 +87,7 @@ void require_fit(const std::string& file, const FitOptions& options, const fit::
                  const SceneFile& scene)
 {
     require_fit(file, target,
-                target.beam ? fit::beam_fit(scene.view, target, options.frames_per_second).reasons()
+                target.beam ? beam_fit(options, target, scene).reasons()
                             : fit_report(options, target, scene).reasons());
 }
 

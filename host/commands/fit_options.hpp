@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/fit/beam_fit.hpp"
 #include "host/fit/fit_report.hpp"
 #include "host/scene_file.hpp"
 
@@ -25,6 +26,9 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options);
 fit::Target chosen_target(const FitOptions& options);
 
 fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, const SceneFile& scene);
+
+/// `target` has a beam.
+fit::BeamFit beam_fit(const FitOptions& options, const fit::Target& target, const SceneFile& scene);
 
 /// Why a scene does not fit a board: a line for each reason.
 std::string misfit_text(const std::string& file, const fit::Target& target,

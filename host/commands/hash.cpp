@@ -5,10 +5,12 @@
 #include "host/commands/import_options.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
+#include "host/commands/work_bar.hpp"
 #include "host/scene_file.hpp"
 
 #include <cstdio>
 #include <iostream>
+#include <unistd.h>
 
 namespace kfast {
 namespace {
@@ -31,8 +33,14 @@ std::string line(int frame, std::uint32_t hash)
 template <class Source>
 void print_hashes(Source& source, const Timeline& timeline)
 {
-    for (int frame = 0; frame < timeline.frame_count(); ++frame)
+    WorkBar bar{"drawing"};
+    const bool is_seen = ::isatty(STDOUT_FILENO) == 1; // the lines themselves tell how far it has come
+    const int count = timeline.frame_count();
+    for (int frame = 0; frame < count; ++frame) {
+        if (!is_seen)
+            bar.tell(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
         std::cout << line(frame, hash(source.show(timeline.frame_time(frame))));
+    }
 }
 
 void print_hashes(const HashOptions& options)

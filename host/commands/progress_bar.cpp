@@ -2,9 +2,7 @@
 
 #include "host/commands/progress_text.hpp"
 
-#include <iostream>
 #include <numeric>
-#include <unistd.h>
 #include <utility>
 
 namespace kfast {
@@ -15,16 +13,9 @@ constexpr std::chrono::milliseconds between_drawings{100};
 }
 
 ProgressBar::ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, std::string what)
-    : done_(devices), total_{bytes * devices}, is_shown_{shown == Shown::on_a_terminal &&
-                                                         ::isatty(STDERR_FILENO) == 1},
+    : done_(devices), total_{bytes * devices}, is_shown_{shown == Shown::on_a_terminal && line_.is_seen()},
       begin_{Clock::now()}, drawn_{begin_ - between_drawings}, what_{std::move(what)}
 {
-}
-
-ProgressBar::~ProgressBar()
-{
-    if (width_ != 0)
-        std::cerr << '\r' << std::string(width_, ' ') << '\r' << std::flush;
 }
 
 TellProgress ProgressBar::of_device(std::size_t index)
@@ -46,10 +37,7 @@ void ProgressBar::tell(std::size_t index, std::size_t bytes)
 void ProgressBar::draw(std::size_t done)
 {
     drawn_ = Clock::now();
-    const std::string text = what_ + progress_text(done, total_, drawn_ - begin_);
-    const std::size_t left_over = width_ > text.size() ? width_ - text.size() : 0;
-    std::cerr << '\r' << text << std::string(left_over, ' ') << std::flush;
-    width_ = text.size();
+    line_.show(what_ + progress_text(done, total_, drawn_ - begin_));
 }
 
 }

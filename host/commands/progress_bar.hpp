@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/commands/device_options.hpp"
+#include "host/commands/status_line.hpp"
 #include "host/link/scene_upload.hpp"
 
 #include <chrono>
@@ -19,7 +20,6 @@ public:
 
     /// To standard error. `bytes` go to each of so many devices. `what` stands in front: "writing ".
     ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, std::string what = {});
-    ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
@@ -35,11 +35,11 @@ private:
     std::mutex mutex_;
     std::vector<std::size_t> done_; ///< bytes of each device
     std::size_t total_;
+    StatusLine line_;
     bool is_shown_;
     Clock::time_point begin_;
     Clock::time_point drawn_;
-    std::size_t width_ = 0; ///< of what was drawn
-    std::string what_;      ///< stands in front
+    std::string what_; ///< stands in front
 };
 
 inline ProgressBar::Shown shown_progress(const DeviceOptions& options)

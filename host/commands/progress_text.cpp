@@ -18,12 +18,25 @@ std::string bar(std::size_t done, std::size_t total)
     return '[' + std::string(marks, '#') + std::string(bar_width - marks, ' ') + ']';
 }
 
+/// "[#####               ]  25 %"
+std::string share_text(std::size_t done, std::size_t total)
+{
+    std::array<char, 16> share{};
+    std::snprintf(share.data(), share.size(), "  %3zu %%", 100 * done / total);
+    return bar(done, total) + share.data();
+}
+
 std::string time_left(double seconds)
 {
     const auto whole = static_cast<long>(std::ceil(std::min(seconds, 360'000.0)));
     if (whole < 60)
         return std::to_string(whole) + " s left";
     return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s left";
+}
+
+std::string rest_text(std::size_t done, std::size_t total, double rate)
+{
+    return done == total ? "" : "  " + time_left(static_cast<double>(total - done) / rate);
 }
 
 std::string rate_text(double bytes_per_second)
@@ -38,14 +51,20 @@ std::string rate_text(double bytes_per_second)
 std::string progress_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed)
 {
     done = std::min(done, total);
-    std::array<char, 16> share{};
-    std::snprintf(share.data(), share.size(), "  %3zu %%", 100 * done / total);
-    std::string text = bar(done, total) + share.data();
+    const std::string text = share_text(done, total);
     if (elapsed.count() < telling_seconds || done == 0)
         return text;
     const double rate = static_cast<double>(done) / elapsed.count();
-    text += "  " + rate_text(rate);
-    return done == total ? text : text + "  " + time_left(static_cast<double>(total - done) / rate);
+    return text + "  " + rate_text(rate) + rest_text(done, total, rate);
+}
+
+std::string work_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed)
+{
+    done = std::min(done, total);
+    const std::string text = share_text(done, total);
+    if (elapsed.count() < telling_seconds || done == 0)
+        return text;
+    return text + rest_text(done, total, static_cast<double>(done) / elapsed.count());
 }
 
 }

@@ -10,4 +10,7 @@ namespace kfast {
 /// is told after a while only. `total` is more than 0.
 std::string progress_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed);
 
+/// Likewise of something that has steps: "[#####               ]  25 %  3 s left".
+std::string work_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed);
+
 }

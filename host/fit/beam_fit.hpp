@@ -4,6 +4,7 @@
 #include "core/scene_view.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/target.hpp"
+#include "host/tell_work.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,7 @@ struct BeamFit {
 double refresh(const BeamMoment& picture, const BeamProfile& profile);
 
 /// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
-BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second);
+BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
+                 const TellWork& tell = tell_nobody);
 
 }

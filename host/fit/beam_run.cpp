@@ -41,6 +41,12 @@ void BeamRun::visit_all(const VisitPicture& visit)
         visit_busy(visit);
 }
 
+std::size_t BeamRun::frames_of_all() const
+{
+    const int with_inputs = player_.scene().input_count() == 0 ? 0 : std::max(frames_, BusyInputs::turn);
+    return static_cast<std::size_t>((frames_ + with_inputs) / stride_);
+}
+
 void BeamRun::visit_busy(const VisitPicture& visit)
 {
     for (const Time place : {Time{}, whole_input, Time{}}) {

@@ -6,6 +6,7 @@
 #include "host/fit/target.hpp"
 #include "host/fit/work_count.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -37,6 +38,8 @@ public:
     /// leap from end to end, and one in which all drawings are noise; and the very end of a scene that plays
     /// once.
     void visit_all(const VisitPicture& visit);
+    /// Of visit_all(), more or less.
+    std::size_t frames_of_all() const;
     /// 1, or of how many frames one is visited.
     int stride() const { return stride_; }
 

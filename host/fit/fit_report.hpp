@@ -4,6 +4,7 @@
 #include "host/fit/memory_need.hpp"
 #include "host/fit/speed.hpp"
 #include "host/fit/target.hpp"
+#include "host/tell_work.hpp"
 
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ struct FitWish {
     const Target& target;
     Fit fit = Fit::contain;
     double frames_per_second = 0; ///< that every second frame reaches at least; 0: those of the scene
+    TellWork tell = tell_nobody;
 };
 
 /// Whether a scene fits a board, and how fast it plays there.

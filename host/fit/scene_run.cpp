@@ -88,6 +88,12 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
     inputs_.put_usual();
 }
 
+std::size_t SceneRun::frames_of_all() const
+{
+    const int with_inputs = player_.scene().input_count() == 0 ? 0 : std::max(frames_, BusyInputs::turn);
+    return static_cast<std::size_t>((2 * frames_ + with_inputs) / stride_);
+}
+
 void SceneRun::visit_noise(const VisitFrame& visit)
 {
     if (LiveDrawings::bytes_for(player_.scene()) == 0)

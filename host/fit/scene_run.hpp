@@ -53,6 +53,8 @@ public:
     void visit_end(const VisitFrame& visit);
     /// Of the first picture so far that was not complete for want of room, also of one that was not visited.
     const std::optional<LargestOutlines>& overfull() const { return overfull_; }
+    /// Of visit_turn(), twice, and of visit_turn_with_inputs(), more or less.
+    std::size_t frames_of_all() const;
     /// 1, or of how many frames one is visited.
     int stride() const { return stride_; }
 

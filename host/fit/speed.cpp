@@ -72,16 +72,20 @@ Limits limits_of(const std::vector<FrameCost>& frames, double FrameCost::*second
 
 }
 
-Speed measured_speed(const SceneView& scene, const Target& target, Fit fit)
+Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const TellWork& tell)
 {
     Speed speed;
     SpeedMeter meter{target, speed};
     SceneRun run{scene, target, fit};
+    const auto take = [&](const FrameWork& frame) {
+        tell(speed.frames.size(), run.frames_of_all());
+        meter.take(frame);
+    };
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
     for (const Time offset : {Time{0}, Time{Time::ticks_per_frame / 2}})
-        run.visit_turn(offset, [&](const FrameWork& frame) { meter.take(frame); });
-    run.visit_turn_with_inputs([&](const FrameWork& frame) { meter.take(frame); });
-    run.visit_end([&](const FrameWork& frame) { meter.take(frame); });
+        run.visit_turn(offset, take);
+    run.visit_turn_with_inputs(take);
+    run.visit_end(take);
     run.visit_noise([&](const FrameWork& frame) { meter.take_noise(frame); });
     speed.overfull = run.overfull();
     speed.stride = run.stride();

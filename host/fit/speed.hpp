@@ -5,6 +5,7 @@
 #include "core/time.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
+#include "host/tell_work.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -55,6 +56,7 @@ struct Speed {
     const FrameCost& worst() const { return frames.back(); }
 };
 
-Speed measured_speed(const SceneView& scene, const Target& target, Fit fit);
+Speed measured_speed(const SceneView& scene, const Target& target, Fit fit,
+                     const TellWork& tell = tell_nobody);
 
 }

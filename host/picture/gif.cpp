@@ -2,11 +2,13 @@
 
 #include "host/atomic_file.hpp"
 #include "host/failure.hpp"
+#include "host/picture/film_limit.hpp"
 #include "host/picture/gif_moment.hpp"
 #include "host/picture/palette.hpp"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <gif_lib.h>
 #include <memory>
 #include <optional>
@@ -69,6 +71,7 @@ public:
         std::vector<GifByteType> copy = indices; // giflib masks the line it is given in place
         for (auto* line = copy.data(); line != copy.data() + copy.size(); line += size_.width)
             require(EGifPutLine(gif_, line, size_.width) == GIF_OK);
+        require_film_size(bytes_.size(), "GIF");
     }
 
     /// Ends the file; nothing may follow.
@@ -105,12 +108,15 @@ private:
 };
 
 /// None when the pictures have more than 256 colours together.
-std::optional<Palette> shared_palette(FrameSource& source, const std::vector<GifMoment>& moments)
+std::optional<Palette> shared_palette(FrameSource& source, const std::vector<GifMoment>& moments,
+                                      const std::function<void()>& tell_picture)
 {
     Palette palette;
-    for (const GifMoment& moment : moments)
+    for (const GifMoment& moment : moments) {
+        tell_picture();
         if (!palette.add(widen(source.show(moment.time))))
             return std::nullopt;
+    }
     return palette;
 }
 
@@ -122,14 +128,19 @@ void add_with_own_colours(GifEncoder& encoder, const Picture& picture, int centi
 
 }
 
-void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline)
+void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
+               const TellWork& tell)
 {
     const std::vector<GifMoment> moments = gif_moments(timeline);
-    const std::optional<Palette> palette = shared_palette(source, moments);
+    const std::size_t steps = 2 * moments.size();
+    std::size_t done = 0;
+    const std::optional<Palette> palette = shared_palette(source, moments, [&] { tell(done++, steps); });
     const ColourMap colours = palette ? colour_map(palette->colours()) : ColourMap{nullptr, GifFreeMapObject};
     GifEncoder encoder{source.show(moments.front().time).size};
     encoder.begin(colours.get(), timeline.stretch.loop != Loop::once);
+    done = moments.size(); // the search for colours may have ended early
     for (const auto& [time, centiseconds] : moments) {
+        tell(done++, steps);
         const Picture picture = widen(source.show(time));
         if (palette)
             encoder.add(palette->indices(picture), nullptr, centiseconds);

@@ -2,6 +2,7 @@
 
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
+#include "host/tell_work.hpp"
 
 #include <filesystem>
 
@@ -10,7 +11,9 @@ namespace kfast {
 /// Writes one period of what is played as an animated GIF that loops as the scene or clip does.
 ///
 /// Colours are exact when there are at most 256 in all or in a frame; a frame with more is quantized, without
-/// dither. Throws Failure when the file cannot be written; then there is none.
-void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline);
+/// dither. Throws Failure when the file cannot be written or would be larger than most_film_bytes; then there
+/// is none.
+void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
+               const TellWork& tell = tell_nobody);
 
 }

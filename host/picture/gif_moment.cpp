@@ -1,5 +1,7 @@
 #include "host/picture/gif_moment.hpp"
 
+#include "host/picture/film_moment.hpp"
+
 #include <algorithm>
 
 namespace kfast {
@@ -21,32 +23,23 @@ std::int64_t ticks_at(const Timeline& timeline, std::int64_t centiseconds)
     return (centiseconds * timeline.frame_rate * Time::ticks_per_frame + 99'999) / 100'000;
 }
 
-std::int64_t start_ticks(const Timeline& timeline, std::int64_t index)
+GifMoment gif_moment(const Timeline& timeline, const FilmMoment& moment)
 {
-    return timeline.frame_rate > highest_rate ? ticks_at(timeline, index * shortest_delay)
-                                              : index * Time::ticks_per_frame;
-}
-
-GifMoment moment(const Timeline& timeline, std::int64_t start, std::int64_t end)
-{
-    const std::int64_t delay = centiseconds(timeline, end) - centiseconds(timeline, start);
-    return {timeline.shown_at(start), static_cast<int>(std::clamp(delay, shortest_delay, longest_delay))};
+    const std::int64_t delay = centiseconds(timeline, moment.end) - centiseconds(timeline, moment.begin);
+    return {moment.time, static_cast<int>(std::clamp(delay, shortest_delay, longest_delay))};
 }
 
 }
 
 std::vector<GifMoment> gif_moments(const Timeline& timeline)
 {
+    const FilmPace not_too_fast = [&timeline](std::int64_t number) {
+        return timeline.frame_rate > highest_rate ? ticks_at(timeline, number * shortest_delay)
+                                                  : every_frame(number);
+    };
     std::vector<GifMoment> moments;
-    const std::int64_t period = timeline.period_ticks();
-    std::int64_t start = 0;
-    for (std::int64_t next = 1; start < period; ++next) {
-        const std::int64_t end = std::min(start_ticks(timeline, next), period);
-        moments.push_back(moment(timeline, start, end));
-        start = end;
-    }
-    if (timeline.stretch.loop == Loop::once)
-        moments.push_back(moment(timeline, period, period + Time::ticks_per_frame));
+    for (const FilmMoment& moment : film_moments(timeline, not_too_fast))
+        moments.push_back(gif_moment(timeline, moment));
     return moments;
 }
 

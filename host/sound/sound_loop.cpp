@@ -23,10 +23,10 @@ public:
     {
     }
 
-    SoundLoop make()
+    SoundLoop make(const TellWork& tell)
     {
         while (add_tour())
-            ;
+            tell(loop_.points.size(), samples_);
         if (pieces_.empty())
             throw std::length_error("a picture takes more points than the sound has samples");
         append(travel(loop_.points.back(), loop_.points.front(), step_));
@@ -105,9 +105,10 @@ std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate)
     return static_cast<std::uint64_t>(std::llround(ticks / ticks_per_sample(timeline, rate)));
 }
 
-SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples)
+SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
+                     const TellWork& tell)
 {
-    return LoopMaker{source, timeline, samples}.make();
+    return LoopMaker{source, timeline, samples}.make(tell);
 }
 
 double longest_step(const Tour& tour)

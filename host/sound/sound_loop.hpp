@@ -3,6 +3,7 @@
 #include "host/beam/beam_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/sound/tour.hpp"
+#include "host/tell_work.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,8 @@ std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate);
 /// are a little slower, so that their end meets the beginning.
 ///
 /// Throws std::length_error if not one tour has room, which a budget of `samples` prevents.
-SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples);
+SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
+                     const TellWork& tell = tell_nobody);
 
 /// The longest step of a closed tour.
 double longest_step(const Tour& tour);

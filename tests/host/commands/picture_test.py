@@ -175,8 +175,6 @@ class RenderTest(CommandTest):
         self.refuse(*render, "-o", "a.png", "--frame", "10", status=2, says="there are frames 0 to 9")
         self.refuse(*render, "-o", "a.png", "--frame", "-1", status=2, says="there are frames 0 to 9")
         self.refuse(*render, "-o", "a.png", "--time", "1h", status=2, says="'1h' is no time")
-        self.refuse(*render, "-o", "a.png", "--all", status=2, says="makes a folder or a .gif")
-        self.refuse(*render, "-o", "a.gif", "--frame", "1", status=2, says="add --all for a .gif")
 
     def test_never_overwrites_its_input(self):
         for name in ("repeat.kfast", "./repeat.kfast"):

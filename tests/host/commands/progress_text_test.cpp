@@ -18,6 +18,14 @@ TEST_CASE("progress is a bar, a share, a rate and the time that is left")
     CHECK(progress_text(100'000, 100'000, Seconds{10}) == "[####################]  100 %  10.0 KB/s");
 }
 
+TEST_CASE("of steps the rate is left out")
+{
+    CHECK(work_text(0, 40, Seconds{3}) == "[                    ]    0 %");
+    CHECK(work_text(10, 40, Seconds{1}) == "[#####               ]   25 %  3 s left");
+    CHECK(work_text(40, 40, Seconds{4}) == "[####################]  100 %");
+    CHECK(work_text(41, 40, Seconds{4}) == "[####################]  100 %");
+}
+
 TEST_CASE("without any progress nothing is foretold")
 {
     CHECK(progress_text(0, 1000, Seconds{100}) == "[                    ]    0 %");

@@ -1,0 +1,41 @@
+#include "host/picture/film_delay.hpp"
+
+#include "core/time.hpp"
+
+#include <limits>
+
+namespace kfast {
+namespace {
+
+constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
+
+struct Fraction {
+    std::int64_t numerator;
+    std::int64_t denominator;
+};
+
+}
+
+FilmDelay film_delay(std::int64_t ticks, std::uint32_t frame_rate)
+{
+    Fraction rest{ticks * 1000, std::int64_t{frame_rate} * Time::ticks_per_frame};
+    if (rest.numerator / rest.denominator >= most)
+        return {static_cast<std::uint16_t>(most), 1, false};
+    Fraction before{1, 0};
+    Fraction last{rest.numerator / rest.denominator, 1};
+    rest = {rest.denominator, rest.numerator % rest.denominator};
+    while (rest.denominator != 0) {
+        const std::int64_t step = rest.numerator / rest.denominator;
+        const Fraction next{step * last.numerator + before.numerator,
+                            step * last.denominator + before.denominator};
+        if (next.numerator > most || next.denominator > most)
+            break;
+        before = last;
+        last = next;
+        rest = {rest.denominator, rest.numerator % rest.denominator};
+    }
+    return {static_cast<std::uint16_t>(last.numerator), static_cast<std::uint16_t>(last.denominator),
+            rest.denominator == 0};
+}
+
+}

@@ -1,0 +1,88 @@
+#include "host/picture/sprite_sheet.hpp"
+
+#include "host/atomic_file.hpp"
+#include "host/picture/film_moment.hpp"
+#include "host/picture/picture_part.hpp"
+#include "host/picture/png.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Grid {
+    int columns;
+    Size cell;
+
+    Rect place(std::size_t number) const
+    {
+        const int index = static_cast<int>(number);
+        return {index % columns * cell.width, index / columns * cell.height, cell.width, cell.height};
+    }
+};
+
+Json frame_json(const Rect& place, double milliseconds)
+{
+    return {{"x", place.x},
+            {"y", place.y},
+            {"width", place.width},
+            {"height", place.height},
+            {"milliseconds", milliseconds}};
+}
+
+std::string sheet_json(const std::string& image, const Picture& sheet, const Grid& grid,
+                       const std::vector<FilmMoment>& moments, const Timeline& timeline)
+{
+    Json frames = Json::array();
+    for (std::size_t number = 0; number < moments.size(); ++number) {
+        const std::int64_t ticks = moments[number].end - moments[number].begin;
+        frames.push_back(frame_json(grid.place(number), timeline.seconds(ticks) * 1000));
+    }
+    const Json all{{"image", image},
+                   {"width", sheet.size.width},
+                   {"height", sheet.size.height},
+                   {"columns", grid.columns},
+                   {"loop", timeline.stretch.loop != Loop::once},
+                   {"frames", frames}};
+    return all.dump(2) + '\n';
+}
+
+}
+
+std::filesystem::path sprite_list_path(const std::filesystem::path& sheet)
+{
+    return std::filesystem::path{sheet}.replace_extension(".json");
+}
+
+void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
+                        int columns, const TellWork& tell)
+{
+    const std::vector<FilmMoment> moments = film_moments(timeline);
+    const int filled =
+        static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(columns), moments.size()));
+    const Grid grid{filled, source.show(moments.front().time).size};
+    const Rect last = grid.place(moments.size() - 1);
+    Picture sheet = plain_picture(std::int64_t{filled} * grid.cell.width, std::int64_t{last.y} + last.height,
+                                  {}, "the sheet");
+    for (std::size_t done = 0; done < moments.size(); ++done) {
+        tell(done, moments.size());
+        const Rect place = grid.place(done);
+        put(widen(source.show(moments[done].time)), sheet, place.x, place.y);
+    }
+    const std::string json = sheet_json(target.filename().string(), sheet, grid, moments, timeline);
+    write_png(target, sheet);
+    try {
+        write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(target, ignored); // of little use alone
+        throw;
+    }
+}
+
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "host/picture/svg_source.hpp"
+#include "host/picture/timeline.hpp"
+#include "host/tell_work.hpp"
+
+#include <filesystem>
+
+namespace kfast {
+
+/// Writes one moment as an SVG, as large as the panel. Throws Failure when the file cannot be written; then
+/// there is none.
+void write_svg(const std::filesystem::path& target, SvgSource& source, Time moment);
+
+/// Writes one period of what is played as one SVG whose frames appear one after the other (SMIL), and which
+/// loops as the scene or clip does. Frames that repeat are stored once. Throws Failure likewise, and when it
+/// would be larger than most_film_bytes.
+void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
+                        const TellWork& tell = tell_nobody);
+
+}

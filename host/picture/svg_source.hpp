@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/live_scene.hpp"
+#include "host/picture/told_inputs.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// Writes any moment of a scene on a panel as elements of an SVG.
+class SvgSource : public ToldInputs {
+public:
+    /// `scene`'s bytes must outlive the source.
+    SvgSource(const SceneView& scene, Size panel, Fit fit);
+
+    /// What is to be seen at a moment of the timeline over the background, in pixels of the panel.
+    std::string show(Time moment) { return player_.show(moment); }
+    Size size() const { return panel_; }
+    Colour background() const { return player_.scene().colour(0); }
+
+    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
+    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
+    {
+        return player_.set_drawing(number, strokes);
+    }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
+
+private:
+    class SvgPlayer : public LiveScene {
+    public:
+        SvgPlayer(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
+            : LiveScene{scene, panel, fit, memory}
+        {
+        }
+
+        static std::vector<std::uint32_t> memory_for(const SceneView& scene);
+        std::string show(Time moment);
+    };
+
+    Size panel_;
+    std::vector<std::uint32_t> memory_; // words, for the player asks for an alignment of 4
+    SvgPlayer player_;
+};
+
+}
