@@ -1,6 +1,7 @@
 """Every link between the documents leads to a file, and to a heading that it has."""
 
 import re
+import unicodedata
 import unittest
 
 from page import ROOT, all_pages, prose
@@ -13,6 +14,18 @@ def anchor(heading):
     """As code hosts and MkDocs make it of a heading."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)|[`*]", r"\1", heading).lower()
     return re.sub(r"[^\w\- ]", "", text).strip().replace(" ", "-")
+
+
+def site_anchor(heading):
+    """As Python-Markdown makes it, which MkDocs uses."""
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)|[`*]", r"\1", heading)
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
+    return re.sub(r"[-\s]+", "-", re.sub(r"[^\w\s-]", "", plain).strip().lower())
+
+
+def site_anchors(path):
+    lines = prose(path.read_text(encoding="utf-8"))
+    return {site_anchor(heading.group(1)) for heading in map(HEADING.match, lines) if heading}
 
 
 def anchors(path):
@@ -42,6 +55,8 @@ class Links(unittest.TestCase):
         self.assertTrue(to.is_relative_to(ROOT), "leads out of the project")
         if heading:
             self.assertIn(heading, anchors(to))
+            if to.parent == ROOT / "docs":
+                self.assertIn(heading, site_anchors(to), "the site has another name for it: change the heading")
 
     def test_pages_are_found_from_the_first_one(self):
         index = "\n".join(prose((ROOT / "docs/index.md").read_text(encoding="utf-8")))
