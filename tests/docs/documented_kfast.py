@@ -50,7 +50,8 @@ def on_simulated_board(arguments):
 
 def unseen(arguments):
     arguments = without(without(arguments, "--terminal"), "--loops", 1)
-    return arguments if "--headless" in arguments else [*arguments, "--headless"]
+    arguments = arguments if "--headless" in arguments else [*arguments, "--headless"]
+    return [*arguments, "--keys", "n q"] if "--beam" in arguments else arguments  # all frames of a beam take seconds
 
 
 def simulate(arguments):
