@@ -3,6 +3,14 @@ option(KFAST_SANITIZE "Build with sanitizers" OFF)
 option(KFAST_FUZZ "Build the fuzz targets (clang only)" OFF)
 set(KFAST_COMPILED_QUICKLY -O1) # for code whose speed does not count
 if(KFAST_SANITIZE)
+    set(KFAST_COMPILED_QUICKLY -O0) # half as long to compile, and nothing that is wrong is optimized away
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
 endif()
+
+# kfast_seldom_runs(<target>): a library that tests with sanitizers wait for while it is compiled, not while it runs.
+function(kfast_seldom_runs TARGET)
+    if(KFAST_SANITIZE)
+        target_compile_options(${TARGET} PRIVATE ${KFAST_COMPILED_QUICKLY})
+    endif()
+endfunction()

@@ -64,9 +64,6 @@ std::vector<BackboneNode> BackboneTimeline::nodes_at(Time time) const
     return nodes;
 }
 
-PackedDrawing BackboneTimeline::drawing(std::size_t index) const
-{
-    return drawing_at(drawings_[index], 0);
-}
+PackedDrawing BackboneTimeline::drawing(std::size_t index) const { return drawing_at(drawings_[index], 0); }
 
 }

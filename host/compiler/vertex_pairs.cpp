@@ -106,7 +106,8 @@ void add_links(const StrokeVertices& a, std::size_t i, const StrokeVertices& b, 
 StrokeVertices vertices_of(const MeasuredStroke& stroke)
 {
     StrokeVertices vertices{positions_of(stroke), {}};
-    const StrokeCorner ends = is_closed(stroke) ? corner_between(stroke.back(), stroke.front()) : StrokeCorner{};
+    const StrokeCorner ends =
+        is_closed(stroke) ? corner_between(stroke.back(), stroke.front()) : StrokeCorner{};
     vertices.corners.push_back(ends);
     for (std::size_t i = 1; i < stroke.size(); ++i)
         vertices.corners.push_back(corner_between(stroke[i - 1], stroke[i]));

@@ -19,8 +19,8 @@ struct StrokeCorner {
 
 /// The vertices of a stroke, in its direction.
 struct StrokeVertices {
-    std::vector<double> positions; ///< shares of the length, never falling
-    std::vector<StrokeCorner> corners;   ///< none at the ends of an open stroke
+    std::vector<double> positions;     ///< shares of the length, never falling
+    std::vector<StrokeCorner> corners; ///< none at the ends of an open stroke
 };
 
 /// `stroke` has a segment.

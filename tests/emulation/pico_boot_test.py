@@ -7,7 +7,6 @@ scene, with a damaged one and with settings for another image, the board says so
 touches no pin. A display on I2C that was interrupted is set free, and one that does not answer
 is told of."""
 
-import pathlib
 import struct
 import sys
 import tempfile

@@ -14,7 +14,7 @@ import zlib
 
 from PIL import Image
 
-from command_case import KFAST, ROOT, CommandTest, kfast
+from command_case import KFAST, ROOT, CommandTest
 
 # Examples with bones, backbones, turns in space and key times; all of them repeat.
 MOVING = ("stroller.kfast", "worm.kfast", "card.kfast", "ball.kfast")

@@ -3,7 +3,7 @@
 import re
 import unittest
 
-from command_case import ROOT, CommandTest, kfast
+from command_case import ROOT, CommandTest
 
 
 class UsageTest(CommandTest):
