@@ -58,6 +58,14 @@ class Links(unittest.TestCase):
             if to.parent == ROOT / "docs":
                 self.assertIn(heading, site_anchors(to), "the site has another name for it: change the heading")
 
+    def test_each_picture_is_shown_and_can_be_made_anew(self):
+        shown = {target for path in all_pages() for target in re.findall(r"pictures/([\w-]+\.\w+)\)", path.read_text(encoding="utf-8"))}
+        made = re.findall(r'(?m)^    (?:\*\*\{)?f?"([\w{}-]+\.\w+)": lambda', (ROOT / "scripts/pictures").read_text(encoding="utf-8"))
+        for path in (ROOT / "docs/pictures").iterdir():
+            with self.subTest(picture=path.name):
+                self.assertIn(path.name, shown)
+                self.assertTrue(any(re.fullmatch(re.sub(r"\{\w+\}", "[\\\\w-]+", name), path.name) for name in made))
+
     def test_pages_are_found_from_the_first_one(self):
         index = "\n".join(prose((ROOT / "docs/index.md").read_text(encoding="utf-8")))
         listed = set(LINK.findall(index))

@@ -8,6 +8,7 @@ import re
 
 KFAST = (
     (r"^kfast flash", "writes to a board in its boot loader: tests/host/commands/flash_test.py"),
+    (r"^kfast render .*\.webm", "is encoded for seconds: tests/host/commands/render_test.py"),
     (r"^kfast panel ", "needs pins of a Linux board: tests/emulation/linux_panel_test.py"),
     (r"^kfast install-udev", "writes to /etc as root: tests/host/commands/install_udev_test.py"),
     (r"^kfast preview .*--audio", "needs a sound card: tests/host/commands/sound_test.py"),
@@ -19,6 +20,7 @@ OTHERS = (
     (r"^(sudo )?(cmake|ctest|git|npm) |^sudo apt ", "builds or installs"),
     (r"^(ssh|scp) ", "needs another computer"),
     (r"^export ", "only prepares what follows it"),
+    (r"build/editors", "needs what scripts/make_editor_files.py makes: tests/host/commands/editor_test.py"),
     (r"^while :", "runs until somebody stops it"),
     (r"^build/library/", "is built by others: the test library_example"),
     (r"^(find_package|target_link|c\+\+ |lib_deps|compiler\.)", "belongs into the reader's project: tests/packages"),
