@@ -109,7 +109,8 @@ class PageTest(unittest.TestCase):
                 elif block.is_commands:
                     told = self.run_all(reader, path, block)
                 elif block.language == "text" and told is not None and not told.startswith("not run: "):
-                    self.assertTrue(matches(block.text, told), f"{place}: shows another output than this:\n{told}")
+                    with self.subTest(place=place):
+                        self.assertTrue(matches(block.text, told), f"shows another output than this:\n{told}")
             reader.leave()
 
     def run_all(self, reader, path, block):

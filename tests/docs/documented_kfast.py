@@ -57,7 +57,8 @@ def unseen(arguments):
 def simulate(arguments):
     """Until the board listens."""
     arguments = without(unseen(arguments), "--socket", 1)
-    board = subprocess.Popen([REAL, *arguments, "--socket", "other.sock", "--flash", "other.bin"], stdout=subprocess.PIPE, text=True)
+    board = subprocess.Popen([REAL, *arguments, "--socket", "other.sock", "--flash", "other.bin"],
+                             stdout=subprocess.PIPE, text=True)
     line = board.stdout.readline()
     board.send_signal(signal.SIGTERM)
     print(line, end="")

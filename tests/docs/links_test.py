@@ -59,8 +59,10 @@ class Links(unittest.TestCase):
                 self.assertIn(heading, site_anchors(to), "the site has another name for it: change the heading")
 
     def test_each_picture_is_shown_and_can_be_made_anew(self):
-        shown = {target for path in all_pages() for target in re.findall(r"pictures/([\w-]+\.\w+)\)", path.read_text(encoding="utf-8"))}
-        made = re.findall(r'(?m)^    (?:\*\*\{)?f?"([\w{}-]+\.\w+)": lambda', (ROOT / "scripts/pictures").read_text(encoding="utf-8"))
+        shown = {target for path in all_pages()
+                 for target in re.findall(r"pictures/([\w-]+\.\w+)\)", path.read_text(encoding="utf-8"))}
+        maker = (ROOT / "scripts/pictures").read_text(encoding="utf-8")
+        made = re.findall(r'(?m)^    (?:\*\*\{)?f?"([\w{}-]+\.\w+)": lambda', maker)
         for path in (ROOT / "docs/pictures").iterdir():
             with self.subTest(picture=path.name):
                 self.assertIn(path.name, shown)
@@ -69,9 +71,11 @@ class Links(unittest.TestCase):
     def test_pages_are_found_from_the_first_one(self):
         index = "\n".join(prose((ROOT / "docs/index.md").read_text(encoding="utf-8")))
         listed = set(LINK.findall(index))
+        of_the_site = re.findall(r"[\w-]+\.md", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"))
         for path in (ROOT / "docs").glob("*.md"):
             if path.name != "index.md":
                 self.assertIn(path.name, listed)
+                self.assertIn(path.name, of_the_site)
 
 
 if __name__ == "__main__":

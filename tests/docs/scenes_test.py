@@ -1,7 +1,7 @@
 """Every block of KDL in the documents is good: a whole scene compiles without a warning, a part of one within a scene.
 
-Called like scenes_test.py <kfast>. A whole scene begins with `kfast 1` and has a canvas. Anything else is a part: the test puts around
-it what it needs, and what it names is looked for in the parts above it on its page.
+Called like scenes_test.py <kfast>. A whole scene begins with `kfast 1` and has a canvas. Anything else is a part: the test puts
+around it what it needs, and what it names is looked for in the parts above it on its page.
 """
 
 import pathlib
