@@ -3,7 +3,7 @@ one to `repo_url` of mkdocs.yml if that is set."""
 
 import re
 
-OUTSIDE = re.compile(r"(?<!!)\[([^\]]+)\]\(\.\./([^)]+)\)")
+OUTSIDE = re.compile(r"!?\[([^\]]+)\]\(\.\./([^)]+)\)")
 
 
 def on_page_markdown(markdown, config, **_):
