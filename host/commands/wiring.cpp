@@ -1,6 +1,7 @@
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
 #include "host/config/config_input.hpp"
+#include "host/config/firmware_images.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"
 #include "host/config/setting_words.hpp"
