@@ -1,15 +1,14 @@
 #include "host/reported_compile.hpp"
 
 #include "host/compiler/compile.hpp"
-#include "host/reported_diagnostics.hpp"
 
 namespace kfast {
 
-CompiledText compile_and_report(const SourceText& source)
+CompiledText compile_and_report(const SourceText& source, const Reporter& reporter)
 {
     Diagnostics diagnostics;
     auto compiled = compile_with_names(source, diagnostics);
-    const auto [errors, warnings] = report(diagnostics, source);
+    const auto [errors, warnings] = reporter(diagnostics, source);
     if (!compiled)
         return {std::nullopt, {}, errors, warnings};
     return {std::move(compiled->bytes), std::move(compiled->item_names), errors, warnings};

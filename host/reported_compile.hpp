@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/reported_diagnostics.hpp"
 #include "host/text/source.hpp"
 
 #include <cstddef>
@@ -17,8 +18,7 @@ struct CompiledText {
     std::size_t warnings = 0;
 };
 
-/// Compiles a scene text and prints all diagnostics to standard error: in colour when that is a terminal and
-/// NO_COLOR is not set.
-CompiledText compile_and_report(const SourceText& source);
+/// Compiles a scene text and tells all diagnostics to `reporter`.
+CompiledText compile_and_report(const SourceText& source, const Reporter& reporter = report);
 
 }

@@ -25,6 +25,14 @@ std::string coloured(std::string text, Severity severity)
 
 }
 
+DiagnosticCount count(const Diagnostics& diagnostics)
+{
+    const std::vector<Diagnostic> list = diagnostics.sorted();
+    const auto errors =
+        static_cast<std::size_t>(std::ranges::count(list, Severity::error, &Diagnostic::severity));
+    return {errors, list.size() - errors};
+}
+
 DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source)
 {
     const std::vector<Diagnostic> list = diagnostics.sorted();
@@ -32,9 +40,7 @@ DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source)
         const std::string text = format(diagnostic, source);
         std::cerr << (colour_wanted() ? coloured(text, diagnostic.severity) : text);
     }
-    const auto errors =
-        static_cast<std::size_t>(std::ranges::count(list, Severity::error, &Diagnostic::severity));
-    return {errors, list.size() - errors};
+    return count(diagnostics);
 }
 
 void print_warning(const std::string& name, const std::string& text)

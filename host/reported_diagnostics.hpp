@@ -1,16 +1,13 @@
 #pragma once
 
+#include "host/reporter.hpp"
 #include "host/text/diagnostic.hpp"
 
-#include <cstddef>
 #include <string>
 
 namespace kfast {
 
-struct DiagnosticCount {
-    std::size_t errors = 0;
-    std::size_t warnings = 0;
-};
+DiagnosticCount count(const Diagnostics& diagnostics);
 
 /// Prints all diagnostics to standard error, in the order of their places: in colour when that is a terminal
 /// and NO_COLOR is not set.

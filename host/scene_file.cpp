@@ -56,13 +56,14 @@ SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)
     return {std::move(bytes), *view};
 }
 
-SceneFile from_text(const fs::path& path, std::string text)
+SceneFile from_text(const fs::path& path, std::string text, const Reporter& reporter)
 {
     if (text.find('\0') != std::string::npos)
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
     if (text.size() > most_scene_text_bytes)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
-    CompiledText compiled = compile_and_report({path.string(), std::move(text), path.parent_path().string()});
+    CompiledText compiled =
+        compile_and_report({path.string(), std::move(text), path.parent_path().string()}, reporter);
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));
     SceneFile scene = checked(path, std::move(*compiled.bytes));
@@ -97,11 +98,16 @@ SceneFile from_other_program(const fs::path& path, std::string content, const Im
 
 SceneFile load_scene(const fs::path& path, const ImportChoice& choice)
 {
-    std::string content = read_input(path, scene_input);
+    return scene_of(path, read_input(path, scene_input), choice, report);
+}
+
+SceneFile scene_of(const fs::path& path, std::string content, const ImportChoice& choice,
+                   const Reporter& reporter)
+{
     if (importing::can_import(content))
         return from_other_program(path, std::move(content), choice);
     if (!content.starts_with(magic))
-        return from_text(path, std::move(content));
+        return from_text(path, std::move(content), reporter);
     const auto bytes = std::as_bytes(std::span{content});
     return checked(path, {bytes.begin(), bytes.end()});
 }

@@ -3,6 +3,7 @@
 #include "core/scene_view.hpp"
 #include "host/art/losses.hpp"
 #include "host/import/options.hpp"
+#include "host/reporter.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -46,5 +47,10 @@ struct ImportChoice {
 /// in colour on a terminal. Throws Failure when the file cannot be read, is empty or larger than 16 MB (a
 /// scene text: 4 MB), or is no valid scene.
 SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choice = {});
+
+/// The same of what stands in a file, or would stand there: `path` is its name, and fonts lie beside it. What
+/// the compiler finds is told to `reporter`.
+SceneFile scene_of(const std::filesystem::path& path, std::string content, const ImportChoice& choice,
+                   const Reporter& reporter);
 
 }

@@ -1,4 +1,5 @@
 #include "host/commands/beam_option.hpp"
+#include "host/commands/offered_names.hpp"
 
 #include <functional>
 #include <string>
@@ -8,11 +9,12 @@ namespace {
 
 CLI::Option* add(CLI::App& app, const std::function<void(const ChosenBeam&)>& set)
 {
-    return app
-        .add_option_function<std::string>(
-            "--beam", [set](const std::string& name) { set(chosen_beam(name)); },
-            "For a vector display: scope, crt, galvo, or a file that describes one, FILE.kdl")
-        ->type_name("PROFILE");
+    CLI::Option* const beam =
+        app.add_option_function<std::string>(
+               "--beam", [set](const std::string& name) { set(chosen_beam(name)); },
+               "For a vector display: scope, crt, galvo, or a file that describes one, FILE.kdl")
+            ->type_name("PROFILE");
+    return offer(beam, profile_names());
 }
 
 }

@@ -1,43 +1,158 @@
+#include "host/commands/check_json.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/import_options.hpp"
+#include "host/commands/named_choice.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/commands/summary.hpp"
 #include "host/counted.hpp"
+#include "host/failure.hpp"
 #include "host/import/loss_list.hpp"
+#include "host/input_file.hpp"
+#include "host/reported_diagnostics.hpp"
 #include "host/scene_file.hpp"
 
+#include <array>
 #include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace kfast {
 namespace {
 
+constexpr const char* standard_input = "-";
+
+struct ReportForm {
+    std::string_view name;
+    bool is_json;
+};
+
+constexpr std::array forms{ReportForm{"text", false}, ReportForm{"json", true}};
+
 struct CheckOptions {
-    std::string path;
+    std::vector<std::string> paths;
+    std::string name = "<stdin>"; ///< of what comes from standard input
+    bool json = false;
     ImportChoice import_choice{.on_loss = OnLoss::report};
 };
 
-void check_scene(const CheckOptions& options)
+std::string name_of(const std::string& path, const CheckOptions& options)
 {
-    const SceneFile scene = load_scene(options.path, options.import_choice);
-    std::cout << options.path << ": ok: " << summary(scene) << ", " << counted(scene.warnings, "warning")
-              << '\n';
+    return path == standard_input ? options.name : path;
+}
+
+std::string content_of(const std::string& path, const CheckOptions& options)
+{
+    if (path != standard_input)
+        return read_input(path, scene_input);
+    std::string content{std::istreambuf_iterator{std::cin}, {}};
+    return content.empty() ? throw Failure(options.name + ": nothing came from standard input") : content;
+}
+
+void check_scene(const std::string& path, const CheckOptions& options)
+{
+    const std::string name = name_of(path, options);
+    const SceneFile scene = scene_of(name, content_of(path, options), options.import_choice, report);
+    std::cout << name << ": ok: " << summary(scene) << ", " << counted(scene.warnings, "warning") << '\n';
     if (!scene.losses.empty())
         std::cout << importing::loss_count(scene.losses) << ":\n"
                   << importing::loss_list(scene.losses, importing::ListLength::whole) << '\n';
 }
 
+[[noreturn]] void fail_of_several(std::size_t wrong, std::size_t all)
+{
+    throw Failure(std::to_string(wrong) + " of " + counted(all, "file") + (wrong == 1 ? " is" : " are") +
+                  " wrong");
+}
+
+void check_as_text(const CheckOptions& options)
+{
+    if (options.paths.size() == 1)
+        return check_scene(options.paths.front(), options);
+    std::size_t wrong = 0;
+    for (const std::string& path : options.paths)
+        try {
+            check_scene(path, options);
+        } catch (const Failure& failure) {
+            std::cerr << "kfast: " << failure.what() << '\n';
+            ++wrong;
+        }
+    if (wrong > 0)
+        fail_of_several(wrong, options.paths.size());
+}
+
+/// Losses are told in the list, whether they are allowed or not.
+CheckedFile checked(const std::string& path, const CheckOptions& options)
+{
+    CheckedFile file{.name = name_of(path, options), .text = {}};
+    try {
+        file.text = content_of(path, options);
+        const auto keep = [&file](const Diagnostics& found, const SourceText&) {
+            file.diagnostics = found;
+            return count(found);
+        };
+        ImportChoice choice = options.import_choice;
+        choice.on_loss = OnLoss::report;
+        const SceneFile scene = scene_of(file.name, file.text, choice, keep);
+        file.summary = summary(scene);
+        file.losses = scene.losses;
+        if (options.import_choice.on_loss == OnLoss::refuse && !file.losses.empty())
+            file.failure = file.name + ": " + importing::loss_count(file.losses);
+    } catch (const Failure& failure) {
+        if (!file.diagnostics.has_errors())
+            file.failure = failure.what();
+    }
+    return file;
+}
+
+void check_as_json(const CheckOptions& options)
+{
+    std::vector<CheckedFile> files;
+    for (const std::string& path : options.paths)
+        files.push_back(checked(path, options));
+    std::cout << check_json(files);
+    const auto wrong = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::is_good));
+    if (wrong > 0)
+        fail_of_several(wrong, files.size());
+}
+
+void require_one_input(const CheckOptions& options)
+{
+    const auto inputs = std::ranges::count(options.paths, standard_input);
+    if (inputs > 1)
+        throw CLI::ValidationError("SCENE", "standard input, -, can be read once");
+    if (inputs == 0 && options.name != CheckOptions{}.name)
+        throw CLI::ValidationError("--name", "names what comes from standard input: write - as SCENE");
+}
+
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<CheckOptions>();
-    app.add_option("SCENE", options->path, loaded_scene)->required();
+    app.add_option("SCENE", options->paths, std::string{loaded_scene} + "; several, or - for standard input")
+        ->required();
+    app.add_option("--name", options->name,
+                   "With -: the file that the text belongs to, for messages and for fonts beside it")
+        ->type_name("FILE");
+    CLI::Option* const format =
+        app.add_option_function<std::string>(
+               "--format",
+               [options](const std::string& name) { options->json = named(forms, "--format", name).is_json; },
+               "How it is told: " + names_of(forms) + ", for editors (default: text)")
+            ->type_name("NAME");
+    offer_names(format, forms);
     declare_import_options(app, options->import_choice);
-    app.callback([options] { check_scene(*options); });
+    app.callback([options] {
+        require_one_input(*options);
+        options->json ? check_as_json(*options) : check_as_text(*options);
+    });
 }
 
 }
 
 const Command check_command{"check", "Say what is wrong with a scene, without writing anything",
                             "kfast check eyes.kfast\n"
-                            "  kfast check eyes.json --strict",
+                            "  kfast check eyes.json --strict\n"
+                            "  kfast check - --name eyes.kfast --format json < eyes.kfast",
                             declare};
 
 }

@@ -9,6 +9,7 @@ namespace kfast {
 /// Under which the help lists commands.
 inline constexpr const char* scenes_group = "Scenes";
 inline constexpr const char* settings_group = "Settings and firmware";
+inline constexpr const char* editors_group = "For editors and shells (docs/editors.md)";
 inline constexpr const char* devices_group = "Devices that are attached (docs/devices.md)";
 
 /// One subcommand of kfast.
@@ -55,6 +56,9 @@ extern const Command choose_command;
 extern const Command erase_command;
 extern const Command boot_command;
 extern const Command install_udev_command;
+extern const Command schema_command;
+extern const Command completions_command;
+extern const Command man_command;
 
 /// The whole program. Returns its exit status (exit_status.hpp).
 int run_command_line(int count, const char* const* arguments);

@@ -2,6 +2,7 @@
 
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/failure.hpp"
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"
@@ -28,6 +29,7 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
                                               "A known board (" + names_of(fit::board_texts()) +
                                                   "), or the file that describes yours (docs/fit.md)")
                                    ->type_name("NAME");
+    offer_names(board, fit::board_texts());
     app.add_option_function<std::string>(
            "--panel", [&options](const std::string& name) { options.panel = panel_named(name); },
            "Another panel than the board's")

@@ -6,6 +6,7 @@
 #include "host/commands/import_report.hpp"
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/failure.hpp"
@@ -175,17 +176,22 @@ void declare_key_options(CLI::App& app, ImportOptions& options)
            "How it goes from key to key (default: constant)")
         ->type_name("LAW")
         ->group(group);
-    app.add_option_function<std::string>(
-           "--end", [&keys](const std::string& name) { keys.ending = named(endings, "--end", name).value; },
-           "After the last key: " + names_of(endings) + " (default: auto)")
-        ->type_name("HOW")
-        ->group(group);
-    app.add_option_function<std::string>(
-           "--layers",
-           [&keys](const std::string& name) { keys.layers = named(layer_keys, "--layers", name).value; },
-           "Layers named by frames, as keys: " + names_of(layer_keys) + " (default: auto)")
-        ->type_name("WHEN")
-        ->group(group);
+    CLI::Option* const end =
+        app.add_option_function<std::string>(
+               "--end",
+               [&keys](const std::string& name) { keys.ending = named(endings, "--end", name).value; },
+               "After the last key: " + names_of(endings) + " (default: auto)")
+            ->type_name("HOW")
+            ->group(group);
+    CLI::Option* const layers =
+        app.add_option_function<std::string>(
+               "--layers",
+               [&keys](const std::string& name) { keys.layers = named(layer_keys, "--layers", name).value; },
+               "Layers named by frames, as keys: " + names_of(layer_keys) + " (default: auto)")
+            ->type_name("WHEN")
+            ->group(group);
+    offer_names(end, endings);
+    offer_names(layers, layer_keys);
 }
 
 void require_input(const ImportOptions& options)

@@ -1,6 +1,7 @@
 #include "host/commands/picture_options.hpp"
 
 #include "host/commands/named_choice.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/picture/board_source.hpp"
 #include "host/picture/format_name.hpp"
@@ -40,16 +41,20 @@ CLI::Option* add_size(CLI::App& app, PictureOptions& options)
 
 CLI::Option* add_format(CLI::App& app, PictureOptions& options)
 {
-    return add(app, "--format", "NAME", "Pixels: " + names_of(format_names()) + " (default: rgb565)",
-               [&options](const std::string& name) {
-                   options.format = named(format_names(), "--format", name).value;
-               });
+    CLI::Option* const format =
+        add(app, "--format", "NAME", "Pixels: " + names_of(format_names()) + " (default: rgb565)",
+            [&options](const std::string& name) {
+                options.format = named(format_names(), "--format", name).value;
+            });
+    return offer_names(format, format_names());
 }
 
 CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
 {
-    return add(app, "--fit", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
-               [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
+    CLI::Option* const fit =
+        add(app, "--fit", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
+            [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
+    return offer_names(fit, fits);
 }
 
 /// Its inputs stand as usual.
@@ -67,8 +72,10 @@ std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const S
 
 CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel)
 {
-    return add(app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
-               [&panel](const std::string& name) { panel = &named(panel_choices(), "--panel", name); });
+    CLI::Option* const option =
+        add(app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
+            [&panel](const std::string& name) { panel = &named(panel_choices(), "--panel", name); });
+    return offer_names(option, panel_choices());
 }
 
 void declare_size_options(CLI::App& app, PictureOptions& options)

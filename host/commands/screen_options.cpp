@@ -4,6 +4,7 @@
 #include "host/commands/beam_option.hpp"
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/offered_names.hpp"
 
 namespace kfast {
 namespace {
@@ -32,14 +33,16 @@ CLI::Option* declare_screen_options(CLI::App& app, ScreenOptions& options)
         ->type_name("MS")
         ->check(number_within(0.1, 1000))
         ->needs(beam);
-    app.add_option_function<std::string>(
-           "--phosphor",
-           [&options](const std::string& name) {
-               options.phosphor = named(phosphor_names(), "--phosphor", name).value;
-           },
-           "With --beam: " + names_of(phosphor_names()))
-        ->type_name("NAME")
-        ->needs(beam);
+    CLI::Option* const phosphor = app.add_option_function<std::string>(
+                                         "--phosphor",
+                                         [&options](const std::string& name) {
+                                             options.phosphor =
+                                                 named(phosphor_names(), "--phosphor", name).value;
+                                         },
+                                         "With --beam: " + names_of(phosphor_names()))
+                                      ->type_name("NAME")
+                                      ->needs(beam);
+    offer_names(phosphor, phosphor_names());
     return beam;
 }
 

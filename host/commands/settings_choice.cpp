@@ -2,6 +2,7 @@
 
 #include "firmware/rp2040_pins.hpp"
 #include "host/beam/profile_choice.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/default_configuration.hpp"
@@ -27,12 +28,19 @@ CLI::ValidationError wrong_pin(const std::string& text, const std::string& reaso
     return CLI::ValidationError{"--pin", "'" + visible(text) + "': " + reason};
 }
 
-std::string configuration_of(const std::string& panel)
+/// That have a ready configuration.
+std::vector<std::string_view> known_panels()
 {
     std::vector<std::string_view> known;
     for (const config::Configuration& configuration : config::configurations())
         if (!configuration.name.starts_with(beam_prefix))
             known.push_back(configuration.name.substr(prefix.size()));
+    return known;
+}
+
+std::string configuration_of(const std::string& panel)
+{
+    const std::vector<std::string_view> known = known_panels();
     if (std::ranges::find(known, panel) == known.end())
         throw CLI::ValidationError(
             "--panel", "'" + visible(panel) + "' has no ready configuration: " + suggestion(panel, known) +
@@ -131,15 +139,20 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
         app.add_option("--config", options.config,
                        "Settings to write: a ready configuration or a file, as for 'kfast config'")
             ->type_name("INPUT");
-    app.add_option("--panel", options.panel,
-                   "The same, by the display: the ready configuration of gc9a01, st7789 …")
-        ->type_name("NAME")
-        ->excludes(config);
-    app.add_option("--beam", options.beam,
-                   "For a vector display: scope, galvo, crt, or a file of its profile (docs/beam.md)")
-        ->type_name("PROFILE")
-        ->excludes(config)
-        ->excludes(app.get_option("--panel"));
+    offer_names(config, config::configurations());
+    CLI::Option* const panel =
+        app.add_option("--panel", options.panel,
+                       "The same, by the display: the ready configuration of gc9a01, st7789 …")
+            ->type_name("NAME")
+            ->excludes(config);
+    offer(panel, known_panels());
+    CLI::Option* const beam =
+        app.add_option("--beam", options.beam,
+                       "For a vector display: scope, galvo, crt, or a file of its profile (docs/beam.md)")
+            ->type_name("PROFILE")
+            ->excludes(config)
+            ->excludes(panel);
+    offer(beam, profile_names());
     app.add_option("--pin", options.pins,
                    "A pin that is elsewhere, like dc=8, or none; may be repeated (docs/config.md has the "
                    "roles). Alone, it changes the settings that the board has")

@@ -1,9 +1,11 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/flash_contents.hpp"
 #include "host/commands/import_options.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/config/config_input.hpp"
+#include "host/config/configurations.hpp"
 #include "host/config/firmware_file.hpp"
 #include "host/failure.hpp"
 #include "host/flash/uf2.hpp"
@@ -60,8 +62,10 @@ void declare_uf2_pack(CLI::App& app)
 {
     const auto options = std::make_shared<Options>();
     app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
-    app.add_option("--config", options->config, "As for 'kfast config': a ready configuration or a file")
-        ->type_name("INPUT");
+    CLI::Option* const config =
+        app.add_option("--config", options->config, "As for 'kfast config': a ready configuration or a file")
+            ->type_name("INPUT");
+    offer_names(config, config::configurations());
     app.add_option("--scene", options->scene, loaded_scene)->type_name("FILE");
     app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "

@@ -1,6 +1,8 @@
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
+#include "host/commands/offered_names.hpp"
 #include "host/config/config_input.hpp"
+#include "host/config/configurations.hpp"
 #include "host/config/firmware_images.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"
@@ -137,9 +139,11 @@ void print_wiring(const Options& options)
 void declare(CLI::App& app)
 {
     const auto options = std::make_shared<Options>();
-    app.add_option("INPUT", options->input,
-                   "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
-        ->required();
+    CLI::Option* const input =
+        app.add_option("INPUT", options->input,
+                       "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
+            ->required();
+    offer_names(input, config::configurations());
     app.add_flag("--json", options->json, "For programs: a JSON object");
     app.callback([options] { print_wiring(*options); });
 }

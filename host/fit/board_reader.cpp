@@ -81,14 +81,14 @@ bool read_reserved_ram(const kdl::Value& value, Target& target, Reading& reading
 }
 
 constexpr std::array core_rules{
-    PropertyRule<Target>{"clock", read_clock, true},
+    PropertyRule<Target>{"clock", read_clock, {}, true},
     PropertyRule<Target>{"cycles", read_cycles},
 };
 constexpr std::array memory_rules{
-    PropertyRule<Target>{"flash", read_flash, true},
-    PropertyRule<Target>{"ram", read_ram, true},
+    PropertyRule<Target>{"flash", read_flash, {}, true},
+    PropertyRule<Target>{"ram", read_ram, {}, true},
 };
-constexpr std::array bus_rules{PropertyRule<Target>{"clock", read_bus_clock, true}};
+constexpr std::array bus_rules{PropertyRule<Target>{"clock", read_bus_clock, {}, true}};
 constexpr std::array reserved_rules{
     PropertyRule<Target>{"flash", read_reserved_flash},
     PropertyRule<Target>{"ram", read_reserved_ram},

@@ -4,6 +4,7 @@
 #include "host/scene/band.hpp"
 #include "host/scene/coordinate.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/spot_reader.hpp"
 #include "host/scene/value_reader.hpp"
@@ -234,6 +235,16 @@ std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const Read
                                           Reading& reading)
 {
     return BackboneReader{nodes, before, reading}.read();
+}
+
+std::vector<NodeWords> backbone_words()
+{
+    std::vector<NodeWords> words{{backbone_form.name, backbone_form, {ValueKind::pixels(coordinates)}}};
+    for (const Side& side : sides) {
+        const bool is_width = side.node == &BackboneNodes::width;
+        words.push_back({side.form.name, side.form, {ValueKind::pixels(is_width ? extents : coordinates)}});
+    }
+    return words;
 }
 
 }

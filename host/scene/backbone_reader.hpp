@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 
@@ -33,5 +34,8 @@ bool is_side(std::string_view name);
 /// none.
 std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const ReadBackbone* before,
                                           Reading& reading);
+
+/// Of a backbone, and of what says how wide it is.
+std::vector<NodeWords> backbone_words();
 
 }

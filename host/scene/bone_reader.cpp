@@ -2,6 +2,7 @@
 
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/spot_reader.hpp"
 #include "host/scene/value_reader.hpp"
@@ -34,9 +35,9 @@ bool keep_parent(const kdl::Value& value, WrittenBone& bone, Reading& reading)
 }
 
 constexpr std::array bone_rules{
-    PropertyRule<WrittenBone>{"region", read_region},
-    PropertyRule<WrittenBone>{"tip", read_tip},
-    PropertyRule<WrittenBone>{"parent", keep_parent},
+    PropertyRule<WrittenBone>{"region", read_region, ValueKind::pixels(extents)},
+    PropertyRule<WrittenBone>{"tip", read_tip, truth},
+    PropertyRule<WrittenBone>{"parent", keep_parent, any_name},
 };
 
 bool read_ends(const kdl::Node& node, WrittenBone& bone, Reading& reading)
@@ -134,6 +135,12 @@ void BoneReader::find_parent(WrittenBone& bone)
         known.push_back(other.name);
     is_good_ = reading_.report.error(bone.parent_name->place, "unknown bone " + quoted(*name),
                                      suggestion(*name, known));
+}
+
+NodeWords bone_words()
+{
+    return {
+        bone_name, bone_form, {any_name, ValueKind::pixels(coordinates)}, words_of(bone_rules), {bone_name}};
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 
@@ -51,5 +52,7 @@ private:
     bool is_good_ = true;
     bool is_full_ = false; ///< has been reported
 };
+
+NodeWords bone_words();
 
 }

@@ -4,6 +4,7 @@
 #include "host/scene/bone_tree.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/pose_keys.hpp"
 #include "host/scene/pose_reader.hpp"
 #include "host/scene/property_rule.hpp"
@@ -28,13 +29,15 @@ struct BonesProperties {
     bool turns_as_written = false;
 };
 
+constexpr std::array turn_words{Word<bool>{"shortest", false}, Word<bool>{"as-written", true}};
+
 bool read_turns(const kdl::Value& value, BonesProperties& bones, Reading& reading)
 {
-    constexpr std::array words{Word<bool>{"shortest", false}, Word<bool>{"as-written", true}};
-    return assign(read_word(value, words, reading), bones.turns_as_written);
+    return assign(read_word(value, turn_words, reading), bones.turns_as_written);
 }
 
-constexpr std::array bones_rules{PropertyRule<BonesProperties>{"turns", read_turns}};
+constexpr std::array bones_rules{
+    PropertyRule<BonesProperties>{"turns", read_turns, ValueKind::one_of<turn_words>()}};
 
 void refuse_unknown_nodes(const kdl::Node& node, Reading& reading)
 {
@@ -122,6 +125,12 @@ void warn_of_unused_skeletons(Reading& reading)
             reading.report.warning(
                 skeleton.bones.place, "the skeleton " + quoted(skeleton.bones.name) + " carries nothing",
                 "add skin=" + visible(skeleton.bones.name) + " to an object, or remove it");
+}
+
+NodeWords bones_words()
+{
+    return {
+        bones_name, bones_form, {any_name}, words_of(bones_rules), {known_nodes.begin(), known_nodes.end()}};
 }
 
 }

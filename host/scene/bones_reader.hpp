@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <string_view>
@@ -14,5 +15,7 @@ void add_skeleton(const kdl::Node& node, Reading& reading);
 
 /// After all objects have been read.
 void warn_of_unused_skeletons(Reading& reading);
+
+NodeWords bones_words();
 
 }

@@ -4,6 +4,7 @@
 #include "core/usual_camera.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 
@@ -66,9 +67,12 @@ bool read_route(const kdl::Value& value, Canvas& canvas, Reading& reading)
 }
 
 constexpr std::array canvas_rules{
-    PropertyRule<Canvas>{"fps", read_rate},      PropertyRule<Canvas>{"background", read_background},
-    PropertyRule<Canvas>{"loop", read_loop},     PropertyRule<Canvas>{"frames", keep_length},
-    PropertyRule<Canvas>{"camera", read_camera}, PropertyRule<Canvas>{"route", read_route},
+    PropertyRule<Canvas>{"fps", read_rate, ValueKind::number(frame_rates)},
+    PropertyRule<Canvas>{"background", read_background, any_colour},
+    PropertyRule<Canvas>{"loop", read_loop, ValueKind::one_of<loops>()},
+    PropertyRule<Canvas>{"frames", keep_length, any_time},
+    PropertyRule<Canvas>{"camera", read_camera, ValueKind::whole(camera_distances)},
+    PropertyRule<Canvas>{"route", read_route, truth},
 };
 
 std::optional<Time> read_length(const kdl::Value& value, Reading& reading)
@@ -100,6 +104,11 @@ void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading)
     scene.camera = canvas.camera.value_or(static_cast<int>(usual_camera(scene.canvas)));
     if (canvas.length != nullptr)
         reading.length = read_length(*canvas.length, reading);
+}
+
+NodeWords canvas_words()
+{
+    return {canvas_form.name, canvas_form, {ValueKind::whole(sizes)}, words_of(canvas_rules)};
 }
 
 }

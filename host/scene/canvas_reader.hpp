@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 namespace kfast::scene {
@@ -9,5 +10,7 @@ namespace kfast::scene {
 /// Fills the canvas, frame rate and loop of `scene`, puts the background first into the palette and sets what
 /// the nodes that follow need: the frame rate, and the length if the canvas gives one.
 void read_canvas(const kdl::Node& node, Scene& scene, Reading& reading);
+
+NodeWords canvas_words();
 
 }

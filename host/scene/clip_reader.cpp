@@ -2,6 +2,7 @@
 
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/scene_end.hpp"
 #include "host/scene/value_reader.hpp"
@@ -29,9 +30,9 @@ bool read_clip_loop(const kdl::Value& value, Clip& clip, Reading& reading)
 }
 
 constexpr std::array clip_rules{
-    PropertyRule<Clip>{"from", read_begin, true},
-    PropertyRule<Clip>{"to", read_end, true},
-    PropertyRule<Clip>{"loop", read_clip_loop},
+    PropertyRule<Clip>{"from", read_begin, any_time, true},
+    PropertyRule<Clip>{"to", read_end, any_time, true},
+    PropertyRule<Clip>{"loop", read_clip_loop, ValueKind::one_of<loops>()},
 };
 
 bool lies_in_scene(const Clip& clip, const kdl::Node& node, Time length, Reading& reading)
@@ -64,5 +65,7 @@ std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& nam
     clip.name = *name;
     return clip;
 }
+
+NodeWords clip_words() { return {clip_form.name, clip_form, {any_name}, words_of(clip_rules)}; }
 
 }

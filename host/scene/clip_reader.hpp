@@ -4,6 +4,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/name_table.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <optional>
@@ -13,5 +14,7 @@ namespace kfast::scene {
 /// Nothing when the node gives no usable clip of a scene of `length`; what is wrong is reported. `names` are
 /// those of the clips before it.
 std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& names, Reading& reading);
+
+NodeWords clip_words();
 
 }

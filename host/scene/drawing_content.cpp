@@ -90,15 +90,9 @@ private:
     {
         if (node.name == skeleton_name)
             return report_skeleton(node);
-        std::vector<std::string_view> known = drawn_names();
-        known.insert(known.begin(), key_name);
-        if (holder_ == KeyHolder::object) {
-            known.insert(known.begin() + 1, track_name);
-            known.push_back(weights_name);
-        }
         content_.is_good =
             reading_.report.error(node.name_place, std::string{noun_} + " has no node " + quoted(node.name),
-                                  suggestion(node.name, known));
+                                  suggestion(node.name, names_in_drawing(holder_)));
     }
 
     void report_skeleton(const kdl::Node& node)
@@ -126,6 +120,17 @@ DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, con
         if (!reading.report.full())
             content.read(child);
     return content.take();
+}
+
+std::vector<std::string_view> names_in_drawing(KeyHolder holder)
+{
+    std::vector<std::string_view> names = drawn_names();
+    names.insert(names.begin(), key_name);
+    if (holder == KeyHolder::object) {
+        names.insert(names.begin() + 1, track_name);
+        names.push_back(weights_name);
+    }
+    return names;
 }
 
 }

@@ -19,7 +19,9 @@ struct DrawingContent {
     bool is_good = true;                 ///< all nodes were known, all keys have their time
 };
 
-/// `holder` is not KeyHolder::group.
+/// The nodes that such a thing may hold. `holder` is not KeyHolder::group, here and below.
+std::vector<std::string_view> names_in_drawing(KeyHolder holder);
+
 DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
                                     Reading& reading);
 

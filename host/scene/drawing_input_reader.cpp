@@ -4,6 +4,7 @@
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/input_type.hpp"
 #include "host/scene/limits.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/shape_reader.hpp"
 #include "host/scene/value_reader.hpp"
@@ -27,9 +28,9 @@ bool read_amount(const kdl::Value& value, DrawingInput& input, Reading& reading)
 }
 
 constexpr std::array drawing_rules{
-    PropertyRule<DrawingInput>{"kind", check_own_type<DrawingInput>},
-    PropertyRule<DrawingInput>{"points", read_amount<&DrawingInput::points>, true},
-    PropertyRule<DrawingInput>{"strokes", read_amount<&DrawingInput::strokes>},
+    PropertyRule<DrawingInput>{"kind", check_own_type<DrawingInput>, ValueKind::one_of<input_types>()},
+    PropertyRule<DrawingInput>{"points", read_amount<&DrawingInput::points>, ValueKind::whole(amounts), true},
+    PropertyRule<DrawingInput>{"strokes", read_amount<&DrawingInput::strokes>, ValueKind::whole(amounts)},
 };
 
 bool is_straight(const Stroke& stroke)
@@ -99,5 +100,7 @@ DrawingInput read_drawing_input(const kdl::Node& node, Reading& reading)
         check_amounts(node, input, reading);
     return input;
 }
+
+std::vector<PropertyWords> drawing_input_words() { return words_of(drawing_rules); }
 
 }

@@ -3,6 +3,7 @@
 #include "host/property_name.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/placement.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/shape_reader.hpp"
@@ -181,5 +182,13 @@ bool DrawingReader::has_room(std::size_t points, const kdl::Node& node)
     points_ += points;
     return true;
 }
+
+std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names)
+{
+    std::ranges::replace(names, use_name, drawing_use_id);
+    return names;
+}
+
+NodeWords empty_words() { return {empty_form.name, empty_form}; }
 
 }

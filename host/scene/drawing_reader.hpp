@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/wire.hpp"
@@ -59,5 +60,9 @@ private:
     std::optional<bool> has_depths_; ///< of the first node
     bool is_mixed_ = false;          ///< has been reported
 };
+
+/// The ids of nodes among which there are such that draw.
+std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names);
+NodeWords empty_words();
 
 }

@@ -1,6 +1,7 @@
 #include "host/scene/event_reader.hpp"
 
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/scene_end.hpp"
 #include "host/scene/value_reader.hpp"
@@ -34,5 +35,7 @@ std::optional<Event> read_event(const kdl::Node& node, const Scene& scene, Readi
         return std::nullopt;
     return Event{.name = std::string{*name}, .time = *time};
 }
+
+NodeWords event_words() { return {event_form.name, event_form, {any_time, any_name}}; }
 
 }

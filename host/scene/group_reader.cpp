@@ -6,6 +6,7 @@
 #include "host/scene/key_list.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/track_builder.hpp"
 #include "host/scene/track_reader.hpp"
@@ -29,7 +30,7 @@ struct GroupProperties {
 
 constexpr auto group_rules =
     joined(place_rules<GroupProperties>, show_rules<GroupProperties>, pivot_rules<GroupProperties>,
-           std::array{PropertyRule<GroupProperties>{"input", read_own_clock<GroupProperties>}});
+           std::array{PropertyRule<GroupProperties>{"input", read_own_clock<GroupProperties>, any_name}});
 
 std::string read_group_name(const kdl::Node& node, Reading& reading)
 {
@@ -38,13 +39,19 @@ std::string read_group_name(const kdl::Node& node, Reading& reading)
     return std::string{read_name(node.arguments.front(), reading).value_or("")};
 }
 
+/// Of nodes that a group may hold.
+std::vector<std::string_view> names_inside()
+{
+    std::vector<std::string_view> names{item_names().begin(), item_names().end()};
+    names.push_back(key_name);
+    names.push_back(track_name);
+    return names;
+}
+
 void report_unknown(const kdl::Node& node, Reading& reading)
 {
-    std::vector<std::string_view> known{item_names().begin(), item_names().end()};
-    known.push_back(key_name);
-    known.push_back(track_name);
     reading.report.error(node.name_place, "a group has no node " + quoted(node.name),
-                         suggestion(node.name, known));
+                         suggestion(node.name, names_inside()));
 }
 
 /// What stands inside of a group.
@@ -102,6 +109,13 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& readin
         build_tracks(node, properties.values, {keys, properties.clock.clock()}, content.timed, reading);
     return Item{read_group_name(node, reading), std::move(tracks), std::move(content.group), place,
                 take_path(content.timed)};
+}
+
+NodeWords group_words()
+{
+    auto inside = names_inside();
+    std::ranges::replace(inside, key_name, group_key_id);
+    return {group_form.name, group_form, {any_name}, words_of(group_rules), inside};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <optional>
@@ -14,5 +15,7 @@ inline constexpr std::string_view group_name = "group";
 /// Nothing when the node gives no usable group; what is wrong is reported. `depth` groups and uses lie
 /// around it.
 std::optional<Item> read_group(const kdl::Node& node, int depth, Reading& reading);
+
+NodeWords group_words();
 
 }

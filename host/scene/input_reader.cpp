@@ -5,7 +5,9 @@
 #include "host/scene/input_type.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/shape_reader.hpp"
 #include "host/scene/text_input_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -54,10 +56,14 @@ bool read_value(const kdl::Value& written, NumberProperties& input, Reading& rea
 }
 
 constexpr std::array number_rules{
-    PropertyRule<NumberProperties>{"kind", check_own_type<NumberProperties>},
-    PropertyRule<NumberProperties>{"min", read_value<&NumberProperties::least>},
-    PropertyRule<NumberProperties>{"max", read_value<&NumberProperties::most>},
-    PropertyRule<NumberProperties>{"default", read_value<&NumberProperties::usual>},
+    PropertyRule<NumberProperties>{"kind", check_own_type<NumberProperties>,
+                                   ValueKind::one_of<input_types>()},
+    PropertyRule<NumberProperties>{"min", read_value<&NumberProperties::least>,
+                                   ValueKind::number(input_values)},
+    PropertyRule<NumberProperties>{"max", read_value<&NumberProperties::most>,
+                                   ValueKind::number(input_values)},
+    PropertyRule<NumberProperties>{"default", read_value<&NumberProperties::usual>,
+                                   ValueKind::number(input_values)},
 };
 
 bool check_range(const kdl::Node& node, const NumberProperties& input, Reading& reading)
@@ -150,6 +156,23 @@ void warn_of_unused_inputs(Reading& reading)
                                        (entry.input.type == InputType::number ? " moves" : " shows") +
                                        " nothing",
                                    remedy_of_unused(entry.input));
+}
+
+std::vector<NodeWords> input_words()
+{
+    std::vector<NodeWords> words{{input_name, number_form, {any_name}, words_of(number_rules)},
+                                 {input_name, text_form, {any_name}, text_input_words()},
+                                 {input_name,
+                                  drawing_form,
+                                  {any_name},
+                                  drawing_input_words(),
+                                  {shape_names().begin(), shape_names().end()}}};
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        PropertyWords& kind = words[i].properties.front();
+        kind.kind.words = kind.kind.words.subspan(i, 1);
+        kind.required = input_types[i].meaning != InputType::number;
+    }
+    return words;
 }
 
 }

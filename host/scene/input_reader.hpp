@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <string_view>
@@ -14,5 +15,8 @@ void add_input(const kdl::Node& node, Reading& reading);
 
 /// After everything that may go by them.
 void warn_of_unused_inputs(Reading& reading);
+
+/// Of numbers, texts and drawings.
+std::vector<NodeWords> input_words();
 
 }

@@ -3,8 +3,17 @@
 #include "core/input_view.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/value_kind.hpp"
+
+#include <array>
 
 namespace kfast::scene {
+
+inline constexpr std::array input_types{
+    Word<InputType>{"number", InputType::number},
+    Word<InputType>{"text", InputType::text},
+    Word<InputType>{"drawing", InputType::drawing},
+};
 
 /// What the property `kind` of an input says; a number if there is none, or if it is wrong.
 InputType input_type(const kdl::Node& node);

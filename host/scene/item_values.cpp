@@ -2,31 +2,28 @@
 
 #include "core/angle.hpp"
 #include "core/kfb_limits.hpp"
-#include "host/scene/limits.hpp"
 
 #include <cmath>
 
 namespace kfast::scene {
 namespace {
 
-/// What is written, and how much `units` of it are stored as.
+/// How much `units` of what is written are stored as.
 struct NumberForm {
-    Range range;
     double stored;
     double units;
 };
 
-constexpr NumberForm pixels{coordinates, 16, 1};
-constexpr NumberForm degrees{{-16 * 360, 16 * 360}, BinaryAngle::turn, 360};
-constexpr NumberForm scales{{-64, 64}, kfb::max_scale, 64};
-constexpr NumberForm shares{{0, 1}, path_whole, 1};
-constexpr NumberForm opacities{{0, 1}, 255, 1};
-constexpr NumberForm widths{{0, widest_stroke}, 16, 1};
-constexpr Range orders{-32768, 32767};
+constexpr NumberForm pixels{16, 1};
+constexpr NumberForm degrees{BinaryAngle::turn, 360};
+constexpr NumberForm scales{kfb::max_scale, 64};
+constexpr NumberForm shares{path_whole, 1};
+constexpr NumberForm opacities{255, 1};
 
-std::optional<std::int32_t> read_form(const NumberForm& form, const kdl::Value& value, Reading& reading)
+std::optional<std::int32_t> read_form(const NumberForm& form, Range range, const kdl::Value& value,
+                                      Reading& reading)
 {
-    const auto number = read_number(value, form.range, reading);
+    const auto number = read_number(value, range, reading);
     if (!number)
         return std::nullopt;
     return static_cast<std::int32_t>(std::lround(*number * form.stored / form.units));
@@ -43,33 +40,34 @@ std::optional<std::int32_t> ItemValues::get(Property property) const
 
 std::optional<std::int32_t> read_item_value(Property property, const kdl::Value& value, Reading& reading)
 {
+    const Range range = kind_of(property).range;
     switch (property) {
     case Property::x:
     case Property::y:
     case Property::z:
     case Property::pivot_x:
     case Property::pivot_y:
-        return read_form(pixels, value, reading);
+        return read_form(pixels, range, value, reading);
     case Property::rotation_x:
     case Property::rotation_y:
     case Property::rotation:
-        return read_form(degrees, value, reading);
+        return read_form(degrees, range, value, reading);
     case Property::scale_x:
     case Property::scale_y:
-        return read_form(scales, value, reading);
+        return read_form(scales, range, value, reading);
     case Property::along:
-        return read_form(shares, value, reading);
+        return read_form(shares, range, value, reading);
     case Property::opacity:
-        return read_form(opacities, value, reading);
+        return read_form(opacities, range, value, reading);
     case Property::order:
-        return read_whole_number(value, orders, reading);
+        return read_whole_number(value, range, reading);
     case Property::visible:
         return read_flag(value, reading);
     case Property::fill:
     case Property::stroke:
         return read_colour(value, reading);
     case Property::width:
-        return read_form(widths, value, reading);
+        return read_form(pixels, range, value, reading);
     }
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include "core/property.hpp"
 #include "host/kdl/document.hpp"
+#include "host/scene/limits.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/value_reader.hpp"
@@ -25,6 +26,39 @@ struct ItemValues {
     std::array<std::optional<std::int32_t>, property_count> own;
     std::optional<std::int32_t> scale; ///< of both axes
 };
+
+/// What nodes and keys may write of a quantity. `width` may be 0.
+constexpr ValueKind kind_of(Property property)
+{
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::z:
+    case Property::pivot_x:
+    case Property::pivot_y:
+        return ValueKind::pixels(coordinates);
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+        return ValueKind::degrees({-16 * 360, 16 * 360});
+    case Property::scale_x:
+    case Property::scale_y:
+        return ValueKind::number({-64, 64});
+    case Property::along:
+    case Property::opacity:
+        return ValueKind::number({0, 1});
+    case Property::order:
+        return ValueKind::whole({-32768, 32767});
+    case Property::visible:
+        return truth;
+    case Property::fill:
+    case Property::stroke:
+        return any_colour;
+    case Property::width:
+        return ValueKind::pixels({0, widest_stroke});
+    }
+    return {};
+}
 
 /// In the unit of the property, rounded once, halves away from zero. `width` may be 0.
 std::optional<std::int32_t> read_item_value(Property property, const kdl::Value& value, Reading& reading);
@@ -54,29 +88,29 @@ bool read_scale(const kdl::Value& value, Target& target, Reading& reading)
 
 template <class Target>
 inline constexpr std::array place_rules{
-    PropertyRule<Target>{"x", read_own_value<Property::x>},
-    PropertyRule<Target>{"y", read_own_value<Property::y>},
-    PropertyRule<Target>{"z", read_own_value<Property::z>},
-    PropertyRule<Target>{"rotate", read_rotation<Target>},
-    PropertyRule<Target>{"rotate-x", read_own_value<Property::rotation_x>},
-    PropertyRule<Target>{"rotate-y", read_own_value<Property::rotation_y>},
-    PropertyRule<Target>{"rotate-z", read_rotation<Target>},
-    PropertyRule<Target>{"scale", read_scale},
-    PropertyRule<Target>{"scale-x", read_own_value<Property::scale_x>},
-    PropertyRule<Target>{"scale-y", read_own_value<Property::scale_y>},
+    PropertyRule<Target>{"x", read_own_value<Property::x>, kind_of(Property::x)},
+    PropertyRule<Target>{"y", read_own_value<Property::y>, kind_of(Property::y)},
+    PropertyRule<Target>{"z", read_own_value<Property::z>, kind_of(Property::z)},
+    PropertyRule<Target>{"rotate", read_rotation<Target>, kind_of(Property::rotation)},
+    PropertyRule<Target>{"rotate-x", read_own_value<Property::rotation_x>, kind_of(Property::rotation_x)},
+    PropertyRule<Target>{"rotate-y", read_own_value<Property::rotation_y>, kind_of(Property::rotation_y)},
+    PropertyRule<Target>{"rotate-z", read_rotation<Target>, kind_of(Property::rotation)},
+    PropertyRule<Target>{"scale", read_scale, kind_of(Property::scale_x)},
+    PropertyRule<Target>{"scale-x", read_own_value<Property::scale_x>, kind_of(Property::scale_x)},
+    PropertyRule<Target>{"scale-y", read_own_value<Property::scale_y>, kind_of(Property::scale_y)},
 };
 
 template <class Target>
 inline constexpr std::array pivot_rules{
-    PropertyRule<Target>{"pivot-x", read_own_value<Property::pivot_x>},
-    PropertyRule<Target>{"pivot-y", read_own_value<Property::pivot_y>},
+    PropertyRule<Target>{"pivot-x", read_own_value<Property::pivot_x>, kind_of(Property::pivot_x)},
+    PropertyRule<Target>{"pivot-y", read_own_value<Property::pivot_y>, kind_of(Property::pivot_y)},
 };
 
 template <class Target>
 inline constexpr std::array show_rules{
-    PropertyRule<Target>{"opacity", read_own_value<Property::opacity>},
-    PropertyRule<Target>{"order", read_own_value<Property::order>},
-    PropertyRule<Target>{"visible", read_own_value<Property::visible>},
+    PropertyRule<Target>{"opacity", read_own_value<Property::opacity>, kind_of(Property::opacity)},
+    PropertyRule<Target>{"order", read_own_value<Property::order>, kind_of(Property::order)},
+    PropertyRule<Target>{"visible", read_own_value<Property::visible>, kind_of(Property::visible)},
 };
 
 }

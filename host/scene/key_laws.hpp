@@ -37,9 +37,9 @@ bool read_key_law(const kdl::Value& value, Target& target, Reading& reading)
 /// A Target has a member KeyLaws `laws`.
 template <class Target>
 inline constexpr std::array law_rules{
-    PropertyRule<Target>{"law", read_key_law<&KeyLaws::both>},
-    PropertyRule<Target>{"law-x", read_key_law<&KeyLaws::x>},
-    PropertyRule<Target>{"law-y", read_key_law<&KeyLaws::y>},
+    PropertyRule<Target>{"law", read_key_law<&KeyLaws::both>, any_law},
+    PropertyRule<Target>{"law-x", read_key_law<&KeyLaws::x>, any_law},
+    PropertyRule<Target>{"law-y", read_key_law<&KeyLaws::y>, any_law},
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -23,11 +24,11 @@ bool read_match(const kdl::Value& value, ItemKey& key, Reading& reading)
     return assign(read_word(value, matches, reading), key.match);
 }
 
-constexpr std::array match_rules{PropertyRule<ItemKey>{"match", read_match}};
+constexpr std::array match_rules{PropertyRule<ItemKey>{"match", read_match, ValueKind::one_of<matches>()}};
 constexpr std::array paint_rules{
-    PropertyRule<ItemKey>{"fill", read_own_value<Property::fill>},
-    PropertyRule<ItemKey>{"stroke", read_own_value<Property::stroke>},
-    PropertyRule<ItemKey>{"width", read_own_value<Property::width>},
+    PropertyRule<ItemKey>{"fill", read_own_value<Property::fill>, kind_of(Property::fill)},
+    PropertyRule<ItemKey>{"stroke", read_own_value<Property::stroke>, kind_of(Property::stroke)},
+    PropertyRule<ItemKey>{"width", read_own_value<Property::width>, kind_of(Property::width)},
 };
 
 constexpr auto symbol_key_rules = joined(law_rules<ItemKey>, match_rules);
@@ -70,13 +71,19 @@ bool report_idle_key(const ItemKey& key, KeyHolder holder, Reading& reading)
 
 bool is_skeleton(const kdl::Node& node) { return node.name == skeleton_name; }
 
+/// Of nodes that a key with a drawing may hold.
+std::vector<std::string_view> names_inside(KeyHolder holder)
+{
+    std::vector<std::string_view> names = drawn_names();
+    if (holder == KeyHolder::object)
+        names.push_back(skeleton_name);
+    return names;
+}
+
 void report_unknown(const kdl::Node& node, KeyHolder holder, Reading& reading)
 {
-    std::vector<std::string_view> known = drawn_names();
-    if (holder == KeyHolder::object)
-        known.push_back(skeleton_name);
     reading.report.error(node.name_place, "a key has no node " + quoted(node.name),
-                         suggestion(node.name, known));
+                         suggestion(node.name, names_inside(holder)));
 }
 
 void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, Reading& reading)
@@ -134,6 +141,21 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const K
         return std::nullopt;
     key.time = *time;
     return key;
+}
+
+std::vector<NodeWords> key_words()
+{
+    return {{key_name,
+             drawing_key_form,
+             {any_moment},
+             words_of(object_key_rules),
+             drawn_ids(names_inside(KeyHolder::object))},
+            {group_key_id, group_key_form, {any_moment}, words_of(group_key_rules)},
+            {symbol_key_id,
+             drawing_key_form,
+             {any_time},
+             words_of(symbol_key_rules),
+             drawn_ids(names_inside(KeyHolder::symbol))}};
 }
 
 }

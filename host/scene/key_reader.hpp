@@ -6,6 +6,7 @@
 #include "host/scene/key_clock.hpp"
 #include "host/scene/key_laws.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <cstdint>
@@ -15,6 +16,9 @@
 namespace kfast::scene {
 
 inline constexpr std::string_view key_name = "key";
+// Ids (NodeWords) of those that do not stand in objects.
+inline constexpr std::string_view group_key_id = "key of group";
+inline constexpr std::string_view symbol_key_id = "key of symbol";
 inline constexpr std::string_view skeleton_name = "skeleton";
 
 /// What the key stands in; it decides what the key may set.
@@ -44,5 +48,8 @@ bool holds_drawing(const kdl::Node& key);
 /// to `node`.
 std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
                                 Reading& reading);
+
+/// Of keys of objects, of groups and uses, and of symbols.
+std::vector<NodeWords> key_words();
 
 }

@@ -6,6 +6,7 @@
 #include "host/scene/input_user.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/text_properties.hpp"
 #include "host/scene/value_reader.hpp"
@@ -163,6 +164,13 @@ std::optional<Label> read_label(const kdl::Node& node, Reading& reading)
     if (!has_room(label, shown.text, node, reading))
         return std::nullopt;
     return label;
+}
+
+NodeWords label_words()
+{
+    auto properties = text_property_words(TextKind::label);
+    std::ranges::find(properties, "input", &PropertyWords::name)->required = true;
+    return {label_form.name, label_form, {}, properties};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <optional>
@@ -16,5 +17,7 @@ void report_label_among_shapes(const kdl::Node& node, Reading& reading);
 
 /// Of `node`, which is a label. Reports what is wrong and then returns nothing.
 std::optional<Label> read_label(const kdl::Node& node, Reading& reading);
+
+NodeWords label_words();
 
 }

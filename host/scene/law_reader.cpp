@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -216,6 +217,14 @@ std::optional<VelocityLaw> read_law(const kdl::Value& value, Reading& reading)
 {
     const auto text = read_text(value, reading);
     return text ? LawReader{value, *text, reading}.read() : std::nullopt;
+}
+
+std::vector<std::string_view> law_forms()
+{
+    std::vector<std::string_view> forms;
+    std::ranges::transform(plain_laws, std::back_inserter(forms), &Word<VelocityLaw>::name);
+    std::ranges::transform(calls, std::back_inserter(forms), &CallForm::form);
+    return forms;
 }
 
 }

@@ -1,6 +1,7 @@
 #include "host/scene/mesh_reader.hpp"
 
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -170,6 +171,17 @@ std::optional<std::vector<SpaceSpot>> read_space_spots(const kdl::Node& node, Re
 std::optional<Mesh> read_mesh(const kdl::Node& node, Reading& reading)
 {
     return MeshReader{node, reading}.read();
+}
+
+std::vector<std::string_view> names_inside_mesh() { return {names_inside.begin(), names_inside.end()}; }
+
+std::vector<NodeWords> mesh_words()
+{
+    const ValueKind coordinate = ValueKind::pixels(coordinates);
+    const ValueKind vertex = ValueKind::whole(whole_numbers);
+    return {{vertices_form.name, vertices_form, {coordinate}},
+            {edges_form.name, edges_form, {vertex}},
+            {face_form.name, face_form, {vertex}}};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/mesh.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <optional>
@@ -15,5 +16,9 @@ std::optional<std::vector<SpaceSpot>> read_space_spots(const kdl::Node& node, Re
 
 /// What stands inside of the node `mesh`.
 std::optional<Mesh> read_mesh(const kdl::Node& node, Reading& reading);
+
+std::vector<std::string_view> names_inside_mesh();
+/// Of these.
+std::vector<NodeWords> mesh_words();
 
 }

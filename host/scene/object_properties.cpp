@@ -1,6 +1,7 @@
 #include "host/scene/object_properties.hpp"
 
 #include "host/scene/limits.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 
@@ -63,13 +64,13 @@ bool keep_name(const kdl::Value& value, Target& target, Reading&)
 }
 
 constexpr std::array style_rules{
-    PropertyRule<Target>{"fill", read_own_value<Property::fill>},
-    PropertyRule<Target>{"stroke", read_own_value<Property::stroke>},
-    PropertyRule<Target>{"width", read_width, false, "stroke"},
-    PropertyRule<Target>{"cap", read_cap, false, "stroke"},
-    PropertyRule<Target>{"join", read_join, false, "stroke"},
-    PropertyRule<Target>{"miter", read_miter, false, "stroke"},
-    PropertyRule<Target>{"rule", read_fill_rule, false, "fill"},
+    PropertyRule<Target>{"fill", read_own_value<Property::fill>, kind_of(Property::fill)},
+    PropertyRule<Target>{"stroke", read_own_value<Property::stroke>, kind_of(Property::stroke)},
+    PropertyRule<Target>{"width", read_width, ValueKind::pixels(widths), false, "stroke"},
+    PropertyRule<Target>{"cap", read_cap, ValueKind::one_of<caps>(), false, "stroke"},
+    PropertyRule<Target>{"join", read_join, ValueKind::one_of<joins>(), false, "stroke"},
+    PropertyRule<Target>{"miter", read_miter, ValueKind::number(miters), false, "stroke"},
+    PropertyRule<Target>{"rule", read_fill_rule, ValueKind::one_of<fill_rules>(), false, "fill"},
 };
 
 constexpr std::array beam_parts{
@@ -103,9 +104,9 @@ bool read_hatch_angle(const kdl::Value& value, Target& target, Reading& reading)
 }
 
 constexpr std::array beam_rules{
-    PropertyRule<Target>{"beam", read_beam},
-    PropertyRule<Target>{"hatch", read_hatch},
-    PropertyRule<Target>{"hatch-angle", read_hatch_angle},
+    PropertyRule<Target>{"beam", read_beam, ValueKind::one_of<beam_parts>()},
+    PropertyRule<Target>{"hatch", read_hatch, ValueKind::pixels(hatch_spacings)},
+    PropertyRule<Target>{"hatch-angle", read_hatch_angle, ValueKind::degrees(hatch_angles)},
 };
 
 void check_beam(const kdl::Node& node, const BeamStyle& style, Reading& reading)
@@ -128,15 +129,15 @@ bool read_change(const kdl::Value& value, Target& target, Reading& reading)
 }
 
 constexpr std::array skin_rules{
-    PropertyRule<Target>{"skin", keep_name<&Target::skin>},
-    PropertyRule<Target>{"bone", keep_name<&Target::bone>},
-    PropertyRule<Target>{"change", read_change, false, "skin"},
+    PropertyRule<Target>{"skin", keep_name<&Target::skin>, any_name},
+    PropertyRule<Target>{"bone", keep_name<&Target::bone>, any_name},
+    PropertyRule<Target>{"change", read_change, ValueKind::one_of<changes>(), false, "skin"},
 };
 
 constexpr auto object_rules =
     joined(style_rules, beam_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
-           std::array{PropertyRule<Target>{"input", read_own_clock<Target>},
-                      PropertyRule<Target>{"live", keep_name<&Target::live>}});
+           std::array{PropertyRule<Target>{"input", read_own_clock<Target>, any_name},
+                      PropertyRule<Target>{"live", keep_name<&Target::live>, any_name}});
 
 }
 
@@ -167,5 +168,7 @@ ObjectProperties read_object_properties(const kdl::Node& node, Place place, Read
     check_beam(node, properties.beam, reading);
     return properties;
 }
+
+std::vector<PropertyWords> object_property_words() { return words_of(object_rules); }
 
 }

@@ -4,6 +4,7 @@
 #include "host/scene/item_values.hpp"
 #include "host/scene/key_clock.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <optional>
@@ -28,5 +29,7 @@ struct ObjectProperties {
 
 /// Reports what is wrong; that there is neither fill nor stroke at `place`.
 ObjectProperties read_object_properties(const kdl::Node& node, Place place, Reading& reading);
+
+std::vector<PropertyWords> object_property_words();
 
 }

@@ -10,6 +10,7 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/object_properties.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/skeleton_reader.hpp"
@@ -299,6 +300,15 @@ std::optional<Item> read_object(const kdl::Node& node, Reading& reading)
     if (!name || !add_name(reading.object_names, "an object", *name, item.place, reading.report))
         return std::nullopt;
     return item;
+}
+
+NodeWords object_words()
+{
+    return {object_name,
+            object_form,
+            {any_name},
+            object_property_words(),
+            drawn_ids(names_in_drawing(KeyHolder::object))};
 }
 
 }

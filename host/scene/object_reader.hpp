@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <optional>
@@ -13,5 +14,7 @@ inline constexpr std::string_view object_name = "object";
 
 /// Nothing when the node gives no usable object; what is wrong is reported.
 std::optional<Item> read_object(const kdl::Node& node, Reading& reading);
+
+NodeWords object_words();
 
 }

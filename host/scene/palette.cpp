@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <iterator>
 
 namespace kfast::scene {
 namespace {
@@ -93,6 +94,13 @@ std::vector<std::string_view> Palette::names() const
         names.push_back(name);
     for (const BasicColour& basic : basic_colours)
         names.push_back(basic.name);
+    return names;
+}
+
+std::vector<std::string_view> basic_colour_names()
+{
+    std::vector<std::string_view> names;
+    std::ranges::transform(basic_colours, std::back_inserter(names), &BasicColour::name);
     return names;
 }
 

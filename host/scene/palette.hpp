@@ -14,6 +14,7 @@ namespace kfast::scene {
 
 /// The 16 colours that CSS has known from the start; `grey` is `gray`.
 std::optional<Colour> basic_colour(std::string_view name);
+std::vector<std::string_view> basic_colour_names();
 
 /// "#rgb" or "#rrggbb", or with opacity "#rgba" or "#rrggbbaa".
 std::optional<Colour> hex_colour(std::string_view text);

@@ -2,6 +2,7 @@
 
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 constexpr NodeForm palette_form{"palette", "palette { NAME \"#rrggbb\" }", 0, 0, true};
 
 /// `name` is what the scene calls its colour.
-NodeForm colour_form(std::string_view name) { return {name, "NAME \"#rrggbb\"", 1, 1}; }
+constexpr NodeForm colour_form(std::string_view name) { return {name, "NAME \"#rrggbb\"", 1, 1}; }
 
 /// A palette knows basic and hexadecimal colours, not its own names.
 std::optional<Colour> read_plain_colour(const kdl::Value& value, Reading& reading)
@@ -48,6 +49,13 @@ void read_palette(const kdl::Node& node, Reading& reading)
     for (const kdl::Node& colour : node.children)
         if (!reading.report.full())
             read_named_colour(colour, reading);
+}
+
+std::vector<NodeWords> palette_words()
+{
+    constexpr std::string_view colour = "colour of palette";
+    return {{palette_form.name, palette_form, {}, {}, {colour}},
+            {colour, colour_form("NAME"), {any_colour}, {}, {}, true}};
 }
 
 }

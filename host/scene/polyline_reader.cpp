@@ -1,5 +1,6 @@
 #include "host/scene/polyline_reader.hpp"
 
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/shape.hpp"
 #include "host/scene/spline.hpp"
@@ -23,7 +24,7 @@ bool read_closed(const kdl::Value& value, bool& closed, Reading& reading)
     return assign(read_flag(value, reading), closed);
 }
 
-constexpr std::array curve_rules{PropertyRule<bool>{"closed", read_closed}};
+constexpr std::array curve_rules{PropertyRule<bool>{"closed", read_closed, truth}};
 
 }
 
@@ -46,5 +47,7 @@ std::vector<Outline> read_curve(const kdl::Node& node, std::size_t, Reading& rea
         return {};
     return {spline(*spots, closed)};
 }
+
+std::vector<PropertyWords> curve_words() { return words_of(curve_rules); }
 
 }

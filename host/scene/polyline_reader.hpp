@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 
@@ -13,5 +14,7 @@ namespace kfast::scene {
 std::vector<Outline> read_polygon(const kdl::Node& node, std::size_t points_left, Reading& reading);
 std::vector<Outline> read_line(const kdl::Node& node, std::size_t points_left, Reading& reading);
 std::vector<Outline> read_curve(const kdl::Node& node, std::size_t points_left, Reading& reading);
+
+std::vector<PropertyWords> curve_words();
 
 }

@@ -4,6 +4,7 @@
 #include "host/scene/key_order.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/unseen_keys.hpp"
 #include "host/scene/value_reader.hpp"
@@ -33,10 +34,10 @@ bool read_quantity(const kdl::Value& value, PosedBone& bone, Reading& reading)
 }
 
 constexpr std::array bone_rules{
-    PropertyRule<PosedBone>{"turn", read_quantity<&PosedBone::turn, turns>},
-    PropertyRule<PosedBone>{"x", read_quantity<&PosedBone::x, coordinates>},
-    PropertyRule<PosedBone>{"y", read_quantity<&PosedBone::y, coordinates>},
-    PropertyRule<PosedBone>{"length", read_quantity<&PosedBone::length, lengths>},
+    PropertyRule<PosedBone>{"turn", read_quantity<&PosedBone::turn, turns>, ValueKind::degrees(turns)},
+    PropertyRule<PosedBone>{"x", read_quantity<&PosedBone::x, coordinates>, ValueKind::pixels(coordinates)},
+    PropertyRule<PosedBone>{"y", read_quantity<&PosedBone::y, coordinates>, ValueKind::pixels(coordinates)},
+    PropertyRule<PosedBone>{"length", read_quantity<&PosedBone::length, lengths>, ValueKind::pixels(lengths)},
 };
 
 /// `name` is that of a bone.
@@ -53,7 +54,7 @@ std::vector<PosedBone> all_as_set_up(std::size_t count, Place place)
 }
 
 constexpr auto pose_rules =
-    joined(law_rules<Pose>, std::array{PropertyRule<Pose>{"input", read_own_clock<Pose>}});
+    joined(law_rules<Pose>, std::array{PropertyRule<Pose>{"input", read_own_clock<Pose>, any_name}});
 
 bool shares_a_bone(const Pose& pose, const std::vector<bool>& bones)
 {
@@ -256,6 +257,14 @@ void PoseReader::warn_of_idle_laws()
         for (const PosedBone& posed : pose.bones)
             later[posed.bone] = true;
     }
+}
+
+std::vector<NodeWords> pose_words()
+{
+    constexpr std::string_view bone = "bone of pose";
+    return {{pose_name, timed_form, {any_moment, any_name}, words_of(pose_rules), {bone}},
+            {pose_name, definition_form, {any_name}, {}, {bone}},
+            {bone, bone_form("BONE"), {}, words_of(bone_rules), {}, true}};
 }
 
 }

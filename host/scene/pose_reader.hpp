@@ -6,6 +6,7 @@
 #include "host/scene/key_laws.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/name_table.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <cstddef>
@@ -82,5 +83,8 @@ private:
     std::vector<Mention> mentions_;
     std::vector<Pose> poses_;
 };
+
+/// Of poses with a time and without, and of the bones in them.
+std::vector<NodeWords> pose_words();
 
 }

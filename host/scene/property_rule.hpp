@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/value_kind.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,7 @@ struct PropertyRule {
     std::string_view name = {};
     /// Whether the value was good; reports it if not.
     bool (*read)(const kdl::Value& value, Target& target, Reading& reading) = nullptr;
+    ValueKind kind = {}; ///< of the values that `read` takes
     bool required = false;
     std::string_view needs = {}; ///< another property, without which this one does nothing
 };

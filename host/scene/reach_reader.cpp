@@ -7,6 +7,7 @@
 #include "host/scene/key_order.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/timed_value.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -36,13 +37,14 @@ bool read_bend(const kdl::Value& value, ReachProperties& reach, Reading& reading
     return assign(read_word(value, bends, reading), reach.bend);
 }
 
-constexpr std::array reach_rules{PropertyRule<ReachProperties>{"bend", read_bend}};
+constexpr std::array reach_rules{
+    PropertyRule<ReachProperties>{"bend", read_bend, ValueKind::one_of<bends>()}};
 
 struct AtProperties {
     KeyLaws laws;
 };
 
-constexpr std::array at_rules{PropertyRule<AtProperties>{"law", read_key_law<&KeyLaws::both>}};
+constexpr std::array at_rules{PropertyRule<AtProperties>{"law", read_key_law<&KeyLaws::both>, any_law}};
 
 struct WrittenTarget {
     const kdl::Node* node;
@@ -166,6 +168,13 @@ std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& 
     }
     reading.last_key = std::max(reading.last_key, targets->back().time);
     return Reach{*bone, *bend, std::move(*targets), place};
+}
+
+std::vector<NodeWords> reach_words()
+{
+    constexpr std::string_view target = "at of reach";
+    return {{reach_name, reach_form, {any_name}, words_of(reach_rules), {target}},
+            {target, at_form, {any_time, ValueKind::pixels(coordinates)}, words_of(at_rules)}};
 }
 
 }

@@ -4,6 +4,7 @@
 #include "core/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 
@@ -44,5 +45,8 @@ Spot target_at(const Reach& reach, Time time);
 
 /// Nothing when the node gives no usable reach; what is wrong is reported.
 std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, Reading& reading);
+
+/// Of a reach, and of its targets.
+std::vector<NodeWords> reach_words();
 
 }

@@ -10,6 +10,7 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/name_table.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/object_reader.hpp"
 #include "host/scene/palette_reader.hpp"
 #include "host/scene/property_rule.hpp"
@@ -78,10 +79,8 @@ void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
     const auto rule = std::ranges::find(part_rules, node.name, &PartRule::name);
     if (rule != part_rules.end())
         return rule->take(parts, node, reading);
-    std::array<std::string_view, part_rules.size()> known;
-    std::ranges::transform(part_rules, known.begin(), &PartRule::name);
     reading.report.error(node.name_place, "a scene has no node " + quoted(node.name),
-                         suggestion(node.name, known));
+                         suggestion(node.name, word_names<part_rules>));
 }
 
 Parts sort_out(const kdl::Document& document, Reading& reading)
@@ -207,5 +206,12 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
         return std::nullopt;
     return scene;
 }
+
+NodeWords version_words()
+{
+    return {version_form.name, version_form, {ValueKind::whole({language_version, language_version})}};
+}
+
+std::span<const std::string_view> names_outermost() { return word_names<part_rules>; }
 
 }

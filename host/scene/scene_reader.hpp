@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
@@ -15,5 +16,10 @@ namespace kfast::scene {
 /// `diagnostics` holds no error afterwards, those of the parser included.
 std::optional<Scene> read_scene(const kdl::Document& document, const SourceText& source,
                                 Diagnostics& diagnostics);
+
+/// Of the node that begins a scene.
+NodeWords version_words();
+/// Of the nodes on the outermost level.
+std::span<const std::string_view> names_outermost();
 
 }

@@ -1,5 +1,6 @@
 #include "host/scene/sector_reader.hpp"
 
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/sector.hpp"
 #include "host/scene/spot_reader.hpp"
@@ -39,18 +40,19 @@ bool read_inner(const kdl::Value& value, Shape& shape, Reading& reading)
     return assign(read_number(value, extents, reading), shape.inner);
 }
 
-constexpr PropertyRule<Shape> from_rule{"from", read_angle<&Sector::from>, true};
-constexpr PropertyRule<Shape> to_rule{"to", read_angle<&Sector::to>, true};
-constexpr PropertyRule<Shape> radius_rule{"r", read_radius, true};
+constexpr PropertyRule<Shape> from_rule{"from", read_angle<&Sector::from>, ValueKind::degrees(angles), true};
+constexpr PropertyRule<Shape> to_rule{"to", read_angle<&Sector::to>, ValueKind::degrees(angles), true};
+constexpr PropertyRule<Shape> radius_rule{"r", read_radius, ValueKind::pixels(extents), true};
 
 constexpr std::array arc_rules{radius_rule, from_rule, to_rule};
 constexpr std::array elliptical_rules{
-    PropertyRule<Shape>{"rx", read_extent<&Sector::radius_x>, true},
-    PropertyRule<Shape>{"ry", read_extent<&Sector::radius_y>, true},
+    PropertyRule<Shape>{"rx", read_extent<&Sector::radius_x>, ValueKind::pixels(extents), true},
+    PropertyRule<Shape>{"ry", read_extent<&Sector::radius_y>, ValueKind::pixels(extents), true},
     from_rule,
     to_rule,
 };
-constexpr std::array pie_rules{radius_rule, from_rule, to_rule, PropertyRule<Shape>{"inner", read_inner}};
+constexpr std::array pie_rules{radius_rule, from_rule, to_rule,
+                               PropertyRule<Shape>{"inner", read_inner, ValueKind::pixels(extents)}};
 
 bool within_a_turn(const kdl::Node& node, const Sector& sector, Reading& reading)
 {
@@ -91,5 +93,12 @@ std::vector<Outline> read_pie(const kdl::Node& node, std::size_t, Reading& readi
         return {};
     return {shape->inner ? ring_piece(shape->sector, *shape->inner) : pie(shape->sector)};
 }
+
+std::vector<std::vector<PropertyWords>> arc_words()
+{
+    return {words_of(arc_rules), words_of(elliptical_rules)};
+}
+
+std::vector<PropertyWords> pie_words() { return words_of(pie_rules); }
 
 }

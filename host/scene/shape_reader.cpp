@@ -1,6 +1,8 @@
 #include "host/scene/shape_reader.hpp"
 
+#include "host/scene/label_reader.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/path_reader.hpp"
 #include "host/scene/polyline_reader.hpp"
 #include "host/scene/property_rule.hpp"
@@ -34,10 +36,11 @@ bool read_radius_y(const kdl::Value& value, Radii& radii, Reading& reading)
     return assign(read_number(value, extents, reading), radii.y);
 }
 
-constexpr std::array circle_rules{PropertyRule<Radii>{"r", read_radius_x, true}};
-constexpr std::array ellipse_rules{PropertyRule<Radii>{"rx", read_radius_x, true},
-                                   PropertyRule<Radii>{"ry", read_radius_y, true}};
-constexpr std::array rect_rules{PropertyRule<Radii>{"corner", read_radius_x}};
+constexpr std::array circle_rules{PropertyRule<Radii>{"r", read_radius_x, ValueKind::pixels(extents), true}};
+constexpr std::array ellipse_rules{
+    PropertyRule<Radii>{"rx", read_radius_x, ValueKind::pixels(extents), true},
+    PropertyRule<Radii>{"ry", read_radius_y, ValueKind::pixels(extents), true}};
+constexpr std::array rect_rules{PropertyRule<Radii>{"corner", read_radius_x, ValueKind::pixels(extents)}};
 
 std::vector<Outline> read_circle(const kdl::Node& node, std::size_t, Reading& reading)
 {
@@ -69,24 +72,66 @@ std::vector<Outline> read_rectangle(const kdl::Node& node, std::size_t, Reading&
     return {rectangle({box->at(0), box->at(1)}, box->at(2), box->at(3), corner.x)};
 }
 
+using Words = std::vector<std::vector<PropertyWords>>;
+
 struct Shape {
     NodeForm form;
     std::vector<Outline> (*read)(const kdl::Node&, std::size_t points_left, Reading&);
+    std::span<const ValueKind> values;
+    Words (*properties)(); ///< one list for each way to write it
 };
 
+constexpr ValueKind coordinate = ValueKind::pixels(coordinates);
+constexpr ValueKind extent = ValueKind::pixels(extents);
+constexpr std::array path_values{any_path};
+constexpr std::array spot_values{coordinate};
+constexpr std::array box_values{coordinate, coordinate, extent};
+
+template <const auto& rules>
+Words words_of_rules()
+{
+    return {words_of(rules)};
+}
+
+Words no_properties() { return {{}}; }
+
+/// Texts tell their own.
+Words no_words() { return {}; }
+
 constexpr std::array shapes{
-    Shape{{"path", "path \"M … L …\"", 1, 1}, read_path},
-    Shape{{"circle", "circle CX CY r=RADIUS", 2, 2}, read_circle},
-    Shape{{"ellipse", "ellipse CX CY rx=RADIUS ry=RADIUS", 2, 2}, read_ellipse},
-    Shape{{"rect", "rect X Y WIDTH HEIGHT corner=RADIUS", 4, 4}, read_rectangle},
-    Shape{{"arc", "arc CX CY r=RADIUS from=DEGREES to=DEGREES", 2, 2}, read_arc},
-    Shape{{"pie", "pie CX CY r=RADIUS from=DEGREES to=DEGREES inner=RADIUS", 2, 2}, read_pie},
-    Shape{{"polygon", "polygon X Y X Y X Y …", 6, NodeForm::any_number}, read_polygon},
-    Shape{{"regular", "regular CX CY sides=NUMBER r=RADIUS turn=DEGREES", 2, 2}, read_regular},
-    Shape{{"star", "star CX CY points=NUMBER r=RADIUS inner=RADIUS turn=DEGREES", 2, 2}, read_star},
-    Shape{{"line", "line X Y X Y …", 4, NodeForm::any_number}, read_line},
-    Shape{{"curve", "curve X Y X Y … closed=#true", 4, NodeForm::any_number}, read_curve},
-    Shape{{"text", "text \"WORDS\" at=\"X,Y\" size=PIXELS font=FONT", 0, 1}, read_text_shape},
+    Shape{{"path", "path \"M … L …\"", 1, 1}, read_path, path_values, no_properties},
+    Shape{{"circle", "circle CX CY r=RADIUS", 2, 2}, read_circle, spot_values, words_of_rules<circle_rules>},
+    Shape{{"ellipse", "ellipse CX CY rx=RADIUS ry=RADIUS", 2, 2},
+          read_ellipse,
+          spot_values,
+          words_of_rules<ellipse_rules>},
+    Shape{{"rect", "rect X Y WIDTH HEIGHT corner=RADIUS", 4, 4},
+          read_rectangle,
+          box_values,
+          words_of_rules<rect_rules>},
+    Shape{{"arc", "arc CX CY r=RADIUS from=DEGREES to=DEGREES", 2, 2}, read_arc, spot_values, arc_words},
+    Shape{{"pie", "pie CX CY r=RADIUS from=DEGREES to=DEGREES inner=RADIUS", 2, 2},
+          read_pie,
+          spot_values,
+          [] { return Words{pie_words()}; }},
+    Shape{{"polygon", "polygon X Y X Y X Y …", 6, NodeForm::any_number},
+          read_polygon,
+          spot_values,
+          no_properties},
+    Shape{{"regular", "regular CX CY sides=NUMBER r=RADIUS turn=DEGREES", 2, 2},
+          read_regular,
+          spot_values,
+          [] { return Words{regular_words()}; }},
+    Shape{{"star", "star CX CY points=NUMBER r=RADIUS inner=RADIUS turn=DEGREES", 2, 2},
+          read_star,
+          spot_values,
+          [] { return Words{star_words()}; }},
+    Shape{{"line", "line X Y X Y …", 4, NodeForm::any_number}, read_line, spot_values, no_properties},
+    Shape{{"curve", "curve X Y X Y … closed=#true", 4, NodeForm::any_number},
+          read_curve,
+          spot_values,
+          [] { return Words{curve_words()}; }},
+    Shape{{"text", "text \"WORDS\" at=\"X,Y\" size=PIXELS font=FONT", 0, 1}, read_text_shape, {}, no_words},
 };
 
 constexpr auto names = [] {
@@ -108,6 +153,18 @@ std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, 
     if (!fits(node, shape.form, reading))
         return {};
     return shape.read(node, points_left, reading);
+}
+
+std::vector<NodeWords> shape_words()
+{
+    std::vector<NodeWords> words{text_words(), label_words()};
+    for (const Shape& shape : shapes)
+        for (auto& properties : shape.properties())
+            words.push_back({shape.form.name,
+                             shape.form,
+                             {shape.values.begin(), shape.values.end()},
+                             std::move(properties)});
+    return words;
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 
@@ -18,5 +19,7 @@ bool is_shape(std::string_view name);
 /// The outlines of `node`, for which is_shape() holds; none when it is wrong, which is reported. Only
 /// paths and texts look at `points_left`, and only paths are sure to be in_range().
 std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, Reading& reading);
+
+std::vector<NodeWords> shape_words();
 
 }

@@ -5,6 +5,7 @@
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -135,6 +136,11 @@ std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, Reading& 
     if (!read.empty())
         read.back().laws = {};
     return read;
+}
+
+NodeWords skeleton_words()
+{
+    return {skeleton_name, skeleton_form, {}, {}, {names_inside.begin(), names_inside.end()}};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/scene/key_reader.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <span>
@@ -12,5 +13,7 @@ namespace kfast::scene {
 /// The skeletons of `keys`, which are those of one object, with the laws of their ways; none is there where
 /// keys have none. What is wrong is reported, and then left out.
 std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, Reading& reading);
+
+NodeWords skeleton_words();
 
 }

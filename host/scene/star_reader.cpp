@@ -1,5 +1,6 @@
 #include "host/scene/star_reader.hpp"
 
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/spot_reader.hpp"
 #include "host/scene/star.hpp"
@@ -39,16 +40,16 @@ bool read_turn(const kdl::Value& value, Shape& shape, Reading& reading)
 }
 
 constexpr std::array star_rules{
-    PropertyRule<Shape>{"points", read_count},
-    PropertyRule<Shape>{"r", read_radius, true},
-    PropertyRule<Shape>{"inner", read_inner},
-    PropertyRule<Shape>{"turn", read_turn},
+    PropertyRule<Shape>{"points", read_count, ValueKind::whole(counts)},
+    PropertyRule<Shape>{"r", read_radius, ValueKind::pixels(extents), true},
+    PropertyRule<Shape>{"inner", read_inner, ValueKind::pixels(extents)},
+    PropertyRule<Shape>{"turn", read_turn, ValueKind::degrees(angles)},
 };
 
 constexpr std::array regular_rules{
-    PropertyRule<Shape>{"sides", read_count, true},
-    PropertyRule<Shape>{"r", read_radius, true},
-    PropertyRule<Shape>{"turn", read_turn},
+    PropertyRule<Shape>{"sides", read_count, ValueKind::whole(counts), true},
+    PropertyRule<Shape>{"r", read_radius, ValueKind::pixels(extents), true},
+    PropertyRule<Shape>{"turn", read_turn, ValueKind::degrees(angles)},
 };
 
 }
@@ -72,5 +73,8 @@ std::vector<Outline> read_regular(const kdl::Node& node, std::size_t, Reading& r
         return {};
     return {regular_polygon(*centre, shape.count, shape.radius, shape.turn)};
 }
+
+std::vector<PropertyWords> star_words() { return words_of(star_rules); }
+std::vector<PropertyWords> regular_words() { return words_of(regular_rules); }
 
 }

@@ -6,6 +6,7 @@
 #include "host/scene/item_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/symbol_kind.hpp"
 #include "host/scene/track_builder.hpp"
@@ -196,5 +197,13 @@ void check_unused_symbols(Reading& reading)
 }
 
 void move_symbols(Scene& scene, Reading& reading) { SymbolMover{scene, reading}.move_used_by(scene.items); }
+
+std::vector<NodeWords> symbol_words()
+{
+    std::vector<std::string_view> drawn{symbol_key_id};
+    std::ranges::copy(drawn_ids(drawn_names()), std::back_inserter(drawn));
+    return {{symbol_name, symbol_form, {any_name}, {}, {item_names().begin(), item_names().end()}},
+            {symbol_name, symbol_form, {any_name}, {}, drawn}};
+}
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/symbol_table.hpp"
 
@@ -23,5 +24,8 @@ void check_unused_symbols(Reading& reading);
 
 /// Moves the symbols that the items of `scene` use into it, each behind those that it uses.
 void move_symbols(Scene& scene, Reading& reading);
+
+/// Of symbols of items, and of those that are drawings.
+std::vector<NodeWords> symbol_words();
 
 }

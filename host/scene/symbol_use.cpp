@@ -1,8 +1,10 @@
 #include "host/scene/symbol_use.hpp"
 
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/symbol_reader.hpp"
+#include "host/scene/track_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
@@ -20,10 +22,12 @@ bool read_mirror(const kdl::Value& value, SymbolUse& use, Reading& reading)
     return assign(read_word(value, mirrors, reading), use.mirror);
 }
 
-constexpr std::array mirror_rules{PropertyRule<SymbolUse>{"mirror", read_mirror}};
+constexpr std::array mirror_rules{
+    PropertyRule<SymbolUse>{"mirror", read_mirror, ValueKind::one_of<mirrors>()}};
 constexpr auto drawing_rules = joined(place_rules<SymbolUse>, mirror_rules);
-constexpr auto items_rules = joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
-                                    std::array{PropertyRule<SymbolUse>{"input", read_own_clock<SymbolUse>}});
+constexpr auto items_rules =
+    joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
+           std::array{PropertyRule<SymbolUse>{"input", read_own_clock<SymbolUse>, any_name}});
 
 /// The place may stand behind the name of the symbol instead of in properties.
 void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_view name,
@@ -84,6 +88,13 @@ std::optional<SymbolUse> read_items_use(const kdl::Node& node, Reading& reading)
 std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, Reading& reading)
 {
     return read_use(node, SymbolEntry::Kind::drawing, drawing_form, drawing_rules, reading);
+}
+
+std::vector<NodeWords> use_words()
+{
+    const ValueKind coordinate = kind_of(Property::x);
+    return {{use_name, items_form, {any_name, coordinate}, words_of(items_rules), {group_key_id, track_name}},
+            {drawing_use_id, drawing_form, {any_name, coordinate}, words_of(drawing_rules)}};
 }
 
 }

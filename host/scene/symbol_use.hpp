@@ -4,6 +4,7 @@
 #include "host/scene/item_values.hpp"
 #include "host/scene/key_clock.hpp"
 #include "host/scene/mirror.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/symbol_table.hpp"
 
@@ -13,6 +14,7 @@
 namespace kfast::scene {
 
 inline constexpr std::string_view use_name = "use";
+inline constexpr std::string_view drawing_use_id = "use of drawing"; ///< among shapes (NodeWords)
 
 /// A node `use`, its keys apart.
 struct SymbolUse {
@@ -27,5 +29,8 @@ std::optional<SymbolUse> read_items_use(const kdl::Node& node, Reading& reading)
 
 /// A symbol that is a drawing, inside an object; `values` has its place, rotation and scale.
 std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, Reading& reading);
+
+/// Of a use as an item, and of one among shapes.
+std::vector<NodeWords> use_words();
 
 }

@@ -3,6 +3,7 @@
 #include "core/code_point.hpp"
 #include "core/kfb_limits.hpp"
 #include "host/scene/input_type.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/text_properties.hpp"
 #include "host/scene/value_reader.hpp"
@@ -17,6 +18,8 @@
 
 namespace kfast::scene {
 namespace {
+
+constexpr Range lengths{1, kfb::max_text};
 
 struct TextInputProperties {
     const kdl::Value* glyphs = nullptr;
@@ -33,14 +36,15 @@ bool keep_value(const kdl::Value& written, TextInputProperties& input, Reading& 
 
 bool read_most(const kdl::Value& written, TextInputProperties& input, Reading& reading)
 {
-    return assign(read_whole_number(written, {1, kfb::max_text}, reading), input.most);
+    return assign(read_whole_number(written, lengths, reading), input.most);
 }
 
 constexpr std::array text_input_rules{
-    PropertyRule<TextInputProperties>{"kind", check_own_type<TextInputProperties>},
-    PropertyRule<TextInputProperties>{"glyphs", keep_value<&TextInputProperties::glyphs>, true},
-    PropertyRule<TextInputProperties>{"max", read_most, true},
-    PropertyRule<TextInputProperties>{"default", keep_value<&TextInputProperties::usual>},
+    PropertyRule<TextInputProperties>{"kind", check_own_type<TextInputProperties>,
+                                      ValueKind::one_of<input_types>()},
+    PropertyRule<TextInputProperties>{"glyphs", keep_value<&TextInputProperties::glyphs>, any_text, true},
+    PropertyRule<TextInputProperties>{"max", read_most, ValueKind::whole(lengths), true},
+    PropertyRule<TextInputProperties>{"default", keep_value<&TextInputProperties::usual>, any_text},
 };
 
 /// A character and where it stands in its text.
@@ -159,5 +163,7 @@ TextInput read_text_input(const kdl::Node& node, Reading& reading)
         input.usual = read_usual(*properties.usual, input, reading);
     return input;
 }
+
+std::vector<PropertyWords> text_input_words() { return words_of(text_input_rules); }
 
 }

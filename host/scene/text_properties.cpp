@@ -1,6 +1,7 @@
 #include "host/scene/text_properties.hpp"
 
 #include "host/scene/font_reader.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/spot_reader.hpp"
 #include "host/scene/value_reader.hpp"
@@ -61,13 +62,16 @@ bool keep_input(const kdl::Value& value, Properties& properties, Reading&)
 }
 
 constexpr std::array line_rules{
-    PropertyRule<Properties>{"at", read_at, true},     PropertyRule<Properties>{"size", read_size, true},
-    PropertyRule<Properties>{"font", read_font},       PropertyRule<Properties>{"align", read_align},
-    PropertyRule<Properties>{"spacing", read_spacing},
+    PropertyRule<Properties>{"at", read_at, any_spot, true},
+    PropertyRule<Properties>{"size", read_size, ValueKind::pixels(sizes), true},
+    PropertyRule<Properties>{"font", read_font, any_font},
+    PropertyRule<Properties>{"align", read_align, ValueKind::one_of<alignments>()},
+    PropertyRule<Properties>{"spacing", read_spacing, ValueKind::pixels(spacings)},
 };
-constexpr auto fixed_rules =
-    joined(line_rules, std::array{PropertyRule<Properties>{"leading", read_leading}});
-constexpr auto label_rules = joined(line_rules, std::array{PropertyRule<Properties>{"input", keep_input}});
+constexpr auto fixed_rules = joined(
+    line_rules, std::array{PropertyRule<Properties>{"leading", read_leading, ValueKind::pixels(extents)}});
+constexpr auto label_rules =
+    joined(line_rules, std::array{PropertyRule<Properties>{"input", keep_input, any_name}});
 
 }
 
@@ -97,6 +101,11 @@ std::string other_font(const TextProperties& properties)
 {
     return properties.font.starts_with("hershey-") ? "it has those of ASCII; name a font file for others"
                                                    : "name another font";
+}
+
+std::vector<PropertyWords> text_property_words(TextKind kind)
+{
+    return kind == TextKind::fixed ? words_of(fixed_rules) : words_of(label_rules);
 }
 
 }

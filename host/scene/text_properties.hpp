@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/text_layout.hpp"
 
@@ -32,5 +33,7 @@ std::string in_words(std::string_view character);
 
 /// What to do when the font lacks a character.
 std::string other_font(const TextProperties& properties);
+
+std::vector<PropertyWords> text_property_words(TextKind kind);
 
 }

@@ -3,6 +3,7 @@
 #include "host/scene/label_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/text_layout.hpp"
 #include "host/scene/text_properties.hpp"
 #include "host/scene/value_reader.hpp"
@@ -58,6 +59,11 @@ std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_l
     else if (outlines->empty())
         reading.report.warning(value.place, "this text draws nothing");
     return std::move(outlines).value_or(std::vector<Outline>{});
+}
+
+NodeWords text_words()
+{
+    return {words_form.name, words_form, {any_text}, text_property_words(TextKind::fixed)};
 }
 
 }

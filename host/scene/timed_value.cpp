@@ -5,6 +5,7 @@
 #include "host/scene/law_reader.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -24,7 +25,7 @@ bool read_law_of_way(const kdl::Value& value, TimedValue& timed, Reading& readin
     return assign(read_law(value, reading), timed.law);
 }
 
-constexpr std::array at_rules{PropertyRule<TimedValue>{"law", read_law_of_way}};
+constexpr std::array at_rules{PropertyRule<TimedValue>{"law", read_law_of_way, any_law}};
 
 std::optional<TimedValue> read_at(const kdl::Node& node, Property property, const KeyClock& clock,
                                   Reading& reading)
@@ -77,5 +78,7 @@ std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property prope
     refuse_double_times(values, clock, reading);
     return values;
 }
+
+NodeWords at_words() { return {at_name, at_form, {any_moment, ValueKind::number({})}, words_of(at_rules)}; }
 
 }

@@ -5,6 +5,7 @@
 #include "core/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/key_clock.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 
 #include <cstdint>
@@ -29,5 +30,7 @@ struct TimedValue {
 /// that are wrong, which are reported.
 std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyClock& clock,
                                           Reading& reading);
+
+NodeWords at_words();
 
 }

@@ -4,6 +4,7 @@
 #include "host/scene/along_reader.hpp"
 #include "host/scene/law_reader.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/timed_value.hpp"
 #include "host/scene/unseen_keys.hpp"
@@ -62,11 +63,10 @@ void report_unknown_quantity(const kdl::Value& value, std::string_view name, Key
         reading.report.error(value.place, "only objects have a width",
                              "let the track stand in an object that has a stroke");
     else {
-        std::array<std::string_view, quantities.size()> known;
-        std::ranges::transform(quantities, known.begin(), &Quantity::name);
         const std::size_t hidden = holder == KeyHolder::object ? 0 : 1;
+        const std::span known{word_names<quantities>};
         reading.report.error(value.place, "unknown quantity " + quoted(name),
-                             suggestion(name, std::span{known}.first(known.size() - hidden)));
+                             suggestion(name, known.first(known.size() - hidden)));
     }
 }
 
@@ -101,10 +101,11 @@ bool read_turn(const kdl::Value& value, TrackProperties& track, Reading& reading
     return assign(read_flag(value, reading), track.turns);
 }
 
-constexpr std::array track_rules{PropertyRule<TrackProperties>{"law", read_law_of_track},
-                                 PropertyRule<TrackProperties>{"input", read_own_clock<TrackProperties>}};
+constexpr std::array track_rules{
+    PropertyRule<TrackProperties>{"law", read_law_of_track, any_law},
+    PropertyRule<TrackProperties>{"input", read_own_clock<TrackProperties>, any_name}};
 constexpr auto along_rules =
-    joined(track_rules, std::array{PropertyRule<TrackProperties>{"turn", read_turn}});
+    joined(track_rules, std::array{PropertyRule<TrackProperties>{"turn", read_turn, truth}});
 
 class TrackReader {
 public:
@@ -214,6 +215,26 @@ std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder,
     if (quantity == nullptr)
         return std::nullopt;
     return TrackReader{node, *quantity, reading}.read();
+}
+
+std::vector<NodeWords> track_words()
+{
+    constexpr ValueKind quantity = ValueKind::one_of<quantities>();
+    constexpr std::size_t along = 1;
+    const auto name = std::ranges::find(quantities, Property::along, &Quantity::property);
+    const auto place = static_cast<std::size_t>(name - quantities.begin());
+    ValueKind path = quantity;
+    path.words = quantity.words.subspan(place, along);
+    return {{track_name, track_form, {quantity}, words_of(track_rules), {at_name}},
+            {track_name, along_form, {path, any_path}, words_of(along_rules), {at_name}}};
+}
+
+std::vector<PropertyWords> quantity_words()
+{
+    std::vector<PropertyWords> words;
+    for (const Quantity& quantity : quantities)
+        words.push_back({quantity.name, kind_of(quantity.property)});
+    return words;
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/key_reader.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/timed_quantity.hpp"
 
@@ -15,5 +16,10 @@ inline constexpr std::string_view track_name = "track";
 /// A node `track` of an item. Nothing when it cannot be said what it is a track of, which is reported like
 /// everything else. `node` must live as long as the quantity.
 std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder, Reading& reading);
+
+/// Of plain tracks, and of those along a path.
+std::vector<NodeWords> track_words();
+/// What a track may move, and by which values.
+std::vector<PropertyWords> quantity_words();
 
 }

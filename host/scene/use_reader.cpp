@@ -16,6 +16,8 @@
 namespace kfast::scene {
 namespace {
 
+constexpr std::array names_inside{key_name, track_name};
+
 /// How a use changes.
 struct Changes {
     std::vector<ItemKey> keys;
@@ -36,7 +38,7 @@ Changes read_changes(const kdl::Node& node, const KeyClock& clock, Reading& read
                 changes.timed.push_back(std::move(*quantity));
         } else {
             reading.report.error(child.name_place, "a use has no node " + quoted(child.name),
-                                 suggestion(child.name, std::array{key_name, track_name}));
+                                 suggestion(child.name, names_inside));
         }
     }
     changes.keys = keys.take();

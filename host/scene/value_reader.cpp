@@ -206,11 +206,6 @@ void report_unknown_word(const kdl::Value& value, std::string_view name,
 
 std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading)
 {
-    constexpr std::array loops{
-        Word<Loop>{"once", Loop::once},
-        Word<Loop>{"repeat", Loop::repeat},
-        Word<Loop>{"ping-pong", Loop::ping_pong},
-    };
     return read_word(value, loops, reading);
 }
 

@@ -4,7 +4,9 @@
 #include "core/time.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/coordinate.hpp"
+#include "host/scene/range.hpp"
 #include "host/scene/reading.hpp"
+#include "host/scene/value_kind.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <array>
@@ -19,11 +21,6 @@
 /// Values of nodes and properties as what the language takes them for. Each function reports what is wrong
 /// and then returns nothing.
 namespace kfast::scene {
-
-struct Range {
-    double low;
-    double high;
-};
 
 inline constexpr Range coordinates{-coordinate_limit, coordinate_limit};
 /// Radii, widths and heights.
@@ -77,13 +74,6 @@ std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading
 void report_unknown_colour(const kdl::Value& value, std::string_view text,
                            std::span<const std::string_view> known, Reading& reading);
 
-/// One of the words that a property takes.
-template <class Meaning>
-struct Word {
-    std::string_view name;
-    Meaning meaning;
-};
-
 void report_unknown_word(const kdl::Value& value, std::string_view name,
                          std::span<const std::string_view> known, Reading& reading);
 
@@ -104,7 +94,11 @@ std::optional<Meaning> read_word(const kdl::Value& value, const std::array<Word<
     return std::nullopt;
 }
 
-/// once, repeat or ping-pong.
+inline constexpr std::array loops{
+    Word<Loop>{"once", Loop::once},
+    Word<Loop>{"repeat", Loop::repeat},
+    Word<Loop>{"ping-pong", Loop::ping_pong},
+};
 std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading);
 
 /// Where a part of the text of `value` stands in the source; where that is not known, the whole value.

@@ -4,6 +4,7 @@
 #include "host/scene/bone_regions.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -24,6 +25,8 @@ constexpr NodeForm points_form{points_name, "points FIRST LAST { BONE WEIGHT }",
 NodeForm weight_form(std::string_view name) { return {name, "BONE WEIGHT", 1, 1}; }
 
 constexpr Range weights_range{0, 1000};
+
+constexpr Range point_numbers{1, double{most_points}};
 
 enum class Spread : std::uint8_t {
     by_distance, ///< the nearer a bone, the more
@@ -123,7 +126,7 @@ private:
         if (!fits(node, points_form, reading_) || !refuse_properties(node, reading_))
             return false;
         const auto binding = read_binding(node);
-        const Range numbers{1, static_cast<double>(spots_.size())};
+        const Range numbers{point_numbers.low, static_cast<double>(spots_.size())};
         const auto first = read_whole_number(node.arguments.front(), numbers, reading_);
         const auto last =
             node.arguments.size() == 1 ? first : read_whole_number(node.arguments.back(), numbers, reading_);
@@ -225,6 +228,14 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
     if (!spread)
         return std::nullopt;
     return weights_of_regions(skeleton, spots, *spread, place, reading);
+}
+
+std::vector<NodeWords> weights_words()
+{
+    constexpr std::string_view bone = "bone of weights";
+    return {{weights_name, weights_form, {ValueKind::one_of<spreads>()}, {}, {points_name, bone}},
+            {points_name, points_form, {ValueKind::whole(point_numbers)}, {}, {bone}},
+            {bone, weight_form("BONE"), {ValueKind::number(weights_range)}, {}, {}, true}};
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/binding.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/outline.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/skeleton_table.hpp"
@@ -22,5 +23,8 @@ inline constexpr std::string_view weights_name = "weights";
 std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const Skeleton& skeleton,
                                                  const std::vector<Spot>& spots, Place place,
                                                  Reading& reading);
+
+/// Of weights, of those of single points, and of the bones in both.
+std::vector<NodeWords> weights_words();
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/scene/mesh_reader.hpp"
 #include "host/scene/node_form.hpp"
+#include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 
@@ -16,7 +17,7 @@ bool read_closed(const kdl::Value& value, bool& closed, Reading& reading)
     return assign(read_flag(value, reading), closed);
 }
 
-constexpr std::array polyline_rules{PropertyRule<bool>{"closed", read_closed}};
+constexpr std::array polyline_rules{PropertyRule<bool>{"closed", read_closed, truth}};
 
 std::vector<Wire> read_polyline(const kdl::Node& node, Reading& reading)
 {
@@ -50,12 +51,18 @@ std::vector<Wire> read_cuboid(const kdl::Node& node, Reading& reading)
 struct WireShape {
     NodeForm form;
     std::vector<Wire> (*read)(const kdl::Node&, Reading&);
+    std::span<const ValueKind> values;
 };
 
+constexpr ValueKind coordinate = ValueKind::pixels(coordinates);
+constexpr std::array spot_values{coordinate};
+constexpr std::array box_values{coordinate, coordinate, coordinate, ValueKind::pixels(extents)};
+
 constexpr std::array shapes{
-    WireShape{{"wire", "wire X Y Z X Y Z … closed=#true", 6, NodeForm::any_number}, read_polyline},
-    WireShape{{"mesh", "mesh { vertices X Y Z X Y Z …; edges A B … }", 0, 0, true}, read_edges},
-    WireShape{{"cuboid", "cuboid X Y Z WIDTH HEIGHT DEPTH", 6, 6}, read_cuboid},
+    WireShape{
+        {"wire", "wire X Y Z X Y Z … closed=#true", 6, NodeForm::any_number}, read_polyline, spot_values},
+    WireShape{{"mesh", "mesh { vertices X Y Z X Y Z …; edges A B … }", 0, 0, true}, read_edges, {}},
+    WireShape{{"cuboid", "cuboid X Y Z WIDTH HEIGHT DEPTH", 6, 6}, read_cuboid, box_values},
 };
 
 constexpr auto names = [] {
@@ -77,6 +84,20 @@ std::vector<Wire> read_wires(const kdl::Node& node, Reading& reading)
     if (!fits(node, shape.form, reading))
         return {};
     return shape.read(node, reading);
+}
+
+std::vector<NodeWords> wire_words()
+{
+    std::vector<NodeWords> words;
+    for (const WireShape& shape : shapes) {
+        NodeWords own{shape.form.name, shape.form, {shape.values.begin(), shape.values.end()}};
+        if (shape.read == read_polyline)
+            own.properties = words_of(polyline_rules);
+        if (shape.form.takes_nodes)
+            own.inside = names_inside_mesh();
+        words.push_back(std::move(own));
+    }
+    return words;
 }
 
 }

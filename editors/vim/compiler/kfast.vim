@@ -1,0 +1,14 @@
+if exists('current_compiler')
+    finish
+endif
+let current_compiler = 'kfast'
+
+" The line of the scene and the marks below it are left out; the remedy joins the message.
+CompilerSet makeprg=kfast\ check\ %:S
+CompilerSet errorformat=
+    \%E%f:%l:%c:\ error:\ %m,
+    \%W%f:%l:%c:\ warning:\ %m,
+    \%Z\ %#=\ help:\ %m,
+    \%-C\ %#%*\\d\ \|%.%#,
+    \%-C\ %#\|%.%#,
+    \%-G%.%#

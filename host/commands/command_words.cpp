@@ -1,0 +1,90 @@
+#include "host/commands/command_words.hpp"
+
+#include "host/commands/offered_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace kfast {
+namespace {
+
+constexpr std::array path_types{"FILE", "FILES", "FOLDER", "OUT", "INPUT", "PROFILE", "NAME|FILE", "PATH"};
+/// Positional arguments have no type of their own.
+constexpr std::array path_names{"FILE", "SCENE", "INPUT", "FOLDER"};
+
+/// ".kfast" of "A scene text (.kfast)": what begins with a point between blanks and brackets.
+std::vector<std::string> endings_in(const std::string& help)
+{
+    std::vector<std::string> endings;
+    for (std::size_t at = help.find(" ."); at != std::string::npos; at = help.find(" .", at + 1))
+        endings.push_back(help.substr(at + 1));
+    for (std::size_t at = help.find("(."); at != std::string::npos; at = help.find("(.", at + 1))
+        endings.push_back(help.substr(at + 1));
+    for (std::string& ending : endings)
+        ending.resize(std::min(ending.find_first_of(" ,;:)", 1), ending.size()));
+    std::erase(endings, ".");
+    return endings;
+}
+
+template <class Names>
+bool is_among(const Names& names, const std::string& name)
+{
+    return std::ranges::find(names, name) != names.end();
+}
+
+OptionWords words_of(const CLI::Option& option)
+{
+    OptionWords words;
+    words.is_positional = option.get_positional();
+    for (const std::string& name : option.get_snames())
+        words.names.push_back('-' + name);
+    for (const std::string& name : option.get_lnames())
+        words.names.push_back("--" + name);
+    words.takes_value = option.get_items_expected_max() > 0;
+    words.is_required = option.get_required();
+    words.help = option.get_description();
+    words.group = option.get_group();
+    words.offered = offered_names(option);
+    if (words.is_positional)
+        words.names = {option.get_name(true)};
+    words.type = option.get_type_name();
+    words.type.resize(std::min(words.type.find(':'), words.type.size()));
+    const bool is_output = is_among(words.names, "--output");
+    words.takes_path =
+        words.takes_value && (is_output || (words.is_positional ? is_among(path_names, words.names.front())
+                                                                : is_among(path_types, words.type)));
+    if (words.takes_path && !is_output)
+        words.endings = endings_in(words.help);
+    return words;
+}
+
+/// Those of groups too, which the parser takes for commands without a name.
+void add_options(const CLI::App& app, CommandWords& words)
+{
+    for (const CLI::Option* option : app.get_options())
+        words.options.push_back(words_of(*option));
+    for (const CLI::App* inner : app.get_subcommands([](const CLI::App*) { return true; }))
+        if (inner->get_name().empty())
+            add_options(*inner, words);
+}
+
+}
+
+CommandWords words_of_command(const CLI::App& app, const std::string& name)
+{
+    CommandWords words{.name = name,
+                       .summary = app.get_description(),
+                       .group = app.get_group(),
+                       .footer = app.get_footer(),
+                       .options = {},
+                       .subcommands = {}};
+    add_options(app, words);
+    for (const CLI::App* inner : app.get_subcommands([](const CLI::App*) { return true; }))
+        if (!inner->get_name().empty())
+            words.subcommands.push_back(
+                words_of_command(*inner, name.empty() ? inner->get_name() : name + ' ' + inner->get_name()));
+    return words;
+}
+
+}

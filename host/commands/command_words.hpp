@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// An option or a positional argument, for completions and man pages.
+struct OptionWords {
+    std::vector<std::string> names; ///< "-o", "--output"; of a positional one, its name alone
+    bool is_positional = false;
+    bool takes_value = false;
+    bool is_required = false;
+    std::string type; ///< how the help writes the value: "WxH"
+    std::string help;
+    std::string group;
+    std::vector<std::string> offered; ///< values that may be meant
+    bool takes_path = false;          ///< of a file or a folder
+    std::vector<std::string> endings; ///< of the files that are meant, ".kfast"; none: all
+};
+
+/// A command as the parser of the command line has it, and the commands inside of it.
+struct CommandWords {
+    std::string name; ///< "uf2 pack"; the whole program has none
+    std::string summary;
+    std::string group;
+    std::string footer; ///< behind the help: examples
+    std::vector<OptionWords> options;
+    std::vector<CommandWords> subcommands;
+};
+
+CommandWords words_of_command(const CLI::App& app, const std::string& name = "");
+
+}

@@ -1,0 +1,43 @@
+#include "host/commands/bash_completion.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/command_words.hpp"
+#include "host/commands/fish_completion.hpp"
+#include "host/commands/named_choice.hpp"
+#include "host/commands/offered_names.hpp"
+#include "host/commands/zsh_completion.hpp"
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace kfast {
+namespace {
+
+struct Shell {
+    std::string_view name;
+    std::string (*completion)(const CommandWords& kfast);
+};
+
+constexpr std::array shells{Shell{"bash", bash_completion}, Shell{"zsh", zsh_completion},
+                            Shell{"fish", fish_completion}};
+
+void declare(CLI::App& app)
+{
+    const auto shell = std::make_shared<std::string>();
+    offer_names(app.add_option("SHELL", *shell, names_of(shells))->required(), shells);
+    app.callback([shell, &app] {
+        std::cout << named(shells, "SHELL", *shell).completion(words_of_command(*app.get_parent()));
+    });
+}
+
+}
+
+const Command completions_command{"completions",
+                                  "Print what a shell needs to complete commands, options and files",
+                                  "kfast completions bash > ~/.local/share/bash-completion/completions/kfast",
+                                  declare,
+                                  {},
+                                  editors_group};
+
+}

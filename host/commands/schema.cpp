@@ -1,0 +1,45 @@
+#include "host/commands/command.hpp"
+#include "host/commands/vocabulary_json.hpp"
+#include "host/commands/vocabulary_kdl.hpp"
+#include "host/commands/vocabulary_markdown.hpp"
+
+#include <iostream>
+#include <memory>
+
+namespace kfast {
+namespace {
+
+struct SchemaOptions {
+    bool json = false;
+    bool markdown = false;
+};
+
+void print_schema(const SchemaOptions& options)
+{
+    const scene::Vocabulary words = scene::vocabulary();
+    if (options.json)
+        std::cout << vocabulary_json(words);
+    else if (options.markdown)
+        std::cout << vocabulary_markdown(words);
+    else
+        std::cout << vocabulary_kdl(words);
+}
+
+void declare(CLI::App& app)
+{
+    const auto options = std::make_shared<SchemaOptions>();
+    CLI::Option* const json = app.add_flag("--json", options->json, "For tools: the same as a JSON object");
+    app.add_flag("--markdown", options->markdown, "The tables of docs/scene-language.md")->excludes(json);
+    app.callback([options] { print_schema(*options); });
+}
+
+}
+
+const Command schema_command{"schema",
+                             "Print what scenes may be written with: a KDL schema",
+                             "kfast schema > kfast-scene.kdl",
+                             declare,
+                             {},
+                             editors_group};
+
+}

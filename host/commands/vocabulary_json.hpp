@@ -1,0 +1,16 @@
+#pragma once
+
+#include "host/scene/vocabulary.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace kfast {
+
+/// "whole number", "colour": what a value is called in the schemas.
+std::string_view type_name(scene::ValueType type);
+
+/// For tools: an object whose form docs/editors.md describes.
+std::string vocabulary_json(const scene::Vocabulary& words);
+
+}

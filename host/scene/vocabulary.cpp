@@ -1,0 +1,91 @@
+#include "host/scene/vocabulary.hpp"
+
+#include "host/scene/backbone_reader.hpp"
+#include "host/scene/bone_reader.hpp"
+#include "host/scene/bones_reader.hpp"
+#include "host/scene/canvas_reader.hpp"
+#include "host/scene/clip_reader.hpp"
+#include "host/scene/drawing_reader.hpp"
+#include "host/scene/event_reader.hpp"
+#include "host/scene/font_shelf.hpp"
+#include "host/scene/group_reader.hpp"
+#include "host/scene/input_reader.hpp"
+#include "host/scene/key_reader.hpp"
+#include "host/scene/law_reader.hpp"
+#include "host/scene/mesh_reader.hpp"
+#include "host/scene/object_reader.hpp"
+#include "host/scene/palette_reader.hpp"
+#include "host/scene/pose_reader.hpp"
+#include "host/scene/reach_reader.hpp"
+#include "host/scene/scene_reader.hpp"
+#include "host/scene/shape_reader.hpp"
+#include "host/scene/skeleton_reader.hpp"
+#include "host/scene/symbol_reader.hpp"
+#include "host/scene/symbol_use.hpp"
+#include "host/scene/timed_value.hpp"
+#include "host/scene/track_reader.hpp"
+#include "host/scene/weights_reader.hpp"
+#include "host/scene/wire_reader.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+std::vector<NodeWords> all_nodes()
+{
+    std::vector<NodeWords> nodes;
+    const auto add = [&nodes](std::vector<NodeWords> words) {
+        std::ranges::move(words, std::back_inserter(nodes));
+    };
+    add({version_words(), canvas_words()});
+    add(palette_words());
+    add(input_words());
+    add({object_words(), group_words()});
+    add(use_words());
+    add(symbol_words());
+    add(key_words());
+    add(track_words());
+    add({at_words()});
+    add(shape_words());
+    add(wire_words());
+    add(mesh_words());
+    add({empty_words(), skeleton_words()});
+    add(backbone_words());
+    add(weights_words());
+    add({bones_words(), bone_words()});
+    add(pose_words());
+    add(reach_words());
+    add({clip_words(), event_words()});
+    return nodes;
+}
+
+}
+
+Vocabulary vocabulary()
+{
+    const auto outermost = names_outermost();
+    const auto fonts = FontShelf::bundled_names();
+    return {{outermost.begin(), outermost.end()},
+            all_nodes(),
+            quantity_words(),
+            law_forms(),
+            basic_colour_names(),
+            {fonts.begin(), fonts.end()}};
+}
+
+std::vector<std::string_view> holders(const Vocabulary& words, std::string_view id)
+{
+    std::vector<std::string_view> ids;
+    if (std::ranges::find(words.outermost, id) != words.outermost.end())
+        ids.push_back("");
+    for (const NodeWords& node : words.nodes)
+        if (std::ranges::find(node.inside, id) != node.inside.end() &&
+            std::ranges::find(ids, node.id) == ids.end())
+            ids.push_back(node.id);
+    return ids;
+}
+
+}
