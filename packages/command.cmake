@@ -1,4 +1,4 @@
-# What belongs to the command: firmware for boards, texts to read, and what the command itself writes for a shell.
+# What belongs to the command: firmware for boards, texts to read, and what the command itself writes for shells and editors.
 include(${PROJECT_SOURCE_DIR}/cmake/firmware_images.cmake)
 kfast_install_firmware(${KFAST_BOARD_BUILDS}/pico OPTIONAL)
 
@@ -7,18 +7,16 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     DESTINATION ${TEXTS} COMPONENT kfast)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DESTINATION ${TEXTS} COMPONENT kfast)
 
-if(EXISTS ${PROJECT_SOURCE_DIR}/editors)
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/editors DESTINATION ${CMAKE_INSTALL_DATADIR}/kfast COMPONENT kfast)
-endif()
-
 # It has to run on the computer that builds it.
-if(NOT CMAKE_CROSSCOMPILING)
-    file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/install_shell_files.cmake CONTENT
+find_program(KFAST_PYTHON3 python3)
+if(NOT CMAKE_CROSSCOMPILING AND KFAST_PYTHON3)
+    file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/install_written_files.cmake CONTENT
 "set(KFAST $<TARGET_FILE:kfast>)
+set(PYTHON ${KFAST_PYTHON3})
 set(DATA ${CMAKE_INSTALL_DATADIR})
 set(MANUAL ${CMAKE_INSTALL_MANDIR})
 set(BUILD ${CMAKE_CURRENT_BINARY_DIR})
-include(${CMAKE_CURRENT_LIST_DIR}/install_shell_files.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/install_written_files.cmake)
 ")
-    install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/install_shell_files.cmake COMPONENT kfast)
+    install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/install_written_files.cmake COMPONENT kfast)
 endif()

@@ -154,12 +154,19 @@ def as_json(content):
     return json.dumps(content, indent=4, ensure_ascii=False) + "\n"
 
 
+def add(archive, name, text):
+    """Without the time, so that the same words make the same archive."""
+    entry = zipfile.ZipInfo(str(name))
+    entry.external_attr = 0o644 << 16
+    archive.writestr(entry, text, zipfile.ZIP_DEFLATED)
+
+
 def write_vsix(folder, path, package):
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("extension.vsixmanifest", MANIFEST.format(**package))
-        archive.writestr("[Content_Types].xml", CONTENT_TYPES)
+    with zipfile.ZipFile(path, "w") as archive:
+        add(archive, "extension.vsixmanifest", MANIFEST.format(**package))
+        add(archive, "[Content_Types].xml", CONTENT_TYPES)
         for file in sorted(folder.rglob("*.json")):
-            archive.write(file, pathlib.Path("extension") / file.relative_to(folder))
+            add(archive, pathlib.Path("extension") / file.relative_to(folder), file.read_bytes())
 
 
 def make(kfast, folder):

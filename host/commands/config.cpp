@@ -5,6 +5,7 @@
 #include "host/config/config_input.hpp"
 #include "host/config/config_text.hpp"
 #include "host/config/configurations.hpp"
+#include "host/config/firmware_images.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/flash/uf2.hpp"

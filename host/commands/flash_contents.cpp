@@ -3,6 +3,7 @@
 #include "host/commands/missing_names.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/firmware_file.hpp"
+#include "host/config/firmware_images.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/failure.hpp"

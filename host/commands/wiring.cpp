@@ -3,6 +3,7 @@
 #include "host/commands/offered_names.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
+#include "host/config/firmware_images.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"
 #include "host/config/setting_words.hpp"

@@ -19,6 +19,12 @@ std::optional<fs::path> this_program()
     return unknown ? std::nullopt : std::optional{std::move(program)};
 }
 
+bool has_image(const fs::path& folder, BusKind bus)
+{
+    std::error_code unreadable;
+    return fs::is_regular_file(folder / image_name(bus), unreadable);
+}
+
 std::string list_of(std::span<const fs::path> folders)
 {
     std::string list;
@@ -43,14 +49,20 @@ std::vector<fs::path> image_folders() { return image_folders(std::getenv("KFAST_
 
 fs::path image_for(BusKind bus, std::span<const fs::path> folders)
 {
-    for (const fs::path& folder : folders) {
-        std::error_code unreadable;
-        if (fs::is_regular_file(folder / image_name(bus), unreadable))
+    for (const fs::path& folder : folders)
+        if (has_image(folder, bus))
             return folder / image_name(bus);
-    }
     throw Failure("there is no " + image_name(bus) + list_of(folders) +
                   ": build it with 'scripts/build pico', or name a firmware with --firmware FILE, or the "
                   "folder of all images with KFAST_FIRMWARE=FOLDER; --no-firmware leaves what the board has");
 }
+
+std::string image_of(BusKind bus, std::span<const fs::path> folders)
+{
+    const bool is_installed = !folders.empty() && has_image(folders.front(), bus);
+    return ((is_installed ? folders.front() : fs::path{"build/pico"}) / image_name(bus)).string();
+}
+
+std::string image_of(BusKind bus) { return image_of(bus, image_folders()); }
 
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast::config {
@@ -20,5 +21,12 @@ std::vector<std::filesystem::path> image_folders();
 
 /// The firmware for displays on this bus. Throws Failure, naming the folders, if none of them has it.
 std::filesystem::path image_for(BusKind bus, std::span<const std::filesystem::path> folders);
+
+/// What to call it before a person: its place in the first of the folders, which is where it is installed, or
+/// if it is not there, where scripts/build puts it: "build/pico/pico-spi.bin".
+std::string image_of(BusKind bus, std::span<const std::filesystem::path> folders);
+
+/// For this program.
+std::string image_of(BusKind bus);
 
 }

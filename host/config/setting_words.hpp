@@ -37,9 +37,6 @@ inline std::string display_text(const BoardSettings& settings)
     return leads_beam(settings.bus) ? "a beam" : word_of(settings.panel.controller);
 }
 
-/// The same, where scripts/build puts it: "build/pico/pico-spi.bin"
-inline std::string image_of(BusKind bus) { return "build/pico/" + image_name(bus); }
-
 /// "240 x 320"
 inline std::string size_text(Size size)
 {

@@ -111,8 +111,8 @@ step base64 /tmp/copied
 
 def install(*builds, folder):
     for build in builds:
-        subprocess.run(["cmake", "--install", build, "--prefix", folder], stdout=subprocess.DEVNULL, check=True,
-                       timeout=120)
+        subprocess.run(["cmake", "--install", build, "--prefix", folder, "--component", "kfast"], stdout=subprocess.DEVNULL,
+                       check=True, timeout=120)
     return folder
 
 

@@ -50,7 +50,8 @@ permission restart
 
 
 def install(build, folder):
-    subprocess.run(["cmake", "--install", build, "--prefix", folder], stdout=subprocess.DEVNULL, check=True, timeout=60)
+    subprocess.run(["cmake", "--install", build, "--prefix", folder, "--component", "kfast"], stdout=subprocess.DEVNULL,
+                   check=True, timeout=60)
     return folder
 
 

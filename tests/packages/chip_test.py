@@ -3,7 +3,6 @@ chip_test.py <arm-none-eabi-g++> [<-mcpu=…>]. Tells its size."""
 
 import concurrent.futures
 import os
-import pathlib
 import subprocess
 import sys
 import unittest

@@ -17,6 +17,8 @@ WANTED = """
     share/kfast/firmware/pico-xy.bin share/kfast/firmware/pico-spi.uf2
     share/doc/kfast/README.md share/doc/kfast/CHANGELOG.md share/doc/kfast/NOTICE share/doc/kfast/docs/library.md
     share/doc/kfast/examples/robot-eyes.kfast share/doc/kfast/examples/library/CMakeLists.txt
+    share/man/man1/kfast.1.gz share/bash-completion/completions/kfast share/zsh/site-functions/_kfast
+    share/fish/vendor_completions.d/kfast.fish share/kfast/editors/vscode/package.json
     include/kfast/library/kfast.h include/kfast/library/kfast.hpp include/kfast/library/kfast_player.hpp
     include/kfast/core/equalize.hpp include/kfast/core/beam/beam_player.hpp
     lib/libkfast.a lib/libkfast_core.a lib/cmake/kfast/kfast-config.cmake lib/pkgconfig/kfast.pc

@@ -164,15 +164,28 @@ class VectorTest(RenderTest):
 
     def test_looks_like_the_picture(self):
         examples = ROOT / "examples"
-        scenes = [(self.folder / "varied.kfast", []), (examples / "stroller.kfast", []), (examples / "worm.kfast", []),
+        scenes = [(self.folder / "varied.kfast", []), (examples / "stroller.kfast", []), (examples / "worm.kfast", []), (examples / "one-to-two.kfast", []),
                   (examples / "card.kfast", []), (examples / "jitterbug.kfast", []), (examples / "plot.kfast", []), (examples / "clock-face.kfast", ["--input", "clock=08:45"]),
                   (examples / "dial.kfast", ["--input", "speed=70", "--input", "mood=0.5"]), (examples / "logo.kfast", ["--size", "100x150"]),
                   (examples / "robot-eyes.kfast", ["--size", "90x150", "--fit", "cover"])]
         for scene, options in scenes:
-            for frame in (0, 4):
+            for frame in (0, 9):
                 self.render(scene, *options, "--frame", frame, "-o", "out.svg")
                 self.render(scene, *options, "--frame", frame, "-o", "out.png")
                 self.compare("out.svg", "out.png", self.opened("out.png").width)
+
+    def test_a_fill_that_breaks_in_two(self):
+        (self.folder / "broken.kfast").write_text("""kfast 1
+canvas 120 90 fps=30
+object parting fill="#ffffff" {
+    key 0 { rect 10 10 100 70 }
+    key 10 { circle 30 45 r=20; circle 90 45 r=20; rect 50 5 20 10 }
+}
+""")
+        for frame in (2, 5):
+            self.render("broken.kfast", "--frame", frame, "-o", "out.svg")
+            self.render("broken.kfast", "--frame", frame, "-o", "out.png")
+            self.compare("out.svg", "out.png", 120)
 
     def test_paths_tell_what_they_are(self):
         self.render("varied.kfast", "--frame", "0", "-o", "out.svg")

@@ -52,4 +52,19 @@ TEST_CASE("the first folder that has the image of the bus is taken")
         Failure);
 }
 
+TEST_CASE("an image is called by where it is installed, or else by where it is built")
+{
+    const test::TemporaryFolder folder;
+    const Folders folders{folder / "installed", folder / "built"};
+    for (const fs::path& place : folders) {
+        CHECK(config::image_of(BusKind::spi, folders) == "build/pico/pico-spi.bin");
+        fs::create_directory(place);
+    }
+    std::ofstream{folders[1] / "pico-spi.bin"} << 'x';
+    CHECK(config::image_of(BusKind::spi, folders) == "build/pico/pico-spi.bin");
+    std::ofstream{folders[0] / "pico-spi.bin"} << 'x';
+    CHECK(config::image_of(BusKind::spi, folders) == folders[0] / "pico-spi.bin");
+    CHECK(config::image_of(BusKind::i2c, {}) == "build/pico/pico-i2c.bin");
+}
+
 }

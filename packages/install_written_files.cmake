@@ -1,11 +1,6 @@
-# Installs what `kfast man` and `kfast completions` write. KFAST is the command, BUILD a folder to write to; DATA and MANUAL
-# are where the files go, within the prefix.
+# Installs what is written with the command's own words: manual pages, completions and files for editors. KFAST is the
+# command, PYTHON runs scripts, BUILD is a folder to write to; DATA and MANUAL are where the files go, within the prefix.
 cmake_minimum_required(VERSION 3.25)
-
-execute_process(COMMAND ${KFAST} completions --help RESULT_VARIABLE STATUS OUTPUT_QUIET ERROR_QUIET)
-if(NOT STATUS EQUAL 0) # this kfast writes none
-    return()
-endif()
 
 function(kfast_written_by FILE)
     execute_process(COMMAND ${KFAST} ${ARGN} OUTPUT_FILE ${FILE} COMMAND_ERROR_IS_FATAL ANY)
@@ -18,15 +13,16 @@ function(install_here FOLDER)
     file(INSTALL ${ARGN} DESTINATION ${FOLDER})
 endfunction()
 
-set(WRITTEN ${BUILD}/shell_files)
+set(WRITTEN ${BUILD}/written_files)
 file(REMOVE_RECURSE ${WRITTEN})
-file(MAKE_DIRECTORY ${WRITTEN}/man)
 
 execute_process(COMMAND ${KFAST} man ${WRITTEN}/man OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-file(GLOB_RECURSE PAGES ${WRITTEN}/man/*.1)
-execute_process(COMMAND gzip -9n ${PAGES} COMMAND_ERROR_IS_FATAL ANY) # as Debian wants them
-list(TRANSFORM PAGES APPEND .gz)
-install_here(${MANUAL}/man1 ${PAGES})
+file(GLOB SECTIONS ${WRITTEN}/man/man*)
+foreach(SECTION ${SECTIONS})
+    file(GLOB PAGES ${SECTION}/*)
+    execute_process(COMMAND gzip -9n ${PAGES} COMMAND_ERROR_IS_FATAL ANY) # as Debian wants them
+    install_here(${MANUAL} ${SECTION})
+endforeach()
 
 kfast_written_by(${WRITTEN}/kfast completions bash)
 install_here(${DATA}/bash-completion/completions ${WRITTEN}/kfast)
@@ -39,3 +35,7 @@ else()
 endif()
 kfast_written_by(${WRITTEN}/kfast.fish completions fish)
 install_here(${DATA}/fish/vendor_completions.d ${WRITTEN}/kfast.fish)
+
+execute_process(COMMAND ${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/../scripts/make_editor_files.py ${KFAST} ${WRITTEN}/editors
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+install_here(${DATA}/kfast ${WRITTEN}/editors)
