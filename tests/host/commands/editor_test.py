@@ -32,6 +32,7 @@ AROUND = {
 }
 # Of those that need something else beside them.
 AROUND_NODE = {
+    "track": "object o stroke=white { circle 9 9 r=3; BODY }",
     "weights": SKIN,
     "skeleton": BENT,
     "backbone": BENT.replace("BODY", "skeleton { BODY; width 20 }"),
