@@ -65,7 +65,7 @@ Json values_of(const NodeWords& node)
     }
     const bool is_endless = node.form.most_values == NodeForm::any_number;
     return {{"least", node.form.least_values},
-            {"most", is_endless ? Json{} : Json{node.form.most_values}},
+            {"most", is_endless ? Json() : Json(node.form.most_values)},
             {"kinds", std::move(kinds)}};
 }
 

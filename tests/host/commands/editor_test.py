@@ -10,37 +10,38 @@ import zipfile
 
 from command_case import KFAST, ROOT, CommandTest
 
-OBJECT = "object o stroke=white {{ {} }}"
-BONES = "bone arm 20 20 60 20; bone fore 60 20 80 50 parent=arm; {}"
-SKIN = "bones s {{ bone arm 20 20 60 20 region=99 }}\nobject o fill=white skin=s {{ rect 1 1 9 9; {} }}"
-MESH = "mesh {{ vertices 0 0 0  9 0 0  9 9 9; edges 1 2; {} }}"
-SKELETON = "key 0 {{ rect 20 50 80 20; skeleton {{ {} }} }}"
+CARRIED = "\nobject o fill=white skin=s bone=arm { rect 1 1 9 9 }"
+BONES = "bones s { bone arm 20 20 60 20; bone fore 60 20 80 50 parent=arm; BODY }" + CARRIED
+SKIN = "bones s { bone arm 20 20 60 20 region=99 }\nobject o fill=white skin=s { rect 1 1 9 9; BODY }"
+BENT = "object o fill=white { key 0 { rect 20 50 80 20; BODY } }"
 
-# What a snippet is tried in, by what it may stand in.
+# What a snippet is tried in, in the place of BODY, by the id of what it stands in.
 AROUND = {
-    "": "{}", "object": OBJECT, "group": "group {{ {}; object o fill=white {{ circle 9 9 r=3 }} }}",
-    "palette": "palette {{ {} }}", "key": OBJECT.format("key 0 {{{{ {} }}}}").replace("{{{{", "{{").replace("}}}}", "}}"),
-    "symbol": "symbol p {{ {} }}\nobject o fill=white {{ use p 50 50 }}",
-    "track": OBJECT.replace("{}", "circle 9 9 r=3; track x {{ at 0 0; {} }}"),
-    "bones": "bones s {{ " + BONES + " }}\nobject o fill=white skin=s bone=arm {{ rect 1 1 9 9 }}",
-    "bone": "bones s {{ bone arm 20 20 60 20 {{ {} }} }}\nobject o fill=white skin=s bone=arm {{ rect 1 1 9 9 }}",
-    "pose": "bones s {{ " + BONES.replace("{}", "pose 30 {{ {} }}") + " }}\nobject o fill=white skin=s bone=arm {{ rect 1 1 9 9 }}",
-    "reach": "bones s {{ " + BONES.replace("{}", "reach fore bend=left {{ at 0 85 50; {} }}")
-             + " }}\nobject o fill=white skin=s bone=arm {{ rect 1 1 9 9 }}",
-    "mesh": OBJECT.replace("{}", MESH), "skeleton": "object o fill=white {{ " + SKELETON + " }}",
-    "weights": SKIN.replace("{}", "weights {{ {} }}"), "weighted": SKIN,
+    "": "BODY",
+    "palette": "palette { BODY }",
+    "object": "object o stroke=white { BODY }",
+    "group": "group { BODY; object o fill=white { circle 9 9 r=3 } }",
+    "symbol": "symbol p { BODY }\nobject o fill=white { use p 50 50 }",
+    "track": "object o stroke=white { circle 9 9 r=3; track x { at 0 0; BODY } }",
+    "bones": BONES,
+    "bone": "bones s { bone arm 20 20 60 20 { BODY } }" + CARRIED,
+    "pose": BONES.replace("BODY", "pose 30 { BODY }"),
+    "reach": BONES.replace("BODY", "reach fore bend=left { at 0 85 50; BODY }"),
+    "mesh": "object o stroke=white { mesh { vertices 0 0 0  9 0 0  9 9 9; edges 1 2; BODY } }",
+    "weights": SKIN.replace("BODY", "weights { BODY }"),
 }
-# Where several places would do, or something else must be there as well.
-HOLDERS = {"weights": "weighted", "left": "sides", "right": "sides", "width": "line", "skeleton": "drawing",
-           "colour of palette": "palette", "use": "wheel", "use of drawing": "eye", "key of symbol": "symbol",
-           "input": "input"}
-AROUND |= {
-    "sides": "object o fill=white {{ key 0 {{ rect 20 50 80 20; skeleton {{ backbone 20 60 100 60; {} }} }} }}",
-    "line": "object o fill=white {{ key 0 {{ rect 20 50 80 20; skeleton {{ backbone 20 60 60 60 100 60; {} }} }} }}",
-    "drawing": "object o fill=white {{ key 0 {{ rect 20 50 80 20; {} }} }}",
-    "wheel": "symbol wheel {{ object w fill=white {{ circle 0 0 r=9 }} }}\n{}",
-    "eye": "symbol eye {{ ellipse 0 0 rx=18 ry=24 }}\nobject o fill=white {{ {} }}",
-    "input": "{}\nobject o fill=white {{ circle 9 9 r=3; track x input=gaze {{ at -1 0; at 1 9 }} }}",
+# Of those that need something else beside them.
+AROUND_NODE = {
+    "track": "object o stroke=white { circle 9 9 r=3; BODY }",
+    "weights": SKIN,
+    "skeleton": BENT,
+    "backbone": BENT.replace("BODY", "skeleton { BODY; width 20 }"),
+    "width": BENT.replace("BODY", "skeleton { backbone 20 60 60 60 100 60; BODY }"),
+    "left": BENT.replace("BODY", "skeleton { backbone 20 60 100 60; BODY; right 20 70 100 70 }"),
+    "right": BENT.replace("BODY", "skeleton { backbone 20 60 100 60; left 20 50 100 50; BODY }"),
+    "use": "symbol wheel { object w fill=white { circle 0 0 r=9 } }\nBODY",
+    "use of drawing": "symbol eye { ellipse 0 0 rx=18 ry=24 }\nobject o fill=white { BODY }",
+    "input": "BODY\nobject o fill=white { circle 9 9 r=3; track x input=gaze { at -1 0; at 1 9 } }",
 }
 
 
@@ -85,10 +86,9 @@ class EditorTest(CommandTest):
         if node_id == "canvas":
             return "kfast 1\n" + text
         inside_of = next(node for node in self.schema["nodes"] if node["id"] == node_id)["inside_of"]
-        holder = HOLDERS.get(node_id) or next(each for each in (*inside_of, "") if each in AROUND)
-        if "key" in inside_of and "object" in inside_of and node_id not in HOLDERS:
-            holder = "object"
-        return "kfast 1\ncanvas 240 240 frames=60\n" + AROUND[holder].format(text)
+        around = AROUND_NODE.get(node_id) or next(AROUND[each] for each in ("object", *inside_of)
+                                                  if each in inside_of and each in AROUND)
+        return "kfast 1\ncanvas 240 240 frames=60\n" + around.replace("BODY", text)
 
     def test_snippets_compile(self):
         prefixes = set()
@@ -139,25 +139,28 @@ class EditorTest(CommandTest):
                          [("wrong.kfast", "3", "15", "error", 'unknown colour "rd"')])
         self.assertEqual([pattern[part] for part in ("file", "line", "column", "severity", "message")], [1, 2, 3, 4, 5])
 
+    def need_vim(self, feature):
+        if not shutil.which("vim"):
+            self.skipTest("there is no vim")
+        if feature not in subprocess.run(["vim", "--version"], capture_output=True, text=True, timeout=60).stdout:
+            self.skipTest(f"this vim has no {feature}")
+
     def vim(self, *commands):
         """What vim prints for them in a file with a mistake, with our files alone."""
-        vim = shutil.which("vim") or self.skipTest("there is no vim")
         (self.folder / "wrong.kfast").write_text(
             "kfast 1\ncanvas 9 9\nobject a fill=rd { circle 1 1 r=1 }\nclip b from=0 to=1\nobject c fill=red\n")
         script = self.folder / "script.vim"
         script.write_text("\n".join(["set nocompatible nomore", f"set runtimepath={self.folder}/vim,$VIMRUNTIME",
                                      "filetype plugin on", "syntax on", "edit wrong.kfast", "redir! > out.txt", *commands,
                                      "redir END", "qall!"]) + "\n")
-        result = subprocess.run([vim, "-e", "-s", "-u", "NONE", "-S", script], cwd=self.folder, capture_output=True,
+        result = subprocess.run(["vim", "-e", "-s", "-u", "NONE", "-S", script], cwd=self.folder, capture_output=True,
                                 text=True, timeout=120, stdin=subprocess.DEVNULL)
         printed = (self.folder / "out.txt").read_text()
         self.assertNotRegex(printed + result.stdout + result.stderr, r"E\d+:")
         return printed
 
     def test_vim_colours(self):
-        if "+syntax" not in subprocess.run(["vim", "--version"], capture_output=True, text=True).stdout \
-                if shutil.which("vim") else True:
-            self.skipTest("this vim has no syntax")
+        self.need_vim("+syntax")
         printed = self.vim("echo &filetype b:current_syntax",
                            *(f"echo synIDattr(synID({line}, {column}, 1), 'name')"
                              for line, column in ((3, 1), (3, 10), (3, 20), (3, 27), (3, 31), (5, 15))))
@@ -165,9 +168,7 @@ class EditorTest(CommandTest):
                                            "kfastProperty", "kfastColour"])
 
     def test_vim_finds_places(self):
-        if "+quickfix" not in subprocess.run(["vim", "--version"], capture_output=True, text=True).stdout \
-                if shutil.which("vim") else True:
-            self.skipTest("this vim has no list of mistakes")
+        self.need_vim("+quickfix")
         printed = self.vim(f"let &makeprg = '{KFAST} check %:S'", "silent make!",
                            "for each in getqflist() | echo each.valid bufname(each.bufnr) each.lnum each.col each.type "
                            "each.text | endfor")

@@ -1,8 +1,10 @@
 """`kfast schema`: the schema accepts what the compiler does, and both of its forms say the same."""
 
 import json
+import pathlib
 import re
 import subprocess
+import tempfile
 import unittest
 
 import kdl_reader
@@ -105,8 +107,8 @@ class ReferenceTest(unittest.TestCase):
 
     def test_speaks_of_everything(self):
         """In words, not in the generated tables alone."""
-        spans = re.findall(r"```kdl\n(.*?)```|`([^`\n]+)`", self.prose(), re.DOTALL)
-        code = " ".join(fenced or inline for fenced, inline in spans)
+        fenced = re.compile(r"```kdl\n.*?```", re.DOTALL)
+        code = " ".join(fenced.findall(self.prose()) + re.findall(r"`([^`]+)`", fenced.sub("", self.prose())))
         known = set(re.findall(r"[A-Za-z][A-Za-z0-9-]*", code))
         wanted = {node["name"] for node in SCHEMA["nodes"] if not node.get("any_name")}
         for node in SCHEMA["nodes"]:
@@ -139,12 +141,49 @@ class ReferenceTest(unittest.TestCase):
             if not range_text:
                 continue
             stated = tuple(float(end.replace("−", "-").replace(",", "")) for end in range_text.groups())
-            known = {(each.get("least"), each.get("most")) for node in SCHEMA["nodes"] for each in node["properties"]
-                     if each["name"] == name}
+            known = {(each["least"], each["most"]) for node in SCHEMA["nodes"] for each in node["properties"]
+                     if each["name"] == name and "least" in each}
+            if not known:  # "from 0 to 720 it turns twice"
+                continue
             checked += 1
             with self.subTest(property=name):
                 self.assertIn(stated, known)
         self.assertGreater(checked, 15)
+
+    def default_of(self, name):
+        """As the reference has it: a number, or what stands in code."""
+        for other, _, default in self.rows():
+            plain = re.fullmatch(r"`([^`]+)`|(−?[\d.]+)", default)
+            if other == name and plain:
+                return (plain[1] or plain[2]).replace("−", "-")
+        self.fail(f"the reference has no default of {name}")
+
+    def test_tells_the_right_defaults(self):
+        """A scene is the same with a property at its default as without it."""
+        moving = "object o fill=red { key 0 { rect 1 1 9 9 }; key 9 { rect 5 5 9 9 } }"
+        drawn = "object o stroke=red fill=blue { polygon 9 9 50 20 20 50 9 40 }"
+        hatched = "object o fill=blue beam=both { rect 9 9 50 50 }"
+        text = 'object o stroke=red { text AV at="9,50" size=20 }'
+        for node, body, names in (
+                ("canvas", drawn, ("fps", "loop", "route")),
+                ("object", moving, ("x", "y", "z", "rotate", "rotate-x", "scale", "scale-x", "opacity", "order", "visible")),
+                ("object", drawn, ("rule", "width", "cap", "join", "miter", "beam")),
+                ("object", hatched, ("hatch", "hatch-angle")),
+                ("text", text, ("font", "align", "spacing")),
+                ("key", moving, ("match",))):
+            for name in names:
+                scene = "kfast 1\ncanvas 100 100 frames=30\n" + body
+                changed = re.sub(rf"\b{node} ", f"{node} {name}={self.default_of(name)} ", scene, count=1)
+                with self.subTest(property=name):
+                    self.assertNotEqual(changed, scene)
+                    self.assertEqual(self.compiled(changed), self.compiled(scene))
+
+    def compiled(self, scene):
+        with tempfile.TemporaryDirectory(prefix="kfast") as folder:
+            path = pathlib.Path(folder) / "scene.kfast"
+            path.write_text(scene, encoding="utf-8")
+            subprocess.run([KFAST, "compile", path], check=True, capture_output=True, timeout=120)
+            return path.with_suffix(".kfb").read_bytes()
 
 
 if __name__ == "__main__":
