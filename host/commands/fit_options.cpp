@@ -67,7 +67,7 @@ fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, 
 fit::BeamFit beam_fit(const FitOptions& options, const fit::Target& target, const SceneFile& scene)
 {
     WorkBar bar{"measuring"};
-    return fit::beam_fit(scene.view, target, options.frames_per_second, bar.teller());
+    return fit::beam_fit(scene.view, target, options.frames_per_second, {}, bar.teller());
 }
 
 std::string misfit_text(const std::string& file, const fit::Target& target,

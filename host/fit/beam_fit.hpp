@@ -2,6 +2,7 @@
 
 #include "core/beam/beam_player.hpp"
 #include "core/scene_view.hpp"
+#include "host/fit/fit_stop.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/target.hpp"
 #include "host/tell_work.hpp"
@@ -48,7 +49,8 @@ struct BeamFit {
 double refresh(const BeamMoment& picture, const BeamProfile& profile);
 
 /// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
+/// Throws FitStopped.
 BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
-                 const TellWork& tell = tell_nobody);
+                 const std::stop_token& stop = {}, const TellWork& tell = tell_nobody);
 
 }

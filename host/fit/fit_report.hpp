@@ -19,6 +19,7 @@ struct FitWish {
     const Target& target;
     Fit fit = Fit::contain;
     double frames_per_second = 0; ///< that every second frame reaches at least; 0: those of the scene
+    std::stop_token stop = {};    ///< tells when it is not wanted any more
     TellWork tell = tell_nobody;
 };
 
@@ -41,6 +42,7 @@ struct FitReport {
     bool fits() const { return shortages.empty() && slowness.empty(); }
 };
 
+/// Throws FitStopped.
 FitReport fit_report(const FitWish& wish);
 
 }

@@ -7,15 +7,8 @@
 namespace kfast {
 
 SvgSource::SvgSource(const SceneView& scene, Size panel, Fit fit)
-    : panel_{panel}, memory_{SvgPlayer::memory_for(scene)}, player_{
-                                                                scene, panel, fit,
-                                                                std::as_writable_bytes(std::span{memory_})}
+    : panel_{panel}, memory_{SvgPlayer::bytes_for(scene)}, player_{scene, panel, fit, memory_.bytes()}
 {
-}
-
-std::vector<std::uint32_t> SvgSource::SvgPlayer::memory_for(const SceneView& scene)
-{
-    return std::vector<std::uint32_t>((bytes_for(scene) + 3) / 4);
 }
 
 std::string SvgSource::SvgPlayer::show(Time moment)

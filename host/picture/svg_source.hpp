@@ -2,10 +2,10 @@
 
 #include "core/live_scene.hpp"
 #include "host/picture/told_inputs.hpp"
+#include "host/word_block.hpp"
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace kfast {
 
@@ -35,12 +35,13 @@ private:
         {
         }
 
-        static std::vector<std::uint32_t> memory_for(const SceneView& scene);
+        using LiveScene::bytes_for;
+
         std::string show(Time moment);
     };
 
     Size panel_;
-    std::vector<std::uint32_t> memory_; // words, for the player asks for an alignment of 4
+    WordBlock memory_;
     SvgPlayer player_;
 };
 

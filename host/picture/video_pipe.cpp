@@ -59,6 +59,7 @@ public:
 std::vector<char*> argument_list(const std::vector<std::string>& words)
 {
     std::vector<char*> list;
+    list.reserve(words.size() + 1);
     for (const std::string& word : words)
         list.push_back(const_cast<char*>(word.c_str())); // posix_spawn() leaves them as they are
     list.push_back(nullptr);
