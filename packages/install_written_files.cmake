@@ -13,8 +13,8 @@ function(install_here FOLDER)
     file(INSTALL ${ARGN} DESTINATION ${FOLDER})
 endfunction()
 
-set(WRITTEN ${BUILD}/written_files)
-file(REMOVE_RECURSE ${WRITTEN})
+string(RANDOM LENGTH 16 NAME) # installations may run at the same time
+set(WRITTEN ${BUILD}/written_files/${NAME})
 
 execute_process(COMMAND ${KFAST} man ${WRITTEN}/man OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB SECTIONS ${WRITTEN}/man/man*)
@@ -39,3 +39,5 @@ install_here(${DATA}/fish/vendor_completions.d ${WRITTEN}/kfast.fish)
 execute_process(COMMAND ${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/../scripts/make_editor_files.py ${KFAST} ${WRITTEN}/editors
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 install_here(${DATA}/kfast ${WRITTEN}/editors)
+
+file(REMOVE_RECURSE ${WRITTEN})

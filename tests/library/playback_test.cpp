@@ -23,6 +23,7 @@ input size min=1 max=2 default=1
 object dot fill=red { key 0 { rect 1 1 8 8 }; key 50 { rect 20 10 8 8 } }
 group other { track x input=size { at 1 0; at 2 9 }; object dash fill=lime { rect 1 15 4 4 } }
 clip there from=10 to=20 loop=once
+clip between from=2.5 to=5.25 loop=once
 event 0 begun
 event 12 middle
 )";
@@ -117,6 +118,20 @@ TEST_CASE("a clip begins when it is next updated, and once finished shows its en
     CHECK(sketch.player.play());
     CHECK(sketch.at(9000) == "begun ");
     CHECK(sketch.shows(Time{}));
+}
+
+TEST_CASE("a clip that begins and ends between frames shows just that, and whole frames within")
+{
+    Sketch sketch;
+    CHECK(sketch.player.play("between"));
+    CHECK(sketch.at(0) == "");
+    CHECK(sketch.shows({2 * 1024 + 512}));
+    CHECK(sketch.at(19) == "-");
+    CHECK(sketch.at(20) == "");
+    CHECK(sketch.shows(Time::frame(3)));
+    CHECK(sketch.at(110) == "");
+    CHECK(sketch.player.finished());
+    CHECK(sketch.shows({5 * 1024 + 256}));
 }
 
 TEST_CASE("what is set is drawn with the next update, between two frames as well")
