@@ -43,6 +43,7 @@ OptionWords words_of(const CLI::Option& option)
         words.names.push_back("--" + name);
     words.takes_value = option.get_items_expected_max() > 0;
     words.is_required = option.get_required();
+    words.takes_many = option.get_items_expected_max() > 1;
     words.help = option.get_description();
     words.group = option.get_group();
     words.offered = offered_names(option);

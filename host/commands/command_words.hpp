@@ -12,7 +12,8 @@ struct OptionWords {
     bool is_positional = false;
     bool takes_value = false;
     bool is_required = false;
-    std::string type; ///< how the help writes the value: "WxH"
+    bool takes_many = false; ///< one after the other
+    std::string type;        ///< how the help writes the value: "WxH"
     std::string help;
     std::string group;
     std::vector<std::string> offered; ///< values that may be meant

@@ -24,7 +24,8 @@ void write_pages(const std::vector<ManPage>& pages, const std::filesystem::path&
 void declare(CLI::App& app)
 {
     const auto folder = std::make_shared<std::string>();
-    app.add_option("FOLDER", *folder, "Where to write the pages of all commands, in man1 and man5; made if need be");
+    app.add_option("FOLDER", *folder,
+                   "Where to write the pages of all commands, in man1 and man5; made if need be");
     app.callback([folder, &app] {
         const auto pages = man_pages(words_of_command(*app.get_parent()), scene::vocabulary());
         if (folder->empty())

@@ -97,9 +97,10 @@ std::string synopsis(const CommandWords& command)
         return text + ' ' + italic("COMMAND") + " [" + italic("OPTIONS") + "]\n";
     text += " [" + italic("OPTIONS") + ']';
     for (const OptionWords& option : command.options)
-        if (option.is_positional)
-            text += option.is_required ? ' ' + italic(option.names.front())
-                                       : " [" + italic(option.names.front()) + ']';
+        if (option.is_positional) {
+            const std::string name = italic(option.names.front()) + (option.takes_many ? " ..." : "");
+            text += option.is_required ? ' ' + name : " [" + name + ']';
+        }
     return text + '\n';
 }
 
@@ -122,8 +123,7 @@ std::string options_of(const CommandWords& command)
             if (const std::string terms = terms_of(command, option.group, true); !terms.empty())
                 text += ".SH ARGUMENTS\n" + terms;
             if (const std::string terms = terms_of(command, option.group, false); !terms.empty())
-                text +=
-                    ".SH " + (is_usual ? "OPTIONS" : '"' + plain(upper(option.group)) + '"') + '\n' + terms;
+                text += ".SH " + (is_usual ? "OPTIONS" : '"' + plain(option.group) + '"') + '\n' + terms;
         }
     return text;
 }

@@ -92,8 +92,10 @@ std::string vocabulary_markdown(const scene::Vocabulary& words)
 {
     std::string text =
         "| node | written | inside of | properties, those with \\* needed |\n|---|---|---|---|\n";
-    for (const NodeWords& node : words.nodes)
-        text += row(node, words);
+    for (const NodeWords& node : words.nodes) {
+        const std::string line = row(node, words);
+        text += text.ends_with(line) ? "" : line; // symbols are written alike, whatever they hold
+    }
     text += "\n| property | values | of |\n|---|---|---|\n";
     for (const Row& row : rows_of_properties(words)) {
         std::string ids;

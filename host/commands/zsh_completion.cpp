@@ -42,7 +42,11 @@ std::string specification(const OptionWords& option)
 {
     std::string text;
     if (option.is_positional)
-        return "        '*" + action(option) + "' \\\n";
+        return std::string{"        '"} +
+               (option.takes_many    ? "*"
+                : option.is_required ? ""
+                                     : ":") +
+               action(option) + "' \\\n";
     for (const std::string& name : option.names) {
         const bool is_long = name.starts_with("--");
         text += "        '*" + name +

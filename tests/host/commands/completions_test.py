@@ -73,6 +73,9 @@ class CompletionsTest(CommandTest):
 
     def test_zsh_reads_its_script(self):
         self.check_syntax("zsh")
+        program = "autoload -U compinit && compinit -D -u && source ./script && print $_comps[kfast]"
+        result = subprocess.run(["zsh", "-f", "-c", program], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual((result.stdout, result.stderr), ("_kfast\n", ""))
 
     def test_fish_offers_what_bash_does(self):
         self.check_syntax("fish")

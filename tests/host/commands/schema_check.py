@@ -52,9 +52,9 @@ def mistakes_in(nodes, ids, schema, holder="a scene"):
         if not ways:
             found.append(f"{holder} has no node {node.name}")
             continue
-        # The way with the fewest mistakes is the one that is meant.
+        # The way that knows the nodes inside is the one that is meant, and then the one with the fewest mistakes.
         found += min((mistakes_in_way(node, way) + mistakes_in(node.nodes, way["nodes"], schema, node.name)
-                      for way in ways), key=len)
+                      for way in ways), key=lambda each: (sum(f"{node.name} has no node" in one for one in each), len(each)))
     return found
 
 

@@ -87,6 +87,10 @@ class SchemaTest(CommandTest):
             self.assertEqual(rules.get(">="), each.get("least"))
             self.assertEqual(rules.get("<="), each.get("most"))
 
+    def test_the_kdl_form_is_kdl_to_the_compiler_as_well(self):
+        (self.folder / "schema.kdl").write_text(output_of(), encoding="utf-8")
+        self.refuse("check", "schema.kdl", status=1, says='a scene has no node "document"')
+
     def test_is_used_rightly(self):
         self.refuse("schema", "--json", "--markdown", status=2, says="--json")
         self.refuse("schema", "x", status=2, says="x")

@@ -12,7 +12,7 @@ class UsageTest(CommandTest):
         self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
         for command in ("compile", "check", "info", "render", "preview", "hash", "export", "config", "wiring", "uf2 pack", "flash",
                         "devices", "play", "live", "pause", "resume", "seek", "speed", "brightness", "upload", "slots",
-                        "choose", "erase", "boot"):
+                        "choose", "erase", "boot", "schema", "completions", "man"):
             self.assertIn(f"  kfast {command} ", self.run_kfast(*command.split(), "--help").stdout)
 
     def test_version(self):

@@ -277,8 +277,10 @@ TEST_CASE("each node holds the nodes that the vocabulary puts into it, and no ot
                 if (held.id == id)
                     inside[node.id].insert(held.takes_any_name ? "any" : held.form.name);
     }
-    for (const auto& [holder, held] : inside)
+    for (const auto& entry : inside)
         for (const std::string_view name : names) {
+            const std::string_view holder = entry.first;
+            const auto& held = entry.second;
             CAPTURE(holder);
             CAPTURE(name);
             const std::string found = findings(holder, std::string{name});
