@@ -28,8 +28,9 @@ inline constexpr Range extents{0, 2 * coordinate_limit};
 /// Degrees: ten turns either way.
 inline constexpr Range angles{-3600, 3600};
 
-/// Of an input.
-inline constexpr Range input_values{-kfb::max_input_value / 1000, kfb::max_input_value / 1000};
+/// Of an input, in whole numbers.
+inline constexpr std::int32_t input_limit = kfb::max_input_value / 1000;
+inline constexpr Range input_values{-input_limit, input_limit};
 /// As values of inputs are stored: rounded to nearest, halves away from zero.
 std::int32_t thousandths(double number);
 
