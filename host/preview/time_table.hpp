@@ -11,10 +11,10 @@ namespace kfast {
 
 /// One item of the scene on the time line.
 struct TimeRow {
-    std::size_t item = 0; ///< its place in SceneFile::item_names
-    std::string name;     ///< as in the scene; of a compiled scene "object 3"
-    int depth = 0;        ///< groups around it
-    std::vector<Time> keys;
+    std::size_t item = 0;   ///< its place in SceneFile::item_names
+    std::string name;       ///< as in the scene; of an item without a name "object 3", "group", "use"
+    int depth = 0;          ///< groups and uses around it
+    std::vector<Time> keys; ///< of its drawings and tracks, and of the bones and backbones that carry it
 };
 
 /// What happens when: rows from the top item down, clips and events.
@@ -29,6 +29,7 @@ struct TimeTable {
     std::vector<Event> events;
 };
 
+/// What lies in a symbol follows the topmost use of it. Keys that go by an input are left out.
 TimeTable time_table(const SceneView& scene, const std::vector<std::string>& item_names);
 
 }
