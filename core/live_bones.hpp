@@ -33,11 +33,13 @@ public:
     Point operator()(Point point) const;
 
     const BoneFrame& frame() const { return posed_; }
+    /// Of the length, posed minus set-up.
+    Fixed growth() const { return growth_; }
 
 private:
     BoneFrame rest_;
     BoneFrame posed_;
-    Fixed growth_; ///< of the length, posed minus set-up
+    Fixed growth_;
     // R(a') S R(-a), Q16
     std::int32_t xx_ = Fixed::one;
     std::int32_t xy_ = 0;

@@ -17,7 +17,7 @@ double fading_of(const BeamDisplay& display, std::uint32_t rate)
     return std::exp2(-1000 / (display.half_life * rate));
 }
 
-double units_per_pixel(Size size) { return field_side / (field_share * std::min(size.width, size.height)); }
+double units_per_pixel(Size size) { return field_side / BeamScreen::field_side_on(size); }
 
 /// A Gaussian is half as high at 1.177 standard deviations.
 double deviation_of(const BeamDisplay& display, Size size)
@@ -48,6 +48,8 @@ Frame black(Size size)
 }
 
 }
+
+double BeamScreen::field_side_on(Size size) { return field_share * std::min(size.width, size.height); }
 
 BeamScreen::BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size,
                        std::int64_t usual_points)

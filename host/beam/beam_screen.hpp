@@ -23,6 +23,9 @@ struct DrawnPicture {
 /// The screen of a vector display, as a camera sees it: the field in the middle, with a margin.
 class BeamScreen {
 public:
+    /// How many pixels of a screen of that size the field is wide and high; it lies in the middle.
+    static double field_side_on(Size size);
+
     /// It is exposed for a line at the profile's usual speed in a picture of that many points, drawn over and
     /// over.
     BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size, std::int64_t usual_points);

@@ -18,7 +18,7 @@ struct PanelSpot {
 enum class MarkKind : std::uint8_t {
     bone,
     backbone,
-    outline,      ///< of the object that is selected
+    outline,      ///< of an object that is selected or numbered, and of a backbone
     control,      ///< from a point to its control point
     point,        ///< of a stroke, with its number
     stroke,       ///< the number of a stroke

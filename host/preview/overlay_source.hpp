@@ -1,28 +1,18 @@
 #pragma once
 
-#include "core/canvas_map.hpp"
-#include "core/scene_view.hpp"
-#include "core/size.hpp"
 #include "core/time.hpp"
 #include "host/picture/told_inputs.hpp"
 #include "host/preview/overlay.hpp"
+#include "host/preview/stage.hpp"
 #include "host/preview/view_options.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
+#include <span>
+#include <string_view>
 
 namespace kfast {
-
-/// Where a preview shows a scene.
-struct Stage {
-    SceneView scene;
-    Size panel;
-    Fit fit = Fit::contain;
-    bool is_beam = false;        ///< the panel is the screen of a vector display
-    std::string panel_name = {}; ///< empty if none was named
-};
 
 /// Makes what is drawn over the pictures of one scene. Its inputs are to be told as those of the FrameSource
 /// that makes the pictures.
@@ -33,13 +23,15 @@ public:
     ~OverlaySource() override;
 
     /// What `view` asks for, over the picture at a moment of the timeline; of an item that is selected also
-    /// its outline. Valid until the next call.
+    /// its outline. Labels that would lie on each other are left out: in a window a pixel of the panel is
+    /// `scale` pixels wide. Valid until the next call.
     ///
     /// Changed areas are what a board would send after the picture that was asked for before, at first after
     /// the one a frame earlier; they stay when the same moment is asked for again.
-    const Overlay& show(Time moment, const ViewOptions& view);
+    const Overlay& show(Time moment, const ViewOptions& view, double scale = 2);
     /// The topmost item that paints at a place of the panel, by its place in SceneFile::item_names; a leaf,
-    /// for groups and uses paint nothing themselves. On a beam's screen, the topmost whose outline is near.
+    /// for groups and uses paint nothing themselves. On a beam's screen, the one whose outline is nearest, if
+    /// it is near.
     std::optional<std::size_t> item_at(Time moment, PanelSpot spot);
 
     void set_input(std::uint32_t number, Time place) override;

@@ -9,7 +9,7 @@ SceneLayers::SceneLayers(OpenedScene& scene) : scene_{scene}
         table_.rows.push_back({item++, name, 0, {}});
 }
 
-const Overlay& SceneLayers::overlay(const Playback&, const ViewOptions&)
+const Overlay& SceneLayers::overlay(const Playback&, const ViewOptions&, double)
 {
     static const Overlay none;
     return none;

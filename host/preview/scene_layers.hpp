@@ -21,7 +21,7 @@ public:
 
     const TimeTable& table() const { return table_; }
     /// Where `playback` stands, with its inputs. Valid until the next call.
-    const Overlay& overlay(const Playback& playback, const ViewOptions& view);
+    const Overlay& overlay(const Playback& playback, const ViewOptions& view, double scale);
     std::optional<std::size_t> item_at(const Playback& playback, PanelSpot spot);
     /// With the key frames before and after it. Likewise.
     const Picture& onion_skin(const Playback& playback);

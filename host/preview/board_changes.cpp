@@ -1,0 +1,66 @@
+#include "host/preview/board_changes.hpp"
+
+#include "host/counted.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+std::int64_t pixels_of(const std::vector<Rect>& areas)
+{
+    std::int64_t pixels = 0;
+    for (const Rect& area : areas)
+        pixels += std::int64_t{area.width} * area.height;
+    return pixels;
+}
+
+}
+
+std::string SentAreas::text(Size panel) const
+{
+    const std::int64_t all = std::int64_t{panel.width} * panel.height;
+    const std::int64_t rounded = (pixels_of(areas) * 100 + all / 2) / all;
+    const std::int64_t share = areas.empty() ? 0 : std::max<std::int64_t>(rounded, 1);
+    return counted(areas.size(), "area") + ", " + counted(bytes, "byte") + ", " + std::to_string(share) +
+           " % of the panel";
+}
+
+BoardChanges::BoardChanges(const SceneView& scene, const fit::Display& display, Fit fit,
+                           std::size_t band_bytes)
+    : ToldPlayer{scene, display.size, fit}, display_{display}, band_(band_bytes)
+{
+}
+
+const SentAreas& BoardChanges::show(Time moment)
+{
+    if (!shown_ && moment > Time{})
+        sent_for({moment.ticks - Time::ticks_per_frame});
+    SentAreas sent = sent_for(moment);
+    if (shown_ != moment || !sent.areas.empty())
+        sent_ = std::move(sent);
+    shown_ = moment;
+    return sent_;
+}
+
+SentAreas BoardChanges::sent_for(Time moment)
+{
+    SentAreas sent;
+    player().show_moment(moment);
+    with_format(display_.format, [&]<PixelFormat format>() {
+        for (;;) {
+            const auto changes = player().draw_changes<format>(band_, display_.granularity,
+                                                               static_cast<int>(display_.window_bytes));
+            if (changes.empty())
+                return;
+            for (const Change& change : changes) {
+                sent.areas.push_back(change.area);
+                sent.bytes += change.pixels.size() + display_.window_bytes;
+            }
+        }
+    });
+    return sent;
+}
+
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "host/fit/display.hpp"
+#include "host/preview/told_player.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// What goes over the bus for one picture.
+struct SentAreas {
+    std::vector<Rect> areas;
+    std::size_t bytes = 0; ///< of pixels, and of the commands for areas
+
+    /// "2 areas, 1312 bytes, 4 % of the panel", rounded to nearest, but no less than 1 % if there are some.
+    std::string text(Size panel) const;
+};
+
+/// Draws a scene as a board does, and tells what it sends to its panel.
+class BoardChanges final : public ToldPlayer {
+public:
+    /// `scene`'s bytes must outlive it. `band_bytes` is the room for pixels that are sent at once, at least a
+    /// row of the panel (display.size) times the rows that it takes together.
+    BoardChanges(const SceneView& scene, const fit::Display& display, Fit fit, std::size_t band_bytes);
+
+    /// For the picture at a moment, after the one that was asked for before; if that is the same moment and
+    /// nothing differs, what was told then. The first one comes after the picture a frame earlier; at the
+    /// beginning of the scene nothing is shown before it.
+    const SentAreas& show(Time moment);
+
+private:
+    SentAreas sent_for(Time moment);
+
+    fit::Display display_;
+    std::vector<std::byte> band_;
+    std::optional<Time> shown_;
+    SentAreas sent_;
+};
+
+}

@@ -1,0 +1,164 @@
+#include "host/preview/overlay_source.hpp"
+
+#include "host/preview/board_changes.hpp"
+#include "host/preview/overlay_marks.hpp"
+#include "host/preview/painted_items.hpp"
+#include "host/preview/posed_scene.hpp"
+#include "host/preview/seen_strokes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kfast {
+namespace {
+
+constexpr std::size_t usual_band = 4096; ///< of boards, in bytes
+constexpr double near = 6;               ///< pixels around a line of a beam
+
+fit::Display display_of(const Stage& stage)
+{
+    const fit::Display* const known = fit::display_named(stage.panel_name);
+    fit::Display display = known != nullptr ? *known : fit::Display{};
+    display.size = stage.panel;
+    return display;
+}
+
+std::size_t band_bytes(const fit::Display& display)
+{
+    return std::max(usual_band, row_bytes(display.format, display.size.width) *
+                                    static_cast<std::size_t>(display.granularity.height));
+}
+
+double distance(PanelSpot spot, PanelSpot from, PanelSpot to)
+{
+    const double x = to.x - from.x;
+    const double y = to.y - from.y;
+    const double length = x * x + y * y;
+    const double share =
+        length > 0 ? std::clamp(((spot.x - from.x) * x + (spot.y - from.y) * y) / length, 0.0, 1.0) : 0;
+    return std::hypot(spot.x - from.x - share * x, spot.y - from.y - share * y);
+}
+
+double distance(const Stage& stage, PanelSpot spot, const std::vector<SeenStroke>& strokes)
+{
+    double least = near;
+    for (const SeenStroke& stroke : strokes)
+        for (std::size_t i = 1; i < stroke.line.size(); ++i)
+            least =
+                std::min(least, distance(spot, stage.spot(stroke.line[i - 1]), stage.spot(stroke.line[i])));
+    return least;
+}
+
+bool is_selected(const SeenLeaf& leaf, const ViewOptions& view)
+{
+    return view.selected && std::ranges::find(leaf.numbers, *view.selected) != leaf.numbers.end();
+}
+
+}
+
+struct OverlaySource::Parts {
+    Stage stage;
+    PosedScene posed{stage.scene, stage.posed_panel(), stage.posed_fit()};
+    BoardChanges changes{stage.scene, display_of(stage), stage.fit, band_bytes(display_of(stage))};
+    PaintedItems painted{stage.scene, stage.panel, stage.fit};
+
+    std::array<ToldInputs*, 2> players() { return {&changes, &painted}; }
+
+    void add_marks(Time moment, const ViewOptions& view, double scale, Overlay& overlay);
+    void add_changes(Time moment, Overlay& overlay);
+    std::optional<std::size_t> painted_at(Time moment, PanelSpot spot);
+    std::optional<std::size_t> drawn_near(Time moment, PanelSpot spot);
+};
+
+void OverlaySource::Parts::add_marks(Time moment, const ViewOptions& view, double scale, Overlay& overlay)
+{
+    OverlayMarks marks{stage, posed, scale, overlay};
+    posed.visit(moment, [&](const SeenLeaf& leaf) {
+        if (view.bones)
+            marks.add_bones(leaf);
+        if (view.numbers && (!view.selected || is_selected(leaf, view)))
+            marks.add_numbers(leaf);
+        else if (is_selected(leaf, view))
+            marks.add_outline(leaf);
+    });
+    if (view.bones)
+        marks.add_other_bones();
+}
+
+void OverlaySource::Parts::add_changes(Time moment, Overlay& overlay)
+{
+    const SentAreas& sent = changes.show(moment);
+    for (const Rect& area : sent.areas)
+        overlay.areas.push_back({area, MarkKind::changed_area});
+    overlay.facts = sent.text(stage.panel);
+}
+
+std::optional<std::size_t> OverlaySource::Parts::painted_at(Time moment, PanelSpot spot)
+{
+    const auto path =
+        painted.path_at(moment, static_cast<int>(std::floor(spot.x)), static_cast<int>(std::floor(spot.y)));
+    std::optional<std::size_t> number;
+    if (path)
+        posed.visit(moment, [&](const SeenLeaf& leaf) {
+            if (leaf.path == *path)
+                number = leaf.number();
+        });
+    return number;
+}
+
+std::optional<std::size_t> OverlaySource::Parts::drawn_near(Time moment, PanelSpot spot)
+{
+    std::optional<std::size_t> number;
+    double least = near;
+    posed.visit(moment, [&](const SeenLeaf& leaf) {
+        const double found = distance(stage, spot, seen_strokes(posed, leaf));
+        if (found < near && found <= least) {
+            least = found;
+            number = leaf.number();
+        }
+    });
+    return number;
+}
+
+OverlaySource::OverlaySource(const Stage& stage) : parts_{new Parts{stage}} {}
+
+OverlaySource::~OverlaySource() = default;
+
+const Overlay& OverlaySource::show(Time moment, const ViewOptions& view, double scale)
+{
+    overlay_ = {};
+    if (view.changed_areas && !parts_->stage.is_beam)
+        parts_->add_changes(moment, overlay_);
+    if (view.bones || view.numbers || view.selected)
+        parts_->add_marks(moment, view, scale, overlay_);
+    return overlay_;
+}
+
+std::optional<std::size_t> OverlaySource::item_at(Time moment, PanelSpot spot)
+{
+    return parts_->stage.is_beam ? parts_->drawn_near(moment, spot) : parts_->painted_at(moment, spot);
+}
+
+void OverlaySource::set_input(std::uint32_t number, Time place)
+{
+    parts_->posed.set_input(number, place);
+    for (ToldInputs* const player : parts_->players())
+        player->set_input(number, place);
+}
+
+bool OverlaySource::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
+{
+    for (ToldInputs* const player : parts_->players())
+        player->set_drawing(number, strokes);
+    return parts_->posed.set_drawing(number, strokes);
+}
+
+void OverlaySource::set_text(std::uint32_t number, std::string_view text)
+{
+    parts_->posed.set_text(number, text);
+    for (ToldInputs* const player : parts_->players())
+        player->set_text(number, text);
+}
+
+}

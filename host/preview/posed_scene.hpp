@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/item_view.hpp"
+#include "core/live_scene.hpp"
+#include "core/space.hpp"
+#include "host/word_block.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace kfast {
+
+/// An object, a text or a plot as it is seen at a moment. All is valid during the visit alone.
+struct SeenLeaf {
+    const ItemView& item;
+    const Space& space; ///< from its own coordinates to the panel
+    const Moment& moment;
+    std::uint32_t path; ///< core/item_path.hpp
+    /// Its place in SceneFile::item_names, the last one, after those of the groups and uses around it.
+    std::span<const std::size_t> numbers;
+
+    std::size_t number() const { return numbers.back(); }
+};
+
+/// A scene that is posed as a player poses it, to be looked at rather than painted.
+class PosedScene : private WordBlock, public LiveScene {
+public:
+    using Visit = std::function<void(const SeenLeaf&)>;
+
+    /// `scene`'s bytes must outlive it.
+    PosedScene(const SceneView& scene, Size panel, Fit fit);
+    PosedScene(const PosedScene&) = delete;
+
+    /// Poses the bones and calls visit() for each leaf that is seen at all, in the order of painting. A
+    /// moment outside of the scene is its beginning or its end.
+    void visit(Time moment, const Visit& visit);
+
+    /// With the bones as at the last visit, and the backbones of the object that was traced last.
+    using LiveScene::on_panel;
+
+private:
+    struct Outer {
+        Space space;
+        std::uint32_t path = 0;
+        std::uint32_t opacity = 255;
+    };
+    struct Walk {
+        const Moment& moment;
+        const Visit& visit;
+        std::vector<std::size_t> numbers;
+    };
+
+    void visit(ItemCursor items, const Outer& outer, Walk& walk);
+    void visit(const ItemView& item, const Outer& outer, Walk& walk);
+
+    std::map<const std::byte*, std::size_t> numbers_; ///< of items, by where they are stored
+};
+
+}

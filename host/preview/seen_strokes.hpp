@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/point.hpp"
+#include "host/preview/posed_scene.hpp"
+
+#include <vector>
+
+namespace kfast {
+
+/// A stroke as the player tweens it at a moment, after it was matched with its partner: on the panel, in
+/// perspective if there is some.
+struct SeenStroke {
+    /// From a point to a control point of the curve that begins or ends there.
+    struct Control {
+        Point from;
+        Point to;
+    };
+
+    std::vector<Point> points;     ///< ends of segments; of a closed stroke the first is not repeated
+    std::vector<Control> controls; ///< two for each curve
+    std::vector<Point> line;       ///< straight pieces through these points
+    bool is_closed = false;
+};
+
+/// Those of a leaf, in its order. `scene` visits the leaf just now.
+std::vector<SeenStroke> seen_strokes(const PosedScene& scene, const SeenLeaf& leaf);
+
+}

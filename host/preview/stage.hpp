@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/canvas_map.hpp"
+#include "core/point.hpp"
+#include "core/scene_view.hpp"
+#include "core/size.hpp"
+#include "host/preview/overlay.hpp"
+
+#include <string>
+
+namespace kfast {
+
+/// Where a preview shows a scene.
+struct Stage {
+    SceneView scene;
+    Size panel;
+    Fit fit = Fit::contain;
+    bool is_beam = false;        ///< the panel is the screen of a vector display
+    std::string panel_name = {}; ///< empty if none was named
+
+    /// The panel on which the core poses the scene: for a beam one that stands for its field.
+    Size posed_panel() const;
+    Fit posed_fit() const { return is_beam ? Fit::contain : fit; }
+    /// From there to where it is seen.
+    PanelSpot spot(Point posed) const;
+};
+
+}
