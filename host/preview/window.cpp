@@ -1,6 +1,5 @@
 #include "host/preview/window.hpp"
 
-#include "host/preview/picture_window.hpp"
 #include "host/preview/steady_now.hpp"
 
 #include <algorithm>
@@ -10,6 +9,7 @@ namespace kfast {
 namespace {
 
 constexpr double redraws_per_second = 60;
+constexpr int looks_at_files = 250; // milliseconds
 
 int milliseconds_to_redraw()
 {
@@ -17,45 +17,47 @@ int milliseconds_to_redraw()
     return std::max(1, static_cast<int>((std::floor(redraws) + 1 - redraws) * 1000 / redraws_per_second));
 }
 
-/// Sleeps until there is something to do. True when the window is to be drawn anew.
-bool take_events(PictureWindow& window, Playback& playback)
+int patience(const Viewer& viewer)
 {
-    const auto events = window.take_events(playback.playing() ? milliseconds_to_redraw() : 1000);
+    if (viewer.is_working())
+        return 0;
+    return viewer.playback().playing() ? milliseconds_to_redraw() : looks_at_files;
+}
+
+/// Sleeps until there is something to do. True when the window is to be drawn anew.
+bool take_events(PictureWindow& window, Viewer& viewer)
+{
+    const auto events = window.take_events(patience(viewer));
     for (const PreviewKey key : events.keys)
-        playback.press(key, steady_now());
+        viewer.press(key, steady_now());
     return events.any;
 }
 
-void draw(PictureWindow& window, FrameSource& source, const Playback& playback)
+void draw(PictureWindow& window, Viewer& viewer)
 {
-    const auto help = playback.help_open() ? preview_key_help() : std::vector<std::string>{};
-    const Frame& frame = show(source, playback);
-    window.draw(frame, status_of(source, playback), help);
+    std::vector<std::string> help =
+        viewer.playback().help_open() ? preview_key_help() : std::vector<std::string>{};
+    if (!viewer.errors().empty())
+        help = viewer.errors();
+    window.draw(viewer.frame(), viewer.notice().empty() ? viewer.status() : viewer.notice(), help);
 }
 
-void play(PictureWindow& window, FrameSource& source, Playback& playback)
+}
+
+void play_in_window(PictureWindow& window, Viewer& viewer)
 {
-    draw(window, source, playback);
-    while (!playback.wants_to_quit()) {
-        const Time shown = playback.time();
-        const bool disturbed = take_events(window, playback);
-        playback.advance_to(steady_now());
-        if (disturbed || playback.time() != shown)
-            draw(window, source, playback);
+    draw(window, viewer);
+    Playback::Seconds drawn = steady_now();
+    while (!viewer.wants_to_quit()) {
+        const Time shown = viewer.playback().time();
+        bool is_due = take_events(window, viewer);
+        is_due = viewer.attend(steady_now()) || is_due || viewer.playback().time() != shown;
+        const bool too_soon = viewer.is_working() && steady_now() - drawn < Playback::Seconds{0.05};
+        if (!is_due || too_soon)
+            continue;
+        draw(window, viewer);
+        drawn = steady_now();
     }
-}
-
-}
-
-bool play_in_window(FrameSource& source, const Programme& programme, const std::string& title,
-                    std::optional<int> loops)
-{
-    const auto window = PictureWindow::open(title, source.show(Time{0}).size);
-    if (!window)
-        return false;
-    Playback playback{programme, source.pace(), steady_now(), loops};
-    play(*window, source, playback);
-    return true;
 }
 
 }
