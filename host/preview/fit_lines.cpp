@@ -21,7 +21,7 @@ void add_sentence(const std::string& text, Verdict verdict, std::vector<FitLine>
     for (std::string word; words >> word;) {
         if (!line.empty() && line.size() + 1 + word.size() > FitLine::most_letters) {
             lines.push_back({line, verdict});
-            line = " ";
+            line.assign(1, ' ');
         }
         line.append(line.empty() ? "" : " ").append(word);
     }
