@@ -3,6 +3,7 @@
 #include "host/text/source.hpp"
 
 #include <cstddef>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,7 @@ struct CompiledText {
     std::size_t warnings = 0;
 };
 
-/// Compiles a scene text and prints all diagnostics to standard error: in colour when that is a terminal and
-/// NO_COLOR is not set.
-CompiledText compile_and_report(const SourceText& source);
+/// Compiles a scene text and prints all diagnostics to `out`, as report() does.
+CompiledText compile_and_report(const SourceText& source, std::ostream& out = std::cerr);
 
 }

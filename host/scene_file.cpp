@@ -56,13 +56,14 @@ SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)
     return {std::move(bytes), *view};
 }
 
-SceneFile from_text(const fs::path& path, std::string text)
+SceneFile from_text(const fs::path& path, std::string text, std::ostream& out)
 {
     if (text.find('\0') != std::string::npos)
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
     if (text.size() > most_scene_text_bytes)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
-    CompiledText compiled = compile_and_report({path.string(), std::move(text), path.parent_path().string()});
+    CompiledText compiled =
+        compile_and_report({path.string(), std::move(text), path.parent_path().string()}, out);
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));
     SceneFile scene = checked(path, std::move(*compiled.bytes));
@@ -72,20 +73,21 @@ SceneFile from_text(const fs::path& path, std::string text)
     return scene;
 }
 
-void tell(const fs::path& path, const art::Losses& losses, OnLoss on_loss)
+void tell(const fs::path& path, const art::Losses& losses, OnLoss on_loss, std::ostream& out)
 {
     if (losses.empty() || on_loss == OnLoss::report)
         return;
     const std::string number = importing::loss_count(losses);
     if (on_loss == OnLoss::refuse)
         refuse(path, number + ":\n" + importing::loss_list(losses, importing::ListLength::cut));
-    print_warning(path.string(), number + ": 'kfast check " + path.string() + "' lists them");
+    print_warning(path.string(), number + ": 'kfast check " + path.string() + "' lists them", out);
 }
 
-SceneFile from_other_program(const fs::path& path, std::string content, const ImportChoice& choice)
+SceneFile from_other_program(const fs::path& path, std::string content, const ImportChoice& choice,
+                             std::ostream& out)
 {
     importing::Imported imported = importing::import_scene(path.string(), std::move(content), choice.options);
-    tell(path, imported.losses, choice.on_loss);
+    tell(path, imported.losses, choice.on_loss, out);
     SceneFile scene = checked(path, std::move(imported.compiled.bytes));
     scene.was_text = true;
     scene.item_names = std::move(imported.compiled.item_names);
@@ -95,13 +97,13 @@ SceneFile from_other_program(const fs::path& path, std::string content, const Im
 
 }
 
-SceneFile load_scene(const fs::path& path, const ImportChoice& choice)
+SceneFile load_scene(const fs::path& path, const ImportChoice& choice, std::ostream& out)
 {
     std::string content = read_input(path, scene_input);
     if (importing::can_import(content))
-        return from_other_program(path, std::move(content), choice);
+        return from_other_program(path, std::move(content), choice, out);
     if (!content.starts_with(magic))
-        return from_text(path, std::move(content));
+        return from_text(path, std::move(content), out);
     const auto bytes = std::as_bytes(std::span{content});
     return checked(path, {bytes.begin(), bytes.end()});
 }

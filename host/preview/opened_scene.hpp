@@ -21,9 +21,14 @@ struct OpenedScene {
     Programme programme;                 ///< likewise
     Size panel;
     Fit fit = Fit::contain;
-    bool is_round = false;  ///< the corners of the panel are not seen
-    bool is_beam = false;   ///< the screen of a vector display
-    std::string panel_name; ///< empty if none was named
+    bool is_round = false;                             ///< the corners of the panel are not seen
+    bool is_beam = false;                              ///< the screen of a vector display
+    std::string panel_name = {};                       ///< empty if none was named
+    std::vector<std::filesystem::path> also_read = {}; ///< besides `file`, as far as known
+    /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
+    /// empty.
+    std::function<void(ToldInputs&)> tell_drawings = {};
+    std::string warnings = {}; ///< what was found, line by line, if it was not printed
 };
 
 /// Opens a file as the options of the command say. Throws Failure, whose text has all that the compiler
