@@ -62,7 +62,7 @@ inline constexpr std::uint8_t work_kinds = static_cast<std::uint8_t>(Work::faded
 
 #ifdef KFAST_COUNTS_WORK // only by the host side: on a device nothing is left of the counting
 
-/// Where it is counted.
+/// Where it is counted, by the thread that counts.
 class WorkTally {
 public:
     virtual ~WorkTally() = default;
@@ -73,7 +73,7 @@ public:
     std::uint32_t* counts = nullptr; ///< of the present item
 };
 
-inline WorkTally* work_tally = nullptr; ///< whoever counts
+inline constinit thread_local WorkTally* work_tally = nullptr; ///< whoever counts
 
 inline void did(Work work, std::uint32_t times = 1)
 {

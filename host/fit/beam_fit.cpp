@@ -161,7 +161,8 @@ double refresh(const BeamMoment& picture, const BeamProfile& profile)
     return static_cast<double>(profile.rate) / picture.report.points;
 }
 
-BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second)
+BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
+                 const std::stop_token& stop)
 {
     const double cycles = target.cycles != 0 ? target.cycles : costs_of(target.processor).cycles;
     BeamFit fit;
@@ -170,6 +171,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     fit.wanted_rate = frames_per_second != 0 ? frames_per_second : scene.frame_rate() / 1000.0;
     BeamRun run{scene, target};
     run.visit_all([&](const BeamPicture& picture) {
+        go_on(stop);
         const double count = instructions_of(picture, target);
         fit.pictures.push_back({picture.moment, picture.report, count, count * cycles / target.clock});
         fit.hasty += picture.report.haste != 0 ? 1 : 0;

@@ -2,6 +2,7 @@
 
 #include "core/beam/beam_player.hpp"
 #include "core/scene_view.hpp"
+#include "host/fit/fit_stop.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/target.hpp"
 
@@ -47,6 +48,8 @@ struct BeamFit {
 double refresh(const BeamMoment& picture, const BeamProfile& profile);
 
 /// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
-BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second);
+/// Throws FitStopped.
+BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
+                 const std::stop_token& stop = {});
 
 }

@@ -18,6 +18,7 @@ struct FitWish {
     const Target& target;
     Fit fit = Fit::contain;
     double frames_per_second = 0; ///< that every second frame reaches at least; 0: those of the scene
+    std::stop_token stop = {};    ///< tells when it is not wanted any more
 };
 
 /// Whether a scene fits a board, and how fast it plays there.
@@ -39,6 +40,7 @@ struct FitReport {
     bool fits() const { return shortages.empty() && slowness.empty(); }
 };
 
+/// Throws FitStopped.
 FitReport fit_report(const FitWish& wish);
 
 }

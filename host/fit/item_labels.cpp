@@ -1,25 +1,12 @@
 #include "host/fit/item_labels.hpp"
 
 #include "core/item_path.hpp"
-#include "host/every_item.hpp"
 
 namespace kfast::fit {
 
-ItemLabels::ItemLabels(const SceneView& scene, std::span<const std::string> names) : scene_{scene}
+ItemLabels::ItemLabels(const SceneView& scene, std::span<const std::string> names)
+    : scene_{scene}, items_{stored_items(scene, names)}
 {
-    std::size_t objects = 0;
-    every_item(scene, [&](const ItemView& item) {
-        std::string& name = names_[item.place];
-        if (!names.empty()) {
-            name = names.front();
-            names = names.subspan(1);
-        }
-        if (!item.is_leaf())
-            return;
-        ++objects;
-        if (name.empty())
-            name = "object " + std::to_string(objects);
-    });
     add(scene.items(), {});
 }
 
@@ -28,7 +15,7 @@ void ItemLabels::add(ItemCursor items, const Outer& outer)
     while (!items.at_end()) {
         const ItemView item = items.next();
         Outer inner{path_to(item, outer.path, scene_), outer.label};
-        const std::string& name = names_.at(item.place);
+        const std::string& name = items_.at(item.place).name;
         if (!name.empty())
             inner.label += (inner.label.empty() ? "" : "/") + name;
         if (item.is_leaf())

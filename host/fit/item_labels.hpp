@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene_view.hpp"
+#include "host/stored_items.hpp"
 
 #include <cstdint>
 #include <map>
@@ -25,11 +26,10 @@ private:
     };
 
     void add(ItemCursor items, const Outer& outer);
-    std::string name_of(const ItemView& item) const;
 
     const SceneView& scene_;
-    std::map<const std::byte*, std::string> names_; ///< by the places of items
-    std::map<std::uint32_t, std::string> labels_;   ///< by the paths of objects
+    std::map<const std::byte*, StoredItem> items_;
+    std::map<std::uint32_t, std::string> labels_; ///< by the paths of objects
 };
 
 }

@@ -10,8 +10,8 @@ namespace {
 
 class SpeedMeter {
 public:
-    SpeedMeter(const Target& target, Speed& speed)
-        : target_{target}, costs_{costs_of(target.processor)},
+    SpeedMeter(const Target& target, const std::stop_token& stop, Speed& speed)
+        : target_{target}, stop_{stop}, costs_{costs_of(target.processor)},
           cycles_{target.cycles != 0 ? target.cycles : costs_.cycles}, speed_{speed}
     {
     }
@@ -22,6 +22,7 @@ public:
 
     void take(const FrameWork& frame)
     {
+        go_on(stop_);
         const FrameCost cost = cost_of(frame);
         if (speed_.frames.empty() || cost.seconds() > worst_seconds_) {
             worst_seconds_ = cost.seconds();
@@ -56,6 +57,7 @@ private:
     }
 
     const Target& target_;
+    const std::stop_token& stop_;
     const ProcessorCosts& costs_;
     double cycles_;
     Speed& speed_;
@@ -72,10 +74,10 @@ Limits limits_of(const std::vector<FrameCost>& frames, double FrameCost::*second
 
 }
 
-Speed measured_speed(const SceneView& scene, const Target& target, Fit fit)
+Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const std::stop_token& stop)
 {
     Speed speed;
-    SpeedMeter meter{target, speed};
+    SpeedMeter meter{target, stop, speed};
     SceneRun run{scene, target, fit};
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
     for (const Time offset : {Time{0}, Time{Time::ticks_per_frame / 2}})

@@ -3,6 +3,7 @@
 #include "core/canvas_map.hpp"
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
+#include "host/fit/fit_stop.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 
@@ -55,6 +56,7 @@ struct Speed {
     const FrameCost& worst() const { return frames.back(); }
 };
 
-Speed measured_speed(const SceneView& scene, const Target& target, Fit fit);
+/// Throws FitStopped.
+Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const std::stop_token& stop);
 
 }

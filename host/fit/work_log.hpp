@@ -6,7 +6,7 @@
 
 namespace kfast::fit {
 
-/// Counts the work of the core while it lives; there is only one at a time.
+/// Counts the work that the core does on its thread while it lives; there is only one at a time there.
 class WorkLog : private WorkTally {
 public:
     WorkLog();

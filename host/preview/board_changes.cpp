@@ -1,6 +1,7 @@
 #include "host/preview/board_changes.hpp"
 
 #include "host/counted.hpp"
+#include "host/fit/memory_need.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -27,9 +28,9 @@ std::string SentAreas::text(Size panel) const
            " % of the panel";
 }
 
-BoardChanges::BoardChanges(const SceneView& scene, const fit::Display& display, Fit fit,
-                           std::size_t band_bytes)
-    : ToldPlayer{scene, display.size, fit}, display_{display}, band_(band_bytes)
+BoardChanges::BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit)
+    : ToldPlayer{scene, board.display.size, fit}, display_{board.display},
+      band_(std::max(board.band_bytes, fit::least_band(board.display)))
 {
 }
 

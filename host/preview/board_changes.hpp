@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/fit/display.hpp"
+#include "host/fit/target.hpp"
 #include "host/preview/told_player.hpp"
 
 #include <cstddef>
@@ -23,9 +23,9 @@ struct SentAreas {
 /// Draws a scene as a board does, and tells what it sends to its panel.
 class BoardChanges final : public ToldPlayer {
 public:
-    /// `scene`'s bytes must outlive it. `band_bytes` is the room for pixels that are sent at once, at least a
-    /// row of the panel (display.size) times the rows that it takes together.
-    BoardChanges(const SceneView& scene, const fit::Display& display, Fit fit, std::size_t band_bytes);
+    /// `scene`'s bytes must outlive it. `board` has a panel. If its bands are less than the rows that the
+    /// panel takes together, they are taken to be as large.
+    BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit);
 
     /// For the picture at a moment, after the one that was asked for before; if that is the same moment and
     /// nothing differs, what was told then. The first one comes after the picture a frame earlier; at the

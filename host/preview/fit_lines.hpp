@@ -1,13 +1,12 @@
 #pragma once
 
-#include "core/scene_view.hpp"
+#include "host/fit/beam_fit.hpp"
+#include "host/fit/fit_report.hpp"
 #include "host/fit/target.hpp"
 
-#include <memory>
-#include <optional>
-#include <span>
+#include <cstddef>
+#include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace kfast {
@@ -15,32 +14,17 @@ namespace kfast {
 /// One line of a fit report at the side of a preview.
 struct FitLine {
     enum class Verdict : std::uint8_t { neutral, good, bad };
-    std::string text; ///< no longer than 38 characters
+
+    std::string text; ///< no longer than most_letters, but for words that are
     Verdict verdict = Verdict::neutral;
+
+    static constexpr std::size_t most_letters = 36;
+
+    friend bool operator==(const FitLine&, const FitLine&) = default;
 };
 
-/// The board that a preview judges by: a Pico with the panel of that name, or with its usual one if the name
-/// is empty or no controller's; with a beam if `is_beam`.
-fit::Target previewed_board(std::string_view panel_name, bool is_beam);
-
-/// Whether a scene fits a board: memory, speed, and what holds it back. May take seconds for a long scene.
-std::vector<FitLine> fit_lines(const SceneView& scene, std::span<const std::string> item_names,
-                               const fit::Target& board);
-
-/// A fit report that is being made on a thread of its own, on copies of all that it looks at.
-class FitCheck {
-public:
-    FitCheck(const SceneView& scene, std::vector<std::string> item_names, fit::Target board);
-    /// Stops the thread, which takes no longer than a picture.
-    ~FitCheck();
-    FitCheck(const FitCheck&) = delete;
-
-    /// Nothing until it is done.
-    std::optional<std::span<const FitLine>> lines() const;
-
-private:
-    struct Work;
-    std::unique_ptr<Work> work_;
-};
+/// Memory, speed, what holds it back, and why it does not fit.
+std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board);
+std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& board);
 
 }

@@ -1,6 +1,7 @@
 #include "host/preview/key_times.hpp"
 
 #include "host/every_item.hpp"
+#include "host/skeleton_of.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -50,6 +51,15 @@ private:
     std::vector<Time> times_;
 };
 
+}
+
+std::vector<Time> key_times(const SceneView& scene, const ItemView& item, Clock clock)
+{
+    KeyTimes times{clock};
+    times.add(item);
+    if (item.kind == ItemKind::object && item.object.carrier == Carrier::bones)
+        times.add(skeleton_of(scene, item.object.skeleton));
+    return times.sorted();
 }
 
 std::vector<Time> key_times(const SceneView& scene, Clock clock)

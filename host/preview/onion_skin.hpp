@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/colour.hpp"
 #include "core/time.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/picture.hpp"
@@ -9,17 +10,30 @@
 
 namespace kfast {
 
-/// A picture with those of the key frames before and after it behind: faint, the one before in a warm
-/// colour, the one after in a cool one.
+/// Lays over `picture` what `neighbour` has painted elsewhere, in the colour `tint`.
+///
+/// A pixel of the neighbour counts by how far it differs from the picture and from `background`, whichever is
+/// less: by d, the largest difference of a channel, three times, 255 at most. Each channel p of the picture
+/// becomes p + (tint - p) w faintness / 255^2, rounded to nearest, halves away from p. Where d is 0, that is
+/// p. All three pictures are of one size.
+void lay_skin(Picture& picture, const Picture& neighbour, const Picture& background, Colour tint);
+
+/// A picture with those of the key frames before and after it: faint, the one before in a warm colour, the
+/// one after in a cool one.
 class OnionSkin {
 public:
-    /// `keys` are in order.
-    explicit OnionSkin(std::vector<Time> keys);
+    static constexpr Colour warm{255, 128, 48};
+    static constexpr Colour cool{64, 144, 255};
+    static constexpr int faintness = 128; ///< of 255
 
-    /// The picture of `source` at `moment`, which is the last that it shows. Pixels in which neither
-    /// neighbour differs from it are exactly as `source` has them. Valid until the next call.
+    /// `keys` are in order; `background` is what the scene lies on. On the screen of a beam that is black
+    /// anyway.
+    OnionSkin(std::vector<Time> keys, Colour background);
+
+    /// The picture of `source` at `moment`, which is the last that it shows. Pixels where nothing of the
+    /// neighbours is seen are exactly as `source` has them. Valid until the next call.
     const Picture& show(FrameSource& source, Time moment);
-    /// The pictures of key frames are not known any more: an input was told.
+    /// The pictures of key frames are not known any more: an input was told, or the source is another.
     void forget();
 
 private:
@@ -28,9 +42,11 @@ private:
         Picture picture;
     };
 
-    void look_up(Neighbour& neighbour, std::optional<Time> key, FrameSource& source);
+    static void look_up(Neighbour& neighbour, std::optional<Time> key, FrameSource& source);
 
     std::vector<Time> keys_;
+    Colour background_;
+    Picture empty_; ///< the background alone
     Neighbour before_;
     Neighbour after_;
     Picture picture_;

@@ -28,6 +28,9 @@ struct OpenedScene {
     std::string panel_name = {};           ///< empty if none was named
     std::optional<fit::Target> board = {}; ///< that the fit report is about; none: previewed_board()
     std::vector<std::filesystem::path> also_read = {}; ///< besides `file`, as far as known
+    /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
+    /// empty.
+    std::function<void(ToldInputs&)> tell_drawings = {};
     std::string warnings = {}; ///< what was found, line by line, if it was not printed
 };
 

@@ -4,6 +4,7 @@
 #include "host/preview/overlay_marks.hpp"
 #include "host/preview/painted_items.hpp"
 #include "host/preview/posed_scene.hpp"
+#include "host/preview/previewed_board.hpp"
 #include "host/preview/seen_strokes.hpp"
 
 #include <algorithm>
@@ -13,22 +14,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::size_t usual_band = 4096; ///< of boards, in bytes
-constexpr double near = 6;               ///< pixels around a line of a beam
-
-fit::Display display_of(const Stage& stage)
-{
-    const fit::Display* const known = fit::display_named(stage.panel_name);
-    fit::Display display = known != nullptr ? *known : fit::Display{};
-    display.size = stage.panel;
-    return display;
-}
-
-std::size_t band_bytes(const fit::Display& display)
-{
-    return std::max(usual_band, row_bytes(display.format, display.size.width) *
-                                    static_cast<std::size_t>(display.granularity.height));
-}
+constexpr double near = 6; ///< pixels around a line of a beam
 
 double distance(PanelSpot spot, PanelSpot from, PanelSpot to)
 {
@@ -60,7 +46,7 @@ bool is_selected(const SeenLeaf& leaf, const ViewOptions& view)
 struct OverlaySource::Parts {
     Stage stage;
     PosedScene posed{stage.scene, stage.posed_panel(), stage.posed_fit()};
-    BoardChanges changes{stage.scene, display_of(stage), stage.fit, band_bytes(display_of(stage))};
+    BoardChanges changes{stage.scene, previewed_board(stage), stage.fit};
     PaintedItems painted{stage.scene, stage.panel, stage.fit};
 
     std::array<ToldInputs*, 2> players() { return {&changes, &painted}; }

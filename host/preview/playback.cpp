@@ -293,14 +293,19 @@ void Playback::step_key(int direction)
     stop_at(here == keys.begin() ? keys.back() : *std::prev(here));
 }
 
-void tell(FrameSource& source, const Playback& playback)
+void tell_inputs(ToldInputs& source, const Playback& playback)
 {
-    source.reveal(playback.reveals_travel());
     for (const InputKnob& input : playback.inputs())
         if (input.range.type == InputType::text)
             source.set_text(input.number, input.text);
         else
             source.set_input(input.number, input.place());
+}
+
+void tell(FrameSource& source, const Playback& playback)
+{
+    source.reveal(playback.reveals_travel());
+    tell_inputs(source, playback);
 }
 
 const Frame& show(FrameSource& source, const Playback& playback)

@@ -103,6 +103,8 @@ private:
     bool wants_to_quit_ = false;
 };
 
+/// What the keys made of the inputs.
+void tell_inputs(ToldInputs& source, const Playback& playback);
 /// Tells `source` what the keys made of the inputs, and whether travel is revealed.
 void tell(FrameSource& source, const Playback& playback);
 /// The picture where `playback` stands.

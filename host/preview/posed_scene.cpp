@@ -4,16 +4,14 @@
 #include "core/item_state.hpp"
 #include "core/opacity.hpp"
 #include "core/paint_order.hpp"
-#include "host/every_item.hpp"
 
 #include <algorithm>
 
 namespace kfast {
 
 PosedScene::PosedScene(const SceneView& scene, Size panel, Fit fit)
-    : WordBlock{bytes_for(scene)}, LiveScene{scene, panel, fit, bytes()}
+    : WordBlock{bytes_for(scene)}, LiveScene{scene, panel, fit, bytes()}, items_{stored_items(scene, {})}
 {
-    every_item(scene, [this](const ItemView& item) { numbers_.emplace(item.place, numbers_.size()); });
 }
 
 void PosedScene::visit(Time moment, const Visit& visit)
@@ -27,7 +25,7 @@ void PosedScene::visit(ItemCursor items, const Outer& outer, Walk& walk)
 {
     PaintOrder order{items, walk.moment};
     while (const auto item = order.next()) {
-        walk.numbers.push_back(numbers_.at(item->place));
+        walk.numbers.push_back(items_.at(item->place).number);
         visit(*item, outer, walk);
         walk.numbers.pop_back();
     }

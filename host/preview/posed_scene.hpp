@@ -3,6 +3,7 @@
 #include "core/item_view.hpp"
 #include "core/live_scene.hpp"
 #include "core/space.hpp"
+#include "host/stored_items.hpp"
 #include "host/word_block.hpp"
 
 #include <cstddef>
@@ -57,7 +58,7 @@ private:
     void visit(ItemCursor items, const Outer& outer, Walk& walk);
     void visit(const ItemView& item, const Outer& outer, Walk& walk);
 
-    std::map<const std::byte*, std::size_t> numbers_; ///< of items, by where they are stored
+    std::map<const std::byte*, StoredItem> items_;
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include "core/object_strokes.hpp"
 #include "core/projection.hpp"
+#include "host/skeleton_of.hpp"
 
 namespace kfast {
 namespace {
@@ -28,14 +29,6 @@ Point tip_of(const BoneView& bone, const LiveBone& live)
     const BoneFrame& frame = live.frame();
     return frame.origin + Point{Fixed::from_raw(multiply(length.raw(), frame.cosine, 30)),
                                 Fixed::from_raw(multiply(length.raw(), frame.sine, 30))};
-}
-
-BonesView skeleton_of(const SceneView& scene, std::uint32_t number)
-{
-    BonesCursor skeletons = scene.skeletons();
-    for (; number > 0; --number)
-        skeletons.skip();
-    return skeletons.next();
 }
 
 /// For LiveBackbones are made when an object is traced.

@@ -12,7 +12,7 @@ namespace kfast {
 /// One item of the scene on the time line.
 struct TimeRow {
     std::size_t item = 0;   ///< its place in SceneFile::item_names
-    std::string name;       ///< as in the scene; of an item without a name "object 3", "group", "use"
+    std::string name;       ///< as in the scene; of an item without a name "object 3", "group"
     int depth = 0;          ///< groups and uses around it
     std::vector<Time> keys; ///< of its drawings and tracks, and of the bones and backbones that carry it
 };
@@ -24,9 +24,9 @@ struct TimeTable {
         std::string name;
     };
     Time end;
-    std::vector<TimeRow> rows;
-    std::vector<Part> clips;
-    std::vector<Event> events;
+    std::vector<TimeRow> rows = {};
+    std::vector<Part> clips = {};
+    std::vector<Event> events = {};
 };
 
 /// What lies in a symbol follows the topmost use of it. Keys that go by an input are left out.

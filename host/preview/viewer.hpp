@@ -71,8 +71,8 @@ public:
     const Frame& frame();
     /// The picture to show now, with the onion skin if that is wanted. Likewise.
     const Picture& picture();
-    /// What view() asks for over it, where a pixel of it is shown as `scale` pixels. Likewise.
-    const Overlay& overlay(double scale);
+    /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
+    const Overlay& overlay(double scale = 2);
     const TimeTable& time_table() const { return layers_->table(); }
     /// Nothing while it is being made, or if view() does not ask for it.
     std::optional<std::span<const FitLine>> fit_report();

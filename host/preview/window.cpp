@@ -1,12 +1,18 @@
 #include "host/preview/window.hpp"
 
+#include "host/preview/picture_window.hpp"
+#include "host/preview/preview_screen.hpp"
 #include "host/preview/steady_now.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace kfast {
 namespace {
+
+using Seconds = Viewer::Seconds;
 
 constexpr double redraws_per_second = 60;
 constexpr int looks_at_files = 250; // milliseconds
@@ -24,40 +30,74 @@ int patience(const Viewer& viewer)
     return viewer.playback().playing() ? milliseconds_to_redraw() : looks_at_files;
 }
 
-/// Sleeps until there is something to do. True when the window is to be drawn anew.
-bool take_events(PictureWindow& window, Viewer& viewer)
-{
-    const auto events = window.take_events(patience(viewer));
-    for (const PreviewKey key : events.keys)
-        viewer.press(key, steady_now());
-    return events.any;
-}
+class PreviewWindow {
+public:
+    PreviewWindow(PictureWindow& window, Viewer& viewer) : window_{window}, viewer_{viewer} {}
 
-void draw(PictureWindow& window, Viewer& viewer)
-{
-    std::vector<std::string> help =
-        viewer.playback().help_open() ? preview_key_help() : std::vector<std::string>{};
-    if (!viewer.errors().empty())
-        help = viewer.errors();
-    window.draw(viewer.frame(), viewer.notice().empty() ? viewer.status() : viewer.notice(), help);
-}
-
-}
-
-void play_in_window(PictureWindow& window, Viewer& viewer)
-{
-    draw(window, viewer);
-    Playback::Seconds drawn = steady_now();
-    while (!viewer.wants_to_quit()) {
-        const Time shown = viewer.playback().time();
-        bool is_due = take_events(window, viewer);
-        is_due = viewer.attend(steady_now()) || is_due || viewer.playback().time() != shown;
-        const bool too_soon = viewer.is_working() && steady_now() - drawn < Playback::Seconds{0.05};
-        if (!is_due || too_soon)
-            continue;
-        draw(window, viewer);
-        drawn = steady_now();
+    void play()
+    {
+        draw();
+        while (!viewer_.wants_to_quit()) {
+            const Time shown = viewer_.playback().time();
+            const bool is_disturbed = take_events();
+            const Seconds now = steady_now();
+            const bool has_changed = viewer_.attend(now) || viewer_.playback().time() != shown;
+            const bool too_soon = viewer_.is_working() && now - drawn_ < Seconds{0.05};
+            if ((is_disturbed || has_changed || screen_.is_outdated(now)) && !too_soon)
+                draw();
+        }
     }
+
+private:
+    void draw()
+    {
+        drawn_ = steady_now();
+        show_title();
+        window_.draw([this](Painter& painter) { screen_.draw(painter, viewer_, drawn_); });
+    }
+
+    void show_title()
+    {
+        std::string title = viewer_.scene().file.filename().string() + " - kfast preview";
+        if (title == title_)
+            return;
+        title_ = std::move(title);
+        window_.set_title(title_);
+    }
+
+    /// Sleeps until there is something to do. True when the window is to be drawn anew.
+    bool take_events()
+    {
+        const auto events = window_.take_events(patience(viewer_));
+        const Seconds now = steady_now();
+        for (const PreviewKey key : events.keys)
+            screen_.press(key, viewer_, now);
+        for (const PointerEvent& event : events.pointer)
+            screen_.touch(event, viewer_, now);
+        if (!events.dropped.empty())
+            viewer_.open(events.dropped.back(), now);
+        if (events.is_closed)
+            viewer_.close();
+        return events.any;
+    }
+
+    PictureWindow& window_;
+    Viewer& viewer_;
+    PreviewScreen screen_;
+    Seconds drawn_{};
+    std::string title_;
+};
+
 }
+
+Size first_window_size(Size panel)
+{
+    constexpr Size usual{960, 720};
+    constexpr Size beside{320, 260};
+    return {std::max(usual.width, panel.width + beside.width),
+            std::max(usual.height, panel.height + beside.height)};
+}
+
+void play_in_window(PictureWindow& window, Viewer& viewer) { PreviewWindow{window, viewer}.play(); }
 
 }

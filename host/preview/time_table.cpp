@@ -1,0 +1,71 @@
+#include "host/preview/time_table.hpp"
+
+#include "host/preview/key_times.hpp"
+#include "host/stored_items.hpp"
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+/// Makes the rows of items, the topmost first.
+class TimeRows {
+public:
+    TimeRows(const SceneView& scene, const std::vector<std::string>& names)
+        : scene_{scene}, items_{stored_items(scene, names)}
+    {
+        add(scene.items(), 0);
+    }
+
+    std::vector<TimeRow> take() { return std::move(rows_); }
+
+private:
+    void add(ItemCursor items, int depth)
+    {
+        std::vector<ItemView> upwards;
+        while (!items.at_end())
+            upwards.push_back(items.next());
+        for (auto item = upwards.rbegin(); item != upwards.rend(); ++item)
+            add(*item, depth);
+    }
+
+    void add(const ItemView& item, int depth)
+    {
+        const StoredItem& stored = items_.at(item.place);
+        rows_.push_back({stored.number, stored.name.empty() ? name_of(item) : stored.name, depth,
+                         key_times(scene_, item)});
+        const bool is_listed = item.kind == ItemKind::use && !symbols_.insert(item.symbol).second;
+        if (!item.is_leaf() && !is_listed)
+            add(scene_.items_in(item), depth + 1);
+    }
+
+    static std::string name_of(const ItemView& item)
+    {
+        return item.kind == ItemKind::group ? "group" : "use of symbol " + std::to_string(item.symbol + 1);
+    }
+
+    const SceneView& scene_;
+    std::map<const std::byte*, StoredItem> items_;
+    std::set<std::uint32_t> symbols_; ///< whose items are listed
+    std::vector<TimeRow> rows_;
+};
+
+}
+
+TimeTable time_table(const SceneView& scene, const std::vector<std::string>& item_names)
+{
+    TimeTable table{.end = scene.length(), .rows = TimeRows{scene, item_names}.take()};
+    for (ClipCursor clips = scene.clips(); !clips.at_end();) {
+        const ClipView clip = clips.next();
+        table.clips.push_back({std::string{clip.name}, stretch_of(clip)});
+    }
+    for (EventCursor events = scene.events(); !events.at_end();) {
+        const EventView event = events.next();
+        table.events.push_back({event.time, std::string{event.name}});
+    }
+    return table;
+}
+
+}
