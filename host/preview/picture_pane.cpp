@@ -11,6 +11,7 @@ namespace kfast {
 namespace {
 
 constexpr int smallest_gridded = 8;
+constexpr double bezel_share = 0.3; // of a module's margin: the black edge of the glass
 
 Rect grown(Rect area, int by) { return {area.x - by, area.y - by, area.width + 2 * by, area.height + 2 * by}; }
 
@@ -39,22 +40,34 @@ void draw_pins(Painter& painter, Rect module, int margin)
                   pitch * 0.28, theme::solder);
 }
 
-void draw_module(Painter& painter, Rect glass, int margin, bool is_round)
+/// Below the picture.
+void draw_module(Painter& painter, Rect glass, int margin)
 {
     const Rect module = grown(glass, margin - 4);
-    const double bezel = margin * 0.3;
-    if (is_round) {
-        const double radius = glass.width / 2.0;
-        draw_disc(painter, middle_of(glass), radius + margin - 4, theme::module_edge);
-        draw_disc(painter, middle_of(glass), radius + margin - 5, theme::module);
-        draw_disc(painter, middle_of(glass), radius + bezel, theme::glass);
-        return;
-    }
     draw_round_rect(painter, module, margin * 0.3, theme::module_edge);
     draw_round_rect(painter, inset(module, 1), margin * 0.3 - 1, theme::module);
     draw_holes(painter, module, margin);
     draw_pins(painter, module, margin);
-    draw_round_rect(painter, grown(glass, static_cast<int>(bezel)), 3, theme::glass);
+    draw_round_rect(painter, grown(glass, static_cast<int>(margin * bezel_share)), 3, theme::glass);
+}
+
+/// Above the picture, whose corners it hides.
+void draw_round_edge(Painter& painter, Rect glass)
+{
+    fill_corners(painter, glass, theme::backdrop);
+    draw_ring(painter, middle_of(glass), glass.width / 2.0 - 0.5, glass.width / 2.0 + 0.7, theme::border);
+}
+
+void draw_round_module(Painter& painter, Rect glass, int margin)
+{
+    const WindowSpot middle = middle_of(glass);
+    const double radius = glass.width / 2.0;
+    const double bezel = radius + margin * bezel_share;
+    const double edge = radius + margin - 4;
+    fill_corners(painter, glass, theme::backdrop);
+    draw_ring(painter, middle, radius - 0.5, bezel, theme::glass);
+    draw_ring(painter, middle, bezel - 0.5, edge, theme::module);
+    draw_ring(painter, middle, edge - 1, edge, theme::module_edge);
 }
 
 void draw_grid(Painter& painter, const PicturePlace& place)
@@ -125,13 +138,16 @@ void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& 
                   const PictureLook& look)
 {
     const Clipped within{painter, place.pane()};
+    const int margin = module_margin(place.pane());
     painter.fill(place.pane(), theme::backdrop);
-    if (look.has_module)
-        draw_module(painter, place.rect(), module_margin(place.pane()), look.is_round);
+    if (look.has_module && !look.is_round)
+        draw_module(painter, place.rect(), margin);
     painter.picture(picture, place.rect());
     draw_grid(painter, place);
-    if (look.is_round)
-        fill_corners(painter, place.rect(), look.has_module ? theme::module : theme::backdrop);
+    if (look.has_module && look.is_round)
+        draw_round_module(painter, place.rect(), margin);
+    else if (look.is_round)
+        draw_round_edge(painter, place.rect());
 }
 
 void draw_overlay(Painter& painter, const Overlay& overlay, const PicturePlace& place)

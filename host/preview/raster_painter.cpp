@@ -70,12 +70,15 @@ void RasterPainter::polygon(std::span<const WindowSpot> corners, Colour colour)
     });
 }
 
+/// Within its cell: what goes beyond, at most an edge, would touch its neighbour.
 void RasterPainter::letter(int x, int y, const LetterMask& mask, Colour colour)
 {
     auto share = mask.cover.begin();
     for (int down = 0; down < mask.place.height; ++down)
-        for (int right = 0; right < mask.place.width; ++right)
-            cover(x + mask.place.x + right, y + mask.place.y + down, 1, *share++, colour);
+        for (int right = 0; right < mask.place.width; ++right, ++share)
+            if (contains({0, 0, Painter::letter.width, Painter::letter.height}, mask.place.x + right,
+                         mask.place.y + down))
+                cover(x + mask.place.x + right, y + mask.place.y + down, 1, *share, colour);
 }
 
 void RasterPainter::text(int x, int y, std::string_view text, Colour colour)

@@ -44,6 +44,15 @@ void draw_disc(Painter& painter, WindowSpot centre, double radius, Colour colour
     painter.polygon(corners, colour);
 }
 
+/// One way around outside, the other way around inside.
+void draw_ring(Painter& painter, WindowSpot centre, double inner, double outer, Colour colour)
+{
+    std::vector<WindowSpot> corners;
+    add_arc(corners, centre, outer, 0, 4);
+    add_arc(corners, centre, inner, 4, 0);
+    painter.polygon(corners, colour);
+}
+
 void draw_diamond(Painter& painter, WindowSpot centre, double radius, Colour colour)
 {
     painter.polygon(

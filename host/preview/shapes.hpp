@@ -12,6 +12,7 @@ void draw_diamond(Painter& painter, WindowSpot centre, double radius, Colour col
 void draw_round_rect(Painter& painter, Rect area, double radius, Colour colour);
 /// One pixel wide, within the area.
 void draw_frame(Painter& painter, Rect area, Colour colour);
+void draw_ring(Painter& painter, WindowSpot centre, double inner, double outer, Colour colour);
 /// What of a square lies outside of the circle in it.
 void fill_corners(Painter& painter, Rect square, Colour colour);
 

@@ -44,28 +44,38 @@ void SidePanel::add_value(std::string name, std::string value, bool is_chosen, s
                       .bar = bar});
 }
 
+/// Where the next line goes.
 int SidePanel::draw(Painter& painter, const Line& line, Rect room) const
 {
     const int columns = std::max(1, room.width / letter.width);
     const int value_columns = std::min(columns_of(line.value), columns / 2);
-    const int text_columns = std::max(1, columns - (value_columns > 0 ? value_columns + 1 : 0));
-    int y = room.y;
     if (value_columns > 0) {
-        painter.text(room.x, y, cut(line.text, text_columns), line.colour);
-        painter.text(right_of(room) - value_columns * letter.width, y, cut(line.value, value_columns),
+        painter.text(room.x, room.y, cut(line.text, columns - value_columns - 1), line.colour);
+        painter.text(right_of(room) - value_columns * letter.width, room.y, cut(line.value, value_columns),
                      theme::text);
-        y += line_height;
     }
     else
-        for (const std::string& part : wrapped(line.text, text_columns)) {
-            painter.text(room.x, y, part, line.colour);
-            y += line_height;
+        painter.text(room.x, room.y, line.text, line.colour);
+    if (!line.bar)
+        return room.y + line_height;
+    draw_bar(painter, {room.x, room.y + line_height + 1, room.width, bar_height}, *line.bar);
+    return room.y + line_height + bar_height + 6;
+}
+
+std::vector<SidePanel::Line> SidePanel::wrapped_lines(int columns) const
+{
+    std::vector<Line> lines;
+    for (const Line& line : lines_) {
+        if (!line.value.empty()) {
+            lines.push_back(line);
+            continue;
         }
-    if (line.bar) {
-        draw_bar(painter, {room.x, y + 1, room.width, bar_height}, *line.bar);
-        y += bar_height + 6;
+        for (std::string& part : wrapped(line.text, columns)) {
+            lines.push_back(line);
+            lines.back().text = std::move(part);
+        }
     }
-    return y;
+    return lines;
 }
 
 void SidePanel::draw(Painter& painter, Rect pane) const
@@ -77,7 +87,7 @@ void SidePanel::draw(Painter& painter, Rect pane) const
     painter.fill({pane.x, pane.y, 1, pane.height}, theme::border);
     const Rect room = inset(pane, std::min(margin, pane.width / 8), 10);
     int y = room.y;
-    for (const Line& line : lines_) {
+    for (const Line& line : wrapped_lines(std::max(1, room.width / letter.width))) {
         if (line.is_heading && y > room.y)
             y += heading_gap;
         if (y + letter.height > bottom_of(room))

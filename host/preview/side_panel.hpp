@@ -29,6 +29,7 @@ private:
         std::optional<double> bar = {};
     };
 
+    std::vector<Line> wrapped_lines(int columns) const;
     int draw(Painter& painter, const Line& line, Rect room) const;
 
     std::vector<Line> lines_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace kfast {
@@ -76,32 +77,49 @@ void draw_help(Painter& painter, Rect room, std::span<const std::string> rows)
                       grid.height()};
     const Rect box = draw_plate(painter, wanted, room, theme::accent);
     const Clipped within{painter, box};
-    const int top = box.y + margin - std::max(0, grid.height() - box.height) / 2;
     for (int i = 0; i < static_cast<int>(rows.size()); ++i)
         draw_help_row(painter, box.x + margin + i / grid.rows * (grid.column_width + column_gap),
-                      top + i % grid.rows * line_height, grid.column_width / letter.width,
+                      box.y + margin + i % grid.rows * line_height, grid.column_width / letter.width,
                       rows[static_cast<std::size_t>(i)]);
+}
+
+namespace {
+
+struct ColouredLine {
+    std::string text;
+    Colour colour;
+};
+
+std::vector<ColouredLine> error_lines(std::span<const std::string> lines, int columns)
+{
+    std::vector<ColouredLine> shown;
+    for (const std::string& line : lines) {
+        const bool is_error = shown.empty() || line.find("error: ") != std::string::npos;
+        for (std::string& part : wrapped(line, columns))
+            shown.push_back({std::move(part), is_error ? theme::bad : theme::text});
+    }
+    return shown;
+}
+
 }
 
 void draw_errors(Painter& painter, Rect room, std::span<const std::string> lines)
 {
     const Rect free = inset(room, std::min(10, room.width / 20), std::min(10, room.height / 20));
-    const int columns = std::max(1, (free.width - 2 * margin) / letter.width);
     const int most = std::max(1, (free.height - 2 * margin) / line_height);
-    std::vector<std::string> shown;
-    for (const std::string& line : lines)
-        for (std::string& part : wrapped(line, columns))
-            shown.push_back(std::move(part));
+    auto shown = error_lines(lines, std::max(1, (free.width - 2 * margin) / letter.width));
     if (static_cast<int>(shown.size()) > most) {
         shown.resize(static_cast<std::size_t>(most));
-        shown.back() = "…";
+        shown.back() = {"…", theme::text};
     }
     const int height = static_cast<int>(shown.size()) * line_height + 2 * margin;
     const Rect box = draw_plate(painter, {free.x, free.y, free.width, height}, free, theme::bad);
     const Clipped within{painter, box};
-    for (std::size_t i = 0; i < shown.size(); ++i)
-        painter.text(box.x + margin, box.y + margin + static_cast<int>(i) * line_height, shown[i],
-                     i == 0 ? theme::bad : theme::text);
+    int y = box.y + margin;
+    for (const ColouredLine& line : shown) {
+        painter.text(box.x + margin, y, line.text, line.colour);
+        y += line_height;
+    }
 }
 
 namespace {

@@ -16,14 +16,15 @@ std::size_t bytes_of(std::string_view text, int columns)
     return at;
 }
 
-/// Where a line of at most `bytes` ends: before the last space in it, or where it is full.
+/// Where a line of at most `bytes` ends: before the last spaces in it, or where it is full.
 std::size_t line_end(std::string_view text, std::size_t bytes)
 {
     if (bytes == text.size())
         return bytes;
     const std::size_t space = text.rfind(' ', bytes);
     const std::size_t word = text.find_first_not_of(' ');
-    return space == std::string_view::npos || space <= word ? bytes : space;
+    const bool is_one_word = space == std::string_view::npos || space <= word;
+    return is_one_word ? bytes : text.find_last_not_of(' ', space) + 1;
 }
 
 }

@@ -32,7 +32,7 @@ inline constexpr Colour playing_clip{74, 128, 196};
 inline constexpr Colour key{229, 192, 123};
 inline constexpr Colour event{134, 207, 142};
 inline constexpr Colour play_head{255, 122, 92};
-inline constexpr Colour pixel_grid{0, 0, 0, 70};
+inline constexpr Colour pixel_grid{128, 134, 146, 70};
 
 inline constexpr Colour glass{8, 9, 11};
 inline constexpr Colour module{24, 58, 74};

@@ -12,7 +12,7 @@
 namespace kfast {
 namespace {
 
-constexpr int side_margin = 12; // of the moments: room for half a key and half a number
+constexpr int side_margin = 22; // of the moments: room for half a number
 constexpr int key_reach = 6;    // pixels from its middle
 
 int lane_or_none(bool any) { return any ? TimeLine::lane_height : 0; }

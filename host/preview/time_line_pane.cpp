@@ -98,9 +98,9 @@ private:
     void draw_scroll_bar()
     {
         constexpr int width = 4;
-        if (line_.last_first_row() == 0)
-            return;
         const Rect rows = line_.rows();
+        if (line_.last_first_row() == 0 || is_empty(rows))
+            return;
         const auto y_of = [&](std::size_t row) {
             return rows.y + static_cast<int>(row * static_cast<std::size_t>(rows.height) / table_.rows.size());
         };

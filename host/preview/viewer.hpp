@@ -72,7 +72,7 @@ public:
     /// The picture to show now, with the onion skin if that is wanted. Likewise.
     const Picture& picture();
     /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
-    const Overlay& overlay(double scale = 2);
+    const Overlay& overlay(double scale);
     const TimeTable& time_table() const { return layers_->table(); }
     /// Nothing while it is being made, or if view() does not ask for it.
     std::optional<std::span<const FitLine>> fit_report();

@@ -19,6 +19,8 @@ int side_width(Size window, const WindowWishes& wishes)
 
 }
 
+Size window_around(Size picture) { return {picture.width, picture.height + status_height}; }
+
 WindowLayout window_layout(Size window, const WindowWishes& wishes)
 {
     const int status = std::min(status_height, window.height);

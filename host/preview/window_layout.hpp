@@ -20,6 +20,9 @@ struct WindowWishes {
     int time_line_height = 0;    ///< it gets two fifths of the height at most
 };
 
+/// The window in which a picture of that size, and the status alone, have room.
+Size window_around(Size picture);
+
 WindowLayout window_layout(Size window, const WindowWishes& wishes);
 
 }
