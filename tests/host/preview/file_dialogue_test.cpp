@@ -51,9 +51,9 @@ TEST_CASE("without a dialogue the remedy is told")
 {
     const Desktop desktop;
     FileDialogue dialogue;
-    CHECK_THROWS_WITH_AS(dialogue.ask("."),
-                         "there is no file dialogue: install zenity or kdialog, or drop a file onto the window",
-                         Failure);
+    CHECK_THROWS_WITH_AS(
+        dialogue.ask("."),
+        "there is no file dialogue: install zenity or kdialog, or drop a file onto the window", Failure);
     CHECK(!dialogue.is_asking());
 }
 

@@ -20,8 +20,7 @@ inline std::unique_ptr<OpenedScene> open_scene(const std::filesystem::path& file
     try {
         SceneFile scene = load_scene(file, {}, found);
         const SceneView view = scene.view;
-        auto source =
-            std::make_unique<PlayerSource>(view, view.canvas(), Fit::contain, PixelFormat::rgb565);
+        auto source = std::make_unique<PlayerSource>(view, view.canvas(), Fit::contain, PixelFormat::rgb565);
         return std::make_unique<OpenedScene>(OpenedScene{.file = file,
                                                          .scene = std::move(scene),
                                                          .source = std::move(source),

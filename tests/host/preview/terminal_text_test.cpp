@@ -9,10 +9,7 @@ namespace {
 
 constexpr Colour black{};
 
-Picture square(int side)
-{
-    return {{side, side}, std::vector(static_cast<std::size_t>(side * side), black)};
-}
+Picture square(int side) { return {{side, side}, std::vector(static_cast<std::size_t>(side * side), black)}; }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -56,8 +53,8 @@ TEST_CASE("the help lies over the picture, in columns where it is short of lines
         terminal_text({picture, "frame 0", "", {}, help}, {60, 24}, TerminalColours::none);
     CHECK(has(drawn.text, "\x1b[8A\x1b[97;40mn  next                       n  next\x1b[0m\n"));
     CHECK(drawn.lines == 10);
-    const TerminalText more =
-        terminal_text({picture, "frame 0", "", {}, std::span{help}.first(2)}, {60, 24}, TerminalColours::none);
+    const TerminalText more = terminal_text({picture, "frame 0", "", {}, std::span{help}.first(2)}, {60, 24},
+                                            TerminalColours::none);
     CHECK(has(more.text, "\x1b[0m\n\x1b[6Bframe 0"));
 }
 
@@ -67,8 +64,9 @@ TEST_CASE("any terminal is large enough")
     const std::vector<std::string> lines(40, "n  next");
     for (int width = 1; width < 6; ++width)
         for (int height = 1; height < 6; ++height)
-            CHECK(terminal_text({picture, "frame 0", "", lines, lines}, {width, height}, TerminalColours::none)
-                      .lines > 0);
+            CHECK(
+                terminal_text({picture, "frame 0", "", lines, lines}, {width, height}, TerminalColours::none)
+                    .lines > 0);
 }
 
 }

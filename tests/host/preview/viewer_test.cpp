@@ -88,7 +88,8 @@ TEST_CASE("a saved file goes on at the same moment, clip and speed, with what wa
     const std::string selected{preview.viewer.selected_name()};
     CHECK(!selected.empty());
 
-    preview.replace(replaced(moving, "object lamp", "object first fill=\"#0000ff\" { key 0 { rect 0 0 1 1 } }\nobject lamp"));
+    preview.replace(replaced(moving, "object lamp",
+                             "object first fill=\"#0000ff\" { key 0 { rect 0 0 1 1 } }\nobject lamp"));
     preview.wait();
     CHECK(preview.viewer.errors().empty());
     CHECK(preview.viewer.time_table().rows.size() == 3);
