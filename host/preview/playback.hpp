@@ -59,6 +59,8 @@ public:
     Seconds next_frame_at() const;
     /// Those of the scene.
     const std::vector<InputKnob>& inputs() const { return programme_.inputs; }
+    /// The one of them that keys turn.
+    std::optional<std::size_t> chosen_input() const { return input_; }
     /// The events passed since the last call, in order.
     std::vector<EventView> take_passed();
     /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed

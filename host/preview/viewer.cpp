@@ -264,6 +264,15 @@ const FrameCollection* Viewer::frames_in_work() const
     return all_frames_ && !all_frames_->is_complete() ? &*all_frames_ : nullptr;
 }
 
+std::optional<double> Viewer::progress() const
+{
+    if (gif_ != nullptr)
+        return gif_->percent() / 100.0;
+    if (const FrameCollection* frames = frames_in_work())
+        return static_cast<double>(frames->done()) / static_cast<double>(frames->total());
+    return std::nullopt;
+}
+
 void Viewer::stop_work()
 {
     if (!is_working())

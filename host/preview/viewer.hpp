@@ -51,11 +51,15 @@ public:
     /// Pauses at this moment: the time line was touched.
     void scrub(Time moment);
     void select(std::optional<std::size_t> item);
+    /// ViewOptions::zoom.
+    void set_zoom(int zoom) { view_.zoom = zoom; }
     /// Ends it whatever it does: the window was closed.
     void close();
 
     /// Whether it generates frames or writes a file: then attend() is to be called without waiting.
     bool is_working() const { return frames_in_work() != nullptr || gif_ != nullptr; }
+    /// How much of that is done, from 0 to 1; nothing if it does not work.
+    std::optional<double> progress() const;
     bool wants_to_quit() const { return is_closed_ || playback_->wants_to_quit(); }
 
     const OpenedScene& scene() const { return *scene_; }
@@ -68,7 +72,7 @@ public:
     /// The picture to show now, with the onion skin if that is wanted. Likewise.
     const Picture& picture();
     /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
-    const Overlay& overlay(double scale = 2);
+    const Overlay& overlay(double scale);
     const TimeTable& time_table() const { return layers_->table(); }
     /// Nothing while it is being made, or if view() does not ask for it.
     std::optional<std::span<const FitLine>> fit_report();
