@@ -82,7 +82,7 @@ void preview(const PreviewOptions& options)
         return preview_headless(options, std::move(scene));
     if (options.terminal)
         return preview_in_terminal(options, std::move(scene));
-    if (const auto window = PictureWindow::open(options.file, preview_window_size(scene->panel)))
+    if (const auto window = PictureWindow::open(options.file, first_window_size(scene->panel)))
         return preview_in_window(options, *window, std::move(scene));
     std::cerr << "kfast: " << PictureWindow::no_window() << ", so this plays in the terminal\n";
     preview_in_terminal(options, std::move(scene));

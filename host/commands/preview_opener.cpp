@@ -59,6 +59,9 @@ std::unique_ptr<OpenedScene> opened(const PreviewChoice& choice, const fs::path&
     }
     if (choice.board)
         opened->board = fit::chosen_board(*choice.board);
+    opened->tell_drawings = [drawings = picture.drawings, view](ToldInputs& told) {
+        put_drawings(drawings, view, told);
+    };
     opened->also_read = drawing_files(picture.drawings, view);
     return opened;
 }

@@ -2,7 +2,9 @@
 
 #include "core/crc32.hpp"
 #include "host/counted.hpp"
+#include "host/failure.hpp"
 #include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +58,15 @@ void select(Viewer& viewer, const std::string& name)
 {
     const auto& rows = viewer.time_table().rows;
     const auto row = std::ranges::find(rows, name, &TimeRow::name);
-    viewer.select(row == rows.end() ? std::nullopt : std::optional{row->item});
+    if (row != rows.end())
+        return viewer.select(row->item);
+    viewer.select(std::nullopt);
+    if (name.empty())
+        return;
+    std::vector<std::string_view> names;
+    for (const TimeRow& known : rows)
+        names.emplace_back(known.name);
+    throw Failure("select=" + name + ": there is no such object: " + suggestion(name, names));
 }
 
 void take(const ScriptStep& step, Viewer& viewer, Seconds now, const KeyPress& press)

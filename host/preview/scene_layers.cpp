@@ -50,8 +50,9 @@ const Picture& SceneLayers::onion_skin(const Playback& playback)
 std::optional<std::span<const FitLine>> SceneLayers::fit_report()
 {
     if (fit_ == nullptr)
-        fit_ = std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
-                                          previewed_board(stage()), scene_.fit);
+        fit_ =
+            std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
+                                       scene_.board ? *scene_.board : previewed_board(stage()), scene_.fit);
     return fit_->lines();
 }
 

@@ -37,7 +37,7 @@ private:
     OverlaySource overlays_;
     OnionSkin skin_;
     std::vector<InputKnob> skin_inputs_; ///< with which the skin's pictures were made
-    bool skin_reveals_travel_ = false;      ///< likewise
+    bool skin_reveals_travel_ = false;   ///< likewise
     std::unique_ptr<FitCheck> fit_;
 };
 

@@ -19,7 +19,7 @@ struct ViewOptions {
     bool time_line = true;
     int zoom = 0; ///< window pixels per panel pixel: 1, 2, 3, 4, 6, 8, 12 or 16; 0: as large as fits
     /// The place of an item in SceneFile::item_names; none is selected at first.
-    std::optional<std::size_t> selected;
+    std::optional<std::size_t> selected = {};
 };
 
 /// Turns on or off, or zooms, what `key` means; nothing if it is another key.

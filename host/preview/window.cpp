@@ -89,7 +89,7 @@ private:
 
 }
 
-Size preview_window_size(Size panel)
+Size first_window_size(Size panel)
 {
     constexpr Size usual{960, 720};
     constexpr Size beside{320, 260};

@@ -5,8 +5,8 @@
 
 namespace kfast {
 
-/// A window with room for the picture of that panel, magnified if it is small, and for all that is beside it.
-Size preview_window_size(Size panel);
+/// Room for the picture of usual panels twice as large, with all that is beside it.
+Size first_window_size(Size panel);
 
 /// Plays in a window until the user closes it or it has played as often as it was to.
 void play_in_window(PictureWindow& window, Viewer& viewer);

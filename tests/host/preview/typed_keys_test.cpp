@@ -11,10 +11,15 @@ TEST_CASE("letters and what a terminal sends for other keys are the keys of a pr
                                                            PreviewKey::reverse, PreviewKey::next_frame});
 }
 
+TEST_CASE("tab goes on and with shift back")
+{
+    CHECK(typed_keys("\t\x1b[Z") == std::vector{PreviewKey::next_item, PreviewKey::previous_item});
+}
+
 TEST_CASE("an escape alone is a key, other keys are passed over")
 {
     CHECK(typed_keys("\x1b") == std::vector{PreviewKey::quit});
-    CHECK(typed_keys("x\x1b[5~c").size() == 1);
+    CHECK(typed_keys("7\x1b[5~c").size() == 1);
     CHECK(typed_keys("").empty());
 }
 
