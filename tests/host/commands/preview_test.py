@@ -14,7 +14,7 @@ import unittest
 from command_case import KFAST, CommandTest
 
 GOOD = '''kfast 1
-canvas 40 20 fps=10 length=10
+canvas 40 20 fps=10 frames=10
 object lamp fill="#ff0000" { key 0 { rect 0 0 8 8 }; key 5 { rect 30 10 8 8 } }
 '''
 BAD = GOOD.replace("rect 30", "rectangle 30")
