@@ -103,7 +103,7 @@ TEST_CASE("a mistake is shown with its place while the last good scene goes on, 
     Preview preview;
     preview.press({PreviewKey::next_frame});
     const Frame good = preview.viewer.frame();
-    preview.replace(replaced(moving, "rect 12", "rectangle 12"));
+    preview.replace(replaced(moving, "rect 12", "recct 12"));
     preview.wait();
     CHECK(says(preview.viewer.errors(), "lamp.kfast:7:"));
     CHECK(says(preview.viewer.errors(), "did you mean"));
