@@ -96,15 +96,20 @@ TEST_CASE("a check comes to the same lines on its thread, while other scenes are
     CHECK(waited_for(check) == expected);
 }
 
-TEST_CASE("a check that nobody waits for ends")
+TEST_CASE("a report that nobody wants any more stops after a picture, and a check with it")
 {
     const NamedScene scene{"kfast 1\ncanvas 240 240 frames=4000\n"
                            "object ball fill=red { key 0 x=0; key 4000 x=80; circle 60 60 r=40 }\n"};
-    for (const Stage& stage : {Stage{scene.view(), {240, 240}},
-                               Stage{.scene = scene.view(), .panel = {240, 240}, .is_beam = true}}) {
-        const FitCheck check{scene.bytes(), scene.names(), previewed_board(stage), Fit::contain};
-        CHECK_FALSE(check.lines().has_value());
-    }
+    std::stop_source stop;
+    stop.request_stop();
+    const fit::Target panel = previewed_board({scene.view(), {240, 240}});
+    CHECK_THROWS_AS(
+        fit::fit_report(
+            {.scene = scene.view(), .item_names = scene.names(), .target = panel, .stop = stop.get_token()}),
+        fit::FitStopped);
+    const fit::Target beam = previewed_board({.scene = scene.view(), .panel = {240, 240}, .is_beam = true});
+    CHECK_THROWS_AS(fit::beam_fit(scene.view(), beam, 0, stop.get_token()), fit::FitStopped);
+    const FitCheck abandoned{scene.bytes(), scene.names(), panel, Fit::contain};
 }
 
 }
