@@ -2,10 +2,13 @@
 #include "host/commands/import_options.hpp"
 #include "host/commands/named_choice.hpp"
 #include "host/commands/preview_opener.hpp"
+#include "host/commands/size_text.hpp"
 #include "host/fit/board_texts.hpp"
+#include "host/picture/png.hpp"
 #include "host/preview/file_dialogue.hpp"
 #include "host/preview/headless.hpp"
 #include "host/preview/picture_window.hpp"
+#include "host/preview/snapshot.hpp"
 #include "host/preview/steady_now.hpp"
 #include "host/preview/terminal.hpp"
 #include "host/preview/window.hpp"
@@ -23,6 +26,8 @@ struct PreviewOptions {
     bool headless = false;
     std::optional<int> loops;
     std::optional<std::vector<ScriptStep>> script;
+    std::string snapshot;
+    Size window{960, 720};
     PreviewChoice choice;
 };
 
@@ -43,10 +48,13 @@ std::vector<ScriptStep> read_script(const std::string& text)
 
 void preview_headless(const PreviewOptions& options, std::unique_ptr<OpenedScene> scene)
 {
-    if (!options.script)
+    if (!options.script && options.snapshot.empty())
         return play_headless(*scene->source, scene->programme, std::cout);
     Viewer viewer{preview_opener(options.choice), std::move(scene), Viewer::Seconds{0}};
-    play_script(viewer, *options.script, std::cout);
+    const auto script = options.script.value_or(std::vector<ScriptStep>{});
+    if (options.snapshot.empty())
+        return play_script(viewer, script, std::cout);
+    write_png(options.snapshot, snapshot(viewer, script, options.window, std::cout));
 }
 
 void preview_in_window(const PreviewOptions& options, PictureWindow& window,
@@ -111,6 +119,16 @@ void declare(CLI::App& app)
            "select=NAME an object, open=FILE drops a file, wait=S lets seconds pass")
         ->type_name("LIST")
         ->needs(headless);
+    CLI::Option* snapshot =
+        app.add_option("--snapshot", options->snapshot,
+                       "With --headless: write the window as it looks after these keys, as PNG")
+            ->type_name("OUT.png")
+            ->needs(headless);
+    app.add_option_function<std::string>(
+           "--window", [options](const std::string& text) { options->window = read_size("--window", text); },
+           "Size of the window of --snapshot (default: 960x720)")
+        ->type_name("WxH")
+        ->needs(snapshot);
     declare_play_options(app, options->choice.play);
     declare_seen_options(app, options->choice.picture);
     app.add_option("--board", options->choice.board,

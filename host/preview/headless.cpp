@@ -69,11 +69,11 @@ void select(Viewer& viewer, const std::string& name)
     throw Failure("select=" + name + ": there is no such object: " + suggestion(name, names));
 }
 
-void take(const ScriptStep& step, Viewer& viewer, Seconds now)
+void take(const ScriptStep& step, Viewer& viewer, Seconds now, const KeyPress& press)
 {
     switch (step.kind) {
     case ScriptStep::Kind::key:
-        return viewer.press(step.key, now);
+        return press ? press(step.key, now) : viewer.press(step.key, now);
     case ScriptStep::Kind::frame:
         return viewer.scrub({static_cast<std::int32_t>(std::lround(step.number * Time::ticks_per_frame))});
     case ScriptStep::Kind::select:
@@ -111,14 +111,14 @@ void play_headless(FrameSource& source, const Programme& programme, std::ostream
     summary.write(out);
 }
 
-void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out)
+void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out, const KeyPress& press)
 {
     const double seconds_per_frame = clock_at(viewer.playback().timeline(), 1).count();
     Summary summary;
     Seconds clock{0};
     for (const ScriptStep& step : script) {
         clock += Seconds{step.kind == ScriptStep::Kind::wait ? step.number : seconds_per_frame};
-        take(step, viewer, clock);
+        take(step, viewer, clock, press);
         while (viewer.is_working())
             viewer.attend(clock);
         write_events(viewer.take_passed(), out);

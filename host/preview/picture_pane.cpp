@@ -13,7 +13,10 @@ namespace {
 constexpr int smallest_gridded = 8;
 constexpr double bezel_share = 0.3; // of a module's margin: the black edge of the glass
 
-Rect grown(Rect area, int by) { return {area.x - by, area.y - by, area.width + 2 * by, area.height + 2 * by}; }
+Rect grown(Rect area, int by)
+{
+    return {area.x - by, area.y - by, area.width + 2 * by, area.height + 2 * by};
+}
 
 WindowSpot middle_of(Rect area) { return {area.x + area.width / 2.0, area.y + area.height / 2.0}; }
 
@@ -76,7 +79,9 @@ void draw_grid(Painter& painter, const PicturePlace& place)
     const Rect seen = common(place.rect(), place.pane());
     if (step < smallest_gridded)
         return;
-    const auto first = [step](int begin, int from) { return begin + (from - begin + step - 1) / step * step; };
+    const auto first = [step](int begin, int from) {
+        return begin + (from - begin + step - 1) / step * step;
+    };
     for (int x = first(place.rect().x, seen.x); x < right_of(seen); x += step)
         painter.fill({x, seen.y, 1, seen.height}, theme::pixel_grid);
     for (int y = first(place.rect().y, seen.y); y < bottom_of(seen); y += step)
@@ -86,8 +91,7 @@ void draw_grid(Painter& painter, const PicturePlace& place)
 void draw_area(Painter& painter, const Overlay::Area& area, const PicturePlace& place)
 {
     const Rect& panel = area.place;
-    const WindowSpot from =
-        place.window_spot({static_cast<double>(panel.x), static_cast<double>(panel.y)});
+    const WindowSpot from = place.window_spot({static_cast<double>(panel.x), static_cast<double>(panel.y)});
     const WindowSpot to =
         place.window_spot({static_cast<double>(right_of(panel)), static_cast<double>(bottom_of(panel))});
     const Rect shown{static_cast<int>(from.x), static_cast<int>(from.y),

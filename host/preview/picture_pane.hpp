@@ -7,8 +7,8 @@ namespace kfast {
 
 /// How a picture is shown besides its pixels.
 struct PictureLook {
-    bool is_round = false;    ///< its corners are not seen
-    bool has_module = false;  ///< with the edge of the display's module around
+    bool is_round = false;   ///< its corners are not seen
+    bool has_module = false; ///< with the edge of the display's module around
 };
 
 /// Pixels of the window that the edge of a module takes on each side of a picture that fits a pane.

@@ -143,9 +143,9 @@ void take(const SDL_Event& event, PictureWindow::Events& into)
 class SdlWindow : public PictureWindow {
 public:
     SdlWindow(std::unique_ptr<Video> video, const std::string& title, Size size)
-        : video_{std::move(video)},
-          window_{owned(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                         size.width, size.height, SDL_WINDOW_RESIZABLE))},
+        : video_{std::move(video)}, window_{owned(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED,
+                                                                   SDL_WINDOWPOS_CENTERED, size.width,
+                                                                   size.height, SDL_WINDOW_RESIZABLE))},
           renderer_{owned(SDL_CreateRenderer(window_.get(), -1, 0))}
     {
         SDL_SetWindowMinimumSize(window_.get(), smallest_window.width, smallest_window.height);
@@ -182,9 +182,9 @@ private:
     {
         if (texture_ == nullptr || texture_size_ != picture.size) {
             texture_size_ = picture.size;
-            texture_ = owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
-                                               SDL_TEXTUREACCESS_STREAMING, texture_size_.width,
-                                               texture_size_.height));
+            texture_ =
+                owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STREAMING,
+                                        texture_size_.width, texture_size_.height));
         }
         SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels.data(), picture.size.width * pixel_bytes);
         SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr);

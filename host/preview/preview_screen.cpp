@@ -17,10 +17,7 @@ namespace {
 constexpr PreviewScreen::Seconds notice_stays{4};
 constexpr int click_reach = 3; // pixels that a hand may shake
 
-Rect above_status(const WindowLayout& layout)
-{
-    return {0, 0, layout.status.width, layout.status.y};
-}
+Rect above_status(const WindowLayout& layout) { return {0, 0, layout.status.width, layout.status.y}; }
 
 WindowSpot spot_of(const PointerEvent& event) { return {event.x + 0.5, event.y + 0.5}; }
 
@@ -162,8 +159,7 @@ void PreviewScreen::touch_time_line(const PointerEvent& event, Viewer& viewer, c
         drag_ = Drag::row;
         if (const auto key = line.key_at(*row, event.x); is_in_time && key)
             viewer.scrub(*key);
-    }
-    else if (is_in_time) {
+    } else if (is_in_time) {
         drag_ = Drag::moment;
         go_on_dragging(event, viewer);
     }

@@ -36,10 +36,7 @@ void RasterPainter::clip(std::optional<Rect> area)
     clip_ = area ? common(*area, all) : all;
 }
 
-Colour* RasterPainter::row(int y)
-{
-    return canvas_.pixels.data() + std::ptrdiff_t{y} * canvas_.size.width;
-}
+Colour* RasterPainter::row(int y) { return canvas_.pixels.data() + std::ptrdiff_t{y} * canvas_.size.width; }
 
 void RasterPainter::cover(int x, int y, int width, std::uint8_t share, Colour colour)
 {

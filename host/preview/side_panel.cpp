@@ -53,8 +53,7 @@ int SidePanel::draw(Painter& painter, const Line& line, Rect room) const
         painter.text(room.x, room.y, cut(line.text, columns - value_columns - 1), line.colour);
         painter.text(right_of(room) - value_columns * letter.width, room.y, cut(line.value, value_columns),
                      theme::text);
-    }
-    else
+    } else
         painter.text(room.x, room.y, line.text, line.colour);
     if (!line.bar)
         return room.y + line_height;

@@ -73,8 +73,7 @@ void draw_help(Painter& painter, Rect room, std::span<const std::string> rows)
 {
     const HelpGrid grid = help_grid(room, rows);
     const Rect wanted{room.x + (room.width - grid.width()) / 2,
-                      room.y + std::max(0, (room.height - grid.height()) / 2), grid.width(),
-                      grid.height()};
+                      room.y + std::max(0, (room.height - grid.height()) / 2), grid.width(), grid.height()};
     const Rect box = draw_plate(painter, wanted, room, theme::accent);
     const Clipped within{painter, box};
     for (int i = 0; i < static_cast<int>(rows.size()); ++i)
@@ -132,10 +131,9 @@ Rect draw_lower_plate(Painter& painter, Rect room, const std::string& text, int 
     const std::string shown = cut(text, (room.width - 2 * margin) / letter.width);
     const int width = std::max(columns_of(shown) * letter.width, extra_height > 0 ? 240 : 0) + 2 * margin;
     const int height = letter.height + 2 * padding + extra_height;
-    const Rect box =
-        draw_plate(painter,
-                   {room.x + (room.width - width) / 2, bottom_of(room) - gap - height, width, height}, room,
-                   theme::accent);
+    const Rect box = draw_plate(
+        painter, {room.x + (room.width - width) / 2, bottom_of(room) - gap - height, width, height}, room,
+        theme::accent);
     const Clipped within{painter, box};
     painter.text(box.x + (box.width - columns_of(shown) * letter.width) / 2, box.y + padding + 1, shown,
                  theme::text);
@@ -155,9 +153,9 @@ void draw_progress(Painter& painter, Rect room, const std::string& text, double 
     const Rect box = draw_lower_plate(painter, room, text, bar_height + 4);
     const Rect bar = inset({box.x, bottom_of(box) - bar_height - 8, box.width, bar_height}, margin, 0);
     painter.fill(bar, theme::track);
-    painter.fill({bar.x, bar.y, static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * bar.width)),
-                  bar.height},
-                 theme::accent);
+    painter.fill(
+        {bar.x, bar.y, static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * bar.width)), bar.height},
+        theme::accent);
 }
 
 }

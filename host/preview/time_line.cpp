@@ -54,7 +54,8 @@ Rect TimeLine::events() const
 
 int TimeLine::rows_top() const
 {
-    return pane_.y + ruler_height + lane_or_none(!table_.clips.empty()) + lane_or_none(!table_.events.empty());
+    return pane_.y + ruler_height + lane_or_none(!table_.clips.empty()) +
+           lane_or_none(!table_.events.empty());
 }
 
 int TimeLine::seen_rows() const { return std::max(0, (bottom_of(pane_) - rows_top()) / row_height); }
@@ -110,8 +111,8 @@ std::optional<Time> TimeLine::key_at(std::size_t row, int x) const
 {
     const std::vector<Time>& keys = table_.rows[row].keys;
     const auto distance = [&](Time key) { return std::abs(x_of(key) - (x + 0.5)); };
-    const auto nearest = std::min_element(keys.begin(), keys.end(),
-                                          [&](Time a, Time b) { return distance(a) < distance(b); });
+    const auto nearest =
+        std::min_element(keys.begin(), keys.end(), [&](Time a, Time b) { return distance(a) < distance(b); });
     if (nearest == keys.end() || distance(*nearest) > key_reach)
         return std::nullopt;
     return *nearest;

@@ -102,7 +102,8 @@ private:
         if (line_.last_first_row() == 0 || is_empty(rows))
             return;
         const auto y_of = [&](std::size_t row) {
-            return rows.y + static_cast<int>(row * static_cast<std::size_t>(rows.height) / table_.rows.size());
+            return rows.y +
+                   static_cast<int>(row * static_cast<std::size_t>(rows.height) / table_.rows.size());
         };
         const int top = y_of(line_.first_row());
         painter_.fill({right_of(rows) - width, top, width, std::max(6, y_of(line_.end_row()) - top)},
@@ -171,6 +172,7 @@ private:
             const int left = static_cast<int>(line_.x_of(clip.stretch.begin));
             const int right = static_cast<int>(line_.x_of(clip.stretch.end));
             const Rect bar{left, lane.y + 2, std::max(3, right - left - 1), lane.height - 4};
+            painter_.fill({bar.x - 1, bar.y, 1, bar.height}, theme::surface); // where clips overlap
             draw_round_rect(painter_, bar, std::min(3.0, bar.width / 2.0),
                             clip.name == state_.clip ? theme::playing_clip : theme::clip);
             draw_text(painter_, left + 5, text_y(lane.y, lane.height), right - 4, visible(clip.name),
@@ -218,9 +220,8 @@ private:
         const double top = bottom_of(ruler) - 8.0;
         draw_line(painter_, {x, top}, {x, static_cast<double>(bottom_of(line_.pane()))}, 1.5,
                   theme::play_head);
-        painter_.polygon(
-            std::array{WindowSpot{x - 6, top}, WindowSpot{x + 6, top}, WindowSpot{x, top + 8}},
-            theme::play_head);
+        painter_.polygon(std::array{WindowSpot{x - 6, top}, WindowSpot{x + 6, top}, WindowSpot{x, top + 8}},
+                         theme::play_head);
     }
 
     Painter& painter_;

@@ -12,7 +12,7 @@ namespace kfast {
 /// What a time line shows besides its table.
 struct TimeLineState {
     Time now;
-    std::uint32_t frame_rate = 30000;       ///< frames in 1000 seconds
+    std::uint32_t frame_rate = 30000;         ///< frames in 1000 seconds
     std::optional<std::size_t> selected = {}; ///< a TimeRow::item
     std::string clip = {};                    ///< that plays; empty if it is the whole scene
 };

@@ -1,6 +1,5 @@
 #include "host/preview/window.hpp"
 
-#include "host/preview/picture_window.hpp"
 #include "host/preview/preview_screen.hpp"
 #include "host/preview/steady_now.hpp"
 

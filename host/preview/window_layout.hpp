@@ -15,9 +15,9 @@ struct WindowLayout {
 
 /// What a window would like to show besides the picture.
 struct WindowWishes {
-    bool side = false;           ///< if there is room beside the picture
+    bool side = false; ///< if there is room beside the picture
     bool side_at_any_width = false;
-    int time_line_height = 0;    ///< it gets two fifths of the height at most
+    int time_line_height = 0; ///< it gets two fifths of the height at most
 };
 
 /// The window in which a picture of that size, and the status alone, have room.

@@ -1,6 +1,5 @@
 #include "host/preview/picture_pane.hpp"
 #include "host/preview/preview_key.hpp"
-#include "host/preview/preview_key.hpp"
 #include "host/preview/raster_painter.hpp"
 #include "host/preview/side_panel.hpp"
 #include "host/preview/status_line.hpp"
@@ -55,7 +54,8 @@ void draw_everything(Painter& painter, Rect pane)
     draw_errors(painter, pane, errors);
     draw_notice(painter, pane, "eyes.png is written");
     draw_progress(painter, pane, "writing", 0.5);
-    TimeTable table{Time{1}, {{0, "a", 0, {Time{0}}}}, {{"clip", {Time{0}, Time{1}, Loop::once}}}, {{Time{0}, "e"}}};
+    TimeTable table{
+        Time{1}, {{0, "a", 0, {Time{0}}}}, {{"clip", {Time{0}, Time{1}, Loop::once}}}, {{Time{0}, "e"}}};
     draw_time_line(painter, TimeLine{table, pane}, {});
     table.end = Time{0};
     draw_time_line(painter, TimeLine{table, pane}, {});

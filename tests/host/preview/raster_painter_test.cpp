@@ -50,7 +50,8 @@ TEST_CASE("polygons cover shares of pixels")
 {
     RasterPainter painter;
     painter.begin({4, 3});
-    painter.polygon(std::array{WindowSpot{0.5, 1}, WindowSpot{3, 1}, WindowSpot{3, 2}, WindowSpot{0.5, 2}}, white);
+    painter.polygon(std::array{WindowSpot{0.5, 1}, WindowSpot{3, 1}, WindowSpot{3, 2}, WindowSpot{0.5, 2}},
+                    white);
     CHECK(row_of(painter.drawn(), 0) == "....");
     CHECK(painter.drawn().at(0, 1).red == doctest::Approx(128).epsilon(0.01));
     CHECK(painter.drawn().at(1, 1) == white);
@@ -64,7 +65,8 @@ TEST_CASE("polygons stay within the clip, however far they reach")
     RasterPainter painter;
     painter.begin({4, 2});
     painter.clip(Rect{1, 0, 2, 1});
-    painter.polygon(std::array{WindowSpot{-1e9, -1e9}, WindowSpot{1e9, -1e9}, WindowSpot{1e9, 1e9}, WindowSpot{-1e9, 1e9}},
+    painter.polygon(std::array{WindowSpot{-1e9, -1e9}, WindowSpot{1e9, -1e9}, WindowSpot{1e9, 1e9},
+                               WindowSpot{-1e9, 1e9}},
                     white);
     CHECK(row_of(painter.drawn(), 0) == ".##.");
     CHECK(row_of(painter.drawn(), 1) == "....");

@@ -36,8 +36,7 @@ public:
     }
     void text(int x, int y, std::string_view text, Colour colour) override
     {
-        texts.push_back(
-            {std::string{text}, {x, y, columns_of(text) * letter.width, letter.height}, colour});
+        texts.push_back({std::string{text}, {x, y, columns_of(text) * letter.width, letter.height}, colour});
     }
     void picture(const Picture&, Rect target) override { pictures.push_back(target); }
     void clip(std::optional<Rect>) override {}
@@ -69,8 +68,8 @@ inline bool lies_within(Rect inner, Rect outer)
 /// From too small to use to larger than any screen in use.
 inline std::vector<Size> window_sizes()
 {
-    return {{1, 1},     {7, 30},    {40, 300},   {300, 40},    {128, 64},
-            {320, 240}, {619, 400}, {620, 400},  {900, 600},   {1920, 1080}};
+    return {{1, 1},     {7, 30},    {40, 300},  {300, 40},  {128, 64},
+            {320, 240}, {619, 400}, {620, 400}, {900, 600}, {1920, 1080}};
 }
 
 }

@@ -22,7 +22,9 @@ TimeTable table_of(std::size_t rows)
                    {"blink with a long name", {Time::frame(60), Time::frame(61), Loop::once}}};
     table.events = {{Time::frame(10), "step"}, {Time::frame(119), "the last event of all"}};
     for (std::size_t i = 0; i < rows; ++i)
-        table.rows.push_back({i, "item " + std::to_string(i), static_cast<int>(i % 3),
+        table.rows.push_back({i,
+                              "item " + std::to_string(i),
+                              static_cast<int>(i % 3),
                               {Time::frame(static_cast<int>(i)), Time::frame(80)}});
     return table;
 }

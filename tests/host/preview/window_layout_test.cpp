@@ -12,8 +12,8 @@ TEST_CASE("the parts of a window lie beside each other and fill it")
     for (const Size window : window_sizes())
         for (const bool report : {false, true})
             for (const int wanted : {0, 60, 10'000}) {
-                const WindowLayout parts =
-                    window_layout(window, {.side = true, .side_at_any_width = report, .time_line_height = wanted});
+                const WindowLayout parts = window_layout(
+                    window, {.side = true, .side_at_any_width = report, .time_line_height = wanted});
                 const std::vector<Rect> all{parts.picture, parts.side, parts.time_line, parts.status};
                 int pixels = 0;
                 for (std::size_t i = 0; i < all.size(); ++i) {
