@@ -43,6 +43,16 @@ FitLine memory_line(const std::string& name, std::size_t used, std::size_t avail
             verdict(used <= available)};
 }
 
+/// The reserves are those of the rest of the board's program.
+void add_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
+                std::vector<FitLine>& lines)
+{
+    lines.push_back({"scene   " + fit::bytes_text(flash.scene)});
+    lines.push_back({"needs   " + fit::bytes_text(ram.block) + " of RAM"});
+    lines.push_back(memory_line("flash   ", flash.sum(), board.flash));
+    lines.push_back(memory_line("RAM     ", ram.sum(), board.ram));
+}
+
 std::string clock_text(const fit::Target& board)
 {
     return board.name + ", " + fit::frequency_text(board.clock);
@@ -91,8 +101,7 @@ void add_end(bool fits, const std::vector<std::string>& reasons, const std::vect
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board)
 {
     std::vector<FitLine> lines{{clock_text(board)}, {panel_text(board.display)}};
-    lines.push_back(memory_line("flash   ", report.flash.sum(), board.flash));
-    lines.push_back(memory_line("RAM     ", report.ram.sum(), board.ram));
+    add_memory(report.flash, report.ram, board, lines);
     add_speed(report, lines);
     add_end(report.fits(), report.reasons(), report.notes, lines);
     return lines;
@@ -102,8 +111,7 @@ std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& bo
 {
     const fit::BeamMoment& busiest = report.busiest();
     std::vector<FitLine> lines{{clock_text(board)}, {std::to_string(board.beam->rate) + " points a second"}};
-    lines.push_back(memory_line("flash   ", report.flash.sum(), board.flash));
-    lines.push_back(memory_line("RAM     ", report.ram.sum(), board.ram));
+    add_memory(report.flash, report.ram, board, lines);
     lines.push_back({"mean    " + std::to_string(std::lround(report.mean_points())) + " points"});
     lines.push_back({"busiest " + std::to_string(busiest.report.points) + " points, frame " +
                      fit::frame_text(busiest.moment)});

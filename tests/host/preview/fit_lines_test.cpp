@@ -1,5 +1,6 @@
 #include "host/preview/fit_check.hpp"
 
+#include "core/player.hpp"
 #include "host/preview/previewed_board.hpp"
 #include "tests/host/preview/named_scene.hpp"
 
@@ -46,6 +47,10 @@ TEST_CASE("a scene that fits has good lines, and says what limits it")
     const std::vector<FitLine> lines = lines_of(scene, board);
     CHECK(lines[0] == FitLine{"pico, 125 MHz"});
     CHECK(lines[1] == FitLine{"st7789 240x240"});
+    CHECK(has(lines, "scene   " + std::to_string(scene.view().size()) + " bytes", Verdict::neutral));
+    CHECK(has(lines,
+              "needs   " + std::to_string(Player::block_bytes(scene.view(), {240, 240})) + " bytes of RAM",
+              Verdict::neutral));
     CHECK(has(lines, "flash   ", Verdict::good));
     CHECK(has(lines, "RAM     ", Verdict::good));
     CHECK(has(lines, "speed   ", Verdict::good));
