@@ -88,29 +88,32 @@ void add_speed(const fit::FitReport& report, std::vector<FitLine>& lines)
         lines.push_back({worst.bus_seconds > worst.cpu_seconds ? "limit   the bus" : "limit   the CPU"});
 }
 
-void add_end(bool fits, const std::vector<std::string>& reasons, const std::vector<std::string>& notes,
-             std::vector<FitLine>& lines)
+/// The verdict and why, then what is true anyway.
+std::vector<FitLine> beginning(bool fits, const std::vector<std::string>& reasons, const fit::Target& board)
 {
+    std::vector<FitLine> lines{{fits ? "fits" : "does not fit", verdict(fits)}};
     add_sentences(reasons, Verdict::bad, lines);
-    add_sentences(notes, Verdict::neutral, lines);
-    lines.push_back({fits ? "fits" : "does not fit", verdict(fits)});
+    lines.push_back({clock_text(board)});
+    return lines;
 }
 
 }
 
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board)
 {
-    std::vector<FitLine> lines{{clock_text(board)}, {panel_text(board.display)}};
+    std::vector<FitLine> lines = beginning(report.fits(), report.reasons(), board);
+    lines.push_back({panel_text(board.display)});
     add_memory(report.flash, report.ram, board, lines);
     add_speed(report, lines);
-    add_end(report.fits(), report.reasons(), report.notes, lines);
+    add_sentences(report.notes, Verdict::neutral, lines);
     return lines;
 }
 
 std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& board)
 {
     const fit::BeamMoment& busiest = report.busiest();
-    std::vector<FitLine> lines{{clock_text(board)}, {std::to_string(board.beam->rate) + " points a second"}};
+    std::vector<FitLine> lines = beginning(report.fits(), report.reasons(), board);
+    lines.push_back({std::to_string(board.beam->rate) + " points a second"});
     add_memory(report.flash, report.ram, board, lines);
     lines.push_back({"mean    " + std::to_string(std::lround(report.mean_points())) + " points"});
     lines.push_back({"busiest " + std::to_string(busiest.report.points) + " points, frame " +
@@ -118,7 +121,7 @@ std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& bo
     lines.push_back({"        drawn " + std::to_string(std::lround(fit::refresh(busiest, *board.beam))) +
                      " times a second"});
     lines.push_back({"CPU     " + fit::milliseconds_text(report.dearest_seconds) + " for a new picture"});
-    add_end(report.fits(), report.reasons(), report.notes, lines);
+    add_sentences(report.notes, Verdict::neutral, lines);
     return lines;
 }
 

@@ -69,7 +69,7 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
                     .frame_rate = viewer.scene().programme.frame_rate,
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
-    draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : ": " + facts));
+    draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : "  " + facts));
     draw_messages(painter, viewer, parts.picture, now);
     if (viewer.playback().help_open())
         draw_help(painter, above_status(parts), preview_key_help());

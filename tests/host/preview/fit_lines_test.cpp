@@ -45,8 +45,8 @@ TEST_CASE("a scene that fits has good lines, and says what limits it")
     const NamedScene scene{bouncing};
     const fit::Target board = previewed_board({scene.view(), {240, 240}});
     const std::vector<FitLine> lines = lines_of(scene, board);
-    CHECK(lines[0] == FitLine{"pico, 125 MHz"});
-    CHECK(lines[1] == FitLine{"st7789 240x240"});
+    CHECK(lines[1] == FitLine{"pico, 125 MHz"});
+    CHECK(lines[2] == FitLine{"st7789 240x240"});
     CHECK(has(lines, "scene   " + std::to_string(scene.view().size()) + " bytes", Verdict::neutral));
     CHECK(has(lines,
               "needs   " + std::to_string(Player::block_bytes(scene.view(), {240, 240})) + " bytes of RAM",
@@ -56,7 +56,7 @@ TEST_CASE("a scene that fits has good lines, and says what limits it")
     CHECK(has(lines, "speed   ", Verdict::good));
     CHECK(has(lines, "limit   the ", Verdict::neutral));
     CHECK(has(lines, "ball takes ", Verdict::neutral));
-    CHECK(lines.back() == FitLine{"fits", Verdict::good});
+    CHECK(lines.front() == FitLine{"fits", Verdict::good});
     for (const FitLine& line : lines)
         CHECK(line.text.size() <= FitLine::most_letters);
 }
@@ -72,7 +72,7 @@ TEST_CASE("a scene that does not fit says why, in lines that are not too long")
     CHECK(has(lines, "speed   ", Verdict::bad));
     CHECK(has(lines, "RAM: ", Verdict::bad));
     CHECK(has(lines, "speed: every second frame takes", Verdict::bad));
-    CHECK(lines.back() == FitLine{"does not fit", Verdict::bad});
+    CHECK(lines.front() == FitLine{"does not fit", Verdict::bad});
     for (const FitLine& line : lines)
         CHECK(line.text.size() <= FitLine::most_letters);
 }
@@ -88,7 +88,7 @@ TEST_CASE("the panel that is shown is the one that is judged, and a beam is one"
     REQUIRE(beam.beam.has_value());
     const std::vector<FitLine> lines = lines_of(scene, beam);
     CHECK(has(lines, "busiest ", Verdict::neutral));
-    CHECK(lines.back() == FitLine{"fits", Verdict::good});
+    CHECK(lines.front() == FitLine{"fits", Verdict::good});
 }
 
 TEST_CASE("a check comes to the same lines on its thread, while other scenes are drawn")
