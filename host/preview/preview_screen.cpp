@@ -62,25 +62,27 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
 {
     window_ = painter.size();
     const WindowLayout parts = layout(viewer);
-    draw_picture_pane(painter, viewer, parts.picture);
+    const std::string facts = draw_picture_pane(painter, viewer, parts.picture);
     side_contents(viewer, place(viewer, parts.picture).scale()).draw(painter, parts.side);
     draw_time_line(painter, time_line(viewer, parts.time_line),
                    {.now = viewer.playback().time(),
                     .frame_rate = viewer.scene().programme.frame_rate,
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
-    draw_status(painter, parts.status, viewer.status());
+    draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : "  " + facts));
     draw_messages(painter, viewer, parts.picture, now);
     if (viewer.playback().help_open())
         draw_help(painter, above_status(parts), preview_key_help());
 }
 
-void PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const
+std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const
 {
     const PicturePlace shown = place(viewer, pane);
     draw_picture(painter, viewer.picture(), shown,
                  {.is_round = viewer.scene().is_round, .has_module = viewer.view().panel_frame});
-    draw_overlay(painter, viewer.overlay(shown.scale()), shown);
+    const Overlay& overlay = viewer.overlay(shown.scale());
+    draw_overlay(painter, overlay, shown);
+    return overlay.facts;
 }
 
 void PreviewScreen::draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now)

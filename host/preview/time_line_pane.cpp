@@ -172,6 +172,7 @@ private:
             const int left = static_cast<int>(line_.x_of(clip.stretch.begin));
             const int right = static_cast<int>(line_.x_of(clip.stretch.end));
             const Rect bar{left, lane.y + 2, std::max(3, right - left - 1), lane.height - 4};
+            painter_.fill({bar.x - 1, bar.y, 1, bar.height}, theme::surface); // where clips overlap
             draw_round_rect(painter_, bar, std::min(3.0, bar.width / 2.0),
                             clip.name == state_.clip ? theme::playing_clip : theme::clip);
             draw_text(painter_, left + 5, text_y(lane.y, lane.height), right - 4, visible(clip.name),
