@@ -32,7 +32,7 @@ private:
     PicturePlace place(const Viewer& viewer, Rect pane) const;
     TimeLine time_line(Viewer& viewer, Rect pane) const;
 
-    /// The facts of the overlay.
+    /// The facts of its overlay.
     std::string draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const;
     void draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now);
 

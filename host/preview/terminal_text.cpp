@@ -47,7 +47,7 @@ std::vector<std::string> lines_below(const TerminalContent& content, Size cells)
     return lines;
 }
 
-/// In as many columns as it takes to have at most `rows` of them.
+/// A block of ASCII in as many columns as it takes to have at most `rows` lines.
 std::vector<std::string> in_columns(std::span<const std::string> lines, std::size_t rows, int width)
 {
     if (rows == 0 || lines.empty())
@@ -60,17 +60,20 @@ std::vector<std::string> in_columns(std::span<const std::string> lines, std::siz
         row.resize(static_cast<std::size_t>(column_width) * (i / rows), ' ');
         row += cut(lines[i], column_width);
     }
+    const std::size_t longest = std::ranges::max(block, {}, &std::string::size).size();
+    for (std::string& row : block)
+        row.resize(longest, ' ');
     return block;
 }
 
 /// Written from below the picture, over its upper lines.
-std::string help_over(std::span<const std::string> help, std::ptrdiff_t picture_lines, int width)
+std::string help_over(std::span<const std::string> help, int lines, int width)
 {
-    const auto rows = in_columns(help, static_cast<std::size_t>(picture_lines), width);
-    std::string text = "\x1b[" + std::to_string(picture_lines) + 'A';
+    const auto rows = in_columns(help, static_cast<std::size_t>(lines), width);
+    std::string text = "\x1b[" + std::to_string(lines) + 'A';
     for (const std::string& row : rows)
         text.append(on_black).append(row).append(plain).append("\n");
-    const auto left = picture_lines - static_cast<std::ptrdiff_t>(rows.size());
+    const int left = lines - static_cast<int>(rows.size());
     return left == 0 ? text : text + "\x1b[" + std::to_string(left) + 'B';
 }
 
@@ -87,13 +90,15 @@ TerminalText terminal_text(const TerminalContent& content, Size cells, TerminalC
             text += end_of_line;
         else
             text += letter;
-    const auto picture_lines = std::ranges::count(picture, '\n');
+    int lines = static_cast<int>(std::ranges::count(picture, '\n'));
+    for (; lines < std::min(space, static_cast<int>(content.help.size())); ++lines)
+        text += end_of_line;
     if (!content.help.empty())
-        text += help_over(content.help, picture_lines, cells.width);
+        text += help_over(content.help, lines, cells.width);
     for (const std::string& line : below)
         text.append(line).append(end_of_line);
     text += end_of_all;
-    return {std::move(text), static_cast<int>(picture_lines) + static_cast<int>(below.size())};
+    return {std::move(text), lines + static_cast<int>(below.size())};
 }
 
 }

@@ -14,7 +14,7 @@ import unittest
 from command_case import KFAST, CommandTest
 
 GOOD = '''kfast 1
-canvas 40 20 fps=10 length=10
+canvas 40 20 fps=10 frames=10
 object lamp fill="#ff0000" { key 0 { rect 0 0 8 8 }; key 5 { rect 30 10 8 8 } }
 '''
 BAD = GOOD.replace("rect 30", "rectangle 30")
@@ -104,7 +104,8 @@ class TerminalTest(CommandTest):
 
     def test_it_goes_on_in_a_terminal_that_is_resized(self):
         preview = Preview(self.folder, "lamp.kfast")
-        preview.wait_for("frame 3")
+        preview.type("h")
+        preview.wait_for(r"\x1b\[J(?s:.*)\x1b\[J")
         preview.resize(20, 8)
         picture = preview.wait_for(r"(?s)\x1b\[2J\x1b\[H.*frame \d.*\x1b\[J").rsplit("\x1b[2J\x1b[H", 1)[1].split("\x1b[J")[0]
         self.assertLess(picture.count("\n"), 8)

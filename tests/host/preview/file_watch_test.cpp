@@ -53,9 +53,9 @@ TEST_CASE("a change is told only once nobody writes any more")
     for (int i = 0; i < 10; ++i) {
         text += "more ";
         write(file, text.c_str());
-        CHECK(changes(watch, i * 0.3, i * 0.3 + 0.3) == 0);
+        CHECK(changes(watch, i * 0.2, i * 0.2 + 0.2) == 0);
     }
-    CHECK(changes(watch, 3, 4) == 1);
+    CHECK(changes(watch, 2, 4) == 1);
 }
 
 TEST_CASE("a file that comes back soon was never gone")

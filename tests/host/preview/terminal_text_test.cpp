@@ -42,20 +42,24 @@ TEST_CASE("lines are cut before they wrap, and say nothing to the terminal")
     const std::vector<std::string> errors{"a\x1b[31mbcd\u00e9fghijklmnopqrstuvwxyz"};
     const TerminalText drawn =
         terminal_text({picture, "frame 0", "", errors, {}}, {16, 24}, TerminalColours::none);
-    CHECK(has(drawn.text, "\na<U+001B>[31mb\x1b[K\n"));
+    CHECK(has(drawn.text, "\na<U+001B>[31mbc\x1b[K\n"));
 }
 
 TEST_CASE("the help lies over the picture, in columns where it is short of lines")
 {
     const Picture picture = square(16);
     const std::vector<std::string> help(12, "n  next");
-    const TerminalText drawn =
+    const TerminalText tall =
         terminal_text({picture, "frame 0", "", {}, help}, {60, 24}, TerminalColours::none);
-    CHECK(has(drawn.text, "\x1b[8A\x1b[97;40mn  next                       n  next\x1b[0m\n"));
-    CHECK(drawn.lines == 10);
-    const TerminalText more = terminal_text({picture, "frame 0", "", {}, std::span{help}.first(2)}, {60, 24},
-                                            TerminalColours::none);
-    CHECK(has(more.text, "\x1b[0m\n\x1b[6Bframe 0"));
+    CHECK(has(tall.text, "\x1b[12A\x1b[97;40mn  next\x1b[0m\n"));
+    CHECK(tall.lines == 14);
+    const TerminalText low =
+        terminal_text({picture, "frame 0", "", {}, help}, {60, 11}, TerminalColours::none);
+    CHECK(has(low.text, "\x1b[8A\x1b[97;40mn  next                       n  next\x1b[0m\n"));
+    CHECK(low.lines == 10);
+    const TerminalText few = terminal_text({picture, "frame 0", "", {}, std::span{help}.first(2)}, {60, 24},
+                                           TerminalColours::none);
+    CHECK(has(few.text, "\x1b[0m\n\x1b[6Bframe 0"));
 }
 
 TEST_CASE("any terminal is large enough")

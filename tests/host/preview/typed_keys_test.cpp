@@ -7,7 +7,7 @@ namespace kfast::test {
 TEST_CASE("letters and what a terminal sends for other keys are the keys of a preview")
 {
     CHECK(typed_keys("nq ") == std::vector{PreviewKey::next_key, PreviewKey::quit, PreviewKey::play_pause});
-    CHECK(typed_keys("\x1b[A\x1b[Dr\x1bOC") == std::vector{PreviewKey::faster, PreviewKey::previous_frame,
+    CHECK(typed_keys("\x1b[A\x1b[Dv\x1bOC") == std::vector{PreviewKey::faster, PreviewKey::previous_frame,
                                                            PreviewKey::reverse, PreviewKey::next_frame});
 }
 

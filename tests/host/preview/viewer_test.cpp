@@ -16,8 +16,8 @@ using Seconds = Viewer::Seconds;
 
 /// 10 frames a second and 10 frames; a clip, an input and two objects.
 constexpr const char* moving = R"(kfast 1
-canvas 16 16 fps=10 length=10
-input gaze from=-1 to=1
+canvas 16 16 fps=10 frames=10
+input gaze min=-1 max=1
 clip blink from=4 to=8
 object lamp fill="#ff0000" {
     key 0 { rect 0 0 4 4 }
@@ -25,7 +25,7 @@ object lamp fill="#ff0000" {
 }
 object shade fill="#00ff00" {
     key 0 { rect 8 0 4 4 }
-    track x by=gaze { key -1 0; key 1 4 }
+    track x input=gaze { at -1 0; at 1 4 }
 }
 )";
 
@@ -103,7 +103,7 @@ TEST_CASE("a mistake is shown with its place while the last good scene goes on, 
     Preview preview;
     preview.press({PreviewKey::next_frame});
     const Frame good = preview.viewer.frame();
-    preview.replace(replaced(moving, "rect 12", "rectangle 12"));
+    preview.replace(replaced(moving, "rect 12", "recct 12"));
     preview.wait();
     CHECK(says(preview.viewer.errors(), "lamp.kfast:7:"));
     CHECK(says(preview.viewer.errors(), "did you mean"));
@@ -121,9 +121,9 @@ TEST_CASE("a clip or an object that is gone is left, and an input stays within i
     Preview preview;
     preview.press({PreviewKey::next_clip, PreviewKey::more_input, PreviewKey::next_frame});
     preview.viewer.select(0);
-    preview.replace("kfast 1\ncanvas 16 16 fps=10 length=2\ninput gaze from=-1 to=0.05\n"
+    preview.replace("kfast 1\ncanvas 16 16 fps=10 frames=2\ninput gaze min=-1 max=0.05\n"
                     "object other fill=\"#ff0000\" { key 0 { rect 0 0 4 4 }\n"
-                    "track x by=gaze { key -1 0; key 0.05 4 } }\n");
+                    "track x input=gaze { at -1 0; at 0.05 4 } }\n");
     preview.wait();
     REQUIRE(preview.viewer.errors().empty());
     CHECK(preview.viewer.status() == "frame 2  0.200 s  paused  gaze 0.05");
@@ -133,7 +133,7 @@ TEST_CASE("an input that nobody turned follows the file")
 {
     Preview preview;
     preview.press({PreviewKey::next_input, PreviewKey::next_frame});
-    preview.replace(replaced(moving, "to=1", "to=1 usual=0.5"));
+    preview.replace(replaced(moving, "max=1", "max=1 default=0.5"));
     preview.wait();
     REQUIRE(preview.viewer.errors().empty());
     CHECK(preview.viewer.status() == "frame 1  0.100 s  paused  gaze 0.5");
@@ -239,7 +239,7 @@ TEST_CASE("any key stops long work and does nothing else")
 
 TEST_CASE("more frames than memory should hold are refused")
 {
-    Preview preview{replaced(replaced(moving, "16 16", "1024 1024"), "length=10", "length=600")};
+    Preview preview{replaced(replaced(moving, "16 16", "1024 1024"), "frames=10", "frames=600")};
     preview.viewer.open(preview.folder / "lamp.kfast", preview.now);
     preview.press({PreviewKey::all_frames});
     CHECK(!preview.viewer.is_working());
