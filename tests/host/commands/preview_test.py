@@ -151,6 +151,18 @@ class ScriptTest(CommandTest):
         self.assertEqual(len(re.findall("(?m)^frame ", self.keys(" ".join(names)))), len(names))
         self.assertTrue((self.folder / "lamp.gif").exists())
 
+    def test_a_snapshot_is_the_window_after_the_keys(self):
+        sizes = []
+        for keys, size in (("tab", "320x240"), ("tab e", "900x600")):
+            self.keys(keys, "--snapshot", "window.png", "--window", size)
+            head = (self.folder / "window.png").read_bytes()[:24]
+            self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
+            sizes.append(struct.unpack(">II", head[16:]))
+        self.assertEqual(sizes, [(320, 240), (900, 600)])
+        self.refuse("preview", "lamp.kfast", "--snapshot", "window.png", status=2, says="--headless")
+        self.refuse("preview", "lamp.kfast", "--headless", "--snapshot", "w.png", "--window", "big", status=2, says="--window")
+        self.refuse("preview", "lamp.kfast", "--headless", "--snapshot", "no/w.png", status=1, says="no/w.png")
+
     def test_what_keys_turn_on_is_told(self):
         self.assertIn("  selected lamp  onion skin  no time line  zoom 2  ", self.keys("tab o y z z"))
 

@@ -4,6 +4,7 @@
 #include "host/preview/time_line_pane.hpp"
 #include "tests/host/preview/recording_painter.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -60,7 +61,7 @@ TEST_CASE("beside the time line are its ends")
 TEST_CASE("rows, lanes and the ruler lie below each other within the pane")
 {
     for (const Size window : window_sizes())
-        for (const std::size_t rows : {0, 1, 4, 300}) {
+        for (const std::size_t rows : std::array<std::size_t, 4>{0, 1, 4, 300}) {
             const TimeTable table = table_of(rows);
             const Rect place{0, 5, window.width, window.height};
             const TimeLine line{table, place, 2};
