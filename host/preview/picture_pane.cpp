@@ -136,7 +136,7 @@ void draw_label(Painter& painter, const Overlay::Label& label, const PicturePlac
 
 }
 
-int module_margin(Rect pane) { return std::clamp(std::min(pane.width, pane.height) / 9, 12, 48); }
+int module_margin(Rect pane) { return std::clamp(std::min(pane.width, pane.height) / 18, 12, 30); }
 
 void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& place,
                   const PictureLook& look)

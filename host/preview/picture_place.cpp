@@ -19,6 +19,19 @@ Rect fitting(Size panel, Rect pane, int margin)
     return {room.x + place.x, room.y + place.y, place.width, place.height};
 }
 
+int next_larger(double scale)
+{
+    const auto next = std::ranges::upper_bound(zooms, scale);
+    return next == zooms.end() ? zooms.back() : *next;
+}
+
+/// At least 1.
+int next_smaller(double scale)
+{
+    const auto here = std::ranges::lower_bound(zooms, scale);
+    return here == zooms.begin() ? zooms.front() : *(here - 1);
+}
+
 double panned(double pan, int length, int room)
 {
     const double most = std::max(0.0, (length - room) / 2.0);
@@ -35,10 +48,10 @@ int begin_of(int pane, int room, int length, double pan)
 PicturePlace::PicturePlace(Size panel, Rect pane, int zoom, WindowSpot pan, int margin)
     : panel_{panel}, pane_{pane}
 {
-    if (zoom == 0) {
-        rect_ = fitting(panel, pane, margin);
+    rect_ = fitting(panel, pane, margin);
+    fitting_scale_ = scale();
+    if (zoom == 0)
         return;
-    }
     const int by = std::clamp(zoom, 1, largest_zoom);
     const Size size{panel.width * by, panel.height * by};
     pan_ = {panned(pan.x, size.width, pane.width), panned(pan.y, size.height, pane.height)};
@@ -65,12 +78,15 @@ PanelSpot PicturePlace::panel_spot(WindowSpot spot) const
 
 int PicturePlace::next_zoom(bool larger) const
 {
+    const double here = scale();
     if (larger) {
-        const auto next = std::ranges::upper_bound(zooms, scale());
-        return next == zooms.end() ? largest_zoom : *next;
+        const int next = next_larger(here);
+        return fitting_scale_ > here && fitting_scale_ <= next ? 0 : next;
     }
-    const auto here = std::ranges::lower_bound(zooms, scale());
-    return here == zooms.begin() ? 0 : *(here - 1);
+    if (here <= 1)
+        return fitting_scale_ < 1 ? 0 : 1;
+    const int next = next_smaller(here);
+    return fitting_scale_ < here && fitting_scale_ >= next ? 0 : next;
 }
 
 WindowSpot PicturePlace::pan_for(int zoom, WindowSpot spot) const

@@ -25,7 +25,8 @@ public:
     WindowSpot window_spot(PanelSpot spot) const;
     PanelSpot panel_spot(WindowSpot spot) const;
 
-    /// The next larger or smaller one that is worth having; 0 if that is smaller than 1.
+    /// The next larger or smaller one that is worth having, at least 1; 0 if that shows the picture as large
+    /// as fits.
     int next_zoom(bool larger) const;
     /// The way out of the middle with which, at another zoom of at least 1, the place under `spot` stays.
     WindowSpot pan_for(int zoom, WindowSpot spot) const;
@@ -34,6 +35,7 @@ private:
     Size panel_;
     Rect pane_;
     Rect rect_;
+    double fitting_scale_;
     WindowSpot pan_;
 };
 

@@ -70,9 +70,9 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
     draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : "  " + facts));
-    draw_messages(painter, viewer, parts.picture, now);
     if (viewer.playback().help_open())
         draw_help(painter, above_status(parts), preview_key_help());
+    draw_messages(painter, viewer, parts.picture, now);
 }
 
 std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const

@@ -48,7 +48,8 @@ void SidePanel::add_value(std::string name, std::string value, bool is_chosen, s
 int SidePanel::draw(Painter& painter, const Line& line, Rect room) const
 {
     const int columns = std::max(1, room.width / letter.width);
-    const int value_columns = std::min(columns_of(line.value), columns / 2);
+    const int value_columns =
+        std::min(columns_of(line.value), std::max(columns / 2, columns - columns_of(line.text) - 1));
     if (value_columns > 0) {
         painter.text(room.x, room.y, cut(line.text, columns - value_columns - 1), line.colour);
         painter.text(right_of(room) - value_columns * letter.width, room.y, cut(line.value, value_columns),

@@ -150,13 +150,15 @@ void play(Viewer& viewer, Keyboard& keyboard)
 {
     TerminalScreen screen;
     DrawTimes times;
+    bool is_disturbed = true;
     while (!viewer.wants_to_quit() && signal_seen == 0) {
-        bool has_changed = press_keys(viewer, keyboard);
-        has_changed = viewer.attend(steady_now()) || has_changed || !screen.fits();
-        if (!times.is_due(viewer, has_changed, steady_now()))
-            continue;
-        const bool with_help = keyboard.works() && viewer.playback().help_open();
-        screen.draw(viewer, with_help ? preview_key_help() : std::vector<std::string>{});
+        const bool has_changed = viewer.attend(steady_now()) || is_disturbed || !screen.fits();
+        const bool is_last = viewer.wants_to_quit();
+        if (times.is_due(viewer, has_changed || is_last, steady_now())) {
+            const bool with_help = keyboard.works() && viewer.playback().help_open();
+            screen.draw(viewer, with_help ? preview_key_help() : std::vector<std::string>{});
+        }
+        is_disturbed = !is_last && press_keys(viewer, keyboard);
     }
 }
 

@@ -47,7 +47,7 @@ std::vector<std::string> lines_below(const TerminalContent& content, Size cells)
     return lines;
 }
 
-/// In as many columns as it takes to have at most `rows` of them.
+/// A block of ASCII in as many columns as it takes to have at most `rows` lines.
 std::vector<std::string> in_columns(std::span<const std::string> lines, std::size_t rows, int width)
 {
     if (rows == 0 || lines.empty())
@@ -60,6 +60,9 @@ std::vector<std::string> in_columns(std::span<const std::string> lines, std::siz
         row.resize(static_cast<std::size_t>(column_width) * (i / rows), ' ');
         row += cut(lines[i], column_width);
     }
+    const std::size_t longest = std::ranges::max(block, {}, &std::string::size).size();
+    for (std::string& row : block)
+        row.resize(longest, ' ');
     return block;
 }
 

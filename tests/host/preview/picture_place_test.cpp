@@ -46,6 +46,9 @@ TEST_CASE("zooming goes on from what is seen")
 {
     CHECK(PicturePlace({100, 100}, pane, 0).next_zoom(true) == 4);
     CHECK(PicturePlace({100, 100}, pane, 0).next_zoom(false) == 2);
+    CHECK(PicturePlace({100, 100}, pane, 2).next_zoom(true) == 0); // 3 is as large as fits
+    CHECK(PicturePlace({100, 100}, pane, 4).next_zoom(false) == 0);
+    CHECK(PicturePlace({100, 100}, pane, 1).next_zoom(false) == 1);
     CHECK(PicturePlace({800, 600}, pane, 0).next_zoom(true) == 1);
     CHECK(PicturePlace({800, 600}, pane, 1).next_zoom(false) == 0);
     CHECK(PicturePlace({8, 8}, pane, 64).next_zoom(true) == 64);

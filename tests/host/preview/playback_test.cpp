@@ -366,8 +366,8 @@ TEST_CASE("keys have names")
 {
     CHECK(preview_key("space") == PreviewKey::play_pause);
     CHECK(preview_key("escape") == PreviewKey::quit);
-    CHECK_FALSE(preview_key("w").has_value());
-    CHECK(preview_key_help().front().starts_with("space "));
+    CHECK_FALSE(preview_key("7").has_value());
+    CHECK(preview_key_help().front() == "space      play, pause; after 'a' the next frame");
 }
 
 TEST_CASE("what plays once can be repeated, what repeats can play once, and either as it was made")
