@@ -47,6 +47,8 @@ public:
     int frame() const { return shown_.ticks / Time::ticks_per_frame; }
     bool playing() const { return playing_; }
     bool help_open() const { return help_open_; }
+    /// For whoever has seen it.
+    void close_help() { help_open_ = false; }
     /// What is played and how fast, as it was chosen by keys.
     Timeline timeline() const { return {programme_.frame_rate, stretch(), speed_}; }
     Stretch stretch() const;

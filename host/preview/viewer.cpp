@@ -174,6 +174,7 @@ void Viewer::open(const fs::path& file, Seconds now)
         return;
     }
     auto playback = played(*scene, now, loops_);
+    playback->close_help();
     view_.selected.reset();
     watch_.emplace(scene->also_read.empty() ? std::move(watch) : watch_on(*scene));
     put(std::move(scene), std::move(playback));

@@ -30,8 +30,8 @@ HIDDEN = {
     "FreeType": r"freetype\.h|ft\w+\.h", "libzip": r"zip\.h", "zlib": r"zlib\.h",
 }
 
-# Of one library, what several files hide has nothing to do with each other: windows and sound; outlines of letters for scenes,
-# letters of the preview's window, and its smooth edges.
+# Of one library, what several files hide has nothing to do with each other: windows and sound; the outlines of fonts, the
+# letters of a window and its polygons.
 PARTS = {"SDL": 2, "FreeType": 3}
 
 # Libraries that stay in a few folders.

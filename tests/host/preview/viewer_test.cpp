@@ -160,7 +160,7 @@ TEST_CASE("reading a file begins afresh")
     Preview preview;
     preview.press({PreviewKey::next_frame, PreviewKey::next_item, PreviewKey::faster, PreviewKey::read_file});
     CHECK(preview.viewer.status() == "frame 0  0.000 s  playing");
-    CHECK(preview.viewer.playback().help_open());
+    CHECK(!preview.viewer.playback().help_open());
 }
 
 TEST_CASE("a file that cannot be opened leaves what is open, and is opened once it is mended")
