@@ -135,8 +135,6 @@ void Viewer::close()
     is_closed_ = true;
 }
 
-// Reading files.
-
 /// Null if that fails; then errors() says why.
 std::unique_ptr<OpenedScene> Viewer::opened(const fs::path& file)
 {
@@ -230,8 +228,6 @@ bool Viewer::take_chosen_file(Seconds now)
     return !chooser_->is_asking();
 }
 
-// What is selected.
-
 std::string_view Viewer::selected_name() const
 {
     const auto& rows = time_table().rows;
@@ -257,8 +253,6 @@ void Viewer::step_selection(int direction)
     const std::ptrdiff_t next = (here + direction + count + 1) % (count + 1);
     view_.selected = next == count ? std::nullopt : std::optional{rows[static_cast<std::size_t>(next)].item};
 }
-
-// Long work.
 
 const FrameCollection* Viewer::frames_in_work() const
 {
@@ -352,8 +346,6 @@ void Viewer::write_screenshot()
         notice_ = failure.what();
     }
 }
-
-// What is to be shown.
 
 const Frame& Viewer::frame()
 {

@@ -49,12 +49,6 @@ class Layering(unittest.TestCase):
                 with self.subTest(folder=folder, header=header):
                     self.assertEqual(1, len(self.mistakes({f"{folder}/a.hpp": f"#include <{header}>\n"})))
 
-    def test_freetype_is_hidden_by_three_files(self):
-        for header in ("freetype/freetype.h", "ft2build.h"):
-            files = {f"host/{name}.cpp": f"#include <{header}>\n" for name in "abc"}
-            self.assertEqual([], self.mistakes(files))
-            self.assertEqual(1, len(self.mistakes({**files, "host/d.cpp": f"#include <{header}>\n"})))
-
     def test_refuses_a_library_that_is_not_hidden(self):
         for header in ["sndfile.h", "hidapi/hidapi.h", "libusb-1.0/libusb.h", "gpiod.h", "zip.h", "zlib.h"]:
             with self.subTest(header=header):
