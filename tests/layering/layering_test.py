@@ -66,14 +66,6 @@ class Layering(unittest.TestCase):
         self.assertIn("pugixml", self.mistakes({"host/a.cpp": line})[0])
         self.assertEqual(1, len(self.mistakes({"core/a.cpp": line})))
 
-    def test_lets_three_files_hide_freetype(self):
-        for header in ["freetype/freetype.h", "ft2build.h"]:
-            line = f"#include <{header}>\n"
-            files = {f"host/{name}.cpp": line for name in "abc"}
-            self.assertEqual([], self.mistakes(files))
-            self.assertEqual(1, len(self.mistakes({**files, "host/d.cpp": line})))
-            self.assertEqual(1, len(self.mistakes({"host/a.hpp": line})))
-
     def test_lets_two_files_hide_sdl(self):
         line = "#include <SDL2/SDL.h>\n"
         self.assertEqual([], self.mistakes({"host/a.cpp": line, "host/b.cpp": line}))
