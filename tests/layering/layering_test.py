@@ -60,6 +60,12 @@ class Layering(unittest.TestCase):
                 self.assertEqual([], self.mistakes({"host/a_v1.cpp": line, "host/a_v2.cpp": line}))
                 self.assertEqual(1, len(self.mistakes({"host/a_v1.cpp": line, "host/b_v2.cpp": line})))
 
+    def test_freetype_is_hidden_by_three_files(self):
+        for header in ("freetype/freetype.h", "ft2build.h"):
+            files = {f"host/{name}.cpp": f"#include <{header}>\n" for name in "abc"}
+            self.assertEqual([], self.mistakes(files))
+            self.assertEqual(1, len(self.mistakes({**files, "host/d.cpp": f"#include <{header}>\n"})))
+
     def test_keeps_pugixml_in_a_few_folders(self):
         line = "#include <pugixml.hpp>\n"
         self.assertEqual([], self.mistakes({"host/svg/a.hpp": line, "host/svg/b.cpp": line, "tests/a.cpp": line}))
