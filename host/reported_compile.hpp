@@ -4,6 +4,7 @@
 #include "host/text/source.hpp"
 
 #include <cstddef>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,6 @@ struct CompiledText {
 };
 
 /// Compiles a scene text and tells all diagnostics to `reporter`.
-CompiledText compile_and_report(const SourceText& source, const Reporter& reporter = report);
+CompiledText compile_and_report(const SourceText& source, const Reporter& reporter = printing_to(std::cerr));
 
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iostream>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -10,7 +9,10 @@
 namespace kfast {
 namespace {
 
-bool colour_wanted() { return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
+bool colour_wanted(const std::ostream& out)
+{
+    return &out == &std::cerr && ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
 
 /// With the word "error:" or "warning:" of the first line in colour.
 std::string coloured(std::string text, Severity severity)
@@ -33,20 +35,27 @@ DiagnosticCount count(const Diagnostics& diagnostics)
     return {errors, list.size() - errors};
 }
 
-DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source)
+DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source, std::ostream& out)
 {
     const std::vector<Diagnostic> list = diagnostics.sorted();
     for (const Diagnostic& diagnostic : list) {
         const std::string text = format(diagnostic, source);
-        std::cerr << (colour_wanted() ? coloured(text, diagnostic.severity) : text);
+        out << (colour_wanted(out) ? coloured(text, diagnostic.severity) : text);
     }
     return count(diagnostics);
 }
 
-void print_warning(const std::string& name, const std::string& text)
+Reporter printing_to(std::ostream& out)
+{
+    return [&out](const Diagnostics& diagnostics, const SourceText& source) {
+        return report(diagnostics, source, out);
+    };
+}
+
+void print_warning(const std::string& name, const std::string& text, std::ostream& out)
 {
     const std::string line = name + ": warning: " + text + '\n';
-    std::cerr << (colour_wanted() ? coloured(line, Severity::warning) : line);
+    out << (colour_wanted(out) ? coloured(line, Severity::warning) : line);
 }
 
 }

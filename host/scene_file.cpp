@@ -73,20 +73,21 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
     return scene;
 }
 
-void tell(const fs::path& path, const art::Losses& losses, OnLoss on_loss)
+void tell(const fs::path& path, const art::Losses& losses, OnLoss on_loss, std::ostream& out)
 {
     if (losses.empty() || on_loss == OnLoss::report)
         return;
     const std::string number = importing::loss_count(losses);
     if (on_loss == OnLoss::refuse)
         refuse(path, number + ":\n" + importing::loss_list(losses, importing::ListLength::cut));
-    print_warning(path.string(), number + ": 'kfast check " + path.string() + "' lists them");
+    print_warning(path.string(), number + ": 'kfast check " + path.string() + "' lists them", out);
 }
 
-SceneFile from_other_program(const fs::path& path, std::string content, const ImportChoice& choice)
+SceneFile from_other_program(const fs::path& path, std::string content, const ImportChoice& choice,
+                             std::ostream& out)
 {
     importing::Imported imported = importing::import_scene(path.string(), std::move(content), choice.options);
-    tell(path, imported.losses, choice.on_loss);
+    tell(path, imported.losses, choice.on_loss, out);
     SceneFile scene = checked(path, std::move(imported.compiled.bytes));
     scene.was_text = true;
     scene.item_names = std::move(imported.compiled.item_names);
@@ -94,22 +95,28 @@ SceneFile from_other_program(const fs::path& path, std::string content, const Im
     return scene;
 }
 
+SceneFile read_scene(const fs::path& path, std::string content, const ImportChoice& choice,
+                     const Reporter& reporter, std::ostream& out)
+{
+    if (importing::can_import(content))
+        return from_other_program(path, std::move(content), choice, out);
+    if (!content.starts_with(magic))
+        return from_text(path, std::move(content), reporter);
+    const auto bytes = std::as_bytes(std::span{content});
+    return checked(path, {bytes.begin(), bytes.end()});
 }
 
-SceneFile load_scene(const fs::path& path, const ImportChoice& choice)
+}
+
+SceneFile load_scene(const fs::path& path, const ImportChoice& choice, std::ostream& out)
 {
-    return scene_of(path, read_input(path, scene_input), choice, report);
+    return read_scene(path, read_input(path, scene_input), choice, printing_to(out), out);
 }
 
 SceneFile scene_of(const fs::path& path, std::string content, const ImportChoice& choice,
                    const Reporter& reporter)
 {
-    if (importing::can_import(content))
-        return from_other_program(path, std::move(content), choice);
-    if (!content.starts_with(magic))
-        return from_text(path, std::move(content), reporter);
-    const auto bytes = std::as_bytes(std::span{content});
-    return checked(path, {bytes.begin(), bytes.end()});
+    return read_scene(path, std::move(content), choice, reporter, std::cerr);
 }
 
 }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ struct SceneFile {
 
 /// What becomes of things that a scene cannot have, in a file of another program.
 enum class OnLoss {
-    warn,   ///< a line on standard error tells how many they are
+    warn,   ///< a line tells how many they are
     report, ///< nothing is said: whoever loads the scene tells what they are
     refuse, ///< Failure, which tells what they are
 };
@@ -43,10 +44,11 @@ struct ImportChoice {
 };
 
 /// Reads a compiled scene (known by its first bytes, "KFB"), reads and compiles a scene text, or imports a
-/// file of another program, whatever the file's name. What the compiler finds is printed to standard error,
-/// in colour on a terminal. Throws Failure when the file cannot be read, is empty or larger than 16 MB (a
-/// scene text: 4 MB), or is no valid scene.
-SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choice = {});
+/// file of another program, whatever the file's name. What the compiler finds is printed to `out`, as
+/// report() does. Throws Failure when the file cannot be read, is empty or larger than 16 MB (a scene text: 4
+/// MB), or is no valid scene.
+SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choice = {},
+                     std::ostream& out = std::cerr);
 
 /// The same of what stands in a file, or would stand there: `path` is its name, and fonts lie beside it. What
 /// the compiler finds is told to `reporter`.

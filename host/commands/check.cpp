@@ -52,7 +52,8 @@ std::string content_of(const std::string& path, const CheckOptions& options)
 void check_scene(const std::string& path, const CheckOptions& options)
 {
     const std::string name = name_of(path, options);
-    const SceneFile scene = scene_of(name, content_of(path, options), options.import_choice, report);
+    const SceneFile scene =
+        scene_of(name, content_of(path, options), options.import_choice, printing_to(std::cerr));
     std::cout << name << ": ok: " << summary(scene) << ", " << counted(scene.warnings, "warning") << '\n';
     if (!scene.losses.empty())
         std::cout << importing::loss_count(scene.losses) << ":\n"

@@ -1,17 +1,21 @@
-#include "host/commands/audio_options.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/import_options.hpp"
-#include "host/commands/picture_options.hpp"
-#include "host/commands/play_options.hpp"
+#include "host/commands/named_choice.hpp"
+#include "host/commands/preview_opener.hpp"
+#include "host/commands/size_text.hpp"
+#include "host/fit/board_texts.hpp"
+#include "host/picture/png.hpp"
+#include "host/preview/file_dialogue.hpp"
 #include "host/preview/headless.hpp"
 #include "host/preview/picture_window.hpp"
+#include "host/preview/snapshot.hpp"
+#include "host/preview/steady_now.hpp"
 #include "host/preview/terminal.hpp"
 #include "host/preview/window.hpp"
-#include "host/scene_file.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -21,61 +25,67 @@ struct PreviewOptions {
     bool terminal = false;
     bool headless = false;
     std::optional<int> loops;
-    std::optional<std::vector<PreviewKey>> script;
-    PlayOptions play;
-    PictureOptions picture;
-    AudioOptions audio;
+    std::optional<std::vector<ScriptStep>> script;
+    std::string snapshot;
+    Size window{960, 720};
+    PreviewChoice choice;
 };
 
-std::vector<PreviewKey> read_script(const std::string& text)
+std::vector<ScriptStep> read_script(const std::string& text)
 {
-    std::vector<PreviewKey> script;
+    std::vector<ScriptStep> script;
     std::istringstream words{text};
     for (std::string word; words >> word;) {
-        const std::optional<PreviewKey> key = preview_key(word);
-        if (!key)
-            throw CLI::ValidationError("--keys",
-                                       "'" + word + "' is no key: write them like \"n p space right\"");
-        script.push_back(*key);
+        const std::optional<ScriptStep> step = script_step(word);
+        if (!step)
+            throw CLI::ValidationError("--keys", "'" + word +
+                                                     "' is no key: write them like \"n p space right "
+                                                     "frame=12 select=lamp\"");
+        script.push_back(*step);
     }
     return script;
 }
 
-Programme chosen_programme(const PlayOptions& options, const SceneView& scene,
-                           const std::vector<InputValue>& inputs)
+void preview_headless(const PreviewOptions& options, std::unique_ptr<OpenedScene> scene)
 {
-    Programme programme = programme_of(scene);
-    programme.speed = chosen_timeline(options, scene).speed;
-    const auto first = std::ranges::find(programme.parts, options.clip.value_or(""), &Part::name);
-    for (InputKnob& input : programme.inputs) {
-        input.value = inputs[input.number].number;
-        input.text = inputs[input.number].text;
-    }
-    programme.first = static_cast<std::size_t>(first - programme.parts.begin());
-    return programme;
+    if (!options.script && options.snapshot.empty())
+        return play_headless(*scene->source, scene->programme, std::cout);
+    Viewer viewer{preview_opener(options.choice), std::move(scene), Viewer::Seconds{0}};
+    const auto script = options.script.value_or(std::vector<ScriptStep>{});
+    if (options.snapshot.empty())
+        return play_script(viewer, script, std::cout);
+    write_png(options.snapshot, snapshot(viewer, script, options.window, std::cout));
 }
 
-void preview_headless(const PreviewOptions& options, FrameSource& source, const Programme& programme)
+void preview_in_window(const PreviewOptions& options, PictureWindow& window,
+                       std::unique_ptr<OpenedScene> scene)
 {
-    if (options.script)
-        play_script(source, programme, *options.script, std::cout);
-    else
-        play_headless(source, programme, std::cout);
+    Viewer viewer{preview_opener(options.choice), std::move(scene), steady_now(), options.loops};
+    viewer.let_choose(std::make_unique<FileDialogue>());
+    play_in_window(window, viewer);
+}
+
+void preview_in_terminal(const PreviewOptions& options, std::unique_ptr<OpenedScene> scene)
+{
+    if (!can_play_in_terminal())
+        return write_as_text(scene->source->show(Time{0}));
+    Keyboard keyboard;
+    const auto loops = keyboard.works() ? options.loops : options.loops.value_or(1);
+    Viewer viewer{preview_opener(options.choice), std::move(scene), steady_now(), loops};
+    play_in_terminal(viewer, keyboard);
 }
 
 void preview(const PreviewOptions& options)
 {
-    const SceneFile scene = load_scene(options.file);
-    const Programme programme =
-        chosen_programme(options.play, scene.view, chosen_inputs(options.picture.inputs, scene.view));
-    const auto source = heard(open_source(options.picture, scene), options.audio, options.picture, scene);
+    auto scene = open_preview(options.choice, options.file);
     if (options.headless)
-        return preview_headless(options, *source, programme);
-    if (!options.terminal && play_in_window(*source, programme, options.file, options.loops))
-        return;
-    if (!options.terminal)
-        std::cerr << "kfast: " << PictureWindow::no_window() << ", so this plays in the terminal\n";
-    play_in_terminal(*source, programme, options.loops.value_or(1));
+        return preview_headless(options, std::move(scene));
+    if (options.terminal)
+        return preview_in_terminal(options, std::move(scene));
+    if (const auto window = PictureWindow::open(options.file, first_window_size(scene->panel)))
+        return preview_in_window(options, *window, std::move(scene));
+    std::cerr << "kfast: " << PictureWindow::no_window() << ", so this plays in the terminal\n";
+    preview_in_terminal(options, std::move(scene));
 }
 
 std::string key_list()
@@ -93,20 +103,38 @@ void declare(CLI::App& app)
     CLI::Option* terminal =
         app.add_flag("--terminal", options->terminal, "Play in the terminal, not in a window");
     CLI::Option* loops =
-        app.add_option("--loops", options->loops,
-                       "Ends after so many plays (default: a window stays, the terminal plays once)")
+        app.add_option(
+               "--loops", options->loops,
+               "Ends after so many plays (default: it stays until you quit; where nobody can type, the "
+               "terminal plays once)")
             ->type_name("N")
             ->check(CLI::Range(1, 1000000));
     CLI::Option* headless =
         app.add_flag("--headless", options->headless, "Show nothing; print the events and a summary");
-    headless->excludes(terminal)->excludes(loops)->excludes(declare_audio_options(app, options->audio));
+    headless->excludes(terminal)->excludes(loops)->excludes(
+        declare_audio_options(app, options->choice.audio));
     app.add_option_function<std::string>(
            "--keys", [options](const std::string& text) { options->script = read_script(text); },
-           "With --headless: press these keys, print what each shows")
+           "With --headless: press these keys, print what each shows; frame=N touches the time line, "
+           "select=NAME an object, open=FILE drops a file, wait=S lets seconds pass")
         ->type_name("LIST")
         ->needs(headless);
-    declare_play_options(app, options->play);
-    declare_seen_options(app, options->picture);
+    CLI::Option* snapshot =
+        app.add_option("--snapshot", options->snapshot,
+                       "With --headless: write the window as it looks after these keys, as PNG")
+            ->type_name("OUT.png")
+            ->needs(headless);
+    app.add_option_function<std::string>(
+           "--window", [options](const std::string& text) { options->window = read_size("--window", text); },
+           "Size of the window of --snapshot (default: 960x720)")
+        ->type_name("WxH")
+        ->needs(snapshot);
+    declare_play_options(app, options->choice.play);
+    declare_seen_options(app, options->choice.picture);
+    app.add_option("--board", options->choice.board,
+                   "The board of the fit report (key e): " + names_of(fit::board_texts()) +
+                       ", or a file that describes yours (default: a Pico)")
+        ->type_name("NAME");
     app.footer(app.get_footer() + "\n\n" + key_list());
     app.callback([options] { preview(*options); });
 }

@@ -5,6 +5,7 @@
 #include "host/link/sim_socket.hpp"
 #include "host/picture/png.hpp"
 #include "host/preview/board_watcher.hpp"
+#include "host/preview/window_layout.hpp"
 #include "host/scene_file.hpp"
 #include "host/simulator/plugged_run.hpp"
 #include "host/text/glyph.hpp"
@@ -68,7 +69,8 @@ std::unique_ptr<PictureWindow> open_window(const SimulateOptions& options, Size 
 {
     if (options.headless)
         return nullptr;
-    auto window = PictureWindow::open("kfast simulate: " + options.serial, picture);
+    auto window = PictureWindow::open("kfast simulate: " + options.serial,
+                                      window_around({2 * picture.width, 2 * picture.height}));
     if (!window)
         std::cerr << "kfast: " << PictureWindow::no_window()
                   << ", so the board is not to be seen: "

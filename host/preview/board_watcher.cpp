@@ -1,5 +1,8 @@
 #include "host/preview/board_watcher.hpp"
 
+#include "host/preview/picture_pane.hpp"
+#include "host/preview/status_line.hpp"
+#include "host/preview/window_layout.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
@@ -73,7 +76,8 @@ bool BoardWatcher::has_seen_enough()
     if (window_ == nullptr)
         return is_over_();
     const PictureWindow::Events events = window_->take_events(0);
-    is_closed_ = is_closed_ || std::ranges::find(events.keys, PreviewKey::quit) != events.keys.end();
+    is_closed_ = is_closed_ || events.is_closed ||
+                 std::ranges::find(events.keys, PreviewKey::quit) != events.keys.end();
     if (events.any && !last_.pixels.empty())
         draw();
     return is_closed_ || is_over_();
@@ -87,6 +91,14 @@ void BoardWatcher::keep(const Frame& picture, const std::string& status)
         draw();
 }
 
-void BoardWatcher::draw() { window_->draw(last_, status_, {}); }
+void BoardWatcher::draw()
+{
+    const Picture picture = widen(last_);
+    window_->draw([&](Painter& painter) {
+        const WindowLayout parts = window_layout(painter.size(), {});
+        draw_picture(painter, picture, {picture.size, parts.picture, 0}, {});
+        draw_status(painter, parts.status, status_);
+    });
+}
 
 }

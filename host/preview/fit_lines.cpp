@@ -43,6 +43,16 @@ FitLine memory_line(const std::string& name, std::size_t used, std::size_t avail
             verdict(used <= available)};
 }
 
+/// The reserves are those of the rest of the board's program.
+void add_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
+                std::vector<FitLine>& lines)
+{
+    lines.push_back({"scene   " + fit::bytes_text(flash.scene)});
+    lines.push_back({"needs   " + fit::bytes_text(ram.block) + " of RAM"});
+    lines.push_back(memory_line("flash   ", flash.sum(), board.flash));
+    lines.push_back(memory_line("RAM     ", ram.sum(), board.ram));
+}
+
 std::string clock_text(const fit::Target& board)
 {
     return board.name + ", " + fit::frequency_text(board.clock);
@@ -78,39 +88,40 @@ void add_speed(const fit::FitReport& report, std::vector<FitLine>& lines)
         lines.push_back({worst.bus_seconds > worst.cpu_seconds ? "limit   the bus" : "limit   the CPU"});
 }
 
-void add_end(bool fits, const std::vector<std::string>& reasons, const std::vector<std::string>& notes,
-             std::vector<FitLine>& lines)
+/// The verdict and why, then what is true anyway.
+std::vector<FitLine> beginning(bool fits, const std::vector<std::string>& reasons, const fit::Target& board)
 {
+    std::vector<FitLine> lines{{fits ? "fits" : "does not fit", verdict(fits)}};
     add_sentences(reasons, Verdict::bad, lines);
-    add_sentences(notes, Verdict::neutral, lines);
-    lines.push_back({fits ? "fits" : "does not fit", verdict(fits)});
+    lines.push_back({clock_text(board)});
+    return lines;
 }
 
 }
 
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board)
 {
-    std::vector<FitLine> lines{{clock_text(board)}, {panel_text(board.display)}};
-    lines.push_back(memory_line("flash   ", report.flash.sum(), board.flash));
-    lines.push_back(memory_line("RAM     ", report.ram.sum(), board.ram));
+    std::vector<FitLine> lines = beginning(report.fits(), report.reasons(), board);
+    lines.push_back({panel_text(board.display)});
+    add_memory(report.flash, report.ram, board, lines);
     add_speed(report, lines);
-    add_end(report.fits(), report.reasons(), report.notes, lines);
+    add_sentences(report.notes, Verdict::neutral, lines);
     return lines;
 }
 
 std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& board)
 {
     const fit::BeamMoment& busiest = report.busiest();
-    std::vector<FitLine> lines{{clock_text(board)}, {std::to_string(board.beam->rate) + " points a second"}};
-    lines.push_back(memory_line("flash   ", report.flash.sum(), board.flash));
-    lines.push_back(memory_line("RAM     ", report.ram.sum(), board.ram));
+    std::vector<FitLine> lines = beginning(report.fits(), report.reasons(), board);
+    lines.push_back({std::to_string(board.beam->rate) + " points a second"});
+    add_memory(report.flash, report.ram, board, lines);
     lines.push_back({"mean    " + std::to_string(std::lround(report.mean_points())) + " points"});
     lines.push_back({"busiest " + std::to_string(busiest.report.points) + " points, frame " +
                      fit::frame_text(busiest.moment)});
     lines.push_back({"        drawn " + std::to_string(std::lround(fit::refresh(busiest, *board.beam))) +
                      " times a second"});
     lines.push_back({"CPU     " + fit::milliseconds_text(report.dearest_seconds) + " for a new picture"});
-    add_end(report.fits(), report.reasons(), report.notes, lines);
+    add_sentences(report.notes, Verdict::neutral, lines);
     return lines;
 }
 

@@ -23,7 +23,7 @@ struct FitLine {
     friend bool operator==(const FitLine&, const FitLine&) = default;
 };
 
-/// Memory, speed, what holds it back, and why it does not fit.
+/// Whether it fits, and why not; memory, speed, and what holds it back.
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board);
 std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& board);
 

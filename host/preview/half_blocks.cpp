@@ -2,8 +2,10 @@
 
 #include "host/preview/placement.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string_view>
 
 namespace kfast {
 namespace {
@@ -69,8 +71,37 @@ int palette_number(Colour colour)
     return grey_is_nearer ? 232 + step : 16 + 36 * red + 6 * green + blue;
 }
 
+/// Of the 16 colours as xterm has them, the nearest.
+int number_of_16(Colour colour)
+{
+    constexpr std::array<Colour, 16> known{{{0, 0, 0},
+                                            {205, 0, 0},
+                                            {0, 205, 0},
+                                            {205, 205, 0},
+                                            {0, 0, 238},
+                                            {205, 0, 205},
+                                            {0, 205, 205},
+                                            {229, 229, 229},
+                                            {127, 127, 127},
+                                            {255, 0, 0},
+                                            {0, 255, 0},
+                                            {255, 255, 0},
+                                            {92, 92, 255},
+                                            {255, 0, 255},
+                                            {0, 255, 255},
+                                            {255, 255, 255}}};
+    const auto* const nearest = std::ranges::min_element(
+        known, {}, [colour](Colour one) { return distance(colour, one.red, one.green, one.blue); });
+    return static_cast<int>(nearest - known.begin());
+}
+
 std::string colour_code(int ground, Colour colour, TerminalColours colours)
 {
+    if (colours == TerminalColours::palette_16) {
+        constexpr int bright = 60 - 8; // 90 ... 97 and 100 ... 107 are the bright ones of 30 ... and 40 ...
+        const int number = number_of_16(colour);
+        return "\x1b[" + std::to_string(ground - 8 + number + (number < 8 ? 0 : bright)) + 'm';
+    }
     std::string code = "\x1b[" + std::to_string(ground);
     if (colours == TerminalColours::palette_256)
         return code + ";5;" + std::to_string(palette_number(colour)) + 'm';
@@ -100,8 +131,25 @@ private:
     Colour last_;
 };
 
+// Green is the brightest for an eye, and blue the darkest.
+int brightness(Colour colour) { return (77 * colour.red + 150 * colour.green + 29 * colour.blue) >> 8; }
+
+std::string line_without_colours(const Picture& picture, int y)
+{
+    constexpr std::string_view by_brightness = " .:-=+*#%@";
+    std::string text;
+    for (int x = 0; x < picture.size.width; ++x) {
+        const int upper = brightness(picture.at(x, y));
+        const int lower = y + 1 < picture.size.height ? brightness(picture.at(x, y + 1)) : 0;
+        text += by_brightness[static_cast<std::size_t>(upper + lower) * by_brightness.size() / 512];
+    }
+    return text + '\n';
+}
+
 std::string line(const Picture& picture, int y, TerminalColours colours)
 {
+    if (colours == TerminalColours::none)
+        return line_without_colours(picture, y);
     std::string text;
     Ground upper{above, colours};
     Ground lower{below, colours};

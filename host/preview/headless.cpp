@@ -2,8 +2,12 @@
 
 #include "core/crc32.hpp"
 #include "host/counted.hpp"
+#include "host/failure.hpp"
 #include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -43,11 +47,51 @@ Seconds clock_at(const Timeline& timeline, int frame)
     return Seconds{timeline.seconds(std::int64_t{frame} * Time::ticks_per_frame)};
 }
 
-void write_events(Playback& playback, std::ostream& out)
+void write_events(const std::vector<EventView>& passed, std::ostream& out)
 {
-    for (const EventView& event : playback.take_passed())
+    for (const EventView& event : passed)
         out << "event " << static_cast<double>(event.time.ticks) / Time::ticks_per_frame << ' '
             << visible(event.name) << '\n';
+}
+
+void select(Viewer& viewer, const std::string& name)
+{
+    const auto& rows = viewer.time_table().rows;
+    const auto row = std::ranges::find(rows, name, &TimeRow::name);
+    if (row != rows.end())
+        return viewer.select(row->item);
+    viewer.select(std::nullopt);
+    if (name.empty())
+        return;
+    std::vector<std::string_view> names;
+    for (const TimeRow& known : rows)
+        names.emplace_back(known.name);
+    throw Failure("select=" + name + ": there is no such object: " + suggestion(name, names));
+}
+
+void take(const ScriptStep& step, Viewer& viewer, Seconds now, const KeyPress& press)
+{
+    switch (step.kind) {
+    case ScriptStep::Kind::key:
+        return press ? press(step.key, now) : viewer.press(step.key, now);
+    case ScriptStep::Kind::frame:
+        return viewer.scrub({static_cast<std::int32_t>(std::lround(step.number * Time::ticks_per_frame))});
+    case ScriptStep::Kind::select:
+        return select(viewer, step.text);
+    case ScriptStep::Kind::open:
+        return viewer.open(step.text, now);
+    case ScriptStep::Kind::wait:
+        viewer.attend(now);
+        return;
+    }
+}
+
+void write_messages(const Viewer& viewer, std::ostream& out)
+{
+    for (const std::string& line : viewer.errors())
+        out << "error: " << line << '\n';
+    if (!viewer.notice().empty())
+        out << "notice: " << viewer.notice() << '\n';
 }
 
 }
@@ -59,29 +103,31 @@ void play_headless(FrameSource& source, const Programme& programme, std::ostream
     Summary summary;
     for (int frame = 0; frame < timeline.frame_count(); ++frame) {
         playback.advance_to(clock_at(timeline, frame));
-        write_events(playback, out);
+        write_events(playback.take_passed(), out);
         summary.add(show(source, playback));
     }
     playback.advance_to(clock_at(timeline, timeline.frame_count())); // what lies behind the last frame
-    write_events(playback, out);
+    write_events(playback.take_passed(), out);
     summary.write(out);
 }
 
-void play_script(FrameSource& source, const Programme& programme, std::span<const PreviewKey> script,
-                 std::ostream& out)
+void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out, const KeyPress& press)
 {
-    const Timeline timeline{programme.frame_rate, {}};
-    Playback playback{programme, source.pace(), Seconds{0}};
+    const double seconds_per_frame = clock_at(viewer.playback().timeline(), 1).count();
     Summary summary;
-    int clock = 0;
-    for (const PreviewKey key : script) {
-        playback.press(key, clock_at(timeline, ++clock));
-        write_events(playback, out);
-        if (playback.wants_to_quit())
+    Seconds clock{0};
+    for (const ScriptStep& step : script) {
+        clock += Seconds{step.kind == ScriptStep::Kind::wait ? step.number : seconds_per_frame};
+        take(step, viewer, clock, press);
+        while (viewer.is_working())
+            viewer.attend(clock);
+        write_events(viewer.take_passed(), out);
+        if (viewer.wants_to_quit())
             break;
-        const Frame& frame = show(source, playback);
+        const Frame& frame = viewer.frame();
         summary.add(frame);
-        out << status_of(source, playback) << "  " << hexadecimal(hash(frame)) << '\n';
+        write_messages(viewer, out);
+        out << viewer.status() << "  " << hexadecimal(hash(frame)) << '\n';
     }
     summary.write(out);
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "host/picture/frame_source.hpp"
-#include "host/preview/playback.hpp"
+#include "host/preview/script.hpp"
+#include "host/preview/viewer.hpp"
 
+#include <functional>
 #include <ostream>
 #include <span>
 
@@ -13,9 +14,14 @@ namespace kfast {
 /// the pixels of all of them).
 void play_headless(FrameSource& source, const Programme& programme, std::ostream& out);
 
-/// Presses `script` one after another, a frame of time apart, and writes the events passed and what is shown
-/// after each, then the summary of these pictures. Stops at a quit.
-void play_script(FrameSource& source, const Programme& programme, std::span<const PreviewKey> script,
-                 std::ostream& out);
+/// What is done with a key instead of pressing it on the viewer.
+using KeyPress = std::function<void(PreviewKey, Viewer::Seconds)>;
+
+/// Takes the steps of `script` one after another, a frame of time apart and each to its end, and writes the
+/// events passed, "error: " and "notice: " with what viewer.errors() and notice() say, and what is shown
+/// after each, then the summary of these pictures. Stops at a quit. The clock of `viewer` began at 0. Throws
+/// Failure for an object that there is not.
+void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out,
+                 const KeyPress& press = {});
 
 }

@@ -14,7 +14,8 @@ struct InputKnob {
     std::uint32_t number = 0; ///< of the input
     InputView range;          ///< without its name
     std::int32_t value = 0;
-    std::string text = {}; ///< only of a text
+    std::string text = {};  ///< only of a text
+    bool is_turned = false; ///< by a person, since the scene was opened
 
     bool can_turn() const { return range.type == InputType::number; }
 
@@ -22,8 +23,15 @@ struct InputKnob {
     void turn(int steps)
     {
         const std::int64_t step = std::max((std::int64_t{range.most} - range.least) / 20, std::int64_t{1});
+        is_turned = true;
+        put(value + steps * step);
+    }
+
+    /// As near as its range allows.
+    void put(std::int64_t wanted)
+    {
         value = static_cast<std::int32_t>(
-            std::clamp(value + steps * step, std::int64_t{range.least}, std::int64_t{range.most}));
+            std::clamp(wanted, std::int64_t{range.least}, std::int64_t{range.most}));
     }
 
     Time place() const { return range.place_of(value); }

@@ -65,7 +65,8 @@ void lay_skin(Picture& picture, const Picture& neighbour, const Picture& backgro
         Colour& pixel = picture.pixels[i];
         const Colour other = neighbour.pixels[i];
         const int far = std::min(difference(other, pixel), difference(other, background.pixels[i]));
-        pixel = tinted(pixel, tint, std::min(emphasis * far, whole));
+        if (far != 0)
+            pixel = tinted(pixel, tint, std::min(emphasis * far, whole));
     }
 }
 

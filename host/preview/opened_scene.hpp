@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/canvas_map.hpp"
+#include "host/fit/target.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/preview/programme.hpp"
 #include "host/scene_file.hpp"
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +23,15 @@ struct OpenedScene {
     Programme programme;                 ///< likewise
     Size panel;
     Fit fit = Fit::contain;
-    bool is_round = false;  ///< the corners of the panel are not seen
-    bool is_beam = false;   ///< the screen of a vector display
-    std::string panel_name; ///< empty if none was named
+    bool is_round = false;                 ///< the corners of the panel are not seen
+    bool is_beam = false;                  ///< the screen of a vector display
+    std::string panel_name = {};           ///< empty if none was named
+    std::optional<fit::Target> board = {}; ///< that the fit report is about; none: previewed_board()
+    std::vector<std::filesystem::path> also_read = {}; ///< besides `file`, as far as known
+    /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
+    /// empty.
+    std::function<void(ToldInputs&)> tell_drawings = {};
+    std::string warnings = {}; ///< what was found, line by line, if it was not printed
 };
 
 /// Opens a file as the options of the command say. Throws Failure, whose text has all that the compiler

@@ -1,10 +1,9 @@
 #include "host/preview/picture_window.hpp"
 
 #include "host/failure.hpp"
-#include "host/picture/picture.hpp"
-#include "host/preview/placement.hpp"
+#include "host/preview/raster_painter.hpp"
 
-#include <SDL2_gfxPrimitives.h> // with it SDL.h
+#include <SDL.h>
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -14,11 +13,8 @@
 namespace kfast {
 namespace {
 
-constexpr int letter = 8; // pixels of a character of SDL2_gfx's font, in both directions
-constexpr int line_height = 3 * letter / 2;
-constexpr int status_height = 2 * letter;
 constexpr int pixel_bytes = sizeof(Colour);
-constexpr Size smallest_window{384, 240};
+constexpr Size smallest_window{320, 240};
 
 struct Destroy {
     void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
@@ -57,92 +53,111 @@ private:
     bool works_;
 };
 
-/// Small pictures are magnified to a comfortable size, large ones shrunk to the screen.
-Size first_window_size(Size picture)
+/// What of a size the screen has room for.
+Size on_screen(Size wanted)
 {
     SDL_Rect screen{0, 0, 1024, 768};
     SDL_GetDisplayUsableBounds(0, &screen);
-    const Size most{screen.w * 3 / 4, screen.h * 3 / 4 - status_height};
-    const Size wanted{std::min(most.width, std::max(2 * picture.width, smallest_window.width)),
-                      std::min(most.height, std::max(2 * picture.height, smallest_window.height))};
-    const Rect place = placement(picture, wanted);
-    return {std::max(place.width, smallest_window.width),
-            std::max(place.height, smallest_window.height) + status_height};
+    const auto side = [](int want, int least, int room) {
+        return std::min(std::max(want, least), std::max(1, room * 9 / 10));
+    };
+    return {side(wanted.width, smallest_window.width, screen.w),
+            side(wanted.height, smallest_window.height, screen.h)};
 }
 
-std::optional<PreviewKey> pressed(SDL_Keycode code)
+/// As in preview_key(); empty if the key has no name there.
+std::string name_of(const SDL_Keysym& key)
 {
-    switch (code) {
+    switch (key.sym) {
     case SDLK_SPACE:
-        return PreviewKey::play_pause;
-    case SDLK_n:
-        return PreviewKey::next_key;
-    case SDLK_p:
-        return PreviewKey::previous_key;
+        return "space";
     case SDLK_RIGHT:
-        return PreviewKey::next_frame;
+        return "right";
     case SDLK_LEFT:
-        return PreviewKey::previous_frame;
+        return "left";
     case SDLK_UP:
-        return PreviewKey::faster;
+        return "up";
     case SDLK_DOWN:
-        return PreviewKey::slower;
-    case SDLK_v:
-        return PreviewKey::reverse;
-    case SDLK_c:
-        return PreviewKey::next_clip;
-    case SDLK_b:
-        return PreviewKey::previous_clip;
-    case SDLK_i:
-        return PreviewKey::next_input;
-    case SDLK_PLUS:
+        return "down";
+    case SDLK_ESCAPE:
+        return "escape";
+    case SDLK_TAB:
+        return (key.mod & KMOD_SHIFT) != 0 ? "shift-tab" : "tab";
     case SDLK_EQUALS: // where + is typed with shift
     case SDLK_KP_PLUS:
-        return PreviewKey::more_input;
-    case SDLK_MINUS:
+        return "+";
     case SDLK_KP_MINUS:
-        return PreviewKey::less_input;
-    case SDLK_t:
-        return PreviewKey::travel;
-    case SDLK_h:
-        return PreviewKey::help;
-    case SDLK_q:
-    case SDLK_ESCAPE:
-        return PreviewKey::quit;
+        return "-";
     default:
-        return std::nullopt;
+        return key.sym > ' ' && key.sym <= 'z' ? std::string(1, static_cast<char>(key.sym)) : "";
     }
 }
 
-std::optional<PreviewKey> asked(const SDL_Event& event)
+std::optional<PreviewKey> pressed(const SDL_Keysym& key)
 {
-    if (event.type == SDL_QUIT)
-        return PreviewKey::quit;
-    return event.type == SDL_KEYDOWN ? pressed(event.key.keysym.sym) : std::nullopt;
+    const bool is_of_desktop = (key.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0;
+    return is_of_desktop ? std::nullopt : preview_key(name_of(key));
+}
+
+PointerEvent pointer(PointerEvent::Kind kind, const SDL_MouseButtonEvent& button)
+{
+    return {kind, button.x, button.y};
+}
+
+PointerEvent wheel(const SDL_MouseWheelEvent& turned)
+{
+    PointerEvent event{PointerEvent::Kind::wheel};
+    SDL_GetMouseState(&event.x, &event.y);
+    event.wheel = turned.direction == SDL_MOUSEWHEEL_FLIPPED ? -turned.y : turned.y;
+    return event;
+}
+
+void take(const SDL_Event& event, PictureWindow::Events& into)
+{
+    using Kind = PointerEvent::Kind;
+    switch (event.type) {
+    case SDL_QUIT:
+        into.is_closed = true;
+        return;
+    case SDL_KEYDOWN:
+        if (const std::optional<PreviewKey> key = pressed(event.key.keysym))
+            into.keys.push_back(*key);
+        return;
+    case SDL_MOUSEBUTTONDOWN:
+        return into.pointer.push_back(pointer(Kind::press, event.button));
+    case SDL_MOUSEBUTTONUP:
+        return into.pointer.push_back(pointer(Kind::release, event.button));
+    case SDL_MOUSEMOTION:
+        return into.pointer.push_back({Kind::move, event.motion.x, event.motion.y});
+    case SDL_MOUSEWHEEL:
+        return into.pointer.push_back(wheel(event.wheel));
+    case SDL_DROPFILE:
+        into.dropped.emplace_back(event.drop.file);
+        SDL_free(event.drop.file);
+        return;
+    default:
+        return;
+    }
 }
 
 class SdlWindow : public PictureWindow {
 public:
-    SdlWindow(std::unique_ptr<Video> video, const std::string& title, Size picture, Size window)
+    SdlWindow(std::unique_ptr<Video> video, const std::string& title, Size size)
         : video_{std::move(video)}, window_{owned(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED,
-                                                                   SDL_WINDOWPOS_CENTERED, window.width,
-                                                                   window.height, SDL_WINDOW_RESIZABLE))},
-          renderer_{owned(SDL_CreateRenderer(window_.get(), -1, 0))},
-          texture_{owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
-                                           SDL_TEXTUREACCESS_STREAMING, picture.width, picture.height))},
-          picture_{picture}
+                                                                   SDL_WINDOWPOS_CENTERED, size.width,
+                                                                   size.height, SDL_WINDOW_RESIZABLE))},
+          renderer_{owned(SDL_CreateRenderer(window_.get(), -1, 0))}
     {
+        SDL_SetWindowMinimumSize(window_.get(), smallest_window.width, smallest_window.height);
     }
 
-    void draw(const Frame& frame, const std::string& status, std::span<const std::string> help) override
+    void set_title(const std::string& title) override { SDL_SetWindowTitle(window_.get(), title.c_str()); }
+
+    void draw(const std::function<void(Painter&)>& paint) override
     {
-        SDL_SetRenderDrawColor(renderer_.get(), 40, 40, 44, 255);
-        SDL_RenderClear(renderer_.get());
-        draw_picture(frame);
-        draw_text(letter / 2, size().height - letter * 3 / 2, status);
-        if (!help.empty())
-            draw_help(help);
-        SDL_RenderPresent(renderer_.get());
+        painter_.begin(size());
+        paint(painter_);
+        show(painter_.drawn());
     }
 
     Events take_events(int milliseconds) override
@@ -151,8 +166,7 @@ public:
         SDL_Event event;
         events.any = SDL_WaitEventTimeout(&event, milliseconds) != 0;
         for (bool more = events.any; more; more = SDL_PollEvent(&event) != 0)
-            if (const std::optional<PreviewKey> key = asked(event))
-                events.keys.push_back(*key);
+            take(event, events);
         return events;
     }
 
@@ -161,58 +175,39 @@ private:
     {
         Size size;
         SDL_GetRendererOutputSize(renderer_.get(), &size.width, &size.height);
-        return size;
+        return {std::max(1, size.width), std::max(1, size.height)};
     }
 
-    void draw_picture(const Frame& frame)
+    void show(const Picture& picture)
     {
-        const Picture picture = widen(frame);
-        SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels.data(), picture_.width * pixel_bytes);
-        const Size space{size().width, std::max(1, size().height - status_height)};
-        const Rect place = placement(picture_, space);
-        const bool whole = place.width >= picture_.width;
-        SDL_SetTextureScaleMode(texture_.get(), whole ? SDL_ScaleModeNearest : SDL_ScaleModeLinear);
-        const SDL_Rect target{place.x, place.y, place.width, place.height};
-        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &target);
-    }
-
-    void draw_text(int x, int y, const std::string& text)
-    {
-        const auto at = [](int value) { return static_cast<Sint16>(value); };
-        stringRGBA(renderer_.get(), at(x), at(y), text.c_str(), 240, 240, 240, 255);
-    }
-
-    void draw_help(std::span<const std::string> lines)
-    {
-        const auto longest = std::ranges::max(lines, {}, &std::string::size).size();
-        const SDL_Rect box{letter, letter, letter * (static_cast<int>(longest) + 2),
-                           line_height * static_cast<int>(lines.size()) + letter * 3 / 2};
-        SDL_SetRenderDrawBlendMode(renderer_.get(), SDL_BLENDMODE_BLEND);
-        SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 200);
-        SDL_RenderFillRect(renderer_.get(), &box);
-        int y = box.y + letter;
-        for (const std::string& line : lines) {
-            draw_text(box.x + letter, y, line);
-            y += line_height;
+        if (texture_ == nullptr || texture_size_ != picture.size) {
+            texture_size_ = picture.size;
+            texture_ =
+                owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STREAMING,
+                                        texture_size_.width, texture_size_.height));
         }
+        SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels.data(), picture.size.width * pixel_bytes);
+        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr);
+        SDL_RenderPresent(renderer_.get());
     }
 
     std::unique_ptr<Video> video_;
     Owned<SDL_Window> window_;
     Owned<SDL_Renderer> renderer_;
     Owned<SDL_Texture> texture_;
-    Size picture_;
+    Size texture_size_;
+    RasterPainter painter_;
 };
 
 }
 
-std::unique_ptr<PictureWindow> PictureWindow::open(const std::string& title, Size picture)
+std::unique_ptr<PictureWindow> PictureWindow::open(const std::string& title, Size size)
 {
     auto video = std::make_unique<Video>();
     if (!video->works())
         return nullptr;
-    const Size window = first_window_size(picture);
-    return std::make_unique<SdlWindow>(std::move(video), title, picture, window);
+    const Size window = on_screen(size);
+    return std::make_unique<SdlWindow>(std::move(video), title, window);
 }
 
 const char* PictureWindow::no_window() { return "there is no display for a window"; }

@@ -1,34 +1,40 @@
 #pragma once
 
-#include "host/picture/frame.hpp"
+#include "host/preview/painter.hpp"
+#include "host/preview/pointer_event.hpp"
 #include "host/preview/preview_key.hpp"
 
+#include <filesystem>
+#include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace kfast {
 
-/// A window that shows pictures of one size, magnified or shrunk to it, with a line of text below.
+/// A window of the desktop, which can be resized. Its contents come from a Painter, and it tells what its
+/// user does.
 class PictureWindow {
 public:
-    /// Null where there can be none: no_window() says why. Throws Failure if a window cannot be opened all
-    /// the same.
-    static std::unique_ptr<PictureWindow> open(const std::string& title, Size picture);
+    /// `size` is what is wanted; it gets smaller where the screen is. Null where there can be no window:
+    /// no_window() says why. Throws Failure if a window cannot be opened all the same.
+    static std::unique_ptr<PictureWindow> open(const std::string& title, Size size);
     /// Why open() is null, as a part of a sentence.
     static const char* no_window();
     virtual ~PictureWindow() = default;
 
-    /// With `help` in a box above the picture, if there is any.
-    virtual void draw(const Frame& frame, const std::string& status, std::span<const std::string> help) = 0;
+    virtual void set_title(const std::string& title) = 0;
+    /// Calls `paint` once for all of the window, which is at least 1 pixel wide and high.
+    virtual void draw(const std::function<void(Painter&)>& paint) = 0;
 
     struct Events {
         bool any = false; ///< the window is to be drawn anew
+        bool is_closed = false;
         std::vector<PreviewKey> keys;
+        std::vector<PointerEvent> pointer;
+        std::vector<std::filesystem::path> dropped; ///< files
     };
-    /// What happened since the last call; waits for something, but not longer than `milliseconds`. Whoever
-    /// closes the window presses PreviewKey::quit.
+    /// What happened since the last call; waits for something, but not longer than `milliseconds`.
     virtual Events take_events(int milliseconds) = 0;
 
 protected:

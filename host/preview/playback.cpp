@@ -45,6 +45,8 @@ void Playback::press(PreviewKey key, Seconds now)
         return set_speed(std::abs(speed_) < 2 * slowest ? speed_ : speed_ / 2);
     case PreviewKey::reverse:
         return set_speed(-speed_);
+    case PreviewKey::loop:
+        return choose_next_loop(now);
     case PreviewKey::next_clip:
         return start_part((part_ + 1) % parts, now);
     case PreviewKey::previous_clip:
@@ -123,6 +125,8 @@ std::string Playback::status() const
     std::snprintf(text, sizeof text, "  speed %g", static_cast<double>(speed_) / Playhead::as_authored);
     if (speed_ != Playhead::as_authored)
         status += text;
+    if (loop_choice_ != LoopChoice::as_authored)
+        status += loop_choice_ == LoopChoice::always ? "  loop always" : "  loop once";
     if (part_ != 0)
         status += "  clip " + visible(programme_.parts[part_].name);
     if (input_) {
@@ -177,6 +181,68 @@ void Playback::set_speed(std::int32_t speed)
     playhead_.set_speed(speed);
 }
 
+Stretch Playback::stretch() const
+{
+    Stretch stretch = part().stretch;
+    if (loop_choice_ == LoopChoice::once)
+        stretch.loop = Loop::once;
+    else if (loop_choice_ == LoopChoice::always && stretch.loop == Loop::once)
+        stretch.loop = Loop::repeat;
+    return stretch;
+}
+
+void Playback::choose_next_loop(Seconds now)
+{
+    loop_choice_ = loop_choice_ == LoopChoice::as_authored ? LoopChoice::always
+                   : loop_choice_ == LoopChoice::always    ? LoopChoice::once
+                                                           : LoopChoice::as_authored;
+    go_on_at(shown_, playing_, now);
+}
+
+void Playback::go_on_at(Time moment, bool playing, Seconds now)
+{
+    const Stretch here = stretch();
+    playhead_ = timeline().playhead(programme_.events);
+    stop_at(std::clamp(moment, here.begin, here.end));
+    playing_ = playing;
+    anchor_ = now;
+    played_ = 0;
+}
+
+void Playback::scrub(Time moment)
+{
+    const Stretch here = stretch();
+    if (moment < here.begin || moment > here.end)
+        part_ = 0;
+    go_on_at(moment, false, anchor_);
+}
+
+void Playback::continue_inputs(const Playback& before)
+{
+    for (const InputKnob& old : before.inputs()) {
+        const auto same = std::ranges::find(programme_.inputs, old.name, &InputKnob::name);
+        if (same == programme_.inputs.end() || !same->can_turn() || !old.can_turn())
+            continue;
+        if (old.is_turned)
+            same->put(old.value);
+        same->is_turned = old.is_turned;
+        if (before.input_ && &before.programme_.inputs[*before.input_] == &old)
+            input_ = static_cast<std::size_t>(same - programme_.inputs.begin());
+    }
+}
+
+void Playback::continue_from(const Playback& before, Seconds now)
+{
+    const auto same = std::ranges::find(programme_.parts, before.part().name, &Part::name);
+    part_ = same == programme_.parts.end() ? 0 : static_cast<std::size_t>(same - programme_.parts.begin());
+    loop_choice_ = before.loop_choice_;
+    speed_ = before.speed_;
+    help_open_ = before.help_open_;
+    reveals_travel_ = before.reveals_travel_;
+    continue_inputs(before);
+    go_on_at(before.shown_, before.playing_, now);
+}
+
 void Playback::stop_at(Time moment)
 {
     playhead_.seek(moment);
@@ -227,14 +293,24 @@ void Playback::step_key(int direction)
     stop_at(here == keys.begin() ? keys.back() : *std::prev(here));
 }
 
-const Frame& show(FrameSource& source, const Playback& playback)
+void tell_inputs(ToldInputs& source, const Playback& playback)
 {
-    source.reveal(playback.reveals_travel());
     for (const InputKnob& input : playback.inputs())
         if (input.range.type == InputType::text)
             source.set_text(input.number, input.text);
         else
             source.set_input(input.number, input.place());
+}
+
+void tell(FrameSource& source, const Playback& playback)
+{
+    source.reveal(playback.reveals_travel());
+    tell_inputs(source, playback);
+}
+
+const Frame& show(FrameSource& source, const Playback& playback)
+{
+    tell(source, playback);
     return source.show(playback.time());
 }
 

@@ -6,11 +6,19 @@
 #include "host/preview/programme.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace kfast {
+
+/// How what plays is repeated.
+enum class LoopChoice : std::uint8_t {
+    as_authored,
+    always, ///< what plays once is repeated
+    once,
+};
 
 /// Where a preview stands, apart from how it is shown. Starts playing, at the beginning (backwards: at the
 /// end), with the help open.
@@ -28,12 +36,24 @@ public:
     /// Stepping keys also pause, another clip plays, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
     void advance_to(Seconds now);
+    /// Pauses at this moment of the scene. One outside of the clip that plays leaves the clip.
+    void scrub(Time moment);
+    /// Goes on where `before` stands, a playback of the same scene as it was earlier: at its moment, in its
+    /// clip, with its speed and loop, and with the inputs that were turned, each as far as it is still there.
+    void continue_from(const Playback& before, Seconds now);
 
     /// What is to be shown.
     Time time() const { return shown_; }
     int frame() const { return shown_.ticks / Time::ticks_per_frame; }
     bool playing() const { return playing_; }
     bool help_open() const { return help_open_; }
+    /// For whoever has seen it.
+    void close_help() { help_open_ = false; }
+    /// What is played and how fast, as it was chosen by keys.
+    Timeline timeline() const { return {programme_.frame_rate, stretch(), speed_}; }
+    Stretch stretch() const;
+    const Part& part() const { return programme_.parts[part_]; }
+    LoopChoice loop_choice() const { return loop_choice_; }
     /// The way of a beam is to be shown where it is not lit.
     bool reveals_travel() const { return reveals_travel_; }
     bool wants_to_quit() const { return wants_to_quit_; }
@@ -41,21 +61,24 @@ public:
     Seconds next_frame_at() const;
     /// Those of the scene.
     const std::vector<InputKnob>& inputs() const { return programme_.inputs; }
+    /// The one of them that keys turn.
+    std::optional<std::size_t> chosen_input() const { return input_; }
     /// The events passed since the last call, in order.
     std::vector<EventView> take_passed();
-    /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed -0.5"
-    /// "  clip blink" and, of the input that was turned last, "  gaze 0.5".
+    /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed
+    /// -0.5", "  loop always", "  clip blink" and, of the input that was turned last, "  gaze 0.5".
     std::string status() const;
 
 private:
-    Stretch stretch() const { return programme_.parts[part_].stretch; }
-    Timeline timeline() const { return {programme_.frame_rate, stretch(), speed_}; }
     std::vector<Time> stops() const;
     void start_part(std::size_t part, Seconds now);
     std::int64_t before_the_end(std::int64_t ticks);
     void play(std::int64_t ticks);
     void toggle_playing(Seconds now);
     void set_speed(std::int32_t speed);
+    void choose_next_loop(Seconds now);
+    void go_on_at(Time moment, bool playing, Seconds now);
+    void continue_inputs(const Playback& before);
     void stop_at(Time moment);
     void step_frame(int direction);
     void step_key(int direction);
@@ -66,6 +89,7 @@ private:
     Pace pace_;
     std::optional<int> loops_;
     std::size_t part_;
+    LoopChoice loop_choice_ = LoopChoice::as_authored;
     std::int32_t speed_;
     Playhead playhead_;
     Time shown_;
@@ -81,6 +105,10 @@ private:
     bool wants_to_quit_ = false;
 };
 
+/// What the keys made of the inputs.
+void tell_inputs(ToldInputs& source, const Playback& playback);
+/// Tells `source` what the keys made of the inputs, and whether travel is revealed.
+void tell(FrameSource& source, const Playback& playback);
 /// The picture where `playback` stands.
 const Frame& show(FrameSource& source, const Playback& playback);
 /// Its status, and the facts of the picture that `source` showed last, if its travel is revealed.

@@ -3,21 +3,18 @@
 #include "host/failure.hpp"
 #include "host/preview/half_blocks.hpp"
 #include "host/preview/steady_now.hpp"
-#include "host/preview/typed_keys.hpp"
+#include "host/preview/terminal_text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <poll.h>
+#include <span>
 #include <string>
 #include <string_view>
 #include <sys/ioctl.h>
-#include <termios.h>
-#include <thread>
 #include <unistd.h>
 
 namespace kfast {
@@ -38,47 +35,6 @@ void write_all(std::string_view text)
         text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }
 }
-
-/// Lets single keys be read from standard input while it lives, where that is a terminal which is ours to
-/// change: a job in the background would be stopped for it.
-class Keyboard {
-public:
-    Keyboard() : works_{::tcgetpgrp(STDIN_FILENO) == ::getpgrp() && ::tcgetattr(STDIN_FILENO, &before_) == 0}
-    {
-        if (!works_)
-            return;
-        termios by_keys = before_;
-        by_keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-        by_keys.c_cc[VMIN] = 0;
-        by_keys.c_cc[VTIME] = 0;
-        ::tcsetattr(STDIN_FILENO, TCSANOW, &by_keys);
-    }
-    ~Keyboard()
-    {
-        if (works_)
-            ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
-    }
-    Keyboard(const Keyboard&) = delete;
-    Keyboard& operator=(const Keyboard&) = delete;
-
-    /// Those pressed since the last call; waits for some, but not longer than `patience`.
-    std::vector<PreviewKey> pressed(Seconds patience) const
-    {
-        if (!works_) {
-            std::this_thread::sleep_for(patience);
-            return {};
-        }
-        std::array<char, 64> bytes{};
-        pollfd input{STDIN_FILENO, POLLIN, 0};
-        const bool any = ::poll(&input, 1, static_cast<int>(std::ceil(patience.count() * 1000))) > 0;
-        const ssize_t count = any ? ::read(STDIN_FILENO, bytes.data(), bytes.size()) : 0;
-        return typed_keys({bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))});
-    }
-
-private:
-    termios before_{};
-    bool works_;
-};
 
 /// Hides the cursor while it lives. A signal that would end the program is only remembered, and raised again
 /// once the terminal is as it was.
@@ -114,67 +70,116 @@ Size terminal_size()
     return {size.ws_col, size.ws_row};
 }
 
-TerminalColours terminal_colours()
+TerminalColours these_colours()
 {
-    const char* says = std::getenv("COLORTERM");
-    const std::string_view word = says == nullptr ? "" : says;
-    return word == "truecolor" || word == "24bit" ? TerminalColours::true_colour
-                                                  : TerminalColours::palette_256;
+    return terminal_colours(std::getenv("COLORTERM"), std::getenv("TERM"), std::getenv("NO_COLOR"));
 }
 
-/// The picture in what the terminal has besides the status line and the line the cursor ends on.
-std::string picture_text(const Frame& frame)
-{
-    const Size terminal = terminal_size();
-    return half_blocks(widen(frame), {terminal.width, std::max(1, terminal.height - 2)}, terminal_colours());
-}
+/// Draws one picture above the other.
+class TerminalScreen {
+public:
+    bool fits() const { return size_ == terminal_size(); }
 
-/// Short waits, for a signal does not end one. While paused there is no next frame to wait for.
-void take_keys_until(Seconds moment, const Keyboard& keyboard, Playback& playback)
+    void draw(Viewer& viewer, std::span<const std::string> help)
+    {
+        const Size size = terminal_size();
+        const TerminalContent content{viewer.picture(), viewer.status(), viewer.notice(), viewer.errors(),
+                                      help};
+        const TerminalText drawn = terminal_text(content, size, colours_);
+        write_all(way_back(size) + drawn.text);
+        size_ = size;
+        lines_ = drawn.lines;
+    }
+
+private:
+    /// Lines may have been wrapped anew in a terminal of another size.
+    std::string way_back(Size size) const
+    {
+        if (lines_ == 0)
+            return {};
+        return size_ == size ? "\x1b[" + std::to_string(lines_) + 'A' : "\x1b[2J\x1b[H";
+    }
+
+    TerminalColours colours_ = these_colours();
+    Size size_{}; ///< of the terminal when it was drawn last
+    int lines_ = 0;
+};
+
+/// Short waits, for a signal does not end one.
+Seconds patience(const Viewer& viewer, Seconds now)
 {
     constexpr Seconds longest{0.05};
-    bool any = false;
-    for (Seconds now = steady_now(); !any && now < moment && signal_seen == 0; now = steady_now())
-        for (const PreviewKey key : keyboard.pressed(std::min(moment - now, longest))) {
-            playback.press(key, steady_now());
-            any = true;
+    if (viewer.is_working())
+        return Seconds{0};
+    const bool plays = viewer.playback().playing();
+    return plays ? std::clamp(viewer.playback().next_frame_at() - now, Seconds{0}, longest) : longest;
+}
+
+bool press_keys(Viewer& viewer, Keyboard& keyboard)
+{
+    const std::vector<PreviewKey> keys = keyboard.pressed(patience(viewer, steady_now()));
+    for (const PreviewKey key : keys)
+        viewer.press(key, steady_now());
+    return !keys.empty();
+}
+
+/// Draws what changes, and what plays at each frame.
+class DrawTimes {
+public:
+    bool is_due(const Viewer& viewer, bool has_changed, Seconds now)
+    {
+        constexpr Seconds between_reports{0.1};
+        const bool plays = viewer.playback().playing() || viewer.playback().time() != shown_;
+        const bool is_due =
+            viewer.is_working() ? now - drawn_ >= between_reports : has_changed || (plays && now >= next_);
+        if (is_due) {
+            drawn_ = now;
+            shown_ = viewer.playback().time();
+            next_ = viewer.playback().next_frame_at();
         }
-}
+        return is_due;
+    }
 
-std::string up(std::ptrdiff_t lines) { return "\x1b[" + std::to_string(lines) + 'A'; }
+private:
+    Time shown_{-1};
+    Seconds drawn_{0};
+    Seconds next_{0};
+};
 
-/// A status that wraps would break the way back up.
-std::string status_line(const FrameSource& source, const Playback& playback)
+void play(Viewer& viewer, Keyboard& keyboard)
 {
-    return status_of(source, playback).substr(0, static_cast<std::size_t>(terminal_size().width - 1)) +
-           "\x1b[J\n";
-}
-
-void play(FrameSource& source, Playback& playback)
-{
-    constexpr Seconds pause{1};
-    const Keyboard keyboard;
-    std::string rewind;
-    while (!playback.wants_to_quit() && signal_seen == 0) {
-        playback.advance_to(steady_now());
-        const std::string picture = picture_text(show(source, playback));
-        write_all(rewind + picture + status_line(source, playback));
-        rewind = up(std::ranges::count(picture, '\n') + 1);
-        if (!playback.wants_to_quit())
-            take_keys_until(playback.playing() ? playback.next_frame_at() : steady_now() + pause, keyboard,
-                            playback);
+    TerminalScreen screen;
+    DrawTimes times;
+    bool is_disturbed = true;
+    while (!viewer.wants_to_quit() && signal_seen == 0) {
+        const bool has_changed = viewer.attend(steady_now()) || is_disturbed || !screen.fits();
+        const bool is_last = viewer.wants_to_quit();
+        if (times.is_due(viewer, has_changed || is_last, steady_now())) {
+            const bool with_help = keyboard.works() && viewer.playback().help_open();
+            screen.draw(viewer, with_help ? preview_key_help() : std::vector<std::string>{});
+        }
+        is_disturbed = !is_last && press_keys(viewer, keyboard);
     }
 }
 
 }
 
-void play_in_terminal(FrameSource& source, const Programme& programme, int loops)
+void play_in_terminal(Viewer& viewer, Keyboard& keyboard)
 {
-    if (::isatty(STDOUT_FILENO) == 0)
-        return write_all(picture_text(source.show(Time{0})));
     const BorrowedTerminal terminal;
-    Playback playback{programme, source.pace(), steady_now(), loops};
-    play(source, playback);
+    play(viewer, keyboard);
+}
+
+bool can_play_in_terminal()
+{
+    const char* const type = std::getenv("TERM");
+    return ::isatty(STDOUT_FILENO) != 0 && std::string_view{type == nullptr ? "" : type} != "dumb";
+}
+
+void write_as_text(const Frame& frame)
+{
+    const Size size = terminal_size();
+    write_all(half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, these_colours()));
 }
 
 }

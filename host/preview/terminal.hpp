@@ -1,17 +1,18 @@
 #pragma once
 
-#include "host/picture/frame_source.hpp"
-#include "host/preview/playback.hpp"
+#include "host/preview/keyboard.hpp"
+#include "host/preview/viewer.hpp"
 
 namespace kfast {
 
-/// Plays `loops` passes (a scene that plays once: one) on the terminal behind standard output, as large as
-/// fits, and leaves the last picture there. The cursor comes back at the end, on an error and on Ctrl-C.
-/// Where standard input is a terminal too, it has the keys of the window.
-///
-/// Where standard output is no terminal, writes the first picture for 80 x 24 characters and returns.
-///
-/// True colour where COLORTERM says so, else 256 colours.
-void play_in_terminal(FrameSource& source, const Programme& programme, int loops);
+/// Plays in the terminal that standard output is, until a key quits or it has played as often as it was to. A
+/// signal that ends the program leaves the terminal as it was. Throws Failure when that cannot be written.
+void play_in_terminal(Viewer& viewer, Keyboard& keyboard);
+
+/// Whether standard output is a terminal that pictures can be drawn on one above the other.
+bool can_play_in_terminal();
+
+/// Writes one picture as text to standard output, whatever that is. Throws Failure.
+void write_as_text(const Frame& frame);
 
 }

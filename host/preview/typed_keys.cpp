@@ -12,9 +12,9 @@ struct Sent {
 };
 
 constexpr std::array sent{
-    Sent{"\x1b[A", "up"},    Sent{"\x1b[B", "down"}, Sent{"\x1b[C", "right"},
-    Sent{"\x1b[D", "left"},  Sent{"\x1bOA", "up"},   Sent{"\x1bOB", "down"},
-    Sent{"\x1bOC", "right"}, Sent{"\x1bOD", "left"}, Sent{" ", "space"},
+    Sent{"\x1b[A", "up"}, Sent{"\x1b[B", "down"},      Sent{"\x1b[C", "right"}, Sent{"\x1b[D", "left"},
+    Sent{"\x1bOA", "up"}, Sent{"\x1bOB", "down"},      Sent{"\x1bOC", "right"}, Sent{"\x1bOD", "left"},
+    Sent{" ", "space"},   Sent{"\x1b[Z", "shift-tab"}, Sent{"\t", "tab"},
 };
 
 Sent first_key(std::string_view bytes)

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "host/preview/preview_key.hpp"
+
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace kfast {
 
@@ -14,9 +17,15 @@ struct ViewOptions {
     bool panel_frame = false;   ///< the edge of the module around the picture
     bool fit_report = false;    ///< memory and speed on a board, in the panel at the side
     bool time_line = true;
-    int zoom = 0; ///< window pixels per panel pixel; 0: as large as fits
+    int zoom = 0; ///< window pixels per panel pixel: 1, 2, 3, 4, 6, 8, 12 or 16; 0: as large as fits
     /// The place of an item in SceneFile::item_names; none is selected at first.
-    std::optional<std::size_t> selected;
+    std::optional<std::size_t> selected = {};
 };
+
+/// Turns on or off, or zooms, what `key` means; nothing if it is another key.
+void press(ViewOptions& view, PreviewKey key);
+
+/// What differs from the beginning, as "  onion skin  no time line  zoom 2"; nothing about what is selected.
+std::string in_words(const ViewOptions& view);
 
 }

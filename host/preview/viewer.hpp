@@ -1,60 +1,128 @@
 #pragma once
 
 #include "host/picture/picture.hpp"
+#include "host/preview/file_chooser.hpp"
+#include "host/preview/file_watch.hpp"
+#include "host/preview/fit_lines.hpp"
+#include "host/preview/frame_collection.hpp"
+#include "host/preview/gif_writing.hpp"
 #include "host/preview/opened_scene.hpp"
+#include "host/preview/overlay.hpp"
 #include "host/preview/playback.hpp"
 #include "host/preview/preview_key.hpp"
+#include "host/preview/scene_layers.hpp"
+#include "host/preview/time_table.hpp"
 #include "host/preview/view_options.hpp"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
 
 /// A preview apart from how it is shown: the scene that is open, where it stands, what is shown of it, and
 /// what went wrong. A window, a terminal and a script of keys drive it alike; the caller brings the clock,
-/// any steady time.
+/// any steady time, and calls attend() again and again.
 class Viewer {
 public:
     using Seconds = Playback::Seconds;
 
-    /// Throws Failure if `file` cannot be opened.
-    Viewer(Opener opener, const std::filesystem::path& file, Seconds now, std::optional<int> loops);
+    /// Plays `scene`; `opener` opens what comes later. With `loops`, quits after so many plays, as Playback.
+    Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now,
+           std::optional<int> loops = std::nullopt);
+    ~Viewer();
 
+    /// Without a chooser, PreviewKey::read_file reads the same file afresh.
+    void let_choose(std::unique_ptr<FileChooser> chooser) { chooser_ = std::move(chooser); }
+
+    /// While it works, any key but stops the work.
     void press(PreviewKey key, Seconds now);
-    /// Another file, from its beginning and with nothing selected. If that fails, what was open goes on, and
-    /// errors() says why.
+    /// Another file, or the same afresh: from its beginning, with nothing selected. If that fails, what was
+    /// open goes on, errors() says why, and it is tried again when that file changes.
     void open(const std::filesystem::path& file, Seconds now);
-    /// Reads the file again if it has changed on disk, and goes on where it stood. Likewise.
-    void reload_if_changed(Seconds now);
-    void advance_to(Seconds now);
+    /// Does what is due: goes on playing and working, takes the file that was chosen, and reads a file again
+    /// that has changed on disk, to go on where it stood. True if something else than the moment may have
+    /// changed of what is to be shown.
+    bool attend(Seconds now);
     /// Pauses at this moment: the time line was touched.
     void scrub(Time moment);
     void select(std::optional<std::size_t> item);
+    /// ViewOptions::zoom.
+    void set_zoom(int zoom) { view_.zoom = zoom; }
+    /// Ends it whatever it does: the window was closed.
+    void close();
+
+    /// Whether it generates frames or writes a file: then attend() is to be called without waiting.
+    bool is_working() const { return frames_in_work() != nullptr || gif_ != nullptr; }
+    /// How much of that is done, from 0 to 1; nothing if it does not work.
+    std::optional<double> progress() const;
+    bool wants_to_quit() const { return is_closed_ || playback_->wants_to_quit(); }
 
     const OpenedScene& scene() const { return *scene_; }
     const Playback& playback() const { return *playback_; }
     const ViewOptions& view() const { return view_; }
-    /// The picture to show now, with the onion skin if that is wanted.
+    /// The events passed since the last call, in order.
+    std::vector<EventView> take_passed() { return playback_->take_passed(); }
+    /// What the panel holds now. Valid until the next call of a member.
+    const Frame& frame();
+    /// The picture to show now, with the onion skin if that is wanted. Likewise.
     const Picture& picture();
+    /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
+    const Overlay& overlay(double scale);
+    const TimeTable& time_table() const { return layers_->table(); }
+    /// Nothing while it is being made, or if view() does not ask for it.
+    std::optional<std::span<const FitLine>> fit_report();
+    /// The topmost item at a place of the panel.
+    std::optional<std::size_t> item_at(PanelSpot spot);
+
     /// Of the last attempt to read a file, line by line; empty when it went well.
     const std::vector<std::string>& errors() const { return errors_; }
     /// What was done last and is worth telling: "eyes-0012.png is written".
     const std::string& notice() const { return notice_; }
+    /// That of the playback, then "  all frames" while space steps through them, "  selected lamp", and what
+    /// view() shows, "  onion skin  zoom 2".
     std::string status() const;
-    bool wants_to_quit() const { return playback_->wants_to_quit(); }
+    /// As on the time line; "" if nothing is selected.
+    std::string_view selected_name() const;
 
 private:
+    const FrameCollection* frames_in_work() const;
+    std::unique_ptr<OpenedScene> opened(const std::filesystem::path& file);
+    void put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<Playback> playback);
+    void reload(Seconds now);
+    bool reload_if_changed(Seconds now);
+    bool take_chosen_file(Seconds now);
+    void select_by_name(const std::string& name);
+    void stop_work();
+    void go_on_working();
+    bool fits_in_memory(std::size_t frames);
+    void generate_all_frames();
+    void begin_gif();
+    void write_screenshot();
+    void ask_for_file(Seconds now);
+    void step_selection(int direction);
+    void act(PreviewKey key, Seconds now);
+
     Opener opener_;
+    std::optional<int> loops_;
     std::unique_ptr<OpenedScene> scene_;
-    std::unique_ptr<Playback> playback_;
+    std::unique_ptr<SceneLayers> layers_; ///< look into `scene_`
+    std::unique_ptr<Playback> playback_;  ///< likewise
+    std::unique_ptr<FileChooser> chooser_;
+    std::optional<FileWatch> watch_;              ///< of what is open
+    std::optional<std::filesystem::path> failed_; ///< a file that could not be opened
+    std::optional<FileWatch> failed_watch_;       ///< of it
     ViewOptions view_;
+    std::optional<FrameCollection> all_frames_; ///< space steps through them once they are complete
+    std::unique_ptr<GifWriting> gif_;
     Picture picture_;
     std::vector<std::string> errors_;
     std::string notice_;
+    bool is_closed_ = false;
 };
 
 }

@@ -1,15 +1,20 @@
 #include "host/preview/window.hpp"
 
-#include "host/preview/picture_window.hpp"
+#include "host/preview/preview_screen.hpp"
 #include "host/preview/steady_now.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace kfast {
 namespace {
 
+using Seconds = Viewer::Seconds;
+
 constexpr double redraws_per_second = 60;
+constexpr int looks_at_files = 250; // milliseconds
 
 int milliseconds_to_redraw()
 {
@@ -17,45 +22,81 @@ int milliseconds_to_redraw()
     return std::max(1, static_cast<int>((std::floor(redraws) + 1 - redraws) * 1000 / redraws_per_second));
 }
 
-/// Sleeps until there is something to do. True when the window is to be drawn anew.
-bool take_events(PictureWindow& window, Playback& playback)
+int patience(const Viewer& viewer)
 {
-    const auto events = window.take_events(playback.playing() ? milliseconds_to_redraw() : 1000);
-    for (const PreviewKey key : events.keys)
-        playback.press(key, steady_now());
-    return events.any;
+    if (viewer.is_working())
+        return 0;
+    return viewer.playback().playing() ? milliseconds_to_redraw() : looks_at_files;
 }
 
-void draw(PictureWindow& window, FrameSource& source, const Playback& playback)
-{
-    const auto help = playback.help_open() ? preview_key_help() : std::vector<std::string>{};
-    const Frame& frame = show(source, playback);
-    window.draw(frame, status_of(source, playback), help);
-}
+class PreviewWindow {
+public:
+    PreviewWindow(PictureWindow& window, Viewer& viewer) : window_{window}, viewer_{viewer} {}
 
-void play(PictureWindow& window, FrameSource& source, Playback& playback)
-{
-    draw(window, source, playback);
-    while (!playback.wants_to_quit()) {
-        const Time shown = playback.time();
-        const bool disturbed = take_events(window, playback);
-        playback.advance_to(steady_now());
-        if (disturbed || playback.time() != shown)
-            draw(window, source, playback);
+    void play()
+    {
+        draw();
+        while (!viewer_.wants_to_quit()) {
+            const Time shown = viewer_.playback().time();
+            const bool is_disturbed = take_events();
+            const Seconds now = steady_now();
+            const bool has_changed = viewer_.attend(now) || viewer_.playback().time() != shown;
+            const bool too_soon = viewer_.is_working() && now - drawn_ < Seconds{0.05};
+            if ((is_disturbed || has_changed || screen_.is_outdated(now)) && !too_soon)
+                draw();
+        }
     }
-}
+
+private:
+    void draw()
+    {
+        drawn_ = steady_now();
+        show_title();
+        window_.draw([this](Painter& painter) { screen_.draw(painter, viewer_, drawn_); });
+    }
+
+    void show_title()
+    {
+        std::string title = viewer_.scene().file.filename().string() + " - kfast preview";
+        if (title == title_)
+            return;
+        title_ = std::move(title);
+        window_.set_title(title_);
+    }
+
+    /// Sleeps until there is something to do. True when the window is to be drawn anew.
+    bool take_events()
+    {
+        const auto events = window_.take_events(patience(viewer_));
+        const Seconds now = steady_now();
+        for (const PreviewKey key : events.keys)
+            screen_.press(key, viewer_, now);
+        for (const PointerEvent& event : events.pointer)
+            screen_.touch(event, viewer_, now);
+        if (!events.dropped.empty())
+            viewer_.open(events.dropped.back(), now);
+        if (events.is_closed)
+            viewer_.close();
+        return events.any;
+    }
+
+    PictureWindow& window_;
+    Viewer& viewer_;
+    PreviewScreen screen_;
+    Seconds drawn_{};
+    std::string title_;
+};
 
 }
 
-bool play_in_window(FrameSource& source, const Programme& programme, const std::string& title,
-                    std::optional<int> loops)
+Size first_window_size(Size panel)
 {
-    const auto window = PictureWindow::open(title, source.show(Time{0}).size);
-    if (!window)
-        return false;
-    Playback playback{programme, source.pace(), steady_now(), loops};
-    play(*window, source, playback);
-    return true;
+    constexpr Size usual{960, 720};
+    constexpr Size beside{320, 260};
+    return {std::max(usual.width, panel.width + beside.width),
+            std::max(usual.height, panel.height + beside.height)};
 }
+
+void play_in_window(PictureWindow& window, Viewer& viewer) { PreviewWindow{window, viewer}.play(); }
 
 }

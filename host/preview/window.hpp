@@ -1,15 +1,14 @@
 #pragma once
 
-#include "host/picture/frame_source.hpp"
-#include "host/preview/playback.hpp"
-
-#include <string>
+#include "host/preview/picture_window.hpp"
+#include "host/preview/viewer.hpp"
 
 namespace kfast {
 
-/// Plays a scene in a window until the user closes it or it has played `loops` times. Returns false at once
-/// where there can be no window (PictureWindow::no_window).
-bool play_in_window(FrameSource& source, const Programme& programme, const std::string& title,
-                    std::optional<int> loops);
+/// Room for the picture of usual panels twice as large, with all that is beside it.
+Size first_window_size(Size panel);
+
+/// Plays in a window until the user closes it or it has played as often as it was to.
+void play_in_window(PictureWindow& window, Viewer& viewer);
 
 }

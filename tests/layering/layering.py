@@ -30,8 +30,9 @@ HIDDEN = {
     "FreeType": r"freetype\.h|ft\w+\.h", "libzip": r"zip\.h", "zlib": r"zlib\.h",
 }
 
-# Of one library, what two files hide has nothing to do with each other: windows and sound.
-PARTS = {"SDL": 2}
+# Of one library, what several files hide has nothing to do with each other: windows and sound; the outlines of fonts, the
+# letters of a window and its polygons.
+PARTS = {"SDL": 2, "FreeType": 3}
 
 # Libraries that stay in a few folders.
 WITHIN = {"pugixml": (r"pugi(xml|config)\.hpp", {"host/svg", "host/synfig", "host/xml"})}

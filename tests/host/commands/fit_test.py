@@ -200,7 +200,7 @@ class FitTest(CommandTest):
 
     def test_objects_have_the_names_of_all_that_they_lie_in(self):
         (self.folder / "named.kfast").write_text(NAMED)
-        self.assertIn(self.report("named.kfast", *self.board())["worst"]["object"], ("face/shape", "still/still"))
+        self.assertIn(self.report("named.kfast", *self.board())["worst"]["object"], ("face/eye/shape", "still/still"))
         self.run_kfast("compile", "named.kfast")
         self.assertIn(self.report("named.kfb", *self.board())["worst"]["object"], ("object 1", "object 1/object 1"))
 

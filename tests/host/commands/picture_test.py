@@ -319,7 +319,7 @@ class PreviewTest(CommandTest):
     def test_wrong_usage(self):
         preview = ["preview", "repeat.kfast"]
         self.refuse(*preview, "--keys", "n", status=2, says="--keys requires --headless")
-        self.refuse(*preview, "--headless", "--keys", "n x", status=2, says="'x' is no key")
+        self.refuse(*preview, "--headless", "--keys", "n 7", status=2, says="'7' is no key")
         self.refuse(*preview, "--headless", "--terminal", status=2, says="excludes")
         self.refuse(*preview, "--terminal", "--loops", "0", status=2, says="--loops")
         self.refuse(*preview, "--headless", "--loops", "2", status=2, says="excludes")

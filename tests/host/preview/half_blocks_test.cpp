@@ -41,6 +41,19 @@ TEST_CASE("256 colours take the nearest of cube and greys")
           "\x1b[38;5;196m\x1b[48;5;231m\u2580\x1b[38;5;244m\x1b[48;5;68m\u2580\x1b[0m\n");
 }
 
+TEST_CASE("16 colours take the nearest, dark ones and bright ones")
+{
+    const Picture picture{{2, 2}, {red, {200, 0, 10}, white, {0, 0, 0}}};
+    CHECK(half_blocks(picture, {80, 24}, TerminalColours::palette_16) ==
+          "\x1b[91m\x1b[107m\u2580\x1b[31m\x1b[40m\u2580\x1b[0m\n");
+}
+
+TEST_CASE("without colours characters are as bright as the pixels")
+{
+    const Picture picture{{3, 2}, {black, white, white, black, black, white}};
+    CHECK(half_blocks(picture, {80, 24}, TerminalColours::none) == " =@\n");
+}
+
 TEST_CASE("the last line of an odd picture has no lower half")
 {
     const Picture picture{{1, 1}, {red}};

@@ -366,8 +366,33 @@ TEST_CASE("keys have names")
 {
     CHECK(preview_key("space") == PreviewKey::play_pause);
     CHECK(preview_key("escape") == PreviewKey::quit);
-    CHECK_FALSE(preview_key("x").has_value());
-    CHECK(preview_key_help().front() == "space   play, pause");
+    CHECK_FALSE(preview_key("7").has_value());
+    CHECK(preview_key_help().front() == "space      play, pause; after 'a' the next frame");
+}
+
+TEST_CASE("what plays once can be repeated, what repeats can play once, and either as it was made")
+{
+    Playback state = playback(Loop::once);
+    state.press(PreviewKey::loop, start);
+    CHECK(state.status() == "frame 0  0.000 s  playing  loop always");
+    state.advance_to(after(12.3));
+    CHECK(state.playing());
+    CHECK(state.frame() == 3);
+    state.press(PreviewKey::loop, after(12.3));
+    CHECK(state.status() == "frame 3  0.300 s  playing  loop once");
+    state.advance_to(after(20));
+    CHECK(!state.playing());
+    CHECK(state.time() == Time::frame(10));
+    state.press(PreviewKey::loop, after(20));
+    CHECK(state.loop_choice() == LoopChoice::as_authored);
+    CHECK(state.time() == Time::frame(10));
+}
+
+TEST_CASE("ping-pong stays what it is while it is repeated")
+{
+    Playback state = playback(Loop::ping_pong);
+    state.press(PreviewKey::loop, start);
+    CHECK(state.stretch().loop == Loop::ping_pong);
 }
 
 }

@@ -1,0 +1,64 @@
+#include "host/preview/scene_layers.hpp"
+
+#include "host/preview/previewed_board.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+bool are_equal(const std::vector<InputKnob>& a, const std::vector<InputKnob>& b)
+{
+    return std::ranges::equal(a, b, [](const InputKnob& one, const InputKnob& other) {
+        return one.value == other.value && one.text == other.text;
+    });
+}
+
+}
+
+SceneLayers::SceneLayers(OpenedScene& scene)
+    : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{stage()},
+      skin_{scene.programme.keys, scene.scene.view.colour(0)}
+{
+    if (scene.tell_drawings)
+        scene.tell_drawings(overlays_);
+}
+
+const Overlay& SceneLayers::overlay(const Playback& playback, const ViewOptions& view, double scale)
+{
+    tell_inputs(overlays_, playback);
+    return overlays_.show(playback.time(), view, scale);
+}
+
+std::optional<std::size_t> SceneLayers::item_at(const Playback& playback, PanelSpot spot)
+{
+    tell_inputs(overlays_, playback);
+    return overlays_.item_at(playback.time(), spot);
+}
+
+const Picture& SceneLayers::onion_skin(const Playback& playback)
+{
+    if (!are_equal(skin_inputs_, playback.inputs()) || skin_reveals_travel_ != playback.reveals_travel()) {
+        skin_.forget();
+        skin_inputs_ = playback.inputs();
+        skin_reveals_travel_ = playback.reveals_travel();
+    }
+    tell(*scene_.source, playback);
+    return skin_.show(*scene_.source, playback.time());
+}
+
+std::optional<std::span<const FitLine>> SceneLayers::fit_report()
+{
+    if (fit_ == nullptr)
+        fit_ =
+            std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
+                                       scene_.board ? *scene_.board : previewed_board(stage()), scene_.fit);
+    return fit_->lines();
+}
+
+Stage SceneLayers::stage() const
+{
+    return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.panel_name};
+}
+
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "host/preview/fit_check.hpp"
+#include "host/preview/onion_skin.hpp"
+#include "host/preview/opened_scene.hpp"
+#include "host/preview/overlay_source.hpp"
+#include "host/preview/playback.hpp"
+#include "host/preview/time_table.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kfast {
+
+/// What is shown of a scene besides its pictures.
+class SceneLayers {
+public:
+    /// `scene` must outlive it.
+    explicit SceneLayers(OpenedScene& scene);
+
+    const TimeTable& table() const { return table_; }
+    /// Where `playback` stands, with its inputs; `scale` as in OverlaySource. Valid until the next call.
+    const Overlay& overlay(const Playback& playback, const ViewOptions& view, double scale);
+    std::optional<std::size_t> item_at(const Playback& playback, PanelSpot spot);
+    /// With the key frames before and after it. Likewise.
+    const Picture& onion_skin(const Playback& playback);
+    /// Nothing while it is being made, which the first call begins.
+    std::optional<std::span<const FitLine>> fit_report();
+
+private:
+    Stage stage() const;
+
+    OpenedScene& scene_;
+    TimeTable table_;
+    OverlaySource overlays_;
+    OnionSkin skin_;
+    std::vector<InputKnob> skin_inputs_; ///< with which the skin's pictures were made
+    bool skin_reveals_travel_ = false;   ///< likewise
+    std::unique_ptr<FitCheck> fit_;
+};
+
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "host/picture/picture.hpp"
+#include "host/preview/terminal_colours.hpp"
+
+#include <span>
+#include <string>
+
+namespace kfast {
+
+/// What a preview shows in a terminal.
+struct TerminalContent {
+    const Picture& picture;
+    std::string status;
+    std::string notice;
+    std::span<const std::string> errors; ///< below the picture, with as many lines as there is space for
+    std::span<const std::string> help;   ///< over the picture, likewise
+};
+
+struct TerminalText {
+    std::string text;
+    int lines = 0; ///< that the cursor goes down
+};
+
+/// It for a terminal of `cells` characters, from the beginning of a line: the picture and the lines below it,
+/// at most cells.height - 1 in all where that is 4 or more. What stood there before goes away.
+TerminalText terminal_text(const TerminalContent& content, Size cells, TerminalColours colours);
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kfast {
+
+/// How many columns a line of UTF-8 takes in a window.
+int columns_of(std::string_view text);
+
+/// As much as goes into so many columns; where something is left out, it ends in "…". Empty if there is no
+/// column.
+std::string cut(std::string_view text, int columns);
+
+/// Lines of at most so many columns, at least 1, broken at spaces where that is possible. The lines after
+/// the first begin with as many spaces as the text does.
+std::vector<std::string> wrapped(std::string_view text, int columns);
+
+}

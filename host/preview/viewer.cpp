@@ -1,0 +1,383 @@
+#include "host/preview/viewer.hpp"
+
+#include "host/counted.hpp"
+#include "host/failure.hpp"
+#include "host/picture/png.hpp"
+#include "host/preview/output_name.hpp"
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream rest{text};
+    for (std::string line; std::getline(rest, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+FileWatch watch_on(const OpenedScene& scene)
+{
+    std::vector<fs::path> files{scene.file};
+    files.insert(files.end(), scene.also_read.begin(), scene.also_read.end());
+    return FileWatch{std::move(files)};
+}
+
+std::unique_ptr<Playback> played(const OpenedScene& scene, Viewer::Seconds now, std::optional<int> loops)
+{
+    return std::make_unique<Playback>(scene.programme, scene.source->pace(), now, loops);
+}
+
+std::vector<Time> moments_of(const Timeline& timeline)
+{
+    std::vector<Time> moments;
+    for (int frame = 0; frame < timeline.frame_count(); ++frame)
+        moments.push_back(timeline.frame_time(frame));
+    return moments;
+}
+
+/// Whether `key` makes other pictures of the frames than those that were generated.
+bool changes_frames(PreviewKey key)
+{
+    switch (key) {
+    case PreviewKey::next_clip:
+    case PreviewKey::previous_clip:
+    case PreviewKey::more_input:
+    case PreviewKey::less_input:
+    case PreviewKey::loop:
+    case PreviewKey::travel:
+        return true;
+    default:
+        return false;
+    }
+}
+
+std::string frame_number(int frame)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "-%04d", frame);
+    return text;
+}
+
+}
+
+Viewer::Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now, std::optional<int> loops)
+    : opener_{std::move(opener)}, loops_{loops}
+{
+    watch_.emplace(watch_on(*scene));
+    auto playback = played(*scene, now, loops);
+    put(std::move(scene), std::move(playback));
+}
+
+Viewer::~Viewer() = default;
+
+void Viewer::press(PreviewKey key, Seconds now)
+{
+    if (is_working())
+        return stop_work();
+    notice_.clear();
+    if (changes_frames(key))
+        all_frames_.reset();
+    const bool steps = all_frames_ && key == PreviewKey::play_pause;
+    playback_->press(steps ? PreviewKey::next_frame : key, now);
+    kfast::press(view_, key);
+    act(key, now);
+}
+
+void Viewer::act(PreviewKey key, Seconds now)
+{
+    switch (key) {
+    case PreviewKey::read_file:
+        return ask_for_file(now);
+    case PreviewKey::all_frames:
+        return generate_all_frames();
+    case PreviewKey::next_item:
+        return step_selection(1);
+    case PreviewKey::previous_item:
+        return step_selection(-1);
+    case PreviewKey::screenshot:
+        return write_screenshot();
+    case PreviewKey::gif:
+        return begin_gif();
+    default: // of the playback or the view
+        return;
+    }
+}
+
+bool Viewer::attend(Seconds now)
+{
+    playback_->advance_to(now);
+    if (is_working()) {
+        go_on_working();
+        return true;
+    }
+    const bool has_chosen = take_chosen_file(now);
+    const bool has_read = reload_if_changed(now);
+    return has_chosen || has_read;
+}
+
+void Viewer::scrub(Time moment) { playback_->scrub(moment); }
+
+void Viewer::select(std::optional<std::size_t> item) { view_.selected = item; }
+
+void Viewer::close()
+{
+    stop_work();
+    is_closed_ = true;
+}
+
+/// Null if that fails; then errors() says why.
+std::unique_ptr<OpenedScene> Viewer::opened(const fs::path& file)
+{
+    errors_.clear();
+    try {
+        return opener_(file);
+    } catch (const std::exception& failure) { // whatever it is, what is open can go on
+        errors_ = lines_of(failure.what());
+        return nullptr;
+    }
+}
+
+void Viewer::put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<Playback> playback)
+{
+    stop_work();
+    all_frames_.reset();
+    failed_.reset();
+    playback_ = std::move(playback);
+    layers_.reset();
+    scene_ = std::move(scene);
+    layers_ = std::make_unique<SceneLayers>(*scene_);
+    if (const auto warnings = lines_of(scene_->warnings); !warnings.empty())
+        notice_ = warnings.front();
+}
+
+void Viewer::open(const fs::path& file, Seconds now)
+{
+    stop_work();
+    notice_.clear();
+    FileWatch watch{{file}};
+    auto scene = opened(file);
+    if (scene == nullptr) {
+        failed_ = file;
+        failed_watch_ = std::move(watch);
+        return;
+    }
+    auto playback = played(*scene, now, loops_);
+    playback->close_help();
+    view_.selected.reset();
+    watch_.emplace(scene->also_read.empty() ? std::move(watch) : watch_on(*scene));
+    put(std::move(scene), std::move(playback));
+}
+
+void Viewer::reload(Seconds now)
+{
+    auto scene = opened(scene_->file);
+    if (scene == nullptr)
+        return;
+    auto playback = played(*scene, now, loops_);
+    playback->continue_from(*playback_, now);
+    const std::string selected{selected_name()};
+    notice_ = scene->file.filename().string() + " is read again";
+    put(std::move(scene), std::move(playback));
+    select_by_name(selected);
+}
+
+bool Viewer::reload_if_changed(Seconds now)
+{
+    if (failed_ && failed_watch_->has_changed(now)) {
+        open(fs::path{*failed_}, now);
+        return true;
+    }
+    if (!watch_->has_changed(now))
+        return false;
+    reload(now);
+    return true;
+}
+
+void Viewer::ask_for_file(Seconds now)
+{
+    if (chooser_ == nullptr)
+        return open(fs::path{scene_->file}, now);
+    try {
+        if (!chooser_->is_asking())
+            chooser_->ask(scene_->file.parent_path());
+        notice_ = "choose a file in the dialogue";
+    } catch (const Failure& failure) {
+        notice_ = failure.what();
+    }
+}
+
+bool Viewer::take_chosen_file(Seconds now)
+{
+    if (chooser_ == nullptr || !chooser_->is_asking())
+        return false;
+    const auto file = chooser_->take_answer();
+    if (!chooser_->is_asking())
+        notice_.clear();
+    if (file)
+        open(*file, now);
+    return !chooser_->is_asking();
+}
+
+std::string_view Viewer::selected_name() const
+{
+    const auto& rows = time_table().rows;
+    const auto row = std::ranges::find(rows, view_.selected, &TimeRow::item);
+    return row == rows.end() ? std::string_view{} : row->name;
+}
+
+void Viewer::select_by_name(const std::string& name)
+{
+    view_.selected.reset();
+    const auto& rows = time_table().rows;
+    const auto row = std::ranges::find(rows, name, &TimeRow::name);
+    if (row != rows.end() && !name.empty())
+        view_.selected = row->item;
+}
+
+/// Past either end nothing is selected.
+void Viewer::step_selection(int direction)
+{
+    const auto& rows = time_table().rows;
+    const auto count = static_cast<std::ptrdiff_t>(rows.size());
+    const auto here = std::ranges::find(rows, view_.selected, &TimeRow::item) - rows.begin();
+    const std::ptrdiff_t next = (here + direction + count + 1) % (count + 1);
+    view_.selected = next == count ? std::nullopt : std::optional{rows[static_cast<std::size_t>(next)].item};
+}
+
+const FrameCollection* Viewer::frames_in_work() const
+{
+    return all_frames_ && !all_frames_->is_complete() ? &*all_frames_ : nullptr;
+}
+
+std::optional<double> Viewer::progress() const
+{
+    if (gif_ != nullptr)
+        return gif_->percent() / 100.0;
+    if (const FrameCollection* frames = frames_in_work())
+        return static_cast<double>(frames->done()) / static_cast<double>(frames->total());
+    return std::nullopt;
+}
+
+void Viewer::stop_work()
+{
+    if (!is_working())
+        return;
+    notice_ = gif_ != nullptr ? "stopped: no GIF is written" : "stopped: not all frames are generated";
+    gif_.reset();
+    if (frames_in_work() != nullptr)
+        all_frames_.reset();
+}
+
+/// Else the notice says why not.
+bool Viewer::fits_in_memory(std::size_t frames)
+{
+    const std::size_t bytes = frame().pixels.size() * frames;
+    if (bytes <= FrameCollection::most_bytes)
+        return true;
+    notice_ = counted(frames, "frame") + " would need " + std::to_string(bytes >> 20) +
+              " MB of memory, and " + std::to_string(FrameCollection::most_bytes >> 20) +
+              " are the most: choose a clip (c) or a smaller --size";
+    return false;
+}
+
+void Viewer::generate_all_frames()
+{
+    if (all_frames_) {
+        all_frames_.reset();
+        return;
+    }
+    std::vector<Time> moments = moments_of(playback_->timeline());
+    if (!fits_in_memory(moments.size()))
+        return;
+    playback_->scrub(playback_->time());
+    all_frames_.emplace(std::move(moments));
+}
+
+void Viewer::begin_gif()
+{
+    const std::string& clip = playback_->part().name;
+    const fs::path target = new_output_name(scene_->file, clip.empty() ? "" : '-' + plain_name(clip), ".gif");
+    auto gif = std::make_unique<GifWriting>(target, playback_->timeline());
+    if (fits_in_memory(gif->frames()))
+        gif_ = std::move(gif);
+}
+
+void Viewer::go_on_working()
+{
+    tell(*scene_->source, *playback_);
+    if (gif_ == nullptr) {
+        all_frames_->add_next(*scene_->source);
+        notice_ = all_frames_->is_complete()
+                      ? counted(all_frames_->total(), "frame") + ": space steps, 'a' ends that"
+                      : "frame " + std::to_string(all_frames_->done()) + " of " +
+                            std::to_string(all_frames_->total()) + ": any key stops that";
+        return;
+    }
+    try {
+        notice_ = "writing " + gif_->target().string() + ": " + std::to_string(gif_->percent()) +
+                  " %, any key stops that";
+        if (gif_->go_on(*scene_->source)) {
+            notice_ = gif_->target().string() + " is written";
+            gif_.reset();
+        }
+    } catch (const Failure& failure) {
+        notice_ = failure.what();
+        gif_.reset();
+    }
+}
+
+void Viewer::write_screenshot()
+{
+    try {
+        const fs::path target = new_output_name(scene_->file, frame_number(playback_->frame()), ".png");
+        write_png(target, widen(frame()));
+        notice_ = target.string() + " is written";
+    } catch (const Failure& failure) {
+        notice_ = failure.what();
+    }
+}
+
+const Frame& Viewer::frame()
+{
+    const Frame* drawn = all_frames_ ? all_frames_->at(playback_->time()) : nullptr;
+    return drawn != nullptr ? *drawn : show(*scene_->source, *playback_);
+}
+
+const Picture& Viewer::picture()
+{
+    if (view_.onion_skin)
+        return layers_->onion_skin(*playback_);
+    picture_ = widen(frame());
+    return picture_;
+}
+
+const Overlay& Viewer::overlay(double scale) { return layers_->overlay(*playback_, view_, scale); }
+
+std::optional<std::span<const FitLine>> Viewer::fit_report()
+{
+    return view_.fit_report ? layers_->fit_report() : std::nullopt;
+}
+
+std::optional<std::size_t> Viewer::item_at(PanelSpot spot) { return layers_->item_at(*playback_, spot); }
+
+std::string Viewer::status() const
+{
+    std::string status = status_of(*scene_->source, *playback_);
+    if (all_frames_ && all_frames_->is_complete())
+        status += "  all frames";
+    if (view_.selected)
+        status += "  selected " + visible(selected_name());
+    return status + in_words(view_);
+}
+
+}

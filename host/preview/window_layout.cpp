@@ -1,0 +1,37 @@
+#include "host/preview/window_layout.hpp"
+
+#include "host/preview/painter.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr int status_height = Painter::letter.height + 8;
+constexpr int roomy_width = 620; // of a window in which a side panel leaves enough to the picture
+
+int side_width(Size window, const WindowWishes& wishes)
+{
+    if (!wishes.side_at_any_width && (!wishes.side || window.width < roomy_width))
+        return 0;
+    return std::min(window.width / 2, std::clamp(window.width * 3 / 10, 200, 340));
+}
+
+}
+
+Size window_around(Size picture) { return {picture.width, picture.height + status_height}; }
+
+WindowLayout window_layout(Size window, const WindowWishes& wishes)
+{
+    const int status = std::min(status_height, window.height);
+    const int above = window.height - status;
+    const int time_line = std::clamp(wishes.time_line_height, 0, above * 2 / 5);
+    const int upper = above - time_line;
+    const int side = side_width(window, wishes);
+    return {.picture = {0, 0, window.width - side, upper},
+            .side = {window.width - side, 0, side, upper},
+            .time_line = {0, upper, window.width, time_line},
+            .status = {0, above, window.width, status}};
+}
+
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "host/failure.hpp"
+#include "host/picture/player_source.hpp"
+#include "host/preview/opened_scene.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace kfast::test {
+
+/// As a preview opens a scene file, on a panel of the size of its canvas.
+inline std::unique_ptr<OpenedScene> open_scene(const std::filesystem::path& file)
+{
+    std::ostringstream found;
+    try {
+        SceneFile scene = load_scene(file, {}, found);
+        const SceneView view = scene.view;
+        auto source = std::make_unique<PlayerSource>(view, view.canvas(), Fit::contain, PixelFormat::rgb565);
+        return std::make_unique<OpenedScene>(OpenedScene{.file = file,
+                                                         .scene = std::move(scene),
+                                                         .source = std::move(source),
+                                                         .programme = programme_of(view),
+                                                         .panel = view.canvas(),
+                                                         .warnings = found.str()});
+    } catch (const Failure& failure) {
+        throw Failure(found.str() + failure.what());
+    }
+}
+
+}

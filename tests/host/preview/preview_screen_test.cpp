@@ -1,0 +1,246 @@
+#include "host/preview/preview_screen.hpp"
+
+#include "host/preview/raster_painter.hpp"
+#include "host/preview/snapshot.hpp"
+#include "host/preview/theme.hpp"
+#include "tests/host/preview/opened_scenes.hpp"
+#include "tests/host/preview/recording_painter.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <fstream>
+#include <initializer_list>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kfast::test {
+namespace {
+
+using Kind = PointerEvent::Kind;
+
+/// Two objects beside each other; as many frames as the time line of a window has room for.
+constexpr const char* two_halves = R"(kfast 1
+canvas 20 20 fps=10 frames=100
+input gaze min=-1 max=1
+clip blink from=40 to=80
+event 10 step
+object left fill="#ff0000" {
+    key 0 { rect 0 0 10 20 }
+    key 50 { rect 0 0 9 20 }
+}
+object right fill="#00ff00" {
+    key 0 { rect 10 0 10 20 }
+    track opacity input=gaze { at -1 1; at 1 0.5 }
+}
+)";
+
+/// A preview in a window that somebody uses with a mouse.
+struct Window {
+    Window()
+    {
+        viewer.press(PreviewKey::help, now); // closes it
+        viewer.scrub(Time{0});
+        draw();
+    }
+
+    const RecordingPainter& draw(Size size = {900, 600})
+    {
+        painter = RecordingPainter{size};
+        screen.draw(painter, viewer, now);
+        return painter;
+    }
+    void touch(Kind kind, int x, int y, int wheel = 0) { screen.touch({kind, x, y, wheel}, viewer, now); }
+    void drag(std::initializer_list<std::pair<int, int>> way)
+    {
+        const auto [first_x, first_y] = *way.begin();
+        touch(Kind::press, first_x, first_y);
+        for (const auto& [x, y] : way)
+            touch(Kind::move, x, y);
+        const auto [last_x, last_y] = *(way.end() - 1);
+        touch(Kind::release, last_x, last_y);
+    }
+    void click(int x, int y) { drag({{x, y}}); }
+    bool has_text(const char* text) const { return painter.find(text) != nullptr; }
+    TimeLine time_line() const
+    {
+        const int height = TimeLine::wanted_height(viewer.time_table());
+        return {viewer.time_table(), {0, 576 - height, 900, height}};
+    }
+    int frame() const { return viewer.playback().frame(); }
+    std::string selected() const { return std::string{viewer.selected_name()}; }
+
+    TemporaryFolder folder;
+    bool is_written = (std::ofstream{folder / "halves.kfast"} << two_halves, true);
+    Viewer::Seconds now{1000};
+    Viewer viewer{open_scene, open_scene(folder / "halves.kfast"), now};
+    PreviewScreen screen;
+    RecordingPainter painter{{1, 1}};
+};
+
+WindowSpot middle_of(Rect area) { return {area.x + area.width / 2.0, area.y + area.height / 2.0}; }
+
+}
+
+TEST_CASE("a window shows the picture, the scene's facts, the time line and the status")
+{
+    Window window;
+    REQUIRE(window.painter.pictures.size() == 1);
+    const Rect picture = window.painter.pictures[0];
+    CHECK(picture.width % 20 == 0);
+    CHECK(picture.width == picture.height);
+    for (const char* text : {"halves.kfast", "20 x 20", "100 at 10/s", "10 s", "gaze", "left", "right",
+                             "blink", "step", "nothing: click, or press tab"})
+        CHECK_MESSAGE(window.has_text(text), text);
+}
+
+TEST_CASE("a window of any size can be drawn, with everything in it")
+{
+    Window window;
+    for (const PreviewKey key : {PreviewKey::bones, PreviewKey::numbers, PreviewKey::panel_frame,
+                                 PreviewKey::onion_skin, PreviewKey::changed_areas, PreviewKey::help})
+        window.screen.press(key, window.viewer, window.now);
+    for (const Size size : window_sizes())
+        CHECK(window.draw(size).pictures.size() == 1);
+}
+
+TEST_CASE("a click on the picture selects what is under it, and beside it nothing")
+{
+    Window window;
+    const Rect picture = window.painter.pictures[0];
+    window.click(picture.x + 5, picture.y + 5);
+    CHECK(window.selected() == "left");
+    window.click(right_of(picture) - 5, picture.y + 5);
+    CHECK(window.selected() == "right");
+    window.draw();
+    CHECK(window.has_text("right"));
+    window.click(picture.x - 5, picture.y + 5);
+    CHECK(window.selected().empty());
+}
+
+TEST_CASE("dragging along the ruler scrubs frame by frame")
+{
+    Window window;
+    const TimeLine line = window.time_line();
+    const int y = line.ruler().y + 10;
+    const auto x = [&](int frame) { return static_cast<int>(line.x_of(Time::frame(frame))); };
+    window.touch(Kind::press, x(20), y);
+    CHECK(window.frame() == 20);
+    CHECK_FALSE(window.viewer.playback().playing());
+    for (const int frame : {21, 40, 7}) {
+        window.touch(Kind::move, x(frame), y + 300);
+        CHECK(window.viewer.playback().time() == Time::frame(frame));
+    }
+    window.touch(Kind::move, -100, y);
+    CHECK(window.frame() == 0);
+    window.touch(Kind::release, -100, y);
+    window.touch(Kind::move, x(50), y);
+    CHECK(window.frame() == 0);
+}
+
+TEST_CASE("a click on a row selects it, one on a key goes to it as well")
+{
+    Window window;
+    const TimeLine line = window.time_line();
+    const auto row_of = [&](const char* name) {
+        std::size_t row = 0;
+        while (line.table().rows[row].name != name)
+            ++row;
+        return row;
+    };
+    const Rect left = line.row(row_of("left"));
+    window.click(5, left.y + 5);
+    CHECK(window.selected() == "left");
+    CHECK(window.frame() == 0);
+    window.click(static_cast<int>(line.x_of(Time::frame(50))) + 2, left.y + 5);
+    CHECK(window.frame() == 50);
+    const Rect right = line.row(row_of("right"));
+    window.click(static_cast<int>(line.x_of(Time::frame(70))), right.y + 5);
+    CHECK(window.selected() == "right");
+    CHECK(window.frame() == 50);
+}
+
+TEST_CASE("the wheel zooms at the pointer, and dragging pans what is larger than the pane")
+{
+    Window window;
+    const Rect before = window.painter.pictures[0];
+    for (int i = 0; i < 8; ++i)
+        window.touch(Kind::wheel, before.x + 10, before.y + 10, 1);
+    window.draw();
+    const Rect large = window.painter.pictures[0];
+    CHECK(large.width > 1000);
+    window.drag({{200, 200}, {150, 150}, {100, 180}});
+    window.draw();
+    CHECK(window.painter.pictures[0].x == large.x - 100);
+    CHECK(window.painter.pictures[0].y == large.y - 20);
+    CHECK(window.selected().empty());
+    for (int i = 0; i < 20 && window.painter.pictures[0].width > before.width; ++i) {
+        window.touch(Kind::wheel, 300, 200, -1);
+        window.draw();
+    }
+    CHECK(window.painter.pictures[0] == before);
+    CHECK(window.viewer.view().zoom == 0);
+}
+
+TEST_CASE("the keys zoom from what is seen on")
+{
+    Window window;
+    const int before = window.painter.pictures[0].width / 20;
+    window.screen.press(PreviewKey::zoom_in, window.viewer, window.now);
+    window.draw();
+    CHECK(window.painter.pictures[0].width / 20 > before);
+    window.screen.press(PreviewKey::zoom_out, window.viewer, window.now);
+    window.draw();
+    CHECK(window.painter.pictures[0].width / 20 <= before);
+}
+
+TEST_CASE("a click closes the help and does nothing else")
+{
+    Window window;
+    window.viewer.press(PreviewKey::help, window.now);
+    REQUIRE(window.viewer.playback().help_open());
+    const WindowSpot middle = middle_of(window.painter.pictures[0]);
+    window.click(static_cast<int>(middle.x), static_cast<int>(middle.y));
+    CHECK_FALSE(window.viewer.playback().help_open());
+    CHECK(window.selected().empty());
+}
+
+TEST_CASE("a notice goes away after a while, errors stay until the file is good")
+{
+    Window window;
+    std::ofstream{window.folder / "bad.kfast"} << "kfast 1\nnonsense";
+    window.viewer.open(window.folder / "bad.kfast", window.now);
+    window.viewer.press(PreviewKey::screenshot, window.now);
+    const std::string notice = window.viewer.notice();
+    REQUIRE_FALSE(notice.empty());
+    const auto shows_notice = [&] {
+        window.draw({4000, 600}); // so that the path is not cut
+        return window.has_text(notice.c_str());
+    };
+    CHECK(shows_notice());
+    CHECK_FALSE(window.screen.is_outdated(window.now));
+    window.now += Viewer::Seconds{5};
+    CHECK(window.screen.is_outdated(window.now));
+    CHECK_FALSE(shows_notice());
+    CHECK_FALSE(window.screen.is_outdated(window.now));
+    CHECK(std::ranges::count(window.painter.texts, theme::bad, &RecordingPainter::Text::colour) > 0);
+}
+
+TEST_CASE("a snapshot is the window after a script")
+{
+    Window window;
+    std::ostringstream out;
+    const std::vector<ScriptStep> script{*script_step("select=left"), *script_step("frame=50")};
+    const Picture picture = snapshot(window.viewer, script, {640, 480}, out);
+    CHECK(picture.size == Size{640, 480});
+    CHECK(window.frame() == 50);
+    CHECK(out.str().find("frame 50") != std::string::npos);
+    RasterPainter painter;
+    painter.begin({640, 480});
+    window.screen.draw(painter, window.viewer, window.now);
+    CHECK(painter.drawn().pixels == picture.pixels);
+}
+
+}
