@@ -74,6 +74,7 @@ bool takes_at_rest(const scene::Drawing& drawing, const scene::Drawing& at_rest)
 scene::Stroke row_of(int points)
 {
     std::vector<scene::Point> at;
+    at.reserve(static_cast<std::size_t>(points));
     for (int i = 0; i < points; ++i)
         at.push_back({static_cast<std::int16_t>(16 * i), static_cast<std::int16_t>(i % 2)});
     return polyline_of(at);
@@ -98,6 +99,7 @@ bool takes_backbones(int unit_bits, const std::vector<RawBackboneKey>& list)
 {
     CarriedScene scene;
     std::vector<RawKey> keys;
+    keys.reserve(list.size());
     for (const RawBackboneKey& key : list)
         keys.push_back({{key.ticks}, key.laws, scene.drawings.add(key.drawing)});
     const Bytes carrier = joined({bytes({0, unit_bits}), key_bytes(keys)});
