@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import unittest
 
-from command_case import KFAST, CommandTest
+from command_case import CommandTest
 
 PRINT = "COMP_WORDS=({words})\nCOMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n_kfast\nprintf '%s\\n' \"${{COMPREPLY[@]}}\"\n"
 

@@ -4,9 +4,7 @@ place of ffmpeg tells what it is given: render_test.py <kfast> <rsvg-convert> <f
 import fractions
 import json
 import os
-import pathlib
 import pty
-import re
 import shutil
 import signal
 import subprocess
