@@ -36,7 +36,9 @@ Owned<T> owned(T* made)
 /// Without a display SDL falls back to drawing where nobody sees it, unless it was told to.
 bool is_seen(std::string_view driver)
 {
-    return std::getenv("SDL_VIDEODRIVER") != nullptr || (driver != "offscreen" && driver != "dummy");
+    const char* wanted = std::getenv("SDL_VIDEODRIVER");
+    const bool is_wanted = wanted != nullptr && *wanted != '\0';
+    return is_wanted || (driver != "offscreen" && driver != "dummy");
 }
 
 /// The video part of SDL, which alone knows whether there is a display.

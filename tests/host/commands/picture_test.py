@@ -297,7 +297,7 @@ class PreviewTest(CommandTest):
         self.assertTrue(written.endswith("\x1b[0m\x1b[?25h"))
 
     def test_no_display_falls_back_to_the_terminal(self):
-        nowhere = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "ASAN_OPTIONS": "detect_leaks=0"}
+        nowhere = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "SDL_VIDEODRIVER": "", "ASAN_OPTIONS": "detect_leaks=0"}
         result = self.run_kfast("preview", "repeat.kfast", environment=nowhere)
         self.assertIn("there is no display", result.stderr)
         self.assertIn("\u2580", result.stdout)
