@@ -17,16 +17,23 @@ def player_bytes(image):
     return sections(image)[".text"]
 
 
+def stored_segments(image):
+    """(address where it runs, address where it is stored, bytes) of what a board's image stores."""
+    listing = subprocess.run(["arm-none-eabi-readelf", "-lW", image], check=True, stdout=subprocess.PIPE, text=True,
+                             timeout=60).stdout
+    rows = [line.split() for line in listing.splitlines() if line.split()[:1] == ["LOAD"]]
+    return [tuple(int(row[column], 16) for column in (2, 3, 4)) for row in rows]
+
+
 def flash_bytes(image):
     """All that is stored of a board's image."""
-    found = sections(image)
-    return sum(found.get(name, 0) for name in (".vectors", ".text", ".ARM.exidx", ".data"))
+    return sum(stored for _, _, stored in stored_segments(image))
 
 
 def static_bytes(image):
-    """RAM that is given away when the image is linked."""
-    found = sections(image)
-    return found.get(".data", 0) + found.get(".bss", 0)
+    """RAM that is given away when the image is linked: what is copied there, code too, and what begins as zeros."""
+    copied = sum(stored for runs_at, stored_at, stored in stored_segments(image) if runs_at != stored_at)
+    return copied + sections(image).get(".bss", 0)
 
 
 def symbol(image, name):

@@ -2,7 +2,8 @@
 
     image_table.py <folder of builds> <kfast> [--record]
 
-An image that takes more than 1 % more flash, 64 bytes more RAM or 64 bytes more stack fails. So does one that takes 5 %
+An image that takes more than 1 % more flash, 64 bytes more RAM or 64 bytes more stack fails; on a Pico, whose code runs in
+RAM, it may take 1 % more of that, too. So does one that takes 5 %
 less flash, since what is recorded would hide growth then. --record keeps the figures, and writes them into
 docs/benchmarks.md.
 """
@@ -54,7 +55,8 @@ def complaints(recorded, found):
             continue
         for what, bytes_before in recorded[name].items():
             now = found[name].get(what)
-            slack = bytes_before // 100 if what == "flash" else SLACK_BYTES
+            has_code = what == "flash" or (what == "ram" and name.startswith("pico"))
+            slack = bytes_before // 100 if has_code else SLACK_BYTES
             if now is None or now > bytes_before + slack:
                 lines.append(f"{name}: {what}: {now} bytes instead of {bytes_before}")
             elif what == "flash" and now < bytes_before * 95 // 100:
