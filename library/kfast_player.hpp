@@ -1,13 +1,13 @@
 /* KFAST for sketches and other programs in C++11 or later: begin, update, draw.
  *
- *     KfastPlayer<robot_eyes_block_bytes> eyes;
+ *     KfastPlayer<robot_eyes_block_bytes> player;
  *     std::uint16_t pixels[4096];
  *
- *     void setup() { eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height); }
+ *     void setup() { player.begin(robot_eyes, robot_eyes_width, robot_eyes_height); }
  *     void loop()
  *     {
- *         if (eyes.update(millis()))
- *             eyes.draw(pixels, draw_rectangle);
+ *         if (player.update(millis()))
+ *             player.draw(pixels, draw_rectangle);
  *     }
  *
  * `kfast export --header` writes robot_eyes and the constants. It stands on kfast.h, which says the rest. */

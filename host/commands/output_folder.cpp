@@ -10,7 +10,7 @@ void make_output_folder(const std::filesystem::path& folder)
     std::filesystem::create_directories(folder, error);
     if (error)
         throw Failure("cannot make the folder " + folder.string() + ": " + error.message() +
-                      ": choose another with -o");
+                      ": choose another");
 }
 
 }

@@ -75,14 +75,9 @@ void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source
         put(widen(source.show(moments[done].time)), sheet, place.x, place.y);
     }
     const std::string json = sheet_json(target.filename().string(), sheet, grid, moments, timeline);
+    // The list first: what fails, most likely fails here, and then an older sheet stays as it was.
+    write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
     write_png(target, sheet);
-    try {
-        write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
-    } catch (...) {
-        std::error_code ignored;
-        std::filesystem::remove(target, ignored); // of little use alone
-        throw;
-    }
 }
 
 }

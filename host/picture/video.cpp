@@ -57,21 +57,15 @@ std::vector<std::string> encoder(VideoKind kind)
 std::vector<std::string> arguments(VideoKind kind, Size size, std::uint32_t frame_rate,
                                    const std::string& output)
 {
-    std::vector<std::string> words{"ffmpeg",
-                                   "-hide_banner",
-                                   "-loglevel",
-                                   "error",
-                                   "-nostats",
-                                   "-f",
-                                   "rawvideo",
-                                   "-pix_fmt",
-                                   "rgb24",
-                                   "-video_size",
-                                   std::to_string(size.width) + 'x' + std::to_string(size.height),
-                                   "-framerate",
-                                   rate_text(frame_rate),
-                                   "-i",
-                                   "pipe:0"};
+    std::vector<std::string> words{
+        "ffmpeg",      "-hide_banner",
+        "-loglevel",   "error",
+        "-xerror",     "-nostats",
+        "-f",          "rawvideo",
+        "-pix_fmt",    "rgb24",
+        "-video_size", std::to_string(size.width) + 'x' + std::to_string(size.height),
+        "-framerate",  rate_text(frame_rate),
+        "-i",          "pipe:0"};
     for (const std::string& word : encoder(kind))
         words.push_back(word);
     words.insert(words.end(), {"-y", output});

@@ -131,7 +131,9 @@ void VideoPipe::write(std::span<const std::byte> bytes)
 void VideoPipe::finish()
 {
     ::close(std::exchange(pipe_, -1));
-    if (const int status = wait(); !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    const int status = wait();
+    // It may end well and have told that it could not write all.
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || told_anything())
         throw not_made(target_, "ffmpeg failed" + told());
 }
 
@@ -150,6 +152,12 @@ void VideoPipe::fail()
     ::close(std::exchange(pipe_, -1));
     wait();
     throw not_made(target_, "ffmpeg ended before it had all pictures" + told());
+}
+
+bool VideoPipe::told_anything() const
+{
+    std::fseek(messages_.get(), 0, SEEK_END);
+    return std::ftell(messages_.get()) > 0;
 }
 
 std::string VideoPipe::told() const

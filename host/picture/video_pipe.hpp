@@ -38,6 +38,7 @@ private:
     void start(int input, int descriptor, const std::vector<std::string>& words);
     int wait();
     [[noreturn]] void fail();
+    bool told_anything() const;
     std::string told() const;
 
     std::filesystem::path target_;

@@ -1,6 +1,7 @@
 #include "host/preview/fit_check.hpp"
 
 #include <atomic>
+#include <exception>
 #include <thread>
 #include <utility>
 
@@ -29,7 +30,10 @@ private:
             lines_ = made_lines(stop);
             is_done_ = true;
         } catch (const fit::FitStopped&) {
-            return; // nobody asks any more
+            return;                               // nobody asks any more
+        } catch (const std::exception& failure) { // such as no memory: nobody else would catch it
+            lines_ = {{failure.what(), FitLine::Verdict::bad}};
+            is_done_ = true;
         }
     }
 

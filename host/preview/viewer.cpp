@@ -122,7 +122,8 @@ bool Viewer::attend(Seconds now)
     }
     const bool has_chosen = take_chosen_file(now);
     const bool has_read = reload_if_changed(now);
-    return has_chosen || has_read;
+    const bool had_report = std::exchange(has_report_, fit_report().has_value());
+    return has_chosen || has_read || has_report_ != had_report;
 }
 
 void Viewer::scrub(Time moment) { playback_->scrub(moment); }
@@ -180,6 +181,7 @@ void Viewer::open(const fs::path& file, Seconds now)
 
 void Viewer::reload(Seconds now)
 {
+    notice_.clear();
     auto scene = opened(scene_->file);
     if (scene == nullptr)
         return;
@@ -296,7 +298,9 @@ void Viewer::generate_all_frames()
         all_frames_.reset();
         return;
     }
-    std::vector<Time> moments = moments_of(playback_->timeline());
+    Timeline timeline = playback_->timeline();
+    timeline.speed = Playhead::as_authored; // as space steps
+    std::vector<Time> moments = moments_of(timeline);
     if (!fits_in_memory(moments.size()))
         return;
     playback_->scrub(playback_->time());
@@ -330,7 +334,7 @@ void Viewer::go_on_working()
             notice_ = gif_->target().string() + " is written";
             gif_.reset();
         }
-    } catch (const Failure& failure) {
+    } catch (const std::exception& failure) { // the scene goes on
         notice_ = failure.what();
         gif_.reset();
     }

@@ -122,6 +122,7 @@ private:
     Picture picture_;
     std::vector<std::string> errors_;
     std::string notice_;
+    bool has_report_ = false; ///< one that is wanted is made, as attend() saw it last
     bool is_closed_ = false;
 };
 

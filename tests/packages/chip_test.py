@@ -48,7 +48,7 @@ class Chip(unittest.TestCase):
         refused = subprocess.run([CXX, *FLAGS, "-std=gnu++17", "-I", self.library / "src", "-c",
                                   self.library / "src/core/player.cpp", "-o", self.folder / "none.o"], capture_output=True, text=True)
         self.assertNotEqual(0, refused.returncode)
-        self.assertIn("-std=gnu++20", refused.stderr)
+        self.assertIn("-std=gnu++2a", refused.stderr)
         self.assertEqual(1, refused.stderr.count("error:"))
 
 

@@ -8,7 +8,7 @@
 const int button_pin = 14;
 
 TFT_eSPI tft;
-KfastPlayer<robot_eyes_block_bytes> eyes;
+KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width];
 bool was_pressed = false;
 
@@ -23,18 +23,18 @@ void setup()
     pinMode(button_pin, INPUT_PULLUP);
     tft.init();
     tft.setSwapBytes(true);
-    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
-        Serial.println(eyes.error());
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(player.error());
 }
 
 void loop()
 {
     const bool is_pressed = digitalRead(button_pin) == LOW;
     if (is_pressed && !was_pressed)
-        eyes.play("blink");
-    else if (eyes.finished())
-        eyes.play();
+        player.play("blink");
+    else if (player.finished())
+        player.play();
     was_pressed = is_pressed;
-    if (eyes.update(millis()))
-        eyes.draw(pixels, draw_rectangle);
+    if (player.update(millis()))
+        player.draw(pixels, draw_rectangle);
 }

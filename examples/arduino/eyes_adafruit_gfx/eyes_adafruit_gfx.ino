@@ -6,10 +6,10 @@
 #include <SPI.h>
 #include <kfast_player.hpp>
 
-const int select_pin = 10, command_pin = 9, reset_pin = 8;
+const int select_pin = 5, command_pin = 16, reset_pin = 17; // change them to yours
 
 Adafruit_ST7789 tft(select_pin, command_pin, reset_pin);
-KfastPlayer<robot_eyes_block_bytes> eyes;
+KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[8 * robot_eyes_width];
 
 void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
@@ -27,12 +27,12 @@ void setup()
 {
     Serial.begin(115200);
     tft.init(robot_eyes_width, robot_eyes_height);
-    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
-        Serial.println(eyes.error());
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(player.error());
 }
 
 void loop()
 {
-    if (eyes.update(millis(), event_passed))
-        eyes.draw(pixels, draw_rectangle);
+    if (player.update(millis(), event_passed))
+        player.draw(pixels, draw_rectangle);
 }

@@ -4,7 +4,7 @@
 #include <M5Unified.h>
 #include <kfast_player.hpp>
 
-KfastPlayer<robot_eyes_block_bytes> eyes;
+KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width];
 
 void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
@@ -16,12 +16,12 @@ void setup()
 {
     Serial.begin(115200);
     M5.begin();
-    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
-        Serial.println(eyes.error());
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(player.error());
 }
 
 void loop()
 {
-    if (eyes.update(millis()))
-        eyes.draw(pixels, draw_rectangle);
+    if (player.update(millis()))
+        player.draw(pixels, draw_rectangle);
 }

@@ -6,7 +6,7 @@
 #include <kfast_player.hpp>
 
 TFT_eSPI tft;
-KfastPlayer<robot_eyes_block_bytes> eyes;
+KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width]; // the more rows, the fewer and larger the rectangles
 
 void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
@@ -19,12 +19,12 @@ void setup()
     Serial.begin(115200);
     tft.init();
     tft.setSwapBytes(true); // pixels lie in memory as this processor has them; the display wants the high byte first
-    if (!eyes.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
-        Serial.println(eyes.error());
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+        Serial.println(player.error());
 }
 
 void loop()
 {
-    if (eyes.update(millis()))
-        eyes.draw(pixels, draw_rectangle);
+    if (player.update(millis()))
+        player.draw(pixels, draw_rectangle);
 }

@@ -385,6 +385,18 @@ class UsageTest(RenderTest):
             self.refuse("render", "repeat.kfast", "--all", "-o", name, status=1, says="make room", limit=64)
         self.refuse("render", "repeat.kfast", "--sheet", "3", "-o", "a.png", status=1, says="make room", limit=64)
 
+    def test_no_room_for_a_video(self):
+        for name in ("a.mp4", "a.webm"):
+            (self.folder / name).write_bytes(b"before")
+            self.refuse("render", "repeat.kfast", "--all", "-o", name, status=1, says="ffmpeg failed", limit=512)
+            self.assertEqual((self.folder / name).read_bytes(), b"before")
+
+    def test_a_list_without_room_leaves_the_sheet_of_before(self):
+        (self.folder / "old.json").mkdir()
+        (self.folder / "old.png").write_bytes(b"before")
+        self.refuse("render", "repeat.kfast", "--sheet", "3", "-o", "old.png", status=1, says="name a file, not a folder")
+        self.assertEqual((self.folder / "old.png").read_bytes(), b"before")
+
     def test_panels_clips_and_beams(self):
         self.render("marked.kfast", "--clip", "blink", "--speed", "-1", "--all", "-o", "out.apng")
         shown = [pixels for _, pixels in self.pictures("out.apng")]
