@@ -79,10 +79,21 @@ class CompletionsTest(CommandTest):
 
     def test_fish_offers_what_bash_does(self):
         self.check_syntax("fish")
-        program = self.script("fish") + "complete -C 'kfast render --panel ssd13'\ncomplete -C 'kfast uf2 '\n"
-        result = subprocess.run(["fish", "--no-config", "-c", program], cwd=self.folder, capture_output=True, text=True,
-                                timeout=120)
-        self.assertLessEqual({"ssd1306", "ssd1351", "pack"}, {line.split("\t")[0] for line in result.stdout.splitlines()})
+        self.assertLessEqual({"ssd1306", "ssd1351"}, self.fish_offers("render --panel ssd13"))
+        self.assertIn("pack", self.fish_offers("uf2 "))
+        self.assertNotIn("pack", self.fish_offers("uf2 info "))
+        (self.folder / "b.txt").write_text("")
+        (self.folder / "a.kfb").write_text("")
+        (self.folder / "scenes").mkdir()
+        offered = self.fish_offers("check ") | self.fish_offers("fit ")
+        self.assertLessEqual({"repeat.kfast", "a.kfb", "scenes/"}, offered)
+        self.assertNotIn("b.txt", offered)
+
+    def fish_offers(self, words):
+        result = subprocess.run(["fish", "--no-config", "-c", f"{self.script('fish')}complete -C 'kfast {words}'"],
+                                cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(result.stderr, "")
+        return {line.split("\t")[0] for line in result.stdout.splitlines()}
 
     def test_each_option_stands_in_every_script(self):
         for shell in ("zsh", "fish"):
