@@ -14,7 +14,7 @@
 namespace kfast {
 namespace {
 
-using Seconds = Playback::Seconds;
+using Seconds = PreviewPlayback::Seconds;
 
 std::string hexadecimal(std::uint32_t value)
 {
@@ -99,7 +99,7 @@ void write_messages(const Viewer& viewer, std::ostream& out)
 void play_headless(FrameSource& source, const Programme& programme, std::ostream& out)
 {
     const Timeline timeline{programme.frame_rate, programme.parts[programme.first].stretch, programme.speed};
-    Playback playback{programme, source.pace(), Seconds{0}, 1};
+    PreviewPlayback playback{programme, source.pace(), Seconds{0}, 1};
     Summary summary;
     for (int frame = 0; frame < timeline.frame_count(); ++frame) {
         playback.advance_to(clock_at(timeline, frame));

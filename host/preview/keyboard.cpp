@@ -56,7 +56,7 @@ Keyboard::~Keyboard()
         ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
 }
 
-std::vector<PreviewKey> Keyboard::pressed(Playback::Seconds patience)
+std::vector<PreviewKey> Keyboard::pressed(PreviewPlayback::Seconds patience)
 {
     if (!works_) {
         std::this_thread::sleep_for(patience);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/playback.hpp"
+#include "host/preview/preview_playback.hpp"
 
 #include <termios.h>
 #include <vector>
@@ -19,7 +19,7 @@ public:
     /// Whether keys can be pressed.
     bool works() const { return works_; }
     /// Those pressed since the last call; waits for some, but not longer than `patience`.
-    std::vector<PreviewKey> pressed(Playback::Seconds patience);
+    std::vector<PreviewKey> pressed(PreviewPlayback::Seconds patience);
 
 private:
     termios before_{};

@@ -24,19 +24,19 @@ SceneLayers::SceneLayers(OpenedScene& scene)
         scene.tell_drawings(overlays_);
 }
 
-const Overlay& SceneLayers::overlay(const Playback& playback, const ViewOptions& view, double scale)
+const Overlay& SceneLayers::overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale)
 {
     tell_inputs(overlays_, playback);
     return overlays_.show(playback.time(), view, scale);
 }
 
-std::optional<std::size_t> SceneLayers::item_at(const Playback& playback, PanelSpot spot)
+std::optional<std::size_t> SceneLayers::item_at(const PreviewPlayback& playback, PanelSpot spot)
 {
     tell_inputs(overlays_, playback);
     return overlays_.item_at(playback.time(), spot);
 }
 
-const Picture& SceneLayers::onion_skin(const Playback& playback)
+const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback)
 {
     if (!are_equal(skin_inputs_, playback.inputs()) || skin_reveals_travel_ != playback.reveals_travel()) {
         skin_.forget();

@@ -4,7 +4,7 @@
 #include "host/preview/onion_skin.hpp"
 #include "host/preview/opened_scene.hpp"
 #include "host/preview/overlay_source.hpp"
-#include "host/preview/playback.hpp"
+#include "host/preview/preview_playback.hpp"
 #include "host/preview/time_table.hpp"
 
 #include <memory>
@@ -22,10 +22,10 @@ public:
 
     const TimeTable& table() const { return table_; }
     /// Where `playback` stands, with its inputs; `scale` as in OverlaySource. Valid until the next call.
-    const Overlay& overlay(const Playback& playback, const ViewOptions& view, double scale);
-    std::optional<std::size_t> item_at(const Playback& playback, PanelSpot spot);
+    const Overlay& overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale);
+    std::optional<std::size_t> item_at(const PreviewPlayback& playback, PanelSpot spot);
     /// With the key frames before and after it. Likewise.
-    const Picture& onion_skin(const Playback& playback);
+    const Picture& onion_skin(const PreviewPlayback& playback);
     /// Nothing while it is being made, which the first call begins.
     std::optional<std::span<const FitLine>> fit_report();
 

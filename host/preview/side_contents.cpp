@@ -62,7 +62,7 @@ void add_input(SidePanel& panel, const InputKnob& input, bool is_chosen)
     panel.add_value(visible(input.name), number_text(input.value / 1000.0), is_chosen, share);
 }
 
-void add_inputs(SidePanel& panel, const Playback& playback)
+void add_inputs(SidePanel& panel, const PreviewPlayback& playback)
 {
     if (playback.inputs().empty())
         return;

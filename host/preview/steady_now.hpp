@@ -1,10 +1,10 @@
 #pragma once
 
-#include "host/preview/playback.hpp"
+#include "host/preview/preview_playback.hpp"
 
 namespace kfast {
 
 /// The clock of a preview that somebody watches.
-inline Playback::Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+inline PreviewPlayback::Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 }

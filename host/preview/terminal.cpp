@@ -20,7 +20,7 @@
 namespace kfast {
 namespace {
 
-using Seconds = Playback::Seconds;
+using Seconds = PreviewPlayback::Seconds;
 
 volatile std::sig_atomic_t signal_seen = 0;
 

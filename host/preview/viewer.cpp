@@ -32,9 +32,10 @@ FileWatch watch_on(const OpenedScene& scene)
     return FileWatch{std::move(files)};
 }
 
-std::unique_ptr<Playback> played(const OpenedScene& scene, Viewer::Seconds now, std::optional<int> loops)
+std::unique_ptr<PreviewPlayback> played(const OpenedScene& scene, Viewer::Seconds now,
+                                        std::optional<int> loops)
 {
-    return std::make_unique<Playback>(scene.programme, scene.source->pace(), now, loops);
+    return std::make_unique<PreviewPlayback>(scene.programme, scene.source->pace(), now, loops);
 }
 
 std::vector<Time> moments_of(const Timeline& timeline)
@@ -148,7 +149,7 @@ std::unique_ptr<OpenedScene> Viewer::opened(const fs::path& file)
     }
 }
 
-void Viewer::put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<Playback> playback)
+void Viewer::put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<PreviewPlayback> playback)
 {
     stop_work();
     all_frames_.reset();

@@ -8,8 +8,8 @@
 #include "host/preview/gif_writing.hpp"
 #include "host/preview/opened_scene.hpp"
 #include "host/preview/overlay.hpp"
-#include "host/preview/playback.hpp"
 #include "host/preview/preview_key.hpp"
+#include "host/preview/preview_playback.hpp"
 #include "host/preview/scene_layers.hpp"
 #include "host/preview/time_table.hpp"
 #include "host/preview/view_options.hpp"
@@ -29,9 +29,10 @@ namespace kfast {
 /// any steady time, and calls attend() again and again.
 class Viewer {
 public:
-    using Seconds = Playback::Seconds;
+    using Seconds = PreviewPlayback::Seconds;
 
-    /// Plays `scene`; `opener` opens what comes later. With `loops`, quits after so many plays, as Playback.
+    /// Plays `scene`; `opener` opens what comes later. With `loops`, quits after so many plays, as
+    /// PreviewPlayback.
     Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now,
            std::optional<int> loops = std::nullopt);
     ~Viewer();
@@ -63,7 +64,7 @@ public:
     bool wants_to_quit() const { return is_closed_ || playback_->wants_to_quit(); }
 
     const OpenedScene& scene() const { return *scene_; }
-    const Playback& playback() const { return *playback_; }
+    const PreviewPlayback& playback() const { return *playback_; }
     const ViewOptions& view() const { return view_; }
     /// The events passed since the last call, in order.
     std::vector<EventView> take_passed() { return playback_->take_passed(); }
@@ -92,7 +93,7 @@ public:
 private:
     const FrameCollection* frames_in_work() const;
     std::unique_ptr<OpenedScene> opened(const std::filesystem::path& file);
-    void put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<Playback> playback);
+    void put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<PreviewPlayback> playback);
     void reload(Seconds now);
     bool reload_if_changed(Seconds now);
     bool take_chosen_file(Seconds now);
@@ -110,8 +111,8 @@ private:
     Opener opener_;
     std::optional<int> loops_;
     std::unique_ptr<OpenedScene> scene_;
-    std::unique_ptr<SceneLayers> layers_; ///< look into `scene_`
-    std::unique_ptr<Playback> playback_;  ///< likewise
+    std::unique_ptr<SceneLayers> layers_;       ///< look into `scene_`
+    std::unique_ptr<PreviewPlayback> playback_; ///< likewise
     std::unique_ptr<FileChooser> chooser_;
     std::optional<FileWatch> watch_;              ///< of what is open
     std::optional<std::filesystem::path> failed_; ///< a file that could not be opened

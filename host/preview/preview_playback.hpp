@@ -25,13 +25,13 @@ enum class LoopChoice : std::uint8_t {
 ///
 /// The caller brings the clock: `now` is any steady time. Playing follows it without adding up small steps,
 /// so a slow front drops pictures instead of falling behind; it passes the events all the same.
-class Playback {
+class PreviewPlayback {
 public:
     using Seconds = std::chrono::duration<double>;
 
     /// With `loops`, quits once it has played so often (what plays once: one time), and shows nothing of the
     /// pass after. Stepping, and another clip, let the count begin anew.
-    Playback(Programme programme, Pace pace, Seconds now, std::optional<int> loops = std::nullopt);
+    PreviewPlayback(Programme programme, Pace pace, Seconds now, std::optional<int> loops = std::nullopt);
 
     /// Stepping keys also pause, another clip plays, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
@@ -40,7 +40,7 @@ public:
     void scrub(Time moment);
     /// Goes on where `before` stands, a playback of the same scene as it was earlier: at its moment, in its
     /// clip, with its speed and loop, and with the inputs that were turned, each as far as it is still there.
-    void continue_from(const Playback& before, Seconds now);
+    void continue_from(const PreviewPlayback& before, Seconds now);
 
     /// What is to be shown.
     Time time() const { return shown_; }
@@ -78,7 +78,7 @@ private:
     void set_speed(std::int32_t speed);
     void choose_next_loop(Seconds now);
     void go_on_at(Time moment, bool playing, Seconds now);
-    void continue_inputs(const Playback& before);
+    void continue_inputs(const PreviewPlayback& before);
     void stop_at(Time moment);
     void step_frame(int direction);
     void step_key(int direction);
@@ -106,12 +106,12 @@ private:
 };
 
 /// What the keys made of the inputs.
-void tell_inputs(ToldInputs& source, const Playback& playback);
+void tell_inputs(ToldInputs& source, const PreviewPlayback& playback);
 /// Tells `source` what the keys made of the inputs, and whether travel is revealed.
-void tell(FrameSource& source, const Playback& playback);
+void tell(FrameSource& source, const PreviewPlayback& playback);
 /// The picture where `playback` stands.
-const Frame& show(FrameSource& source, const Playback& playback);
+const Frame& show(FrameSource& source, const PreviewPlayback& playback);
 /// Its status, and the facts of the picture that `source` showed last, if its travel is revealed.
-std::string status_of(const FrameSource& source, const Playback& playback);
+std::string status_of(const FrameSource& source, const PreviewPlayback& playback);
 
 }

@@ -1,4 +1,4 @@
-#include "host/preview/playback.hpp"
+#include "host/preview/preview_playback.hpp"
 
 #include "tests/event_bytes.hpp"
 
@@ -7,7 +7,7 @@
 namespace kfast::test {
 namespace {
 
-using Seconds = Playback::Seconds;
+using Seconds = PreviewPlayback::Seconds;
 
 constexpr Seconds start{1000};
 
@@ -33,12 +33,12 @@ Programme silent(Loop loop)
     return silent;
 }
 
-Playback playback(Loop loop, std::optional<int> loops = std::nullopt)
+PreviewPlayback playback(Loop loop, std::optional<int> loops = std::nullopt)
 {
     return {silent(loop), Pace::smooth, start, loops};
 }
 
-std::string passed(Playback& playback)
+std::string passed(PreviewPlayback& playback)
 {
     std::string names;
     for (const EventView& event : playback.take_passed())
@@ -49,7 +49,7 @@ std::string passed(Playback& playback)
 Seconds after(double seconds) { return start + Seconds{seconds}; }
 
 /// The moments, in frames, after pressing `key` so often.
-std::vector<double> pressed(Playback state, PreviewKey key, int times)
+std::vector<double> pressed(PreviewPlayback state, PreviewKey key, int times)
 {
     std::vector<double> moments;
     for (int i = 0; i < times; ++i) {
@@ -63,7 +63,7 @@ std::vector<double> pressed(Playback state, PreviewKey key, int times)
 
 TEST_CASE("a preview starts playing at the beginning, with its help")
 {
-    const Playback state = playback(Loop::repeat);
+    const PreviewPlayback state = playback(Loop::repeat);
     CHECK(state.time() == Time{0});
     CHECK(state.playing());
     CHECK(state.help_open());
@@ -72,7 +72,7 @@ TEST_CASE("a preview starts playing at the beginning, with its help")
 
 TEST_CASE("playing follows the clock")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.advance_to(after(0.45));
     CHECK(state.time().ticks == 4 * 1024 + 512);
     CHECK(state.frame() == 4);
@@ -84,14 +84,14 @@ TEST_CASE("playing follows the clock")
 
 TEST_CASE("a day of playing does not drift")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.advance_to(after(86400.3));
     CHECK(state.time() == Time::frame(3));
 }
 
 TEST_CASE("space pauses and goes on from there")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::play_pause, after(0.2));
     state.advance_to(after(5));
     CHECK(state.status() == "frame 2  0.200 s  paused");
@@ -102,7 +102,7 @@ TEST_CASE("space pauses and goes on from there")
 
 TEST_CASE("once stops at its end; space then plays it anew")
 {
-    Playback state = playback(Loop::once);
+    PreviewPlayback state = playback(Loop::once);
     state.advance_to(after(99));
     CHECK(state.time() == Time::frame(10));
     CHECK_FALSE(state.playing());
@@ -114,7 +114,7 @@ TEST_CASE("once stops at its end; space then plays it anew")
 
 TEST_CASE("ping-pong comes back")
 {
-    Playback state = playback(Loop::ping_pong);
+    PreviewPlayback state = playback(Loop::ping_pong);
     state.advance_to(after(1));
     CHECK(state.time() == Time::frame(10));
     state.advance_to(after(1.3));
@@ -123,7 +123,7 @@ TEST_CASE("ping-pong comes back")
 
 TEST_CASE("a number of loops ends with the last picture of the last one")
 {
-    Playback state = playback(Loop::repeat, 2);
+    PreviewPlayback state = playback(Loop::repeat, 2);
     state.advance_to(after(1.9));
     CHECK_FALSE(state.wants_to_quit());
     state.advance_to(after(2));
@@ -133,7 +133,7 @@ TEST_CASE("a number of loops ends with the last picture of the last one")
 
 TEST_CASE("a loop of ping-pong is there and back")
 {
-    Playback state = playback(Loop::ping_pong, 1);
+    PreviewPlayback state = playback(Loop::ping_pong, 1);
     state.advance_to(after(1.9));
     CHECK_FALSE(state.wants_to_quit());
     state.advance_to(after(2));
@@ -143,7 +143,7 @@ TEST_CASE("a loop of ping-pong is there and back")
 
 TEST_CASE("once has one loop, however many are wanted, and ends on its last picture")
 {
-    Playback state = playback(Loop::once, 5);
+    PreviewPlayback state = playback(Loop::once, 5);
     state.advance_to(after(0.9));
     CHECK_FALSE(state.wants_to_quit());
     state.advance_to(after(1.1));
@@ -153,7 +153,7 @@ TEST_CASE("once has one loop, however many are wanted, and ends on its last pict
 
 TEST_CASE("a clip that plays once is not cut short by the loop before it")
 {
-    Playback state = playback(Loop::repeat, 1);
+    PreviewPlayback state = playback(Loop::repeat, 1);
     state.press(PreviewKey::previous_clip, after(0.9));
     CHECK(state.time().ticks == 2 * 1024 + 512);
     state.advance_to(after(1.04));
@@ -165,7 +165,7 @@ TEST_CASE("a clip that plays once is not cut short by the loop before it")
 
 TEST_CASE("a pause or a step does not end a preview, whatever the number of loops")
 {
-    Playback state = playback(Loop::once, 1);
+    PreviewPlayback state = playback(Loop::once, 1);
     state.press(PreviewKey::play_pause, after(0.5));
     state.advance_to(after(9));
     CHECK_FALSE(state.wants_to_quit());
@@ -182,7 +182,7 @@ TEST_CASE("n and p go from key to key and around, and pause")
     CHECK(pressed(playback(Loop::repeat), PreviewKey::previous_key, 4) ==
           std::vector<double>{6.5, 3, 0, 6.5});
     CHECK(pressed(playback(Loop::once), PreviewKey::next_key, 4) == std::vector<double>{3, 6.5, 10, 0});
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::next_key, after(0.4));
     CHECK(state.time().ticks == 6 * 1024 + 512);
     CHECK_FALSE(state.playing());
@@ -194,14 +194,14 @@ TEST_CASE("without keys n and p go to the beginning")
 {
     Programme keyless = silent(Loop::repeat);
     keyless.keys.clear();
-    Playback state{keyless, Pace::smooth, start};
+    PreviewPlayback state{keyless, Pace::smooth, start};
     state.press(PreviewKey::next_key, after(0.4));
     CHECK(state.time() == Time{0});
 }
 
 TEST_CASE("arrows go by whole frames and around")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::next_frame, after(0.25));
     CHECK(state.time() == Time::frame(3));
     CHECK(pressed(state, PreviewKey::next_frame, 8) == std::vector<double>{4, 5, 6, 7, 8, 9, 0, 1});
@@ -211,14 +211,14 @@ TEST_CASE("arrows go by whole frames and around")
 
 TEST_CASE("an arrow between frames goes to the neighbour on that side")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::previous_frame, after(0.25));
     CHECK(state.time() == Time::frame(2));
 }
 
 TEST_CASE("h opens and closes the help, any other key closes it, q quits")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::help, start);
     CHECK_FALSE(state.help_open());
     state.press(PreviewKey::help, start);
@@ -232,7 +232,7 @@ TEST_CASE("h opens and closes the help, any other key closes it, q quits")
 
 TEST_CASE("speed goes by doubles, within 1/16 and 16, and backwards; what is shown does not jump")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::slower, after(0.4));
     CHECK(state.time() == Time::frame(4));
     state.advance_to(after(0.8));
@@ -253,7 +253,7 @@ TEST_CASE("backwards begins at the end; once ends at its beginning and starts an
 {
     Programme backwards = silent(Loop::once);
     backwards.speed = -Playhead::as_authored;
-    Playback state{backwards, Pace::smooth, start, 1};
+    PreviewPlayback state{backwards, Pace::smooth, start, 1};
     CHECK(state.time() == Time::frame(10));
     state.advance_to(after(0.9));
     CHECK(state.time() == Time::frame(1));
@@ -261,7 +261,7 @@ TEST_CASE("backwards begins at the end; once ends at its beginning and starts an
     state.advance_to(after(1));
     CHECK(state.time() == Time::frame(0));
     CHECK(state.wants_to_quit());
-    Playback endless{backwards, Pace::smooth, start};
+    PreviewPlayback endless{backwards, Pace::smooth, start};
     endless.advance_to(after(2));
     endless.press(PreviewKey::play_pause, after(5));
     endless.advance_to(after(5.1));
@@ -272,7 +272,7 @@ TEST_CASE("loops last as long as the speed asks for")
 {
     Programme fast = silent(Loop::repeat);
     fast.speed = 2 * Playhead::as_authored;
-    Playback state{fast, Pace::smooth, start, 2};
+    PreviewPlayback state{fast, Pace::smooth, start, 2};
     state.advance_to(after(0.9));
     CHECK(state.time() == Time::frame(8));
     state.advance_to(after(0.99));
@@ -284,7 +284,7 @@ TEST_CASE("loops last as long as the speed asks for")
 
 TEST_CASE("c and b go through the scene and its clips, each with its own loop mode")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::next_clip, after(0.1));
     CHECK(state.status() == "frame 4  0.400 s  playing  clip slow");
     state.advance_to(after(0.55));
@@ -302,7 +302,7 @@ TEST_CASE("c and b go through the scene and its clips, each with its own loop mo
 
 TEST_CASE("in a clip, keys and arrows stay within it")
 {
-    Playback state = playback(Loop::repeat);
+    PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::next_clip, start);
     CHECK(pressed(state, PreviewKey::next_key, 2) == std::vector<double>{6.5, 6.5});
     CHECK(pressed(state, PreviewKey::next_frame, 4) == std::vector<double>{5, 6, 7, 4});
@@ -314,7 +314,7 @@ TEST_CASE("in a clip, keys and arrows stay within it")
 
 TEST_CASE("events are passed in order, none left out, and the status names the latest")
 {
-    Playback state{programme(Loop::repeat), Pace::smooth, start};
+    PreviewPlayback state{programme(Loop::repeat), Pace::smooth, start};
     CHECK(passed(state) == "");
     state.advance_to(after(0));
     CHECK(passed(state) == "begin ");
@@ -329,7 +329,7 @@ TEST_CASE("events are passed in order, none left out, and the status names the l
 
 TEST_CASE("stepping passes nothing and forgets the latest event; playing on begins with what is there")
 {
-    Playback state{programme(Loop::repeat), Pace::smooth, start};
+    PreviewPlayback state{programme(Loop::repeat), Pace::smooth, start};
     state.advance_to(after(0.45));
     passed(state);
     state.press(PreviewKey::next_frame, after(0.45));
@@ -342,7 +342,7 @@ TEST_CASE("stepping passes nothing and forgets the latest event; playing on begi
 
 TEST_CASE("the last loop passes its last events, though it shows no more")
 {
-    Playback state{programme(Loop::repeat), Pace::smooth, start, 1};
+    PreviewPlayback state{programme(Loop::repeat), Pace::smooth, start, 1};
     state.advance_to(after(0.4));
     state.advance_to(after(7));
     CHECK(state.wants_to_quit());
@@ -354,7 +354,7 @@ TEST_CASE("a board changes its picture at the frames alone")
 {
     Programme slow = silent(Loop::repeat);
     slow.speed = Playhead::as_authored / 2;
-    Playback state{slow, Pace::by_frames, start};
+    PreviewPlayback state{slow, Pace::by_frames, start};
     state.advance_to(after(0.39));
     CHECK(state.time().ticks == 1536);
     CHECK((state.next_frame_at() - start).count() == doctest::Approx(0.4));
@@ -372,7 +372,7 @@ TEST_CASE("keys have names")
 
 TEST_CASE("what plays once can be repeated, what repeats can play once, and either as it was made")
 {
-    Playback state = playback(Loop::once);
+    PreviewPlayback state = playback(Loop::once);
     state.press(PreviewKey::loop, start);
     CHECK(state.status() == "frame 0  0.000 s  playing  loop always");
     state.advance_to(after(12.3));
@@ -390,7 +390,7 @@ TEST_CASE("what plays once can be repeated, what repeats can play once, and eith
 
 TEST_CASE("ping-pong stays what it is while it is repeated")
 {
-    Playback state = playback(Loop::ping_pong);
+    PreviewPlayback state = playback(Loop::ping_pong);
     state.press(PreviewKey::loop, start);
     CHECK(state.stretch().loop == Loop::ping_pong);
 }

@@ -1,4 +1,4 @@
-#include "host/preview/playback.hpp"
+#include "host/preview/preview_playback.hpp"
 
 #include "host/text/glyph.hpp"
 
@@ -16,14 +16,14 @@ constexpr std::int32_t slowest = Playhead::as_authored / 16;
 
 }
 
-Playback::Playback(Programme programme, Pace pace, Seconds now, std::optional<int> loops)
+PreviewPlayback::PreviewPlayback(Programme programme, Pace pace, Seconds now, std::optional<int> loops)
     : programme_{std::move(programme)}, pace_{pace}, loops_{loops}, part_{programme_.first},
       speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now}
 {
     start_part(part_, now);
 }
 
-void Playback::press(PreviewKey key, Seconds now)
+void PreviewPlayback::press(PreviewKey key, Seconds now)
 {
     const std::size_t parts = programme_.parts.size();
     advance_to(now);
@@ -68,7 +68,7 @@ void Playback::press(PreviewKey key, Seconds now)
     }
 }
 
-void Playback::advance_to(Seconds now)
+void PreviewPlayback::advance_to(Seconds now)
 {
     if (!playing_)
         return;
@@ -80,7 +80,7 @@ void Playback::advance_to(Seconds now)
     play(ticks - std::exchange(played_, ticks));
 }
 
-void Playback::play(std::int64_t ticks)
+void PreviewPlayback::play(std::int64_t ticks)
 {
     playhead_.advance(before_the_end(ticks), [this](const EventView& event) {
         passed_.push_back(event);
@@ -95,7 +95,7 @@ void Playback::play(std::int64_t ticks)
 }
 
 /// As many of `ticks` as the last loop still has, without the end, where the pass after would begin.
-std::int64_t Playback::before_the_end(std::int64_t ticks)
+std::int64_t PreviewPlayback::before_the_end(std::int64_t ticks)
 {
     if (!way_left_)
         return ticks;
@@ -107,14 +107,14 @@ std::int64_t Playback::before_the_end(std::int64_t ticks)
     return taken;
 }
 
-Playback::Seconds Playback::next_frame_at() const
+PreviewPlayback::Seconds PreviewPlayback::next_frame_at() const
 {
     return anchor_ + Seconds{timeline().seconds((played_ / frame_ticks + 1) * frame_ticks)};
 }
 
-std::vector<EventView> Playback::take_passed() { return std::exchange(passed_, {}); }
+std::vector<EventView> PreviewPlayback::take_passed() { return std::exchange(passed_, {}); }
 
-std::string Playback::status() const
+std::string PreviewPlayback::status() const
 {
     char text[96];
     std::snprintf(text, sizeof text, "frame %d  %.3f s  %s", frame(), timeline().seconds(shown_.ticks),
@@ -137,7 +137,7 @@ std::string Playback::status() const
     return status;
 }
 
-void Playback::start_part(std::size_t part, Seconds now)
+void PreviewPlayback::start_part(std::size_t part, Seconds now)
 {
     part_ = part;
     playhead_ = timeline().playhead(programme_.events);
@@ -147,7 +147,7 @@ void Playback::start_part(std::size_t part, Seconds now)
     played_ = 0;
 }
 
-void Playback::toggle_playing(Seconds now)
+void PreviewPlayback::toggle_playing(Seconds now)
 {
     if (!playing_ && playhead_.finished())
         return start_part(part_, now);
@@ -156,7 +156,7 @@ void Playback::toggle_playing(Seconds now)
     played_ = 0;
 }
 
-void Playback::choose_next_input()
+void PreviewPlayback::choose_next_input()
 {
     const std::size_t count = programme_.inputs.size();
     std::size_t next = input_ ? *input_ + 1 : 0;
@@ -167,7 +167,7 @@ void Playback::choose_next_input()
         }
 }
 
-void Playback::turn_input(int steps)
+void PreviewPlayback::turn_input(int steps)
 {
     if (!input_)
         choose_next_input();
@@ -175,13 +175,13 @@ void Playback::turn_input(int steps)
         programme_.inputs[*input_].turn(steps);
 }
 
-void Playback::set_speed(std::int32_t speed)
+void PreviewPlayback::set_speed(std::int32_t speed)
 {
     speed_ = speed;
     playhead_.set_speed(speed);
 }
 
-Stretch Playback::stretch() const
+Stretch PreviewPlayback::stretch() const
 {
     Stretch stretch = part().stretch;
     if (loop_choice_ == LoopChoice::once)
@@ -191,7 +191,7 @@ Stretch Playback::stretch() const
     return stretch;
 }
 
-void Playback::choose_next_loop(Seconds now)
+void PreviewPlayback::choose_next_loop(Seconds now)
 {
     loop_choice_ = loop_choice_ == LoopChoice::as_authored ? LoopChoice::always
                    : loop_choice_ == LoopChoice::always    ? LoopChoice::once
@@ -199,7 +199,7 @@ void Playback::choose_next_loop(Seconds now)
     go_on_at(shown_, playing_, now);
 }
 
-void Playback::go_on_at(Time moment, bool playing, Seconds now)
+void PreviewPlayback::go_on_at(Time moment, bool playing, Seconds now)
 {
     const Stretch here = stretch();
     playhead_ = timeline().playhead(programme_.events);
@@ -209,7 +209,7 @@ void Playback::go_on_at(Time moment, bool playing, Seconds now)
     played_ = 0;
 }
 
-void Playback::scrub(Time moment)
+void PreviewPlayback::scrub(Time moment)
 {
     const Stretch here = stretch();
     if (moment < here.begin || moment > here.end)
@@ -217,7 +217,7 @@ void Playback::scrub(Time moment)
     go_on_at(moment, false, anchor_);
 }
 
-void Playback::continue_inputs(const Playback& before)
+void PreviewPlayback::continue_inputs(const PreviewPlayback& before)
 {
     for (const InputKnob& old : before.inputs()) {
         const auto same = std::ranges::find(programme_.inputs, old.name, &InputKnob::name);
@@ -231,7 +231,7 @@ void Playback::continue_inputs(const Playback& before)
     }
 }
 
-void Playback::continue_from(const Playback& before, Seconds now)
+void PreviewPlayback::continue_from(const PreviewPlayback& before, Seconds now)
 {
     const auto same = std::ranges::find(programme_.parts, before.part().name, &Part::name);
     part_ = same == programme_.parts.end() ? 0 : static_cast<std::size_t>(same - programme_.parts.begin());
@@ -243,7 +243,7 @@ void Playback::continue_from(const Playback& before, Seconds now)
     go_on_at(before.shown_, before.playing_, now);
 }
 
-void Playback::stop_at(Time moment)
+void PreviewPlayback::stop_at(Time moment)
 {
     playhead_.seek(moment);
     shown_ = moment;
@@ -256,7 +256,7 @@ void Playback::stop_at(Time moment)
     }
 }
 
-void Playback::step_frame(int direction)
+void PreviewPlayback::step_frame(int direction)
 {
     const Timeline steps{programme_.frame_rate, stretch()};
     const int last = steps.frame_count() - 1;
@@ -269,7 +269,7 @@ void Playback::step_frame(int direction)
 }
 
 /// The keys as they are shown, or the beginning where there are none.
-std::vector<Time> Playback::stops() const
+std::vector<Time> PreviewPlayback::stops() const
 {
     const auto [begin, end, loop] = stretch();
     std::vector<Time> stops;
@@ -282,7 +282,7 @@ std::vector<Time> Playback::stops() const
     return stops;
 }
 
-void Playback::step_key(int direction)
+void PreviewPlayback::step_key(int direction)
 {
     const std::vector<Time> keys = stops();
     if (direction > 0) {
@@ -293,7 +293,7 @@ void Playback::step_key(int direction)
     stop_at(here == keys.begin() ? keys.back() : *std::prev(here));
 }
 
-void tell_inputs(ToldInputs& source, const Playback& playback)
+void tell_inputs(ToldInputs& source, const PreviewPlayback& playback)
 {
     for (const InputKnob& input : playback.inputs())
         if (input.range.type == InputType::text)
@@ -302,19 +302,19 @@ void tell_inputs(ToldInputs& source, const Playback& playback)
             source.set_input(input.number, input.place());
 }
 
-void tell(FrameSource& source, const Playback& playback)
+void tell(FrameSource& source, const PreviewPlayback& playback)
 {
     source.reveal(playback.reveals_travel());
     tell_inputs(source, playback);
 }
 
-const Frame& show(FrameSource& source, const Playback& playback)
+const Frame& show(FrameSource& source, const PreviewPlayback& playback)
 {
     tell(source, playback);
     return source.show(playback.time());
 }
 
-std::string status_of(const FrameSource& source, const Playback& playback)
+std::string status_of(const FrameSource& source, const PreviewPlayback& playback)
 {
     const std::string facts = playback.reveals_travel() ? source.facts() : "";
     return playback.status() + (facts.empty() ? "" : "  " + facts);
