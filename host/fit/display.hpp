@@ -11,7 +11,7 @@ namespace kfast::fit {
 
 /// A panel, as far as it decides what is drawn and sent.
 struct Display {
-    std::string_view name = "";
+    std::string_view name = {};
     Size size;
     PixelFormat format = PixelFormat::rgb565;
     Size granularity{1, 1};        ///< places and sizes of what is sent are multiples of this

@@ -35,6 +35,7 @@ template <class Target, std::size_t count>
 std::vector<PropertyWords> words_of(const std::array<PropertyRule<Target>, count>& rules)
 {
     std::vector<PropertyWords> words;
+    words.reserve(count);
     for (const PropertyRule<Target>& rule : rules)
         words.push_back({rule.name, rule.kind, rule.required, rule.needs});
     return words;
