@@ -15,7 +15,7 @@ import textwrap
 import unittest
 
 import not_run
-from page import CLOSING_COMMENT, ROOT, blocks, pages, prose, shown_status
+from page import CLOSING_COMMENT, ROOT, blocks, pages, prose, shown_figures, shown_status
 
 sys.path.insert(0, str(ROOT / "tests/host/commands"))
 from pretend_firmware import firmware
@@ -33,6 +33,7 @@ FILES = {
     **{path.name: path.relative_to(ROOT) for path in (HERE / "readers_files").iterdir()},
 }
 FIRMWARE_BYTES = 134504
+BUSES = ("spi", "parallel", "i2c", "xy") # in the order of firmware/image_mark.hpp
 
 
 def matches(shown, told):
@@ -53,16 +54,18 @@ class Reader:
         self.environment = {**os.environ, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "XDG_DATA_HOME": str(folder),
                             "XDG_STATE_HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
                             "PATH": f"{folder}/build/host/bin:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1",
-                            "KFAST_REAL": str(KFAST), "KFAST_SIMULATED": f"sim:{folder}/board.sock"}
+                            "KFAST_REAL": str(KFAST), "KFAST_SIMULATED": f"sim:{folder}/board.sock",
+                            "KFAST_FIRMWARE": f"{folder}/build/pico"}
         shutil.copytree(ROOT / "examples", folder / "examples")
         (folder / "tests").symlink_to(ROOT / "tests")
         stand_in = folder / "build/host/bin/kfast"
         stand_in.parent.mkdir(parents=True)
         stand_in.write_text(f'#!/bin/sh\nexec {sys.executable} {HERE}/documented_kfast.py "$@"\n')
         stand_in.chmod(stand_in.stat().st_mode | stat.S_IXUSR)
-        image = folder / "build/pico/pico-spi.bin"
-        image.parent.mkdir(parents=True)
-        image.write_bytes(firmware(FIRMWARE_BYTES))
+        images = folder / "build/pico"
+        images.mkdir(parents=True)
+        for number, bus in enumerate(BUSES):
+            (images / f"pico-{bus}.bin").write_bytes(firmware(FIRMWARE_BYTES, mark=b"KFPI" + bytes([number, 0, 0, 0])))
 
     def save(self, name, text):
         path = self.folder / name
@@ -116,13 +119,16 @@ class PageTest(unittest.TestCase):
     def run_all(self, reader, path, block):
         told = ""
         for line, command in block.commands():
-            if not_run.reason(not_run.OTHERS, command):
+            if not_run.is_other(command):
                 told = "not run: "
                 continue
             with self.subTest(place=f"{path.relative_to(ROOT)}:{line}", command=command):
                 result = reader.run(re.sub(r"^sudo ", "", command))
                 told = result.stdout
                 self.assertEqual(result.returncode, shown_status(command), told)
+                if not told.startswith("not run: "):
+                    for figure in shown_figures(command):
+                        self.assertRegex(told, rf"(?<![\d.]){re.escape(figure)}(?![\d.]\d)", "the comment tells another figure")
         return told
 
 
@@ -145,7 +151,7 @@ class SpanTest(unittest.TestCase):
                 for span in SPAN.findall(line):
                     for call in re.split(r" / (?=kfast)", span):
                         with self.subTest(place=f"{path.relative_to(ROOT)}:{number}", span=span):
-                            self.assertEqual(documented_kfast.unknown_options(self.words(call)), [])
+                            self.assertEqual(documented_kfast.unknown_words(self.words(call)), [])
 
     @staticmethod
     def words(call):
@@ -157,8 +163,8 @@ class RulesTest(unittest.TestCase):
         commands = [command for path in pages() for block in blocks(path.read_text(encoding="utf-8")) if block.is_commands
                     for _, command in block.commands()]
         calls = [call for command in commands for call in re.findall(r"\bkfast .*", command)]
-        for pattern, _ in not_run.KFAST:
-            self.assertTrue(any(re.search(pattern, call) for call in calls), pattern)
+        for row in not_run.KFAST:
+            self.assertTrue(any(re.search(row.pattern, call) for call in calls), row.pattern)
         for pattern, _ in not_run.OTHERS:
             self.assertTrue(any(re.search(pattern, command) for command in commands), pattern)
 
@@ -185,6 +191,10 @@ class RulesTest(unittest.TestCase):
         [block] = blocks(text)
         self.assertEqual([line for line, _ in block.commands()][:3], [3, 4, 6])
         self.assertEqual([shown_status(command) for _, command in block.commands()][:2], [1, 0])
+
+    def test_figures_of_comments_are_found(self):
+        self.assertEqual(shown_figures("kfast compile a.kfast --fps 25   # a.kfb, 310 bytes, at 31.6 fps, 480x480"),
+                         ["310", "31.6", "480x480"])
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ OTHER_COMMAND = re.compile(r"^(scripts/|cmake |ctest |sudo |cp |cd |sed |git |ss
                            r"arduino-cli |g\+\+ |npm |pkg-config |mkdocs |code |vim |echo |gdb |man |ffmpeg )")
 CLOSING_COMMENT = re.compile(r"\s#\s.*$")
 STATUS = re.compile(r"# .*\bexit status (\d+)")
+FIGURE = re.compile(r"(?<![\w.,:/-])\d+x\d+\b|(?<![\w.,:/-])\d[\d.,]*\d(?![\w-])")
 FILE_NAME = re.compile(r"\A(?://|#) ([\w./-]+\.\w+)\n")
 
 
@@ -59,6 +60,12 @@ def is_whole(text):
 def shown_status(command):
     found = STATUS.search(command)
     return int(found.group(1)) if found else 0
+
+
+def shown_figures(command):
+    """Those of two and more digits in the comment behind a command, which it tells."""
+    comment = CLOSING_COMMENT.search(command)
+    return FIGURE.findall(comment.group()) if comment else []
 
 
 def blocks(text):

@@ -1,0 +1,127 @@
+"""What the documents call by its name is there under that name: commands, keys, errors, scripts with their options, presets, files.
+
+Called like names_test.py <kfast>.
+"""
+
+import functools
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import not_run
+from benchmark_tables import cells, is_row
+from page import ROOT, blocks, pages, prose
+
+KFAST = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
+FOLDERS = "boards|cmake|core|docs|editors|examples|firmware|host|library|packages|scripts|tests"
+PATH = re.compile(rf"(?<![\w/.-])(?:{FOLDERS})/[\w./-]*\w")
+# By the reader, by npm, by scripts/assemble; or a folder of another project.
+MADE = re.compile(r"boards/my-board|firmware/panel/ili9163|tests/emulation/node_modules|examples/robot_eyes|tests/test_cases")
+SCRIPT = re.compile(r"(?<![\w/.-])scripts/[\w.-]+\w(?:[ \t]+[\w=./-]+)*")
+DOCUMENTS = [*pages(), ROOT / "CONTRIBUTING.md"]
+
+
+def told(*arguments):
+    return subprocess.run([KFAST, *arguments], capture_output=True, text=True, check=True).stdout
+
+
+def section(page, heading):
+    return (ROOT / "docs" / page).read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].split("\n## ")[0]
+
+
+@functools.lru_cache(maxsize=None)
+def sources_of(script):
+    """The text of a script, and of the Python files that it starts."""
+    text = (ROOT / script).read_text(encoding="utf-8")
+    return text + "".join((ROOT / name).read_text(encoding="utf-8") for name in re.findall(r"tests/[\w/]+\.py", text))
+
+
+def each_text():
+    """Of every document the place and the text of its lines, those of blocks included."""
+    for path in DOCUMENTS:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            yield path, f"{path.relative_to(ROOT)}:{number}", line
+
+
+class Program(unittest.TestCase):
+    def test_all_commands_are_listed_and_no_others(self):
+        table = [cells(line)[0] for line in (ROOT / "docs/commands.md").read_text(encoding="utf-8").splitlines() if is_row(line)]
+        listed = {word for cell in table for span in re.findall(r"`([^`]*)`", cell)
+                  for word in re.findall(r"^(?:kfast )?([a-z][\w-]*)", span)}
+        commands = re.findall(r"(?m)^  ([a-z][\w-]*)  +[A-Z]", told("--help"))
+        self.assertGreater(len(commands), 25)
+        self.assertEqual(sorted(listed - {"unpack"}), sorted(commands)) # unpack: of "kfast uf2"
+
+    def test_keys_of_the_preview(self):
+        keys = re.findall(r"(?m)^  (\S+)  +\S", told("preview", "--help").split("--keys:\n")[1])
+        page = section("preview.md", "Keys")
+        rows = [cells(line)[0] for line in page.splitlines() if is_row(line)][1:]
+        in_table = [name.strip("`") for cell in rows for name in re.split(r",? ", cell)]
+        beside = set(re.findall(r"`(\S)`", page)) - set(in_table)
+        self.assertEqual([key for key in keys if key not in beside], in_table, "in the order of the program")
+        self.assertEqual(beside, {"h", "+", "-"})
+
+    def test_errors_of_displays(self):
+        names = re.findall(r"(?m)^    (\w+)(?: = 1)?,", (ROOT / "core/result.hpp").read_text(encoding="utf-8"))
+        rows = [cells(line)[:2] for line in section("troubleshooting.md", "The display shows E and a number").splitlines()
+                if re.match(r"\| E\d", line)]
+        self.assertEqual(rows, [[f"E{number}", f"`{name}`"] for number, name in enumerate(names, 1)])
+        link = (ROOT / "docs/link.md").read_text(encoding="utf-8")
+        words = [name.replace("_", " ") for name in names]
+        self.assertIn(f"| 1 … {len(names)} |", link)
+        self.assertEqual(re.findall(r"(?<=[:,] )(\d) ([a-z ]+?)(?= \(|[,|]| \|)", re.search(r"as E1 … .*", link).group()),
+                         [(str(number), word) for number, word in enumerate(words, 1)])
+        self.assertEqual(len(names), 6, "E1 … E6 is written in several places")
+
+
+class Project(unittest.TestCase):
+    def test_files_that_are_named(self):
+        for path, place, line in each_text():
+            for name in PATH.findall(line):
+                with self.subTest(place=place, name=name):
+                    self.assertTrue(MADE.match(name) or (ROOT / name).exists() or list(ROOT.glob(name + "*")))
+
+    def test_scripts_have_the_options_that_are_given(self):
+        presets = {preset["name"] for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
+        for path, place, line in each_text():
+            for call in SCRIPT.findall(line.split("  #")[0]):
+                script, *words = call.split()
+                with self.subTest(place=place, call=call):
+                    self.assertTrue(os.access(ROOT / script, os.X_OK) or script.endswith(".py"), "no such script")
+                    for option in [word for word in words if word.startswith("--")]:
+                        self.assertIn(option, sources_of(script))
+                    if script == "scripts/build" and line.startswith("    "):
+                        made = set(re.findall(r'"name": "([\w-]+)"', path.read_text(encoding="utf-8")))
+                        self.assertLessEqual({word for word in words if word != "&&"}, presets | made)
+
+    def test_cmake_is_given_what_it_knows(self):
+        presets = re.findall(r'"name": "([\w-]+)"', (ROOT / "CMakePresets.json").read_text())
+        files = [path for folder in FOLDERS.split("|") for name in ("CMakeLists.txt", "*.cmake")
+                 for path in (ROOT / folder).rglob(name)]
+        known = {name for path in (ROOT / "CMakeLists.txt", *files)
+                 for name in re.findall(r"\bKFAST_\w+", path.read_text(encoding="utf-8"))}
+        for path, place, line in each_text():
+            with self.subTest(place=place):
+                for preset in re.findall(r"cmake (?:--build )?--preset ([\w-]+)", line):
+                    self.assertIn(preset, presets)
+                for variable in re.findall(r"-D(KFAST_\w+)", line):
+                    self.assertIn(variable, known)
+
+    def test_packages_are_those_that_the_project_installs(self):
+        installed = (ROOT / "scripts/install").read_text(encoding="utf-8").split()
+        page = (ROOT / "docs/raspberry-pi.md").read_text(encoding="utf-8").replace("\\\n", " ")
+        packages = re.search(r"sudo apt install (.*-dev.*)", page).group(1).split()
+        self.assertEqual([package for package in packages if package not in installed], [])
+
+    def test_reasons_name_tests_that_there_are(self):
+        for reason in (*(row.why for row in not_run.KFAST), *(why for _, why in not_run.OTHERS)):
+            for name in PATH.findall(reason):
+                self.assertTrue((ROOT / name).exists(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
