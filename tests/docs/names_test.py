@@ -1,4 +1,4 @@
-"""What the documents call by its name is there under that name: commands, keys, errors, scripts with their options, presets, files.
+"""What the documents call by its name is there: commands, keys, errors, scripts with their options, presets, files.
 
 Called like names_test.py <kfast>.
 """
@@ -14,7 +14,7 @@ import unittest
 
 import not_run
 from benchmark_tables import cells, is_row
-from page import ROOT, blocks, pages, prose
+from page import ROOT, pages
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
 FOLDERS = "boards|cmake|core|docs|editors|examples|firmware|host|library|packages|scripts|tests"

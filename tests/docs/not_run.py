@@ -1,7 +1,7 @@
 """What the documents tell to do and the tests do not do, each with the reason, or do as far as they can.
 
-Rows of KFAST are looked for in a call such as "kfast flash --list". Rows of OTHERS are looked for in the whole line; names_test.py
-looks whether the scripts, options and files are there.
+Rows of KFAST are looked for in a call such as "kfast flash --list". Rows of OTHERS are looked for in the whole line;
+names_test.py looks whether the scripts, options and files are there.
 """
 
 import dataclasses

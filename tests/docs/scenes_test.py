@@ -4,6 +4,7 @@ Called like scenes_test.py <kfast>. A whole scene begins with `kfast 1` and has 
 around it what it needs, and what it names is looked for in the parts above it on its page.
 """
 
+import json
 import pathlib
 import re
 import subprocess
@@ -11,10 +12,12 @@ import sys
 import tempfile
 import unittest
 
-from page import ROOT, blocks, pages
+from page import ROOT, blocks, pages, shown_status
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
 OUTERMOST = {"kfast", "canvas", "palette", "object", "group", "use", "symbol", "clip", "event", "input", "bones"}
+SETTINGS = {"board", "panel", "bus", "pins", "knob", "button", "beam", "core", "memory", "bands", "reserved"}
+LANGUAGES = {"", "indented", "kdl", "sh", "text", "json", "c", "cpp", "cmake"}
 PALETTE = 'palette { ink "#f2f2f2"; glow "#4cc9f0"; arm "#c98a5e"; hand "#e0ac7d" }\n'
 WHOLE = "kfast 1"
 BEAM_SETTINGS = """board pico {{
@@ -37,6 +40,17 @@ def nodes(text):
         if begin is not None and depth == 0 and sign in "\n;" and not bare[:at].endswith("\\"):
             yield re.match(r"[\w-]+", bare[begin:]).group(), text[begin:at]
             begin = None
+
+
+def looks_like_kdl(text, names):
+    lines = [line.strip() for line in text.splitlines() if line.strip() and not line.strip().startswith("//")]
+    return bool(lines) and re.split(r"[\s;{]", lines[0])[0] in names
+
+
+def is_checked_by_a_command(block, page):
+    """Mistakes, for a command that is to find them."""
+    return block.file_name and any(block.file_name in command and shown_status(command) for other in page if other.is_commands
+                                   for _, command in other.commands())
 
 
 def is_whole(text):
@@ -117,6 +131,18 @@ class DocumentedScenes(unittest.TestCase):
                     above.append(block.text)
                     looked_at += 1
         self.assertGreater(looked_at, 30)
+
+    def test_no_block_hides_from_that(self):
+        nodes_of_scenes = json.loads(subprocess.run([KFAST, "schema", "--json"], capture_output=True, check=True).stdout)["nodes"]
+        names = {node["name"] for node in nodes_of_scenes if not node.get("any_name")} | SETTINGS
+        self.assertLessEqual(OUTERMOST, names)
+        for path in pages():
+            page = list(blocks(path.read_text(encoding="utf-8")))
+            for block in page:
+                with self.subTest(place=f"{path.relative_to(ROOT)}:{block.line}"):
+                    self.assertIn(block.language, LANGUAGES)
+                    if block.language != "kdl" and not block.is_commands and looks_like_kdl(block.text, names):
+                        self.assertTrue(is_checked_by_a_command(block, page), "to be fenced as kdl")
 
     def test_mistakes_are_noticed(self):
         for text in ("kfast 1\ncanvas 9 9\nobject dot fill=white wide=2 { circle 4 4 r=3 }\n",  # an unknown property
