@@ -5,7 +5,8 @@ import struct
 import unittest
 
 from command_case import CommandTest
-from config_test import FAMILY, SCENE, SETTINGS, firmware
+from pretend_firmware import firmware
+from uf2_blocks import FAMILY, SCENE, SETTINGS
 
 FLASH = 0x10000000
 RP2350 = 0xE48BFF59
