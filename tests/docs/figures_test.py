@@ -101,6 +101,16 @@ class FirstPage(unittest.TestCase):
             return (folder / "scene.kfb").stat().st_size
 
 
+class Fit(unittest.TestCase):
+    def test_what_a_beam_is_estimated_by(self):
+        source = (ROOT / "host/fit/beam_fit.cpp").read_text(encoding="utf-8")
+        costs = {name: int(cost) for name, cost in re.findall(r"constexpr double per_(\w+) = (\d+);", source)}
+        page = re.sub(r"\s+", " ", (ROOT / "docs/fit.md").read_text(encoding="utf-8"))
+        self.assertIn("For the beam, {plotted_corner} instructions are added for each corner of a line and {plotted_point} for each "
+                      "point; and where the picture is not the one before, {new_corner} for each corner, {further_line:,} for each "
+                      "line but one, and {compared_travel} for each travel".format(**costs), page)
+
+
 class Benchmarks(unittest.TestCase):
     """What docs/benchmarks.md says of its own tables."""
 

@@ -78,6 +78,22 @@ class Program(unittest.TestCase):
         self.assertEqual(len(names), 6, "E1 … E6 is written in several places")
 
 
+    def test_boards_and_panels_of_fit(self):
+        boards = re.search(r"A known board \(([^)]*)\)", told("fit", "--help")).group(1).split(", ")
+        page = section("fit.md", "A board of your own")
+        listed = re.search(r"The boards that kfast knows.*?\. Those", page, re.DOTALL).group()
+        self.assertEqual(re.findall(r"`([\w-]+)`", listed), boards)
+        scene = str(ROOT / "examples/spinner.kfast")
+        refused = subprocess.run([KFAST, "fit", scene, "--board", "pico", "--panel", "-"], capture_output=True, text=True).stderr
+        rows = [cells(line)[:3] for line in page.split("| panel | size |")[1].splitlines() if is_row(line) and "`" in line]
+        self.assertEqual([name.strip("`") for name, *_ in rows], re.search(r"allowed: ([^;]*)", refused).group(1).split(", "))
+        for name, size, kind in rows:
+            report = subprocess.run([KFAST, "fit", scene, "--board", "pico", "--panel", name.strip("`"), "--json"],
+                                    capture_output=True, text=True).stdout
+            panel = json.loads(report)["panel"]
+            self.assertEqual([size, kind.split(",")[0]], [f"{panel['width']}x{panel['height']}", panel["format"]], name)
+
+
 class Project(unittest.TestCase):
     def test_files_that_are_named(self):
         for path, place, line in each_text():
