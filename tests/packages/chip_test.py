@@ -3,6 +3,7 @@ chip_test.py <arm-none-eabi-g++> [<-mcpu=…>]. Tells its size."""
 
 import concurrent.futures
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -40,9 +41,17 @@ class Chip(unittest.TestCase):
                   program)
         code, data, zeroed = map(int, output_of("arm-none-eabi-size", program, text=True).splitlines()[1].split()[:3])
         print(f"{CHIP}: {code + data} bytes of flash, {data + zeroed} of RAM")
-        self.assertLess(code + data, 100_000)
+        self.expect_as_documented(code + data, data + zeroed)
         symbols = output_of("arm-none-eabi-nm", program, text=True)
         self.assertNotRegex(symbols, r"(?m) (malloc|_Znwj|__aeabi_[fd]\w+)$")
+
+    def expect_as_documented(self, *bytes_used):
+        page = (ROOT / "docs/packages.md").read_text(encoding="utf-8")
+        name = re.escape(CHIP.removeprefix("-mcpu=").replace("cortex-m0plus", "cortex-m0+"))
+        told = re.search(rf"(?i)^\| {name} \| ([\d,]+) bytes \| ([\d,]+) bytes \|$", page, re.MULTILINE)
+        for used, figure in zip(bytes_used, told.groups()):
+            documented = int(figure.replace(",", ""))
+            self.assertLess(abs(used - documented), documented // 100, f"docs/packages.md tells {figure}")
 
     def test_an_older_language_is_refused_in_words(self):
         refused = subprocess.run([CXX, *FLAGS, "-std=gnu++17", "-I", self.library / "src", "-c",
