@@ -57,7 +57,7 @@ class Program(unittest.TestCase):
         self.assertEqual(sorted(listed - {"unpack"}), sorted(commands)) # unpack: of "kfast uf2"
 
     def test_keys_of_the_preview(self):
-        keys = re.findall(r"(?m)^  (\S+)  +\S", told("preview", "--help").split("--keys:\n")[1])
+        keys = re.findall(r"(?m)^  (\S+)  +\S", re.split(r"(?m)^Keys of .*:\n", told("preview", "--help"))[1])
         page = section("preview.md", "Keys")
         rows = [cells(line)[0] for line in page.splitlines() if is_row(line)][1:]
         in_table = [name.strip("`") for cell in rows for name in re.split(r",? ", cell)]
