@@ -206,7 +206,8 @@ void declare(CLI::App& app)
     app.add_option("FILE", options->file,
                    "A file of Lottie (.json, .lottie), SVG (.svg, .svgz) or Synfig (.sif, .sifz)");
     app.add_option("-o,--output", options->output,
-                   "The scene text, - for standard output (default: FILE's name with .kfast)");
+                   "The scene text, - for standard output (default: FILE's name with .kfast)")
+        ->type_name("OUT");
     app.add_flag("--all-losses", options->whole_list,
                  "All that is not carried over, however long the list is");
     app.add_flag("--json", options->json, "For programs: the report as a JSON object");
