@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 import unittest
 import zipfile
@@ -78,12 +79,8 @@ class Assemble(unittest.TestCase):
         script = self.folder / "register.cmake"
         script.write_text("""
             function(idf_component_register)
-                cmake_parse_arguments(PARSE_ARGV 0 COMPONENT "" "" "SRC_DIRS;INCLUDE_DIRS")
-                foreach(FOLDER ${COMPONENT_SRC_DIRS})
-                    file(GLOB SOURCES ${ROOT}/${FOLDER}/*.cpp)
-                    list(APPEND ALL ${SOURCES})
-                endforeach()
-                list(JOIN ALL "\\n" ALL)
+                cmake_parse_arguments(PARSE_ARGV 0 COMPONENT "" "" "SRCS;INCLUDE_DIRS")
+                list(JOIN COMPONENT_SRCS "\\n" ALL)
                 file(WRITE ${ROOT}/../registered "${ALL}\\n${COMPONENT_INCLUDE_DIRS}")
             endfunction()
             include(${ROOT}/CMakeLists.txt)
@@ -99,6 +96,17 @@ class Assemble(unittest.TestCase):
         again = subprocess.run([ROOT / "scripts/assemble", "arduino", self.folder / "arduino"], capture_output=True, text=True)
         self.assertEqual(1, again.returncode)
         self.assertIn("exists already", again.stderr)
+
+    def test_nothing_is_left_of_what_fails(self):
+        project = self.folder / "project"
+        for name in ("core", "library", "packages", "examples", "scripts"):
+            shutil.copytree(ROOT / name, project / name)
+        shutil.copy(ROOT / "CMakeLists.txt", project)  # and no LICENSE
+        for kind in self.made:
+            result = subprocess.run([project / "scripts/assemble", kind, project / "made", "--zip"], capture_output=True, text=True)
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("LICENSE", result.stderr)
+            self.assertEqual([], list((project / "made").iterdir()))
 
     def test_a_zip_holds_the_folder(self):
         _, name = output_of(ROOT / "scripts/assemble", "arduino", self.folder / "zipped", "--zip", text=True).splitlines()
