@@ -9,6 +9,7 @@
 #include "host/commands/offered_names.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/time_text.hpp"
+#include "host/commands/work_bar.hpp"
 #include "host/failure.hpp"
 #include "host/input_file.hpp"
 
@@ -74,22 +75,25 @@ std::vector<double> frames_of(const ImportOptions& options)
     return frames;
 }
 
-importing::Imported import_drawings(const ImportOptions& options)
+importing::Imported import_drawings(const ImportOptions& options, const importing::Options& choice)
 {
     std::vector<SourceText> drawings;
     for (const std::string& file : options.drawings)
         drawings.push_back({file, read_input(file, import_input)});
-    return importing::import_key_drawings(std::move(drawings), frames_of(options), options.choice.options);
+    return importing::import_key_drawings(std::move(drawings), frames_of(options), choice);
 }
 
 importing::Imported import_file(const ImportOptions& options)
 {
+    WorkBar bar{"importing"};
+    importing::Options choice = options.choice.options;
+    choice.tell = bar.teller();
     if (!options.drawings.empty())
-        return import_drawings(options);
+        return import_drawings(options, choice);
     std::string content = read_input(options.file, import_input);
     if (content.starts_with("KFB"))
         throw Failure(options.file + ": a compiled scene already");
-    return importing::import_scene(options.file, std::move(content), options.choice.options);
+    return importing::import_scene(options.file, std::move(content), choice);
 }
 
 /// Throws Failure if something is lost that must not be.

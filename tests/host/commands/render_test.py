@@ -4,7 +4,6 @@ place of ffmpeg tells what it is given: render_test.py <kfast> <rsvg-convert> <f
 import fractions
 import json
 import os
-import pty
 import shutil
 import signal
 import subprocess
@@ -433,20 +432,6 @@ class UsageTest(RenderTest):
         self.assertIn('viewBox="0 0 128 64"', (self.folder / "out.svg").read_text())
         self.render("marked.kfast", "--beam", "scope", "--size", "100x100", "--clip", "blink", "--all", "-o", "out.png")
         self.assertEqual(self.opened("out.png").size, (100, 100))
-
-    def written_to_a_terminal(self, *arguments):
-        master, slave = pty.openpty()
-        player = subprocess.Popen([KFAST, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=slave)
-        os.close(slave)
-        written = b""
-        while True:
-            try:
-                written += os.read(master, 65536)
-            except OSError:  # the other end is closed
-                break
-        os.close(master)
-        self.assertEqual(player.wait(timeout=120), 0)
-        return written.decode()
 
     def test_long_work_is_seen_on_a_terminal_alone(self):
         self.assertEqual(self.written_to_a_terminal("render", "repeat.kfast", "--all", "-o", "out.gif"), "")

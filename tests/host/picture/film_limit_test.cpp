@@ -23,7 +23,8 @@ std::string refused(const std::string& what)
 /// 500 lines, which are somewhere else in each frame.
 std::string many_lines()
 {
-    std::string text = "kfast 1\ncanvas 200 200 frames=100\nobject o stroke=white { track x { at 0 0; at 100 90 }\n";
+    std::string text =
+        "kfast 1\ncanvas 200 200 frames=100\nobject o stroke=white { track x { at 0 0; at 100 90 }\n";
     for (int i = 0; i < 500; ++i)
         text += "line 0 " + std::to_string(i % 200) + " 99 " + std::to_string(i / 3) + '\n';
     return text + "}\n";
@@ -57,21 +58,24 @@ std::string told(Write write)
 std::string told_of_gif(int count)
 {
     PaintedSource source{{256, 256}, noise};
-    return told([&](const auto& target) { write_gif(target, source, frames(count), tell_nobody, one_mebibyte); });
+    return told(
+        [&](const auto& target) { write_gif(target, source, frames(count), tell_nobody, one_mebibyte); });
 }
 
 std::string told_of_apng(int count)
 {
     PaintedSource source{{256, 256}, noise};
-    return told([&](const auto& target) { write_apng(target, source, frames(count), tell_nobody, one_mebibyte); });
+    return told(
+        [&](const auto& target) { write_apng(target, source, frames(count), tell_nobody, one_mebibyte); });
 }
 
 std::string told_of_svg(int count)
 {
     const std::vector<std::byte> scene = compiled(many_lines());
     SvgSource source{*SceneView::parse(scene), {200, 200}, Fit::contain};
-    return told(
-        [&](const auto& target) { write_animated_svg(target, source, frames(count), tell_nobody, one_mebibyte); });
+    return told([&](const auto& target) {
+        write_animated_svg(target, source, frames(count), tell_nobody, one_mebibyte);
+    });
 }
 
 }
