@@ -92,6 +92,15 @@ class Assemble(unittest.TestCase):
         self.assertEqual("src", includes)
         self.assertIn(f'version: "{VERSION}"\n', (folder / "idf_component.yml").read_text())
 
+    def test_examples_for_the_esp32_ask_for_enough_stack(self):
+        bound = int(re.search(r"stack_bound = (\d+);", (ROOT / "host/fit/memory_need.cpp").read_text()).group(1))
+        settings = (self.made["esp-idf"] / "examples/robot_eyes/sdkconfig.defaults").read_text()
+        told = [int(re.search(r"(?m)^CONFIG_ESP_MAIN_TASK_STACK_SIZE=(\d+)$", settings).group(1))]
+        for sketch in (self.made["arduino"] / "examples").rglob("*.ino"):
+            kilobytes = re.search(r"(?m)^SET_LOOP_TASK_STACK_SIZE\((\d+) \* 1024\);", sketch.read_text())
+            told.append(1024 * int(kilobytes.group(1)))
+        self.assertGreater(min(told), 3 * bound // 2)
+
     def test_what_is_there_is_not_written_over(self):
         again = subprocess.run([ROOT / "scripts/assemble", "arduino", self.folder / "arduino"], capture_output=True, text=True)
         self.assertEqual(1, again.returncode)
