@@ -1,3 +1,23 @@
 #include "host/commands/command.hpp"
 
-int main(int count, char** arguments) { return kfast::run_command_line(count, arguments); }
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace {
+
+/// A file that is opened must not take the place of one that whoever started the program has closed: what it
+/// prints would go there. To read or to write these fails as before.
+void fill_closed_standard_files()
+{
+    for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(number, F_GETFD) < 0)
+            ::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY); // gets the lowest free number
+}
+
+}
+
+int main(int count, char** arguments)
+{
+    fill_closed_standard_files();
+    return kfast::run_command_line(count, arguments);
+}

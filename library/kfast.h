@@ -53,15 +53,16 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
 /* Times are in 1/1024 frame; KFAST_FRAME * 12 is the 13th frame. */
 #define KFAST_FRAME INT32_C(1024)
 
-/* Sets an input of the scene, such as where the eyes look, from the next kfast_show() on: to `value` in
- * 1/1000 of what the scene counts it in (500 is 0.5), held within the input's range. At first inputs have the
- * usual values that the scene gives them. If there is no such input, nothing changes. */
+/* Sets an input of the scene, such as where the eyes look, from the next kfast_show() or kfast_update() on:
+ * to `value` in 1/1000 of what the scene counts it in (500 is 0.5), held within the input's range. At first
+ * inputs have the usual values that the scene gives them. If there is no such input, nothing changes. */
 kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value);
 
-/* Tells a text that is an input of the scene, in UTF-8, from the next kfast_show() on. Characters that the
- * scene has no letters for are left out, and so are those beyond the most that the input takes. At first a
- * text is the usual one. If there is no such input, nothing changes. */
+/* Tells a text that is an input of the scene, in UTF-8, from the next kfast_show() or kfast_update() on.
+ * Characters that the scene has no letters for are left out, and so are those beyond the most that the input
+ * takes. At first a text is the usual one. If there is no such input, nothing changes. */
 kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text);
+
 /* A point of a drawing, in 1/16 pixel of the objects that show it; y points down. */
 typedef struct kfast_point {
     int16_t x;
@@ -69,9 +70,9 @@ typedef struct kfast_point {
 } kfast_point;
 
 /* Sets a drawing among the inputs of the scene, such as a curve that is measured, from the next kfast_show()
- * on: to as many strokes as `strokes`, of stroke_points[0], stroke_points[1], ... points, which lie one after
- * another in `points`. A stroke is closed if it ends where it begins. All is copied. No strokes are the empty
- * drawing. If there is no such drawing, or if it takes less, nothing changes. */
+ * or kfast_update() on: to as many strokes as `strokes`, of stroke_points[0], stroke_points[1], ... points,
+ * which lie one after another in `points`. A stroke is closed if it ends where it begins. All is copied. No
+ * strokes are the empty drawing. If there is no such drawing, or if it takes less, nothing changes. */
 kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
                               const uint16_t* stroke_points, size_t strokes);
 
@@ -104,8 +105,8 @@ typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const 
  * what is left of the last byte of a row then means nothing.
  *
  * The buffer is where the pixels are drawn; the larger, the fewer the calls. KFAST_OK, or
- * KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of the panel, and a byte more if it begins at
- * an odd address (pixels of 16 bits are written as such, always at even addresses).
+ * KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of the panel, and for rgb565 and rgb565_be a
+ * byte more if it begins at an odd address, for their pixels lie at even ones.
  *
  *     rgb565          2 bytes a pixel, little-endian, red in the highest 5 bits
  *     rgb565_be       the same with the high byte first, as LCDs on SPI take it

@@ -121,11 +121,12 @@ public:
     /// means nothing.
     ///
     /// `buffer` is where the pixels are drawn; the larger, the fewer the calls. False, and nothing is drawn,
-    /// if it does not hold a row of the panel from an even address on.
+    /// if it does not hold a row of the panel; of a format of 16 bits, from an even address on.
     template <PixelFormat format, class DrawRectangle>
     bool draw(std::span<std::byte> buffer, DrawRectangle&& draw_rectangle)
     {
-        buffer = buffer.subspan(std::min(buffer.size(), beyond_halfword(buffer.data())));
+        if constexpr (bits_per_pixel(format) == 16)
+            buffer = buffer.subspan(std::min(buffer.size(), beyond_halfword(buffer.data())));
         if (buffer.size() < row_bytes(format, panel().width))
             return false;
         constexpr Size granularity{pixels_in_whole_bytes(format), 1};

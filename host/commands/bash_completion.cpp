@@ -78,21 +78,28 @@ std::string names_of_holders(const CommandWords& kfast)
 
 constexpr std::string_view functions = R"(# Completes kfast in bash. Made by "kfast completions bash".
 
+# Adds a line each of what is read, as it is: what expanded it would take [a].kfast for a.kfast.
+_kfast_offer() {
+    local -a lines
+    mapfile -t lines
+    COMPREPLY+=("${lines[@]}")
+}
+
 _kfast_words() {
-    COMPREPLY+=($(compgen -W "$1" -- "$current"))
+    _kfast_offer < <(compgen -W "$1" -- "$current")
 }
 
 # Folders, and files with these endings; all files if there are none.
 _kfast_files() {
-    local IFS=$'\n' ending
+    local ending
     compopt -o filenames 2>/dev/null
     if (($# == 0)); then
-        COMPREPLY+=($(compgen -f -- "$current"))
+        _kfast_offer < <(compgen -f -- "$current")
         return
     fi
-    COMPREPLY+=($(compgen -d -- "$current"))
+    _kfast_offer < <(compgen -d -- "$current")
     for ending in "$@"; do
-        COMPREPLY+=($(compgen -f -X "!*$ending" -- "$current"))
+        _kfast_offer < <(compgen -f -X "!*$ending" -- "$current")
     done
 }
 

@@ -52,7 +52,8 @@ void declare(CLI::App& app)
     app.add_option("SCENE", options->scene,
                    "The scene text (.kfast), or a file to import (.json, .lottie, .svg, .sif)")
         ->required();
-    app.add_option("-o,--output", options->output, "The compiled scene (default: SCENE's name with .kfb)");
+    app.add_option("-o,--output", options->output, "The compiled scene (default: SCENE's name with .kfb)")
+        ->type_name("OUT");
     declare_import_options(app, options->import_choice);
     declare_fit_options(app, options->fit);
     app.callback([options] { compile_scene(*options); });

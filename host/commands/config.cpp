@@ -108,7 +108,8 @@ void declare(CLI::App& app)
         app.add_option("INPUT", options->input,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)");
     CLI::Option* const output = app.add_option("-o,--output", options->output,
-                                               "A .kdl, .bin or .uf2 file (default: the text is printed)");
+                                               "A .kdl, .bin or .uf2 file (default: the text is printed)")
+                                    ->type_name("OUT");
     offer_names(input, config::configurations());
     app.add_flag("--list", options->list, "Name the ready configurations")->excludes(input)->excludes(output);
     app.callback([options] { run(*options); });

@@ -31,11 +31,13 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
                                                   "), or the file that describes yours (docs/fit.md)")
                                    ->type_name("NAME");
     offer_names(board, fit::board_texts());
-    app.add_option_function<std::string>(
-           "--panel", [&options](const std::string& name) { options.panel = panel_named(name); },
-           "Another panel than the board's")
-        ->type_name("NAME")
-        ->needs(board);
+    CLI::Option* const panel =
+        app.add_option_function<std::string>(
+               "--panel", [&options](const std::string& name) { options.panel = panel_named(name); },
+               "Another panel than the board's")
+            ->type_name("NAME")
+            ->needs(board);
+    offer(panel, fit::display_names());
     app.add_option("--fps", options.frames_per_second,
                    "Frames per second to be reached (default: the scene's)")
         ->type_name("NUMBER")

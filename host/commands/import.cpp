@@ -9,6 +9,7 @@
 #include "host/commands/offered_names.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/time_text.hpp"
+#include "host/commands/work_bar.hpp"
 #include "host/failure.hpp"
 #include "host/input_file.hpp"
 
@@ -74,22 +75,25 @@ std::vector<double> frames_of(const ImportOptions& options)
     return frames;
 }
 
-importing::Imported import_drawings(const ImportOptions& options)
+importing::Imported import_drawings(const ImportOptions& options, const importing::Options& choice)
 {
     std::vector<SourceText> drawings;
     for (const std::string& file : options.drawings)
         drawings.push_back({file, read_input(file, import_input)});
-    return importing::import_key_drawings(std::move(drawings), frames_of(options), options.choice.options);
+    return importing::import_key_drawings(std::move(drawings), frames_of(options), choice);
 }
 
 importing::Imported import_file(const ImportOptions& options)
 {
+    WorkBar bar{"importing"};
+    importing::Options choice = options.choice.options;
+    choice.tell = bar.teller();
     if (!options.drawings.empty())
-        return import_drawings(options);
+        return import_drawings(options, choice);
     std::string content = read_input(options.file, import_input);
     if (content.starts_with("KFB"))
         throw Failure(options.file + ": a compiled scene already");
-    return importing::import_scene(options.file, std::move(content), options.choice.options);
+    return importing::import_scene(options.file, std::move(content), choice);
 }
 
 /// Throws Failure if something is lost that must not be.
@@ -206,7 +210,8 @@ void declare(CLI::App& app)
     app.add_option("FILE", options->file,
                    "A file of Lottie (.json, .lottie), SVG (.svg, .svgz) or Synfig (.sif, .sifz)");
     app.add_option("-o,--output", options->output,
-                   "The scene text, - for standard output (default: FILE's name with .kfast)");
+                   "The scene text, - for standard output (default: FILE's name with .kfast)")
+        ->type_name("OUT");
     app.add_flag("--all-losses", options->whole_list,
                  "All that is not carried over, however long the list is");
     app.add_flag("--json", options->json, "For programs: the report as a JSON object");

@@ -11,6 +11,7 @@
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
 #include "host/input_text.hpp"
+#include "host/loop_name.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/scene_file.hpp"
@@ -32,19 +33,6 @@ struct InfoOptions {
     std::uint32_t rate = galvo_profile.rate;
     PictureOptions picture;
 };
-
-const char* name_of(Loop loop)
-{
-    switch (loop) {
-    case Loop::once:
-        return "once";
-    case Loop::repeat:
-        return "repeat";
-    case Loop::ping_pong:
-        return "ping-pong";
-    }
-    return "";
-}
 
 double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
 
@@ -131,7 +119,7 @@ Json clips_of(const SceneView& scene)
         clips.push_back({{"name", clip.name},
                          {"from", frames(clip.begin)},
                          {"to", frames(clip.end)},
-                         {"loop", name_of(clip.loop)}});
+                         {"loop", loop_name(clip.loop)}});
     }
     return clips;
 }
@@ -158,7 +146,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"fps", timeline.frame_rate / 1000.0},
         {"frames", frames(timeline.stretch.end)},
         {"seconds", timeline.seconds(timeline.stretch.end.ticks)},
-        {"loop", name_of(timeline.stretch.loop)},
+        {"loop", loop_name(timeline.stretch.loop)},
         {"objects", object_count(scene.view)},
         {"wire_frames", wire_frame_count(scene.view)},
         {"items", item_count(scene.view)},

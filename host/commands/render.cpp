@@ -40,6 +40,7 @@ struct RenderOptions {
     bool all = false;
     bool contact = false;
     std::optional<int> columns; ///< of a sprite sheet
+    bool has_way_back = false;  ///< likewise
     std::string kind;           ///< of the files in a folder
     int scale = 1;
     std::optional<int> loops;
@@ -110,6 +111,8 @@ void require_fitting_options(const RenderOptions& options, RenderKind kind)
         require_vector_options(options);
     if (!options.kind.empty() && kind != RenderKind::folder)
         throw CLI::ValidationError("--kind", "it is for the files in a folder: name one with --all -o");
+    if (options.has_way_back && !options.columns)
+        throw CLI::ValidationError("--way-back", "it is for --sheet: animations and videos have it anyway");
     if (options.loops && !is_video(kind))
         throw CLI::ValidationError("--loops", "it is for videos, .mp4 and .webm: the other kinds repeat "
                                               "themselves as the scene does");
@@ -199,7 +202,8 @@ void render_film(const Rendering& job, RenderKind kind)
 void render_sprite_sheet(const Rendering& job)
 {
     output_path(sprite_list_path(job.output), job.options.file);
-    write_sprite_sheet(job.output, *source_of(job), job.timeline, *job.options.columns, job.tell);
+    const SpriteSheetForm form{*job.options.columns, job.options.has_way_back};
+    write_sprite_sheet(job.output, *source_of(job), job.timeline, form, job.tell);
 }
 
 /// Enlarged with its labels.
@@ -252,6 +256,7 @@ void declare_files(CLI::App& app, RenderOptions& options)
 {
     app.add_option("-o,--output", options.output,
                    "A .png or .svg; with --all a folder, or .apng, .png, .gif, .svg, .mp4 or .webm")
+        ->type_name("OUT")
         ->required();
     app.add_option("--kind", options.kind, "The files in a folder: png (default) or svg")
         ->type_name("KIND")
@@ -259,6 +264,7 @@ void declare_files(CLI::App& app, RenderOptions& options)
     app.add_option("--scale", options.scale, "Each pixel as a square of so many a side")
         ->type_name("N")
         ->check(number_within(1, largest_scale));
+    app.add_flag("--way-back", options.has_way_back, "On a sheet, the way back of ping-pong, too");
     app.add_option("--loops", options.loops, "Play a video so many times (default: 1)")
         ->type_name("N")
         ->check(number_within(1, most_loops));

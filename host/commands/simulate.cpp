@@ -130,7 +130,7 @@ void declare(CLI::App& app)
                    "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)")
         ->type_name("FILE");
     app.add_option("--serial", options->serial, "The serial number, of at most 24 letters")
-        ->type_name("TEXT")
+        ->type_name("SERIAL")
         ->check(is_serial)
         ->capture_default_str();
     app.add_option("--picture", options->picture, "At the end, write what was shown last as PNG")

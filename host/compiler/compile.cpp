@@ -16,7 +16,8 @@ std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnost
     return std::move(compiled->bytes);
 }
 
-std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics)
+std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics,
+                                                const TellWork& tell)
 {
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors()) // what was not read would only cause errors that follow from these
@@ -26,7 +27,7 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
         return std::nullopt;
     if (scene->has_routes)
         order_strokes(*scene);
-    auto bytes = write_scene(*scene, diagnostics);
+    auto bytes = write_scene(*scene, diagnostics, tell);
     if (!bytes)
         return std::nullopt;
     return CompiledScene{std::move(*bytes), item_names(*scene)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/tell_work.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
@@ -22,6 +23,7 @@ struct CompiledScene {
 std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnostics& diagnostics);
 
 /// As compile(), with the names of items.
-std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics);
+std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics,
+                                                const TellWork& tell = tell_nobody);
 
 }

@@ -23,16 +23,20 @@ std::uint32_t with_reserve(std::size_t bytes)
 }
 
 std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,
-                                           Diagnostics& diagnostics)
+                                           Diagnostics& diagnostics, const TellWork& tell)
 {
     set_outline_bytes(file, kfb::max_outline_bytes);
     const auto view = SceneView::parse(file);
     OutlineMeter meter{*view, kfb::max_outline_bytes};
     const std::vector<MeasuredMoment> moments = measured_moments(*view);
     std::size_t most = 0;
-    for (const InputTexts& texts : largest_texts(*view, moments, meter)) {
+    const std::vector<InputTexts> all_texts = largest_texts(*view, moments, meter);
+    const std::size_t steps = all_texts.size() * moments.size();
+    std::size_t done = 0;
+    for (const InputTexts& texts : all_texts) {
         put_texts(texts, meter);
         for (const MeasuredMoment& measured : moments) {
+            tell(done++, steps);
             const OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
             if (outlines.is_full()) {
                 report_excess(scene, *view, measured.moment(), texts, diagnostics);

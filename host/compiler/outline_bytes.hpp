@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/scene/model.hpp"
+#include "host/tell_work.hpp"
 #include "host/text/diagnostic.hpp"
 
 #include <cstddef>
@@ -18,8 +19,8 @@ namespace kfast {
 /// Found by playing the scene (host/compiler/measured_moments.hpp), with the worst that live drawings may be
 /// told (host/compiler/live_outlines.hpp), and adding an eighth: a moment between two
 /// of these may halve a few curves once more. A player whose picture finds no room all the same draws it with
-/// coarser curves.
+/// coarser curves. That is most of the work of compiling, and `tell` is told of it.
 std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,
-                                           Diagnostics& diagnostics);
+                                           Diagnostics& diagnostics, const TellWork& tell = tell_nobody);
 
 }

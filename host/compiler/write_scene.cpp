@@ -36,7 +36,8 @@ void check_laws(const LawTable& laws, Diagnostics& diagnostics)
 
 }
 
-std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics)
+std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics,
+                                                  const TellWork& tell)
 {
     LawTable laws;
     DrawingPool drawings;
@@ -80,7 +81,7 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     body.block(items.bytes());
     body.append(drawings.bytes());
     std::vector<std::byte> file = sealed(body);
-    const auto bytes_for_outlines = outline_bytes(file, scene, diagnostics);
+    const auto bytes_for_outlines = outline_bytes(file, scene, diagnostics, tell);
     if (!bytes_for_outlines)
         return std::nullopt;
     set_outline_bytes(file, *bytes_for_outlines);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/scene/model.hpp"
+#include "host/tell_work.hpp"
 #include "host/text/diagnostic.hpp"
 
 #include <cstddef>
@@ -11,6 +12,7 @@ namespace kfast {
 
 /// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on items, points, steps or
 /// outlines is an error at its largest object.
-std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics);
+std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics,
+                                                  const TellWork& tell = tell_nobody);
 
 }

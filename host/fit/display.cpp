@@ -52,11 +52,13 @@ const Display* display_named(std::string_view name)
     return display == displays.end() ? nullptr : &*display;
 }
 
-std::string display_suggestion(std::string_view name)
+std::vector<std::string_view> display_names()
 {
-    std::array<std::string_view, displays.size()> known;
-    std::ranges::transform(displays, known.begin(), &Display::name);
-    return suggestion(name, known);
+    std::vector<std::string_view> names(displays.size());
+    std::ranges::transform(displays, names.begin(), &Display::name);
+    return names;
 }
+
+std::string display_suggestion(std::string_view name) { return suggestion(name, display_names()); }
 
 }

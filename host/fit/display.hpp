@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast::fit {
 
@@ -21,6 +22,8 @@ struct Display {
 
 /// The controller of that name, or null.
 const Display* display_named(std::string_view name);
+/// Of all controllers that are known.
+std::vector<std::string_view> display_names();
 /// The remedy for a name that no controller has (host/text/suggestion.hpp).
 std::string display_suggestion(std::string_view name);
 

@@ -126,11 +126,23 @@ bool names_limit(std::string_view message)
                      "; this is a mistake in kfast: please report it, with the file");
 }
 
-CompiledScene compiled(const std::string& name, const std::string& text)
+/// How far the whole has come when it is read, and when its text is written: compiling takes longest.
+constexpr std::size_t steps = 1000;
+constexpr std::size_t steps_to_read = 150;
+constexpr std::size_t steps_to_write = 300;
+
+TellWork told_last(const TellWork& tell)
+{
+    return [tell](std::size_t done, std::size_t total) {
+        tell(steps_to_write + (steps - steps_to_write) * done / total, steps);
+    };
+}
+
+CompiledScene compiled(const std::string& name, const std::string& text, const TellWork& tell)
 {
     Diagnostics diagnostics;
     const SourceText source{.name = name, .text = text};
-    auto scene = compile_with_names(source, diagnostics);
+    auto scene = compile_with_names(source, diagnostics, told_last(tell));
     const std::vector<Diagnostic> found = diagnostics.sorted();
     if (scene && found.empty())
         return std::move(*scene);
@@ -186,13 +198,15 @@ Draft named_draft_of(const art::Document& document, const art::Losses& losses, c
 Imported made_of(const art::Document& document, const std::string& name, const Options& options,
                  const art::Losses& losses)
 {
+    options.tell(steps_to_read, steps);
     Draft draft = named_draft_of(document, losses, name, options);
+    options.tell(steps_to_write, steps);
     Imported imported;
     imported.text = std::move(draft.written.text);
     if (imported.text.size() > most_scene_text_bytes)
         refuse(name,
                "makes a scene text larger than 4 MB, more than kfast reads: draw less, or raise --tolerance");
-    imported.compiled = compiled(name, imported.text);
+    imported.compiled = compiled(name, imported.text, options.tell);
     imported.extent = extent_of(draft.document);
     imported.losses = std::move(draft.losses);
     return imported;

@@ -4,6 +4,7 @@
 #include "core/size.hpp"
 #include "host/art/tolerance.hpp"
 #include "host/svg/key_options.hpp"
+#include "host/tell_work.hpp"
 
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ struct Options {
     std::optional<Colour> background;        ///< opaque, of files that say nothing of theirs
     std::string animation;                   ///< of a dotLottie file; "": the one that it begins with
     svg::KeyOptions drawings;                ///< how drawings of SVG become keys
+    TellWork tell = tell_nobody;
 };
 
 }

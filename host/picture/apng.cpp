@@ -3,7 +3,6 @@
 #include "core/crc32.hpp"
 #include "host/atomic_file.hpp"
 #include "host/picture/film_delay.hpp"
-#include "host/picture/film_limit.hpp"
 #include "host/picture/film_moment.hpp"
 #include "host/picture/picture_part.hpp"
 #include "host/picture/png.hpp"
@@ -72,6 +71,8 @@ void append_chunk(Bytes& bytes, std::string_view name, std::span<const std::byte
 
 class ApngEncoder {
 public:
+    explicit ApngEncoder(const FilmLimit& limit) : limit_{limit} {}
+
     void add(const Picture& picture, const Rect& area, const FilmDelay& delay)
     {
         const Bytes png = encoded_png(picture);
@@ -82,7 +83,7 @@ public:
             if (chunk.name == "IDAT")
                 add_data(chunk.data);
         ++frames_;
-        require_film_size(head_.size() + body_.size(), "animated PNG");
+        limit_.require(head_.size() + body_.size(), "animated PNG");
     }
 
     Bytes finished(bool is_endless)
@@ -129,6 +130,7 @@ private:
         append_chunk(body_, "fdAT", numbered);
     }
 
+    FilmLimit limit_;
     Bytes head_;
     Bytes body_;
     std::uint32_t frames_ = 0;
@@ -138,7 +140,7 @@ private:
 /// Holds a picture back until it is known for how long it is seen.
 class ApngFilm {
 public:
-    explicit ApngFilm(std::uint32_t frame_rate) : frame_rate_{frame_rate} {}
+    ApngFilm(std::uint32_t frame_rate, const FilmLimit& limit) : frame_rate_{frame_rate}, encoder_{limit} {}
 
     void show(Picture picture, std::int64_t ticks)
     {
@@ -179,10 +181,10 @@ private:
 }
 
 void write_apng(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                const TellWork& tell)
+                const TellWork& tell, const FilmLimit& limit)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
-    ApngFilm film{timeline.frame_rate};
+    ApngFilm film{timeline.frame_rate, limit};
     for (std::size_t done = 0; done < moments.size(); ++done) {
         tell(done, moments.size());
         film.show(widen(source.show(moments[done].time)), moments[done].end - moments[done].begin);

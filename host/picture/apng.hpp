@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/picture/film_limit.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/tell_work.hpp"
@@ -12,9 +13,9 @@ namespace kfast {
 ///
 /// Colours are exact. Delays are fractions (FilmDelay): pictures that repeat become one, as long as its delay
 /// stays exact, and of others only the rectangle that changes is stored. Throws Failure when the file cannot
-/// be written or would be larger than most_film_bytes; then there is none. Layout: APNG Specification,
+/// be written or would be larger than `limit` allows; then there is none. Layout: APNG Specification,
 /// wiki.mozilla.org/APNG_Specification.
 void write_apng(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                const TellWork& tell = tell_nobody);
+                const TellWork& tell = tell_nobody, const FilmLimit& limit = {});
 
 }

@@ -7,17 +7,17 @@
 
 namespace kfast {
 
-/// An animated GIF or PNG is put together in memory; browsers give up long before.
-inline constexpr std::size_t most_film_bytes = std::size_t{1} << 30;
+/// How large an animation that is put together in memory may become; browsers give up long before.
+struct FilmLimit {
+    std::size_t mebibytes = 1024;
 
-/// Throws Failure if one became larger. `what` is its kind: "GIF".
-inline void require_film_size(std::size_t bytes, const char* what)
-{
-    if (bytes > most_film_bytes)
-        throw Failure(
-            std::string{"the "} + what +
-            " would be larger than 1 GiB: play less with --clip, choose a smaller --scale or --size, "
-            "or make an .mp4");
-}
+    /// Throws Failure if one became larger. `what` is its kind: "GIF".
+    void require(std::size_t bytes, const char* what) const
+    {
+        if (bytes > mebibytes << 20)
+            throw Failure(std::string{"the "} + what + " would be larger than " + std::to_string(mebibytes) +
+                          " MiB: play less with --clip, choose a smaller --scale or --size, or make an .mp4");
+    }
+};
 
 }

@@ -2,7 +2,6 @@
 
 #include "host/atomic_file.hpp"
 #include "host/failure.hpp"
-#include "host/picture/film_limit.hpp"
 #include "host/picture/gif_moment.hpp"
 #include "host/picture/palette.hpp"
 
@@ -48,7 +47,8 @@ ColourMap colour_map(const std::vector<Colour>& colours)
 
 class GifEncoder {
 public:
-    explicit GifEncoder(Size size) : size_{size}, gif_{EGifOpen(&bytes_, append, nullptr)}
+    GifEncoder(Size size, const FilmLimit& limit)
+        : size_{size}, limit_{limit}, gif_{EGifOpen(&bytes_, append, nullptr)}
     {
         require(gif_ != nullptr);
         EGifSetGifVersion(gif_, true);
@@ -71,7 +71,7 @@ public:
         std::vector<GifByteType> copy = indices; // giflib masks the line it is given in place
         for (auto* line = copy.data(); line != copy.data() + copy.size(); line += size_.width)
             require(EGifPutLine(gif_, line, size_.width) == GIF_OK);
-        require_film_size(bytes_.size(), "GIF");
+        limit_.require(bytes_.size(), "GIF");
     }
 
     /// Ends the file; nothing may follow.
@@ -103,6 +103,7 @@ private:
     }
 
     Size size_;
+    FilmLimit limit_;
     Bytes bytes_;
     GifFileType* gif_;
 };
@@ -129,14 +130,14 @@ void add_with_own_colours(GifEncoder& encoder, const Picture& picture, int centi
 }
 
 void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-               const TellWork& tell)
+               const TellWork& tell, const FilmLimit& limit)
 {
     const std::vector<GifMoment> moments = gif_moments(timeline);
     const std::size_t steps = 2 * moments.size();
     std::size_t done = 0;
     const std::optional<Palette> palette = shared_palette(source, moments, [&] { tell(done++, steps); });
     const ColourMap colours = palette ? colour_map(palette->colours()) : ColourMap{nullptr, GifFreeMapObject};
-    GifEncoder encoder{source.show(moments.front().time).size};
+    GifEncoder encoder{source.show(moments.front().time).size, limit};
     encoder.begin(colours.get(), timeline.stretch.loop != Loop::once);
     done = moments.size(); // the search for colours may have ended early
     for (const auto& [time, centiseconds] : moments) {

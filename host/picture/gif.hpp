@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/picture/film_limit.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/tell_work.hpp"
@@ -11,9 +12,9 @@ namespace kfast {
 /// Writes one period of what is played as an animated GIF that loops as the scene or clip does.
 ///
 /// Colours are exact when there are at most 256 in all or in a frame; a frame with more is quantized, without
-/// dither. Throws Failure when the file cannot be written or would be larger than most_film_bytes; then there
+/// dither. Throws Failure when the file cannot be written or would be larger than `limit` allows; then there
 /// is none.
 void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-               const TellWork& tell = tell_nobody);
+               const TellWork& tell = tell_nobody, const FilmLimit& limit = {});
 
 }

@@ -1,6 +1,7 @@
 #include "host/picture/sprite_sheet.hpp"
 
 #include "host/atomic_file.hpp"
+#include "host/loop_name.hpp"
 #include "host/picture/film_moment.hpp"
 #include "host/picture/picture_part.hpp"
 #include "host/picture/png.hpp"
@@ -35,20 +36,30 @@ Json frame_json(const Rect& place, double milliseconds)
             {"milliseconds", milliseconds}};
 }
 
+/// One pass from end to end, as of what is played once, unless the way back is asked for.
+std::vector<FilmMoment> sheet_moments(Timeline timeline, const SpriteSheetForm& form)
+{
+    if (timeline.stretch.loop == Loop::ping_pong && !form.has_way_back)
+        timeline.stretch.loop = Loop::once;
+    return film_moments(timeline);
+}
+
+/// Of the pictures on the sheet.
+Loop list_loop(Loop loop, const SpriteSheetForm& form)
+{
+    return loop == Loop::ping_pong && form.has_way_back ? Loop::repeat : loop;
+}
+
 std::string sheet_json(const std::string& image, const Picture& sheet, const Grid& grid,
-                       const std::vector<FilmMoment>& moments, const Timeline& timeline)
+                       const std::vector<FilmMoment>& moments, const Timeline& timeline, Loop loop)
 {
     Json frames = Json::array();
     for (std::size_t number = 0; number < moments.size(); ++number) {
         const std::int64_t ticks = moments[number].end - moments[number].begin;
         frames.push_back(frame_json(grid.place(number), timeline.seconds(ticks) * 1000));
     }
-    const Json all{{"image", image},
-                   {"width", sheet.size.width},
-                   {"height", sheet.size.height},
-                   {"columns", grid.columns},
-                   {"loop", timeline.stretch.loop != Loop::once},
-                   {"frames", frames}};
+    const Json all{{"image", image},          {"width", sheet.size.width}, {"height", sheet.size.height},
+                   {"columns", grid.columns}, {"loop", loop_name(loop)},   {"frames", frames}};
     return all.dump(2) + '\n';
 }
 
@@ -60,11 +71,11 @@ std::filesystem::path sprite_list_path(const std::filesystem::path& sheet)
 }
 
 void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                        int columns, const TellWork& tell)
+                        const SpriteSheetForm& form, const TellWork& tell)
 {
-    const std::vector<FilmMoment> moments = film_moments(timeline);
+    const std::vector<FilmMoment> moments = sheet_moments(timeline, form);
     const int filled =
-        static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(columns), moments.size()));
+        static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(form.columns), moments.size()));
     const Grid grid{filled, source.show(moments.front().time).size};
     const Rect last = grid.place(moments.size() - 1);
     Picture sheet = plain_picture(std::int64_t{filled} * grid.cell.width, std::int64_t{last.y} + last.height,
@@ -74,7 +85,8 @@ void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source
         const Rect place = grid.place(done);
         put(widen(source.show(moments[done].time)), sheet, place.x, place.y);
     }
-    const std::string json = sheet_json(target.filename().string(), sheet, grid, moments, timeline);
+    const std::string json = sheet_json(target.filename().string(), sheet, grid, moments, timeline,
+                                        list_loop(timeline.stretch.loop, form));
     // The list first: what fails, most likely fails here, and then an older sheet stays as it was.
     write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
     write_png(target, sheet);

@@ -11,10 +11,15 @@ namespace kfast {
 /// The file beside a sprite sheet that tells where its pictures are.
 std::filesystem::path sprite_list_path(const std::filesystem::path& sheet);
 
-/// Every frame of what is played, row by row on one PNG of `columns` pictures a row, at least 1; and beside
-/// it, at sprite_list_path(), where each of them lies and for how long it is shown. Throws Failure
-/// when one cannot be written, or when the sheet has more pixels than pictures have.
+struct SpriteSheetForm {
+    int columns = 1;           ///< pictures in a row, at least 1
+    bool has_way_back = false; ///< of ping-pong, which else has every picture once, both ends among them
+};
+
+/// Every frame of what is played, row by row on one PNG; and beside it, at sprite_list_path(), where each of
+/// them lies, for how long it is shown, and how the list is to be played. Throws Failure when one cannot be
+/// written, or when the sheet has more pixels than pictures have.
 void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                        int columns, const TellWork& tell = tell_nobody);
+                        const SpriteSheetForm& form, const TellWork& tell = tell_nobody);
 
 }

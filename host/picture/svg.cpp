@@ -1,7 +1,6 @@
 #include "host/picture/svg.hpp"
 
 #include "host/atomic_file.hpp"
-#include "host/picture/film_limit.hpp"
 #include "host/picture/film_moment.hpp"
 #include "host/picture/svg_colour.hpp"
 
@@ -33,7 +32,8 @@ struct SvgFrame {
     std::int64_t end;
 };
 
-std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline, const TellWork& tell)
+std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline, const TellWork& tell,
+                                const FilmLimit& limit)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
     std::vector<SvgFrame> frames;
@@ -45,7 +45,7 @@ std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline, con
             frames.back().end = moments[done].end;
             continue;
         }
-        require_film_size(bytes += elements.size(), "SVG");
+        limit.require(bytes += elements.size(), "SVG");
         frames.push_back({std::move(elements), moments[done].begin, moments[done].end});
     }
     return frames;
@@ -105,9 +105,9 @@ void write_svg(const std::filesystem::path& target, SvgSource& source, Time mome
 }
 
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
-                        const TellWork& tell)
+                        const TellWork& tell, const FilmLimit& limit)
 {
-    const std::vector<SvgFrame> frames = frames_of(source, timeline, tell);
+    const std::vector<SvgFrame> frames = frames_of(source, timeline, tell, limit);
     const Turns turns{timeline, frames.back().end};
     std::string text = head(source);
     for (const SvgFrame& frame : frames)

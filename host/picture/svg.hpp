@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/picture/film_limit.hpp"
 #include "host/picture/svg_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/tell_work.hpp"
@@ -14,8 +15,8 @@ void write_svg(const std::filesystem::path& target, SvgSource& source, Time mome
 
 /// Writes one period of what is played as one SVG whose frames appear one after the other (SMIL), and which
 /// loops as the scene or clip does. Frames that repeat are stored once. Throws Failure likewise, and when it
-/// would be larger than most_film_bytes.
+/// would be larger than `limit` allows.
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
-                        const TellWork& tell = tell_nobody);
+                        const TellWork& tell = tell_nobody, const FilmLimit& limit = {});
 
 }

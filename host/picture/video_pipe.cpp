@@ -68,9 +68,12 @@ std::vector<char*> argument_list(const std::vector<std::string>& words)
 
 }
 
+VideoPipe::IgnoredPipeSignal::IgnoredPipeSignal() : before_{std::signal(SIGPIPE, SIG_IGN)} {}
+
+VideoPipe::IgnoredPipeSignal::~IgnoredPipeSignal() { std::signal(SIGPIPE, before_); }
+
 VideoPipe::VideoPipe(std::filesystem::path target, int descriptor, const Command& command)
-    : target_{std::move(target)}, messages_{std::tmpfile(), std::fclose}, sigpipe_before_{
-                                                                              std::signal(SIGPIPE, SIG_IGN)}
+    : target_{std::move(target)}, messages_{std::tmpfile(), std::fclose}
 {
     std::array<int, 2> ends{};
     if (messages_ == nullptr || ::pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -83,7 +86,6 @@ VideoPipe::VideoPipe(std::filesystem::path target, int descriptor, const Command
     } catch (...) {
         ::close(ends[0]);
         ::close(pipe_);
-        std::signal(SIGPIPE, sigpipe_before_);
         throw;
     }
     ::close(ends[0]);
@@ -97,7 +99,6 @@ VideoPipe::~VideoPipe()
     }
     if (pipe_ >= 0)
         ::close(pipe_);
-    std::signal(SIGPIPE, sigpipe_before_);
 }
 
 void VideoPipe::start(int input, int descriptor, const std::vector<std::string>& words)

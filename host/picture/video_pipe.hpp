@@ -35,6 +35,18 @@ public:
 private:
     using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
+    /// To write what nobody reads is an error then, and does not end this program.
+    class IgnoredPipeSignal {
+    public:
+        IgnoredPipeSignal();
+        ~IgnoredPipeSignal();
+        IgnoredPipeSignal(const IgnoredPipeSignal&) = delete;
+        IgnoredPipeSignal& operator=(const IgnoredPipeSignal&) = delete;
+
+    private:
+        void (*before_)(int);
+    };
+
     void start(int input, int descriptor, const std::vector<std::string>& words);
     int wait();
     [[noreturn]] void fail();
@@ -42,10 +54,10 @@ private:
     std::string told() const;
 
     std::filesystem::path target_;
+    IgnoredPipeSignal ignored_;
     File messages_;
     int pipe_ = -1;
     pid_t program_ = -1;
-    void (*sigpipe_before_)(int);
 };
 
 }

@@ -3,6 +3,7 @@
 #include "host/art/prepare.hpp"
 #include "host/failure.hpp"
 #include "host/kdl/readable.hpp"
+#include "host/loop_name.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene_text/arrange.hpp"
 #include "host/scene_text/camera.hpp"
@@ -24,7 +25,6 @@ namespace {
 
 using art::Document;
 
-constexpr std::array<std::string_view, 3> loop_words{"once", "repeat", "ping-pong"};
 constexpr double usual_frame_rate = 30;
 constexpr std::array<std::string_view, 2> crowded{"at", "points"};
 
@@ -54,7 +54,7 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
         set(canvas, "fps", number(on_grid(document.frame_rate, frame_rates), frame_rates));
     set(canvas, "frames", number(writing.length, times));
     if (document.loop != Loop::repeat)
-        set(canvas, "loop", text(std::string{loop_words[static_cast<std::size_t>(document.loop)]}));
+        set(canvas, "loop", text(std::string{loop_name(document.loop)}));
     if (document.background)
         set(canvas, "background",
             text(writing.colours.word(stored_colour(*document.background, 1), "background")));

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 import unittest
 import zipfile
@@ -78,12 +79,8 @@ class Assemble(unittest.TestCase):
         script = self.folder / "register.cmake"
         script.write_text("""
             function(idf_component_register)
-                cmake_parse_arguments(PARSE_ARGV 0 COMPONENT "" "" "SRC_DIRS;INCLUDE_DIRS")
-                foreach(FOLDER ${COMPONENT_SRC_DIRS})
-                    file(GLOB SOURCES ${ROOT}/${FOLDER}/*.cpp)
-                    list(APPEND ALL ${SOURCES})
-                endforeach()
-                list(JOIN ALL "\\n" ALL)
+                cmake_parse_arguments(PARSE_ARGV 0 COMPONENT "" "" "SRCS;INCLUDE_DIRS")
+                list(JOIN COMPONENT_SRCS "\\n" ALL)
                 file(WRITE ${ROOT}/../registered "${ALL}\\n${COMPONENT_INCLUDE_DIRS}")
             endfunction()
             include(${ROOT}/CMakeLists.txt)
@@ -95,10 +92,30 @@ class Assemble(unittest.TestCase):
         self.assertEqual("src", includes)
         self.assertIn(f'version: "{VERSION}"\n', (folder / "idf_component.yml").read_text())
 
+    def test_examples_for_the_esp32_ask_for_enough_stack(self):
+        bound = int(re.search(r"stack_bound = (\d+);", (ROOT / "host/fit/memory_need.cpp").read_text()).group(1))
+        settings = (self.made["esp-idf"] / "examples/robot_eyes/sdkconfig.defaults").read_text()
+        told = [int(re.search(r"(?m)^CONFIG_ESP_MAIN_TASK_STACK_SIZE=(\d+)$", settings).group(1))]
+        for sketch in (self.made["arduino"] / "examples").rglob("*.ino"):
+            kilobytes = re.search(r"(?m)^SET_LOOP_TASK_STACK_SIZE\((\d+) \* 1024\);", sketch.read_text())
+            told.append(1024 * int(kilobytes.group(1)))
+        self.assertGreater(min(told), 3 * bound // 2)
+
     def test_what_is_there_is_not_written_over(self):
         again = subprocess.run([ROOT / "scripts/assemble", "arduino", self.folder / "arduino"], capture_output=True, text=True)
         self.assertEqual(1, again.returncode)
         self.assertIn("exists already", again.stderr)
+
+    def test_nothing_is_left_of_what_fails(self):
+        project = self.folder / "project"
+        for name in ("core", "library", "packages", "examples", "scripts"):
+            shutil.copytree(ROOT / name, project / name)
+        shutil.copy(ROOT / "CMakeLists.txt", project)  # and no LICENSE
+        for kind in self.made:
+            result = subprocess.run([project / "scripts/assemble", kind, project / "made", "--zip"], capture_output=True, text=True)
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("LICENSE", result.stderr)
+            self.assertEqual([], list((project / "made").iterdir()))
 
     def test_a_zip_holds_the_folder(self):
         _, name = output_of(ROOT / "scripts/assemble", "arduino", self.folder / "zipped", "--zip", text=True).splitlines()

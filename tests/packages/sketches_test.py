@@ -39,6 +39,7 @@ class Sketches(unittest.TestCase):
         """What the glass showed after each step, as hashes, and the lines that the sketch printed."""
         program = self.folder / f"{name}-{standard}"
         output_of(CXX, f"-std={standard}", *STRICT, "-I", self.library / "src", "-I", STUBS / "arduino", "-I", ROOT,
+                  "-DSET_LOOP_TASK_STACK_SIZE(bytes)=int loop_stack() { return bytes; }",  # as the core for the ESP32 has it
                   "-x", "c++", "-include", "Arduino.h", self.library / "examples" / name / f"{name}.ino",
                   STUBS / "arduino/computer.cpp", "-x", "none", *LIBRARIES, "-o", program)
         ran = subprocess.run([program, str(steps)], check=True, capture_output=True, timeout=120)

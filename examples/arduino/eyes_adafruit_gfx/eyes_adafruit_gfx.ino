@@ -12,6 +12,10 @@ Adafruit_ST7789 tft(select_pin, command_pin, reset_pin);
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[8 * robot_eyes_width];
 
+#ifdef SET_LOOP_TASK_STACK_SIZE
+SET_LOOP_TASK_STACK_SIZE(16 * 1024); // on an ESP32: its usual 8 KB are too few for some scenes
+#endif
+
 void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
 {
     tft.drawRGBBitmap(x, y, pixels, width, height);

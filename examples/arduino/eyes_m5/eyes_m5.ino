@@ -7,6 +7,10 @@
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width];
 
+#ifdef SET_LOOP_TASK_STACK_SIZE
+SET_LOOP_TASK_STACK_SIZE(16 * 1024); // on an ESP32: its usual 8 KB are too few for some scenes
+#endif
+
 void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
 {
     M5.Display.pushImage(x, y, width, height, reinterpret_cast<const lgfx::rgb565_t*>(pixels));

@@ -9,6 +9,10 @@ TFT_eSPI tft;
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width]; // the more rows, the fewer and larger the rectangles
 
+#ifdef SET_LOOP_TASK_STACK_SIZE
+SET_LOOP_TASK_STACK_SIZE(16 * 1024); // on an ESP32: its usual 8 KB are too few for some scenes
+#endif
+
 void draw_rectangle(int x, int y, int width, int height, uint16_t* pixels)
 {
     tft.pushImage(x, y, width, height, pixels);

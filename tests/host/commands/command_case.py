@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import pty
 import resource
 import subprocess
 import sys
@@ -66,6 +67,21 @@ class CommandTest(unittest.TestCase):
         self.assertIn(says, result.stderr)
         self.assertTrue(result.stderr.endswith("\n"))
         self.assertEqual(sorted(self.folder.rglob("*")), before, "a refused command leaves no file")
+
+    def written_to_a_terminal(self, *arguments):
+        """On standard error."""
+        master, slave = pty.openpty()
+        player = subprocess.Popen([KFAST, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        written = b""
+        while True:
+            try:
+                written += os.read(master, 65536)
+            except OSError:  # the other end is closed
+                break
+        os.close(master)
+        self.assertEqual(player.wait(timeout=120), 0)
+        return written.decode()
 
     def compiled(self):
         self.run_kfast("compile", "repeat.kfast")

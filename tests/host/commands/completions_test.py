@@ -14,13 +14,16 @@ class CompletionsTest(CommandTest):
     def script(self, shell):
         return self.run_kfast("completions", shell).stdout
 
-    def offered(self, *words):
+    def offered_lines(self, *words):
         """What bash offers for the last of the words."""
         quoted = " ".join(f"'{word}'" for word in ("kfast", *words))
         program = self.script("bash") + PRINT.format(words=quoted)
         result = subprocess.run(["bash", "--norc", "-c", program], cwd=self.folder, capture_output=True, text=True, timeout=120)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        return set(result.stdout.split())
+        return result.stdout.splitlines()
+
+    def offered(self, *words):
+        return {word for line in self.offered_lines(*words) for word in line.split()}
 
     def commands(self, *before):
         return set(re.findall(r"^  ([a-z][a-z0-9-]*) {2,}", self.run_kfast(*before, "--help").stdout, re.MULTILINE))
@@ -42,6 +45,7 @@ class CompletionsTest(CommandTest):
     def test_choices(self):
         self.assertEqual(self.offered("render", "a.kfast", "--panel", "ssd13"), {"ssd1306", "ssd1351"})
         self.assertEqual(self.offered("render", "a.kfast", "--panel", "=", "ssd13"), {"ssd1306", "ssd1351"})
+        self.assertEqual(self.offered("fit", "a.kfast", "--board", "pico", "--panel", "ssd13"), {"ssd1306", "ssd1322", "ssd1351"})
         self.assertIn("rgb565_be", self.offered("preview", "--format", ""))
         self.assertEqual(self.offered("check", "--format", ""), {"text", "json"})
         self.assertIn("pico-xy", self.offered("fit", "--board", "pi"))
@@ -59,6 +63,13 @@ class CompletionsTest(CommandTest):
         self.assertTrue(found.isdisjoint({"b.txt", "b.uf2"}))
         self.assertIn("repeat.kfast", self.offered("check", ""))
         self.assertIn("b.txt", self.offered("render", "once.kfast", "-o", "b"))
+
+    def test_bash_offers_names_as_they_are(self):
+        for name in ("a.kfast", "[a].kfast", "b*.kfast", "bc.kfast", "two words.kfast"):
+            (self.folder / name).write_text("")
+        for typed, names in (("[", ["[a].kfast"]), ("b", ["b*.kfast", "bc.kfast"]), ("two", ["two words.kfast"])):
+            self.assertEqual(sorted(self.offered_lines("check", typed)), names)
+            self.assertEqual(sorted(self.offered_lines("render", "a.kfast", "-o", typed)), names)
 
     def check_syntax(self, shell):
         if shutil.which(shell) is None:

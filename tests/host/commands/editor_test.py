@@ -139,6 +139,19 @@ class EditorTest(CommandTest):
                          [("wrong.kfast", "3", "15", "error", 'unknown colour "rd"')])
         self.assertEqual([pattern[part] for part in ("file", "line", "column", "severity", "message")], [1, 2, 3, 4, 5])
 
+    def test_problem_matcher_tells_of_a_file_that_cannot_be_read(self):
+        matchers = {each["name"]: each for each in self.read("package.json")["contributes"]["problemMatchers"]}
+        pattern = matchers["kfast-file"]["pattern"]
+        for name, found in (("missing.kfast", ("missing.kfast", "there is no such file: check the name and the folder")),
+                            ("wrong.kfast", None)):
+            (self.folder / "wrong.kfast").write_text("kfast 1\ncanvas 9 9\nobject a fill=rd { circle 1 1 r=1 }\n")
+            text = self.run_kfast("check", name, status=1).stderr
+            matches = [match.groups() for line in text.splitlines() if (match := re.match(pattern["regexp"], line))]
+            self.assertEqual(matches, [found] if found else [])
+        check = self.read("tasks.json")["tasks"][0]
+        self.assertEqual({each.removeprefix("$") for each in check["problemMatcher"]}, set(matchers))
+        self.assertEqual(check["presentation"]["reveal"], "always", "nothing matches when there is no kfast")
+
     def need_vim(self, feature):
         if not shutil.which("vim"):
             self.skipTest("there is no vim")
@@ -176,6 +189,20 @@ class EditorTest(CommandTest):
         self.assertEqual(len(entries), 2, printed)
         self.assertTrue(entries[0].startswith('1 wrong.kfast 3 15 E unknown colour "rd"'))
         self.assertIn('did you mean "red"?', printed)
+
+    def test_vim_tells_what_could_not_be_checked(self):
+        self.need_vim("+quickfix")
+        shown = ["silent make!", "for each in getqflist() | echo each.type bufname(each.bufnr) each.text | endfor"]
+        printed = self.vim(f"let &makeprg = '{KFAST} check missing.kfast'", *shown)
+        self.assertEqual([line for line in printed.splitlines() if line.startswith("E ")],
+                         ["E missing.kfast there is no such file: check the name and the folder"])
+        (self.folder / "tools").mkdir()
+        (self.folder / "tools/tee").symlink_to(shutil.which("tee"))
+        for shell in ("bash", "dash", "zsh"):
+            if shutil.which(shell):
+                printed = self.vim(f"set shell={shutil.which(shell)}", f"let $PATH = '{self.folder}/tools'",
+                                   "let &makeprg = 'kfast check %:S'", *shown)
+                self.assertRegex(printed, r"(?m)^E .*not found.*", shell)
 
     def test_vim_snippets_are_the_same(self):
         names = {each["prefix"] for each in self.read("snippets/kfast.json").values()}

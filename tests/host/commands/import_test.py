@@ -3,6 +3,7 @@
 import gzip
 import io
 import json
+import math
 import random
 import unittest
 import zipfile
@@ -391,6 +392,30 @@ class RubbishTest(ImportCase):
                     result = self.run_any("check", name)
                     self.assertIn(result.returncode, (0, 1), result.stderr[:400])
                     self.assertNotIn("mistake in kfast", result.stderr)
+
+
+class LongTest(CommandTest):
+    def test_long_imports_are_seen_on_a_terminal_alone(self):
+        (self.folder / "short.svg").write_text(SVG.format(x=20))
+        self.assertEqual(self.written_to_a_terminal("import", "short.svg"), "")
+        (self.folder / "long.json").write_text(rings(150, points=200, frames=1000))
+        written = self.written_to_a_terminal("import", "long.json")
+        self.assertRegex(written, r"\rimporting \[#* *\] +\d+ %  \d+ s left")
+        self.assertRegex(written, r"\r +\r$")
+
+
+def rings(count, points, frames):
+    """Layers with a way between two drawings of so many points."""
+    def ring(turn):
+        angles = [2 * math.pi * place / points for place in range(points)]
+        wave = [[50 + 40 * math.cos(angle + turn), 50 + 30 * math.sin(angle)] for angle in angles]
+        return {"c": True, "v": wave, "i": [[0, 0]] * points, "o": [[0, 0]] * points}
+
+    def layer(number):
+        keys = [{"t": 0, "s": [ring(number)], "o": {"x": 0.3, "y": 0}, "i": {"x": 0.6, "y": 1}}, {"t": frames, "s": [ring(number + 1)]}]
+        return {"ty": 4, "ip": 0, "op": frames, "st": 0, "ks": {}, "shapes": [{"ty": "sh", "ks": {"a": 1, "k": keys}}, FILL]}
+
+    return json.dumps({**FRAME, "op": frames, "layers": [layer(number) for number in range(count)]})
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ place of ffmpeg tells what it is given: render_test.py <kfast> <rsvg-convert> <f
 import fractions
 import json
 import os
-import pty
 import shutil
 import signal
 import subprocess
@@ -244,12 +243,26 @@ class SheetTest(RenderTest):
         self.render("once.kfast", "--sheet", "4", "--scale", "2", "-o", "sheet.png")
         sheet, told = self.opened("sheet.png"), json.loads((self.folder / "sheet.json").read_text())
         self.assertEqual((sheet.size, told["width"], told["height"]), ((480, 240), 480, 240))
-        self.assertEqual((told["image"], told["columns"], told["loop"], len(told["frames"])), ("sheet.png", 4, False, 11))
+        self.assertEqual((told["image"], told["columns"], told["loop"], len(told["frames"])), ("sheet.png", 4, "once", 11))
         frames = self.frames("once.kfast", "--scale", "2")
         for frame, pixels in zip(told["frames"], frames):
             x, y, width, height = (frame[key] for key in ("x", "y", "width", "height"))
             self.assertEqual(sheet.crop((x, y, x + width, y + height)).tobytes(), pixels)
             self.assertAlmostEqual(frame["milliseconds"], 1000 / 30)
+
+    def test_a_sheet_of_ping_pong_has_each_picture_once(self):
+        for options, count, loop in (([], 11, "ping-pong"), (["--way-back"], 20, "repeat")):
+            self.render("ping-pong.kfast", "--sheet", "100", *options, "-o", "sheet.png")
+            told = json.loads((self.folder / "sheet.json").read_text())
+            self.assertEqual((len(told["frames"]), told["loop"]), (count, loop))
+            self.assertEqual(self.opened("sheet.png").size, (count * 60, 40))
+            self.render("once.kfast", "--sheet", "100", "-o", "once.png")
+            there = self.opened("once.png")
+            self.assertEqual(self.opened("sheet.png").crop((0, 0, *there.size)).tobytes(), there.tobytes())
+        self.render("repeat.kfast", "--sheet", "100", "--way-back", "-o", "sheet.png")
+        told = json.loads((self.folder / "sheet.json").read_text())
+        self.assertEqual((len(told["frames"]), told["loop"]), (10, "repeat"))
+        self.refuse("render", "once.kfast", "--all", "--way-back", "-o", "a.gif", status=2, says="it is for --sheet")
 
     def test_a_wide_sheet_has_no_empty_columns(self):
         self.render("once.kfast", "--sheet", "1000", "-o", "sheet.png")
@@ -308,6 +321,18 @@ class VideoTest(RenderTest):
         arguments, count, _ = self.given("ping-pong.kfast", "--all", "--scale", "2", "-o", "out.webm")
         self.assertEqual(count, 20 * 120 * 80 * 3)
         self.assertIn("-c:v libvpx-vp9", " ".join(arguments))
+
+    def test_closed_standard_files_are_no_pipes(self):
+        environment = {**os.environ, **self.fake("well")}
+        for closed in ([0], [1], [2], [0, 1, 2]):
+            def close(numbers=closed):
+                for number in numbers:
+                    os.close(number)
+
+            subprocess.run([KFAST, "render", "repeat.kfast", "--all", "-o", "out.mp4"], cwd=self.folder, env=environment,
+                           preexec_fn=close, timeout=120, check=True)
+            self.assertEqual(json.loads((self.folder / "out.mp4").read_text())["bytes"], 10 * 60 * 40 * 3)
+            (self.folder / "out.mp4").unlink()
 
     def test_odd_sides_get_a_pixel(self):
         arguments, count, said = self.given("resting-once.kfast", "--all", "-o", "out.mp4")
@@ -407,20 +432,6 @@ class UsageTest(RenderTest):
         self.assertIn('viewBox="0 0 128 64"', (self.folder / "out.svg").read_text())
         self.render("marked.kfast", "--beam", "scope", "--size", "100x100", "--clip", "blink", "--all", "-o", "out.png")
         self.assertEqual(self.opened("out.png").size, (100, 100))
-
-    def written_to_a_terminal(self, *arguments):
-        master, slave = pty.openpty()
-        player = subprocess.Popen([KFAST, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=slave)
-        os.close(slave)
-        written = b""
-        while True:
-            try:
-                written += os.read(master, 65536)
-            except OSError:  # the other end is closed
-                break
-        os.close(master)
-        self.assertEqual(player.wait(timeout=120), 0)
-        return written.decode()
 
     def test_long_work_is_seen_on_a_terminal_alone(self):
         self.assertEqual(self.written_to_a_terminal("render", "repeat.kfast", "--all", "-o", "out.gif"), "")

@@ -1,9 +1,11 @@
 """Right and wrong usage of the real command."""
 
+import os
 import re
+import subprocess
 import unittest
 
-from command_case import ROOT, CommandTest
+from command_case import KFAST, ROOT, CommandTest
 
 
 class UsageTest(CommandTest):
@@ -15,6 +17,11 @@ class UsageTest(CommandTest):
                         "choose", "erase", "boot", "schema", "completions", "man"):
             self.assertIn(f"  kfast {command} ", self.run_kfast(*command.split(), "--help").stdout)
 
+    def test_values_have_names(self):
+        for command in re.findall(r"^  ([a-z][a-z0-9-]*) {2,}", self.run_kfast("--help").stdout, re.MULTILINE):
+            for line in self.run_kfast(command, "--help").stdout.splitlines():
+                self.assertNotRegex(line, r"^ +-\S+ (TEXT|INT|UINT|FLOAT)", command)
+
     def test_version(self):
         self.assertRegex(self.run_kfast("--version").stdout, r"^kfast \d+\.\d+\.\d+\n$")
 
@@ -24,6 +31,16 @@ class UsageTest(CommandTest):
         self.refuse("hash", status=2, says="FILE is required")
         self.refuse("hash", "repeat.kfast", "--frobnicate", status=2, says="--frobnicate")
         self.refuse("hash", "repeat.kfast", "extra", status=2, says="extra")
+
+    def test_nothing_is_printed_into_a_file_for_a_closed_output(self):
+        for number, status in ((1, 1), (2, 0)):
+            result = subprocess.run([KFAST, "info", "repeat.kfast"], cwd=self.folder, stdout=subprocess.DEVNULL, timeout=120,
+                                    preexec_fn=lambda number=number: os.close(number))
+            self.assertEqual(result.returncode, status)
+        self.run_kfast("compile", "repeat.kfast")
+        whole = (self.folder / "repeat.kfb").read_bytes()
+        subprocess.run([KFAST, "compile", "repeat.kfast"], cwd=self.folder, timeout=120, preexec_fn=lambda: os.close(1))
+        self.assertEqual((self.folder / "repeat.kfb").read_bytes(), whole)
 
     def test_wrong_pictures(self):
         scene = ["hash", "repeat.kfast"]
