@@ -57,7 +57,7 @@ def silent(arguments):
 
 KFAST = (
     Instead(r"^kfast flash", dry_flash, "writes to a board in its boot loader: tests/host/commands/flash_test.py", (0, NO_DEVICE)),
-    Instead(r"^kfast render .*\.webm", as_gif, "is encoded for seconds: tests/host/commands/render_test.py"),
+    Instead(r"^kfast render .*\.webm", as_gif, "is encoded for seconds: tests/host/commands/render_video_test.py"),
     Instead(r"^kfast panel ", on_no_display, "needs pins of a Linux board: tests/emulation/linux_panel_test.py", (NO_DEVICE,)),
     Instead(r"^kfast install-udev", dry, "writes to /etc as root: tests/host/commands/install_udev_test.py"),
     Instead(r"^kfast preview .*--audio( |$)", silent, "needs a sound card: tests/host/commands/sound_test.py"),
