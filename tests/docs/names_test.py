@@ -78,6 +78,14 @@ class Program(unittest.TestCase):
         self.assertEqual(len(names), 6, "E1 … E6 is written in several places")
 
 
+    def test_controllers_of_displays(self):
+        known = re.search(r"A known panel: (.*)", told("panel", "--help")).group(1).split(", ")
+        table = section("config.md", "The text").split("| controller | memory |")[1].split("\n\n")[0]
+        self.assertEqual(re.findall(r"(?m)^\| `(\w+)`", table), known)
+        first_page = (ROOT / "README.md").read_text(encoding="utf-8")
+        self.assertEqual([name for name in known if name.upper() not in first_page], [])
+        self.assertEqual("the same seven controllers" in first_page, len(known) == 7)
+
     def test_boards_and_panels_of_fit(self):
         boards = re.search(r"A known board \(([^)]*)\)", told("fit", "--help")).group(1).split(", ")
         page = section("fit.md", "A board of your own")
