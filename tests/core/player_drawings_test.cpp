@@ -144,7 +144,7 @@ TEST_CASE("the panel shows what a full redraw would, whatever is told and whenev
             if (random() % 3 == 0)
                 CHECK(tell(stage, 0, random_drawing(4, 40, reach, random))); // too late for this picture
             bring_up_to_date(stage, memory, 5);
-            Stage fresh{two_plots, canvas};
+            Stage fresh{stage.bytes, canvas};
             CHECK(tell(fresh, 0, first));
             CHECK(tell(fresh, 1, second));
             fresh.player.set_input(2, stage.player.input(2));

@@ -126,7 +126,7 @@ TEST_CASE("the panel shows what a full redraw would, however inputs and time mov
             if (random() % 5 == 0)
                 stage.player.set_input(random() % 2,
                                        {static_cast<std::int32_t>(random() % 65537)}); // too late
-            Stage fresh{two_inputs, canvas};
+            Stage fresh{stage.bytes, canvas};
             bring_up_to_date(stage, memory, 5);
             stage.player.show(time);
             for (std::uint32_t input = 0; input < 2; ++input)

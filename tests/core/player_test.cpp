@@ -54,7 +54,7 @@ TEST_CASE("the picture does not depend on what was shown before, nor on rows tha
             travelled.player.show({static_cast<std::int32_t>(random())});
             Bytes few_rows(60 * 2 * 7);
             travelled.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
-            Stage fresh{text, {60, 40}};
+            Stage fresh{travelled.bytes, {60, 40}};
             CHECK(travelled.picture(time) == fresh.picture(time));
         }
     }

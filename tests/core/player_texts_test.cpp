@@ -143,7 +143,7 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
             if (random() % 5 == 0)
                 continue; // never drawn
             bring_up_to_date(stage, memory, 5);
-            Stage fresh{scene, canvas};
+            Stage fresh{stage.bytes, canvas};
             fresh.player.set_text(0, a);
             fresh.player.set_text(2, b);
             fresh.player.set_input(1, stage.player.input(1));
