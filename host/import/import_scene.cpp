@@ -223,7 +223,7 @@ Imported import_scene(const std::string& name, std::string content, const Option
     art::Document document = read({name, unpacked(name, std::move(content))}, options, losses, notes);
     if (options.background)
         put_behind(document, *options.background);
-    Imported imported = made_of(std::move(document), name, options, std::move(losses));
+    Imported imported = made_of(document, name, options, losses);
     imported.notes = std::move(notes);
     return imported;
 }
