@@ -90,8 +90,8 @@ void preview(const PreviewOptions& options)
 
 std::string key_list()
 {
-    std::string text = "Keys of the window, the terminal and --keys:";
-    for (const std::string& line : preview_key_help())
+    std::string text = "Keys of the window and --keys; a terminal has those that mean something there:";
+    for (const std::string& line : preview_key_help(PreviewFront::window))
         text += "\n  " + line;
     return text;
 }

@@ -27,7 +27,7 @@ void PreviewPlayback::press(PreviewKey key, Seconds now)
 {
     const std::size_t parts = programme_.parts.size();
     advance_to(now);
-    help_open_ = key == PreviewKey::help && !help_open_;
+    const bool was_help_open = std::exchange(help_open_, key == PreviewKey::help && !help_open_);
     switch (key) {
     case PreviewKey::play_pause:
         return toggle_playing(now);
@@ -59,6 +59,9 @@ void PreviewPlayback::press(PreviewKey key, Seconds now)
         return turn_input(-1);
     case PreviewKey::travel:
         reveals_travel_ = !reveals_travel_;
+        return;
+    case PreviewKey::leave:
+        wants_to_quit_ = wants_to_quit_ || !was_help_open;
         return;
     case PreviewKey::quit:
         wants_to_quit_ = true;

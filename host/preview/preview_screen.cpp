@@ -71,7 +71,7 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
                     .clip = viewer.playback().part().name});
     draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : "  " + facts));
     if (viewer.playback().help_open())
-        draw_help(painter, above_status(parts), preview_key_help());
+        draw_help(painter, above_status(parts), help_.page(help_cells(above_status(parts))));
     draw_messages(painter, viewer, parts.picture, now);
 }
 
@@ -112,7 +112,8 @@ void PreviewScreen::press(PreviewKey key, Viewer& viewer, Seconds now)
     const bool zooms = key == PreviewKey::zoom_in || key == PreviewKey::zoom_out;
     if (zooms && !viewer.is_working())
         return zoom(viewer, key == PreviewKey::zoom_in, middle_of(layout(viewer).picture));
-    viewer.press(key, now);
+    if (!help_.turns(key, viewer.playback().help_open() && !viewer.is_working()))
+        viewer.press(key, now);
 }
 
 void PreviewScreen::zoom(Viewer& viewer, bool larger, WindowSpot around)
@@ -141,7 +142,7 @@ void PreviewScreen::touch(const PointerEvent& event, Viewer& viewer, Seconds now
 void PreviewScreen::begin_drag(const PointerEvent& event, Viewer& viewer, Seconds now)
 {
     if (viewer.playback().help_open() || viewer.is_working())
-        return viewer.press(PreviewKey::help, now);
+        return press(PreviewKey::leave, viewer, now);
     const WindowLayout parts = layout(viewer);
     pressed_ = event;
     pan_at_press_ = pan_;

@@ -230,6 +230,16 @@ TEST_CASE("h opens and closes the help, any other key closes it, q quits")
     CHECK(state.wants_to_quit());
 }
 
+TEST_CASE("escape closes the help, and quits where it is closed")
+{
+    PreviewPlayback state = playback(Loop::repeat);
+    state.press(PreviewKey::leave, start);
+    CHECK_FALSE(state.help_open());
+    CHECK_FALSE(state.wants_to_quit());
+    state.press(PreviewKey::leave, start);
+    CHECK(state.wants_to_quit());
+}
+
 TEST_CASE("speed goes by doubles, within 1/16 and 16, and backwards; what is shown does not jump")
 {
     PreviewPlayback state = playback(Loop::repeat);
@@ -360,14 +370,6 @@ TEST_CASE("a board changes its picture at the frames alone")
     CHECK((state.next_frame_at() - start).count() == doctest::Approx(0.4));
     state.advance_to(after(0.4));
     CHECK(state.time() == Time::frame(2));
-}
-
-TEST_CASE("keys have names")
-{
-    CHECK(preview_key("space") == PreviewKey::play_pause);
-    CHECK(preview_key("escape") == PreviewKey::quit);
-    CHECK_FALSE(preview_key("7").has_value());
-    CHECK(preview_key_help().front() == "space      play, pause; after 'a' the next frame");
 }
 
 TEST_CASE("what plays once can be repeated, what repeats can play once, and either as it was made")
