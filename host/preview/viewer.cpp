@@ -223,11 +223,15 @@ bool Viewer::take_chosen_file(Seconds now)
 {
     if (chooser_ == nullptr || !chooser_->is_asking())
         return false;
-    const auto file = chooser_->take_answer();
-    if (!chooser_->is_asking())
-        notice_.clear();
-    if (file)
-        open(*file, now);
+    try {
+        const auto file = chooser_->take_answer();
+        if (!chooser_->is_asking())
+            notice_.clear();
+        if (file)
+            open(*file, now);
+    } catch (const Failure& failure) {
+        notice_ = failure.what();
+    }
     return !chooser_->is_asking();
 }
 

@@ -127,14 +127,15 @@ TEST_CASE("errors stay within their room: long lines are wrapped, too many left 
     }
 }
 
-TEST_CASE("notices and the status are cut to their room")
+TEST_CASE("notices are wrapped to their room, and the status is cut to it")
 {
-    const Rect room{50, 50, 120, 60};
+    const Rect room{50, 50, 130, 140};
     RecordingPainter painter{{900, 600}};
-    draw_notice(painter, room, "a-very-long-name-of-a-file.png is written");
-    draw_progress(painter, room, "writing a-very-long-name-of-a-file.gif", 2);
+    draw_notice(painter, room, "a-file.png is written");
+    draw_progress(painter, room, "writing a-long.gif", 2);
     draw_status(painter, room, "frame 1  0.033 s  playing  and so on");
-    REQUIRE(painter.texts.size() == 3);
+    REQUIRE(painter.texts.size() == 5);
+    CHECK(painter.texts[1].text == "written");
     for (const auto& written : painter.texts)
         CHECK_MESSAGE(lies_within(written.place, room), written.text);
 }

@@ -329,6 +329,26 @@ TEST_CASE("where nobody can be asked the notice says what helps")
     CHECK(preview.viewer.notice() == "install one");
 }
 
+TEST_CASE("a dialogue that fails is told in the notice")
+{
+    struct Broken : FileChooser {
+        void ask(const fs::path&) override { asks_ = true; }
+        bool is_asking() const override { return asks_; }
+        std::optional<fs::path> take_answer() override
+        {
+            asks_ = false;
+            throw Failure("it failed: drop the file here");
+        }
+        bool asks_ = false;
+    };
+    Preview preview;
+    preview.viewer.let_choose(std::make_unique<Broken>());
+    preview.press({PreviewKey::read_file});
+    CHECK(preview.viewer.attend(preview.now));
+    CHECK(preview.viewer.notice() == "it failed: drop the file here");
+    CHECK(preview.viewer.scene().file.filename() == "lamp.kfast");
+}
+
 TEST_CASE("closing the window ends it, work or not")
 {
     Preview preview;
