@@ -56,15 +56,14 @@ void write_events(const std::vector<EventView>& passed, std::ostream& out)
 
 void select(Viewer& viewer, const std::string& name)
 {
-    const auto& rows = viewer.time_table().rows;
-    const auto row = std::ranges::find(rows, name, &TimeRow::name);
-    if (row != rows.end())
+    const TimeTable& table = viewer.time_table();
+    if (const TimeRow* const row = table.row_named(name))
         return viewer.select(row->item);
     viewer.select(std::nullopt);
     if (name.empty())
         return;
     std::vector<std::string_view> names;
-    for (const TimeRow& known : rows)
+    for (const TimeRow& known : table.rows)
         names.emplace_back(known.name);
     throw Failure("select=" + name + ": there is no such object: " + suggestion(name, names));
 }

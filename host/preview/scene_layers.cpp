@@ -18,7 +18,7 @@ bool are_equal(const std::vector<InputKnob>& a, const std::vector<InputKnob>& b)
 
 SceneLayers::SceneLayers(OpenedScene& scene)
     : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{stage()},
-      skin_{scene.programme.keys, scene.scene.view.colour(0)}
+      skin_{scene.scene.view.colour(0)}
 {
     if (scene.tell_drawings)
         scene.tell_drawings(overlays_);
@@ -36,7 +36,14 @@ std::optional<std::size_t> SceneLayers::item_at(const PreviewPlayback& playback,
     return overlays_.item_at(playback.time(), spot);
 }
 
-const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback)
+std::vector<Time> SceneLayers::skin_keys(Stretch played, std::optional<std::size_t> selected) const
+{
+    std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.programme.keys;
+    std::erase_if(keys, [&](Time key) { return key < played.begin || key > played.end; });
+    return keys;
+}
+
+const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected)
 {
     if (!are_equal(skin_inputs_, playback.inputs()) || skin_reveals_travel_ != playback.reveals_travel()) {
         skin_.forget();
@@ -44,7 +51,7 @@ const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback)
         skin_reveals_travel_ = playback.reveals_travel();
     }
     tell(*scene_.source, playback);
-    return skin_.show(*scene_.source, playback.time());
+    return skin_.show(*scene_.source, playback.time(), skin_keys(playback.stretch(), selected));
 }
 
 std::optional<std::span<const FitLine>> SceneLayers::fit_report()

@@ -237,18 +237,14 @@ bool Viewer::take_chosen_file(Seconds now)
 
 std::string_view Viewer::selected_name() const
 {
-    const auto& rows = time_table().rows;
-    const auto row = std::ranges::find(rows, view_.selected, &TimeRow::item);
-    return row == rows.end() ? std::string_view{} : row->name;
+    const TimeRow* const row = time_table().row_of(view_.selected);
+    return row == nullptr ? std::string_view{} : row->name;
 }
 
 void Viewer::select_by_name(const std::string& name)
 {
-    view_.selected.reset();
-    const auto& rows = time_table().rows;
-    const auto row = std::ranges::find(rows, name, &TimeRow::name);
-    if (row != rows.end() && !name.empty())
-        view_.selected = row->item;
+    const TimeRow* const row = name.empty() ? nullptr : time_table().row_named(name);
+    view_.selected = row == nullptr ? std::nullopt : std::optional{row->item};
 }
 
 /// Past either end nothing is selected.
@@ -365,7 +361,7 @@ const Frame& Viewer::frame()
 const Picture& Viewer::picture()
 {
     if (view_.onion_skin)
-        return layers_->onion_skin(*playback_);
+        return layers_->onion_skin(*playback_, view_.selected);
     picture_ = widen(frame());
     return picture_;
 }
