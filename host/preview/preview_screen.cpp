@@ -134,6 +134,8 @@ void PreviewScreen::touch(const PointerEvent& event, Viewer& viewer, Seconds now
         return go_on_dragging(event, viewer);
     case PointerEvent::Kind::release:
         return end_drag(event, viewer);
+    if (event.button != PointerEvent::Button::left)
+        return;
     case PointerEvent::Kind::wheel:
         return turn_wheel(event, viewer);
     }
