@@ -17,6 +17,12 @@ namespace {
 constexpr PreviewScreen::Seconds notice_stays{4};
 constexpr int click_reach = 3; // pixels that a hand may shake
 
+int margin(const ViewOptions& view, Rect pane)
+{
+    constexpr int usual_margin = 12;
+    return view.panel_frame ? module_margin(pane) : usual_margin;
+}
+
 Rect above_status(const WindowLayout& layout) { return {0, 0, layout.status.width, layout.status.y}; }
 
 WindowSpot spot_of(const PointerEvent& event) { return {event.x + 0.5, event.y + 0.5}; }
@@ -37,18 +43,19 @@ Time nearest_frame(Time moment, Time end)
 WindowLayout PreviewScreen::layout(Viewer& viewer) const
 {
     const ViewOptions& view = viewer.view();
-    return window_layout(
-        window_, {.side = true,
-                  .side_at_any_width = view.fit_report,
-                  .time_line_height = view.time_line ? TimeLine::wanted_height(viewer.time_table()) : 0});
+    const TimeTable& table = viewer.time_table();
+    return window_layout(window_, {.side = true,
+                                   .side_at_any_width = view.fit_report,
+                                   .time_line_height = view.time_line ? TimeLine::wanted_height(table) : 0,
+                                   .spare_time_line_height = TimeLine::spare_height(table),
+                                   .panel = viewer.scene().panel,
+                                   .picture_margin = margin(view, {0, 0, window_.width, window_.height})});
 }
 
 PicturePlace PreviewScreen::place(const Viewer& viewer, Rect pane) const
 {
-    constexpr int usual_margin = 12;
     const ViewOptions& view = viewer.view();
-    return {viewer.scene().panel, pane, view.zoom, pan_,
-            view.panel_frame ? module_margin(pane) : usual_margin};
+    return {viewer.scene().panel, pane, view.zoom, pan_, margin(view, pane)};
 }
 
 TimeLine PreviewScreen::time_line(Viewer& viewer, Rect pane) const
@@ -69,7 +76,7 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
                     .frame_rate = viewer.scene().programme.frame_rate,
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
-    draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : "  " + facts));
+    draw_status(painter, parts.status, (facts.empty() ? "" : facts + "  ") + viewer.status());
     if (viewer.playback().help_open())
         draw_help(painter, above_status(parts), help_.page(help_cells(above_status(parts))));
     draw_messages(painter, viewer, parts.picture, now);
@@ -127,6 +134,8 @@ void PreviewScreen::zoom(Viewer& viewer, bool larger, WindowSpot around)
 
 void PreviewScreen::touch(const PointerEvent& event, Viewer& viewer, Seconds now)
 {
+    if (event.button != PointerEvent::Button::left)
+        return;
     switch (event.kind) {
     case PointerEvent::Kind::press:
         return begin_drag(event, viewer, now);
@@ -134,8 +143,6 @@ void PreviewScreen::touch(const PointerEvent& event, Viewer& viewer, Seconds now
         return go_on_dragging(event, viewer);
     case PointerEvent::Kind::release:
         return end_drag(event, viewer);
-    if (event.button != PointerEvent::Button::left)
-        return;
     case PointerEvent::Kind::wheel:
         return turn_wheel(event, viewer);
     }
