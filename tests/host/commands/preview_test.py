@@ -89,6 +89,24 @@ class TerminalTest(CommandTest):
         self.assertEqual(preview.end(), 0)
         self.assertTrue(preview.written.endswith("\x1b[0m\x1b[?25h"))
 
+    def test_its_help_has_the_keys_that_do_something_there(self):
+        preview = Preview(self.folder, "lamp.kfast")
+        page = preview.wait_for("close this help")
+        self.assertNotIn("skeletons", page)
+        self.assertIn("read the file afresh", page)
+        preview.type("\x1b")
+        self.assertNotIn("next key frame", preview.wait_for(r"(?s)frame.*\x1b\[J(.*)\x1b\[J").rsplit("\x1b[J", 2)[1])
+        preview.type("kyo")
+        self.assertNotIn("bones", preview.wait_for("onion skin"))
+        self.assertEqual(preview.end("\x1b"), 0)
+
+    def test_a_help_that_has_no_room_is_turned(self):
+        preview = Preview(self.folder, "lamp.kfast", columns=50, lines=12)
+        preview.wait_for("h  next page, 1 of")
+        preview.type("h")
+        preview.wait_for("h  next page, 2 of")
+        self.assertEqual(preview.end(), 0)
+
     def test_a_mistake_is_shown_below_the_picture_until_it_is_mended(self):
         preview = Preview(self.folder, "lamp.kfast")
         preview.type("n")
