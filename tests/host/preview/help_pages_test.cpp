@@ -59,7 +59,8 @@ TEST_CASE("there are as few columns and pages as the rows fit in")
 {
     const auto columns = [](Size cells) {
         std::map<int, int> found;
-        for (const HelpLine& line : help_pages(rows, cells).front().lines)
+        const HelpPage page = help_pages(rows, cells).front();
+        for (const HelpLine& line : page.lines)
             ++found[line.column];
         return found.size();
     };
