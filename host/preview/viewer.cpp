@@ -25,13 +25,6 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
-FileWatch watch_on(const OpenedScene& scene)
-{
-    std::vector<fs::path> files{scene.file};
-    files.insert(files.end(), scene.also_read.begin(), scene.also_read.end());
-    return FileWatch{std::move(files)};
-}
-
 std::unique_ptr<PreviewPlayback> played(const OpenedScene& scene, Viewer::Seconds now,
                                         std::optional<int> loops)
 {
@@ -74,7 +67,7 @@ std::string frame_number(int frame)
 Viewer::Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now, std::optional<int> loops)
     : opener_{std::move(opener)}, loops_{loops}
 {
-    watch_.emplace(watch_on(*scene));
+    watch_.emplace(scene->read);
     auto playback = played(*scene, now, loops);
     put(std::move(scene), std::move(playback));
 }
@@ -176,7 +169,7 @@ void Viewer::open(const fs::path& file, Seconds now)
     auto playback = played(*scene, now, loops_);
     playback->close_help();
     view_.selected.reset();
-    watch_.emplace(scene->also_read.empty() ? std::move(watch) : watch_on(*scene));
+    watch_.emplace(scene->read);
     put(std::move(scene), std::move(playback));
 }
 
