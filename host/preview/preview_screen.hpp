@@ -8,6 +8,7 @@
 #include "host/preview/window_layout.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace kfast {
@@ -49,8 +50,8 @@ private:
     Drag drag_ = Drag::none;
     PointerEvent pressed_; ///< where the drag began
     WindowSpot pan_at_press_;
-    bool is_click_ = false; ///< not moved since it was pressed
-    std::string notice_;
+    bool is_click_ = false;           ///< not moved since it was pressed
+    std::uint64_t notice_number_ = 0; ///< of the one that was seen last
     Seconds notice_since_{};
     bool shows_notice_ = false;
 };
