@@ -105,7 +105,10 @@ struct PreviewOpener::Reading {
     SceneFile scene()
     {
         read.add(file);
-        return load_scene(file, {}, out);
+        SceneFile scene = load_scene(file, {}, out);
+        for (const fs::path& font : scene.fonts) // known only now
+            read.add(font);
+        return scene;
     }
 
     std::optional<fit::Target> board(const std::optional<std::string>& name)

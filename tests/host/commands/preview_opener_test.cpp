@@ -207,6 +207,15 @@ TEST_CASE("all files are watched that what is shown depends on")
         fs::last_write_time(folder.folder / name, fs::file_time_type::clock::now() + std::chrono::hours{1});
         CHECK(has_changed(scene->read));
     }
+    fs::copy_file("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", folder.folder / "Sans.ttf");
+    folder.write("text.kfast", "kfast 1\ncanvas 64 32\n"
+                               "object o fill=red { text \"I\" at=\"9,20\" size=9 font=\"Sans.ttf\" }\n"
+                               "object p fill=red { text \"I\" at=\"9,20\" size=9 font=hershey-sans }\n");
+    const auto text = PreviewOpener{{}}.open_first(folder.path("text.kfast"));
+    CHECK(text->scene.fonts == std::vector{folder.folder / "Sans.ttf"});
+    fs::last_write_time(folder.folder / "Sans.ttf", fs::file_time_type::clock::now() + std::chrono::hours{1});
+    CHECK(has_changed(text->read));
+
     PreviewChoice beam;
     beam.picture.screen.beam = chosen_beam(folder.path("beam.kdl"));
     PreviewOpener of_beam{beam};
