@@ -94,17 +94,17 @@ std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, R
 
 void PreviewScreen::draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now)
 {
-    if (viewer.notice() != notice_) {
-        notice_ = viewer.notice();
+    if (viewer.notice_number() != notice_number_) {
+        notice_number_ = viewer.notice_number();
         notice_since_ = now;
     }
-    shows_notice_ = !notice_.empty() && now < notice_since_ + notice_stays;
+    shows_notice_ = !viewer.notice().empty() && now < notice_since_ + notice_stays;
     if (!viewer.errors().empty())
         draw_errors(painter, room, viewer.errors());
     if (const auto share = viewer.progress())
         draw_progress(painter, room, viewer.notice(), *share);
     else if (shows_notice_)
-        draw_notice(painter, room, notice_);
+        draw_notice(painter, room, viewer.notice());
 }
 
 bool PreviewScreen::is_outdated(Seconds now) const

@@ -9,6 +9,7 @@
 #include "host/preview/window_layout.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace kfast {
@@ -53,7 +54,7 @@ private:
     WindowSpot pan_at_press_;
     bool is_click_ = false; ///< not moved since it was pressed
     OpenHelp help_{preview_key_help(PreviewFront::window)};
-    std::string notice_;
+    std::uint64_t notice_number_ = 0; ///< of the one that was seen last
     Seconds notice_since_{};
     bool shows_notice_ = false;
 };

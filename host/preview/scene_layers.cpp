@@ -57,15 +57,15 @@ const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback, std::opt
 std::optional<std::span<const FitLine>> SceneLayers::fit_report()
 {
     if (fit_ == nullptr)
-        fit_ =
-            std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
-                                       scene_.board ? *scene_.board : previewed_board(stage()), scene_.fit);
+        fit_ = std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
+                                          scene_.board ? *scene_.board : previewed_board({scene_.panel}),
+                                          scene_.fit);
     return fit_->lines();
 }
 
 Stage SceneLayers::stage() const
 {
-    return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.panel_name};
+    return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.board};
 }
 
 }

@@ -288,6 +288,31 @@ TEST_CASE("a notice goes away after a while, errors stay until the file is good"
     CHECK(std::ranges::count(window.painter.texts, theme::bad, &RecordingPainter::Text::colour) > 0);
 }
 
+TEST_CASE("a notice that is told again is shown again")
+{
+    Window window;
+    const auto shows_notice = [&] {
+        window.viewer.press(PreviewKey::screenshot, window.now);
+        window.draw({4000, 600});
+        return window.has_text(window.viewer.notice().c_str());
+    };
+    CHECK(shows_notice());
+    const std::string first = window.viewer.notice();
+    std::filesystem::remove(window.folder / "halves-0000.png");
+    window.now += Viewer::Seconds{5};
+    CHECK(shows_notice());
+    CHECK(window.viewer.notice() == first);
+}
+
+TEST_CASE("a key that zooms closes the help, as others do")
+{
+    Window window;
+    window.screen.press(PreviewKey::help, window.viewer, window.now);
+    REQUIRE(window.viewer.playback().help_open());
+    window.screen.press(PreviewKey::zoom_in, window.viewer, window.now);
+    CHECK_FALSE(window.viewer.playback().help_open());
+}
+
 TEST_CASE("a snapshot is the window after a script")
 {
     Window window;
