@@ -49,6 +49,8 @@ public:
 
     /// What is to be shown, rounded down to a tick: within the stretch, its ends included.
     Time moment() const { return {floor(place_)}; }
+    /// Whether it is on the way back of `ping_pong`.
+    bool returning() const { return returning_; }
     /// Whether `once` has come to the end that it runs to; it stays there.
     bool finished() const { return stretch_.loop == Loop::once && place_ == goal(); }
 

@@ -7,6 +7,7 @@
 #include "host/input_file.hpp"
 #include "host/reported_compile.hpp"
 #include "host/reported_diagnostics.hpp"
+#include "host/scene/font_files.hpp"
 
 #include <span>
 #include <string>
@@ -62,14 +63,15 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
     if (text.size() > most_scene_text_bytes)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
-    CompiledText compiled =
-        compile_and_report({path.string(), std::move(text), path.parent_path().string()}, reporter);
+    const SourceText source{path.string(), std::move(text), path.parent_path().string()};
+    CompiledText compiled = compile_and_report(source, reporter);
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));
     SceneFile scene = checked(path, std::move(*compiled.bytes));
     scene.was_text = true;
     scene.warnings = compiled.warnings;
     scene.item_names = std::move(compiled.item_names);
+    scene.fonts = scene::font_files(source);
     return scene;
 }
 

@@ -28,6 +28,7 @@ struct SceneFile {
     std::size_t warnings = 0;            ///< of the compiler
     art::Losses losses;                  ///< of a file of another program
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
+    std::vector<std::filesystem::path> fonts; ///< files that a text names
 };
 
 /// What becomes of things that a scene cannot have, in a file of another program.

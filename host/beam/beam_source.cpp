@@ -3,19 +3,9 @@
 #include <array>
 
 namespace kfast {
-namespace {
-
-std::vector<std::uint32_t> block_for(const SceneView& scene, const BeamProfile& profile)
-{
-    return std::vector<std::uint32_t>((BeamPlayer::block_bytes(scene, profile) + 3) / 4);
-}
-
-}
-
 BeamSource::BeamSource(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget)
-    : block_{block_for(scene, profile)}, player_{
-                                             *BeamPlayer::create(scene, profile, budget,
-                                                                 std::as_writable_bytes(std::span{block_}))}
+    : block_{BeamPlayer::block_bytes(scene, profile)}, player_{*BeamPlayer::create(scene, profile, budget,
+                                                                                   block_.bytes())}
 {
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/beam/beam_player.hpp"
 #include "host/picture/told_inputs.hpp"
+#include "host/word_block.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -35,7 +36,7 @@ public:
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
-    std::vector<std::uint32_t> block_;
+    WordBlock block_;
     BeamPlayer player_;
     std::vector<BeamPoint> points_;
 };

@@ -17,14 +17,15 @@ namespace {
 
 constexpr InputKind beam_input{"beam", "a .kdl file", "a description begins with 'beam'"};
 
-ChosenBeam beam_of(const SourceText& source)
+ChosenBeam beam_of(const SourceText& source, std::ostream& out)
 {
     Diagnostics diagnostics;
-    const auto beam = read_beam_text(source, diagnostics);
-    const std::size_t errors = report(diagnostics, source).errors;
+    auto beam = read_beam_text(source, diagnostics);
+    const std::size_t errors = report(diagnostics, source, out).errors;
     if (!beam)
         throw Failure(source.name + ": " + counted(errors, "error"));
-    return *beam;
+    beam->file = source.name;
+    return *std::move(beam);
 }
 
 }
@@ -52,10 +53,10 @@ std::vector<std::string_view> profile_names()
     return names;
 }
 
-ChosenBeam chosen_beam(const std::string& name)
+ChosenBeam chosen_beam(const std::string& name, std::ostream& out)
 {
     if (name.find_first_of("./") != name.npos)
-        return beam_of({name, read_input(name, beam_input)});
+        return beam_of({name, read_input(name, beam_input)}, out);
     if (const ProfileChoice* const choice = profile_named(name))
         return {choice->profile, choice->name};
     throw Failure("there is no beam " + kfast::quoted(name) + ": " + suggestion(name, profile_names()) +

@@ -2,6 +2,7 @@
 
 #include "core/beam/beam_profile.hpp"
 
+#include <iostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,12 +26,13 @@ std::vector<std::string_view> profile_names();
 struct ChosenBeam {
     BeamProfile profile;
     std::string_view base;
+    std::string file = {}; ///< that describes it; empty if it is a ready one
 };
 
 /// The beam that is called so, or that the file of this name describes: a name with a dot or a slash is
-/// that of a file. What is wrong with a file is printed to standard error.
+/// that of a file. What is wrong with a file is printed to `out`.
 /// Throws Failure for a name that no profile has and for a file that describes none.
-ChosenBeam chosen_beam(const std::string& name);
+ChosenBeam chosen_beam(const std::string& name, std::ostream& out = std::cerr);
 inline BeamProfile chosen_profile(const std::string& name) { return chosen_beam(name).profile; }
 
 }

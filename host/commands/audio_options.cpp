@@ -1,7 +1,6 @@
 #include "host/commands/audio_options.hpp"
 
 #include "host/commands/sound_beam.hpp"
-#include "host/sound/beam_sound.hpp"
 #include "host/sound/sound_card.hpp"
 
 #include <iostream>
@@ -36,17 +35,14 @@ CLI::Option* declare_audio_options(CLI::App& app, AudioOptions& options)
     return audio;
 }
 
-std::unique_ptr<FrameSource> heard(std::unique_ptr<FrameSource> picture, const AudioOptions& audio,
-                                   const PictureOptions& options, const SceneFile& scene)
+BeamProfile heard_profile(const AudioOptions& audio, const std::optional<ChosenBeam>& beam)
 {
-    if (!audio.is_heard)
-        return picture;
-    const auto& beam = options.screen.beam;
-    const BeamProfile profile =
-        sound_beam(beam ? std::optional{beam->profile} : std::nullopt, audio.sound.rate);
-    return std::make_unique<BeamSound>(std::move(picture),
-                                       open_beam(profile, BeamSource::any_number, options, scene),
-                                       audio.sound.deflection, audio.device);
+    return sound_beam(beam ? std::optional{beam->profile} : std::nullopt, audio.sound.rate);
+}
+
+std::shared_ptr<LedBeam> opened_sound(const AudioOptions& audio, const BeamProfile& profile)
+{
+    return std::make_shared<LedBeam>(profile, audio.sound.deflection, audio.device);
 }
 
 }

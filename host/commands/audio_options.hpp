@@ -1,10 +1,12 @@
 #pragma once
 
-#include "host/commands/picture_options.hpp"
+#include "host/beam/profile_choice.hpp"
 #include "host/commands/sound_options.hpp"
+#include "host/sound/led_beam.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace kfast {
@@ -20,10 +22,9 @@ struct AudioOptions {
 /// must outlive its parsing. Returns --audio.
 CLI::Option* declare_audio_options(CLI::App& app, AudioOptions& options);
 
-/// What is drawn by `picture`, opened with `options`, and, if it is to be heard, led along by a sound card
-/// too: by the profile that was chosen, if one was, but at the rate of the sound. `scene` must outlive the
-/// source. Throws Failure where there is no such sound card.
-std::unique_ptr<FrameSource> heard(std::unique_ptr<FrameSource> picture, const AudioOptions& audio,
-                                   const PictureOptions& options, const SceneFile& scene);
+/// What the sound card leads: by the profile of `beam`, if one was chosen, but at the rate of the sound.
+BeamProfile heard_profile(const AudioOptions& audio, const std::optional<ChosenBeam>& beam);
+/// Plays on. Throws Failure where there is no such sound card.
+std::shared_ptr<LedBeam> opened_sound(const AudioOptions& audio, const BeamProfile& profile);
 
 }

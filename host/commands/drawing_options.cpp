@@ -13,10 +13,20 @@
 namespace kfast {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr InputKind drawing_file{"drawing", "a text with points",
                                  "a drawing begins with a point, like 10,20"};
 
 [[noreturn]] void refuse(const std::string& message) { throw CLI::ValidationError("--drawing", message); }
+
+std::size_t sign_in(const std::string& text, const SceneView& scene)
+{
+    const std::size_t sign = end_of_input_name(text, scene);
+    if (sign == std::string::npos)
+        refuse("'" + text + "' has no file: write it like plot=points.txt");
+    return sign;
+}
 
 std::uint32_t drawing_input(std::string_view name, const SceneView& scene)
 {
@@ -52,17 +62,33 @@ void declare_drawing_options(CLI::App& app, DrawingOptions& options)
         ->type_name("NAME=FILE");
 }
 
-void put_drawings(const DrawingOptions& options, const SceneView& scene, ToldInputs& told)
+fs::path drawing_file(const std::string& text, const SceneView& scene)
 {
+    return text.substr(sign_in(text, scene) + 1);
+}
+
+void require_drawing(const std::string& text, const SceneView& scene)
+{
+    drawing_input(std::string_view{text}.substr(0, sign_in(text, scene)), scene);
+}
+
+std::vector<DrawingValue> chosen_drawings(const DrawingOptions& options, const SceneView& scene)
+{
+    std::vector<DrawingValue> drawings;
     for (const std::string& text : options.texts) {
-        const std::size_t sign = end_of_input_name(text, scene);
-        if (sign == std::string::npos)
-            refuse("'" + text + "' has no file: write it like plot=points.txt");
+        const std::size_t sign = sign_in(text, scene);
         const std::uint32_t number = drawing_input(std::string_view{text}.substr(0, sign), scene);
         const std::string file = text.substr(sign + 1);
-        if (!told.set_drawing(number, strokes_of(drawing_in(file))))
-            refuse_size(file, scene.input(number));
+        drawings.push_back({number, drawing_in(file), file});
     }
+    return drawings;
+}
+
+void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, ToldInputs& told)
+{
+    for (const DrawingValue& value : drawings)
+        if (!told.set_drawing(value.number, strokes_of(value.drawing)))
+            refuse_size(value.file, scene.input(value.number));
 }
 
 }

@@ -32,6 +32,23 @@ std::vector<InputView> inputs_of(const SceneView& scene)
            "': " + (names.empty() ? "the scene has none: leave out --input" : suggestion(name, names)));
 }
 
+std::size_t sign_in(std::string_view text, const SceneView& scene)
+{
+    const std::size_t sign = end_of_input_name(text, scene);
+    if (sign == std::string_view::npos)
+        refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
+    return sign;
+}
+
+/// The place among `inputs` of the one whose name ends at `sign`.
+std::size_t input_in(std::string_view text, std::size_t sign, const std::vector<InputView>& inputs)
+{
+    const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);
+    if (input == inputs.end())
+        refuse_name(text.substr(0, sign), inputs);
+    return static_cast<std::size_t>(input - inputs.begin());
+}
+
 std::int32_t read_number(std::string_view text, const InputView& input)
 {
     const auto value = read_input_value(text, input);
@@ -76,19 +93,21 @@ void declare_input_options(CLI::App& app, InputOptions& options)
         ->type_name("NAME=VALUE");
 }
 
+void require_input(const std::string& text, const SceneView& scene)
+{
+    const std::vector<InputView> inputs = inputs_of(scene);
+    input_in(text, sign_in(text, scene), inputs);
+}
+
 std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene)
 {
     const std::vector<InputView> inputs = inputs_of(scene);
     std::vector<InputValue> values;
     std::ranges::transform(inputs, std::back_inserter(values), usual_value);
     for (const std::string_view text : options.texts) {
-        const std::size_t sign = end_of_input_name(text, scene);
-        if (sign == std::string_view::npos)
-            refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
-        const auto input = std::ranges::find(inputs, text.substr(0, sign), &InputView::name);
-        if (input == inputs.end())
-            refuse_name(text.substr(0, sign), inputs);
-        values[static_cast<std::size_t>(input - inputs.begin())] = read_value(text.substr(sign + 1), *input);
+        const std::size_t sign = sign_in(text, scene);
+        const std::size_t input = input_in(text, sign, inputs);
+        values[input] = read_value(text.substr(sign + 1), inputs[input]);
     }
     return values;
 }

@@ -24,6 +24,9 @@ struct InputValue {
 /// Adds the option to `app`. `options` must outlive its parsing.
 void declare_input_options(CLI::App& app, InputOptions& options);
 
+/// Throws CLI::ValidationError if one of InputOptions::texts names an input that the scene has not.
+void require_input(const std::string& text, const SceneView& scene);
+
 /// The value of each input of the scene: as chosen, else the usual one; of a drawing, nothing. Throws
 /// CLI::ValidationError for an input that the scene has not, and for a value that it does not take.
 std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene);

@@ -44,7 +44,7 @@ private:
 void tell(ToldInputs& told, const PanelOptions& options, const SceneView& scene)
 {
     put_inputs(chosen_inputs(options.inputs, scene), scene, told);
-    put_drawings(options.drawings, scene, told);
+    put_drawings(chosen_drawings(options.drawings, scene), scene, told);
 }
 
 PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, const SceneFile& scene)

@@ -57,17 +57,6 @@ CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
     return offer_names(fit, fits);
 }
 
-/// Its inputs stand as usual.
-std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene)
-{
-    if (options.screen.beam)
-        return open_screen(options.screen, scene, options.size);
-    if (options.panel != nullptr)
-        return open_board_source(scene.bytes, options.panel->settings);
-    const Size size = panel_size(options, scene.view);
-    return std::make_unique<PlayerSource>(scene.view, size, options.fit, options.format);
-}
-
 }
 
 CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel)
@@ -105,10 +94,31 @@ Size panel_size(const PictureOptions& options, const SceneView& scene)
     return options.panel != nullptr ? options.panel->settings.size() : options.size.value_or(scene.canvas());
 }
 
+InputValues chosen_values(const PictureOptions& options, const SceneView& scene)
+{
+    return {chosen_inputs(options.inputs, scene), chosen_drawings(options.drawings, scene)};
+}
+
+void tell_inputs(const InputValues& inputs, const SceneView& scene, ToldInputs& told)
+{
+    put_inputs(inputs.values, scene, told);
+    put_drawings(inputs.drawings, scene, told);
+}
+
 void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source)
 {
-    put_inputs(chosen_inputs(options.inputs, scene.view), scene.view, source);
-    put_drawings(options.drawings, scene.view, source);
+    tell_inputs(chosen_values(options, scene.view), scene.view, source);
+}
+
+std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene)
+{
+    if (options.screen.beam)
+        return open_screen(options.screen, scene, options.size);
+    if (options.panel != nullptr)
+        return open_board_source(scene.bytes, options.panel->settings);
+    const Size size = panel_size(options, scene.view);
+    return std::make_unique<PlayerSource>(scene.view, size, options.fit,
+                                          options.format.value_or(PixelFormat::rgb565));
 }
 
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)

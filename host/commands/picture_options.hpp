@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace kfast {
 
@@ -19,9 +20,9 @@ namespace kfast {
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene
     Fit fit = Fit::contain;
-    PixelFormat format = PixelFormat::rgb565;
-    const PanelChoice* panel = nullptr; ///< instead of size, fit and format: it is driven as on a board
-    ScreenOptions screen = {};          ///< with a beam instead of fit, format and panel
+    std::optional<PixelFormat> format = {}; ///< none: rgb565
+    const PanelChoice* panel = nullptr;     ///< instead of size, fit and format: it is driven as on a board
+    ScreenOptions screen = {};              ///< with a beam instead of fit, format and panel
     InputOptions inputs = {};
     DrawingOptions drawings = {};
 };
@@ -40,10 +41,22 @@ void declare_size_options(CLI::App& app, PictureOptions& options);
 
 Size panel_size(const PictureOptions& options, const SceneView& scene);
 
-/// As chosen by --input and --drawing.
+/// What all inputs of a scene are.
+struct InputValues {
+    std::vector<InputValue> values; ///< one for each input
+    std::vector<DrawingValue> drawings;
+};
+
+/// As chosen by --input and --drawing. Throws as chosen_inputs() and chosen_drawings().
+InputValues chosen_values(const PictureOptions& options, const SceneView& scene);
+/// Tells them. Throws as put_drawings().
+void tell_inputs(const InputValues& inputs, const SceneView& scene, ToldInputs& told);
+/// Both.
 void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);
 
-/// `scene` must outlive the source.
+/// Its inputs stand as usual. `scene` must outlive the source.
+std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene);
+/// With the inputs as chosen. Likewise.
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene);
 
 }

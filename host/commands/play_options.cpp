@@ -22,10 +22,8 @@ Stretch chosen_stretch(const std::optional<std::string>& name, const SceneView& 
 {
     if (!name)
         return stretch_of(scene);
-    const auto clip = scene.clip(*name);
-    if (!clip)
-        refuse_clip(*name, scene);
-    return stretch_of(*clip);
+    require_clip(*name, scene);
+    return stretch_of(*scene.clip(*name));
 }
 
 }
@@ -42,6 +40,12 @@ void declare_play_options(CLI::App& app, PlayOptions& options)
 Timeline chosen_timeline(const PlayOptions& options, const SceneView& scene)
 {
     return {scene.frame_rate(), chosen_stretch(options.clip, scene), options.speed};
+}
+
+void require_clip(const std::string& name, const SceneView& scene)
+{
+    if (!scene.clip(name))
+        refuse_clip(name, scene);
 }
 
 }

@@ -19,5 +19,7 @@ void declare_play_options(CLI::App& app, PlayOptions& options);
 
 /// Throws CLI::ValidationError for a clip that the scene has not.
 Timeline chosen_timeline(const PlayOptions& options, const SceneView& scene);
+/// Likewise.
+void require_clip(const std::string& name, const SceneView& scene);
 
 }

@@ -46,52 +46,60 @@ std::vector<ScriptStep> read_script(const std::string& text)
     return script;
 }
 
-void preview_headless(const PreviewOptions& options, std::unique_ptr<OpenedScene> scene)
+Opener opener_of(PreviewOpener& opener)
+{
+    return [&opener](const std::filesystem::path& file) { return opener.open_next(file); };
+}
+
+void preview_headless(const PreviewOptions& options, PreviewOpener& opener,
+                      std::unique_ptr<OpenedScene> scene)
 {
     if (!options.script && options.snapshot.empty())
         return play_headless(*scene->source, scene->programme, std::cout);
-    Viewer viewer{preview_opener(options.choice), std::move(scene), Viewer::Seconds{0}};
+    Viewer viewer{opener_of(opener), std::move(scene), Viewer::Seconds{0}};
     const auto script = options.script.value_or(std::vector<ScriptStep>{});
     if (options.snapshot.empty())
         return play_script(viewer, script, std::cout);
     write_png(options.snapshot, snapshot(viewer, script, options.window, std::cout));
 }
 
-void preview_in_window(const PreviewOptions& options, PictureWindow& window,
+void preview_in_window(const PreviewOptions& options, PictureWindow& window, PreviewOpener& opener,
                        std::unique_ptr<OpenedScene> scene)
 {
-    Viewer viewer{preview_opener(options.choice), std::move(scene), steady_now(), options.loops};
+    Viewer viewer{opener_of(opener), std::move(scene), steady_now(), options.loops};
     viewer.let_choose(std::make_unique<FileDialogue>());
     play_in_window(window, viewer);
 }
 
-void preview_in_terminal(const PreviewOptions& options, std::unique_ptr<OpenedScene> scene)
+void preview_in_terminal(const PreviewOptions& options, PreviewOpener& opener,
+                         std::unique_ptr<OpenedScene> scene)
 {
     if (!can_play_in_terminal())
         return write_as_text(scene->source->show(Time{0}));
     Keyboard keyboard;
     const auto loops = keyboard.works() ? options.loops : options.loops.value_or(1);
-    Viewer viewer{preview_opener(options.choice), std::move(scene), steady_now(), loops};
+    Viewer viewer{opener_of(opener), std::move(scene), steady_now(), loops};
     play_in_terminal(viewer, keyboard);
 }
 
 void preview(const PreviewOptions& options)
 {
-    auto scene = open_preview(options.choice, options.file);
+    PreviewOpener opener{options.choice};
+    auto scene = opener.open_first(options.file);
     if (options.headless)
-        return preview_headless(options, std::move(scene));
+        return preview_headless(options, opener, std::move(scene));
     if (options.terminal)
-        return preview_in_terminal(options, std::move(scene));
+        return preview_in_terminal(options, opener, std::move(scene));
     if (const auto window = PictureWindow::open(options.file, first_window_size(scene->panel)))
-        return preview_in_window(options, *window, std::move(scene));
+        return preview_in_window(options, *window, opener, std::move(scene));
     std::cerr << "kfast: " << PictureWindow::no_window() << ", so this plays in the terminal\n";
-    preview_in_terminal(options, std::move(scene));
+    preview_in_terminal(options, opener, std::move(scene));
 }
 
 std::string key_list()
 {
-    std::string text = "Keys of the window, the terminal and --keys:";
-    for (const std::string& line : preview_key_help())
+    std::string text = "Keys of the window and --keys; a terminal has those that mean something there:";
+    for (const std::string& line : preview_key_help(PreviewFront::window))
         text += "\n  " + line;
     return text;
 }
@@ -131,9 +139,10 @@ void declare(CLI::App& app)
         ->needs(snapshot);
     declare_play_options(app, options->choice.play);
     declare_seen_options(app, options->choice.picture);
-    app.add_option("--board", options->choice.board,
-                   "The board of the fit report (key e): " + names_of(fit::board_texts()) +
-                       ", or a file that describes yours (default: a Pico)")
+    app.add_option(
+           "--board", options->choice.board,
+           "The board of the fit report (key e), whose display is shown where no other one is named: " +
+               names_of(fit::board_texts()) + ", or a file that describes yours (default: a Pico)")
         ->type_name("NAME");
     app.footer(app.get_footer() + "\n\n" + key_list());
     app.callback([options] { preview(*options); });

@@ -1,9 +1,10 @@
 #include "host/commands/preview_opener.hpp"
 
-#include "host/commands/input_names.hpp"
 #include "host/failure.hpp"
 #include "host/fit/board_choice.hpp"
+#include "host/preview/previewed_board.hpp"
 #include "host/preview/programme.hpp"
+#include "host/sound/beam_sound.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -30,81 +31,182 @@ Programme chosen_programme(const PlayOptions& options, const SceneView& scene,
     return programme;
 }
 
-/// The files of --drawing.
-std::vector<fs::path> drawing_files(const DrawingOptions& options, const SceneView& scene)
+/// On the screen of the ready profile that is nearest.
+ChosenBeam on_screen(const BeamProfile& beam)
 {
-    std::vector<fs::path> files;
-    for (const std::string& text : options.texts)
-        files.emplace_back(text.substr(end_of_input_name(text, scene) + 1));
-    return files;
+    const auto ready = std::ranges::find(profile_choices(), beam, &ProfileChoice::profile);
+    if (ready != profile_choices().end())
+        return {beam, ready->name};
+    return {beam, beam.is_laser ? "galvo" : "scope"};
 }
 
-std::unique_ptr<OpenedScene> opened(const PreviewChoice& choice, const fs::path& file, SceneFile scene)
+/// Where the options name no display, that of the board.
+void choose_display(PictureOptions& options, const fit::Target& board)
 {
-    const PictureOptions& picture = choice.picture;
-    const SceneView view = scene.view;
-    Programme programme = chosen_programme(choice.play, view, chosen_inputs(picture.inputs, view));
-    auto opened = std::make_unique<OpenedScene>(OpenedScene{.file = file,
-                                                            .scene = std::move(scene),
-                                                            .source = {},
-                                                            .programme = std::move(programme),
-                                                            .panel = {}});
-    opened->source = heard(open_source(picture, opened->scene), choice.audio, picture, opened->scene);
-    opened->panel = opened->source->show(Time{0}).size;
-    opened->fit = picture.fit;
-    opened->is_beam = picture.screen.beam.has_value();
-    if (picture.panel != nullptr) {
-        opened->is_round = picture.panel->settings.controller == Controller::gc9a01;
-        opened->panel_name = picture.panel->name;
+    if (options.panel != nullptr || options.screen.beam)
+        return;
+    if (board.beam && !options.format)
+        options.screen.beam = on_screen(*board.beam);
+    if (board.beam)
+        return;
+    options.size = options.size.value_or(board.display.size);
+    options.format = options.format.value_or(board.display.format);
+}
+
+ShownDisplay shown_display(const PictureOptions& options, Size panel)
+{
+    ShownDisplay shown{.size = panel, .format = options.format};
+    if (options.panel != nullptr)
+        shown.controller = options.panel->name;
+    if (options.screen.beam)
+        shown.beam = options.screen.beam->profile;
+    return shown;
+}
+
+bool is_round_glass(const fit::Display& display)
+{
+    const fit::Display* const round = fit::display_named("gc9a01");
+    return display.name == round->name && display.size == round->size;
+}
+
+template <class Check>
+bool is_known(const Check& check, std::ostream& out)
+{
+    try {
+        check();
+        return true;
+    } catch (const CLI::ValidationError& mistake) {
+        out << mistake.what() << ", so that is left out\n";
+        return false;
     }
-    if (choice.board)
-        opened->board = fit::chosen_board(*choice.board);
-    opened->tell_drawings = [drawings = picture.drawings, view](ToldInputs& told) {
-        put_drawings(drawings, view, told);
-    };
-    opened->also_read = drawing_files(picture.drawings, view);
-    return opened;
 }
 
-PreviewChoice without_what_is_named(PreviewChoice choice)
+PreviewChoice without_unknown_names(PreviewChoice choice, const SceneView& scene, std::ostream& out)
 {
-    choice.play.clip.reset();
-    choice.picture.inputs = {};
-    choice.picture.drawings = {};
+    if (choice.play.clip && !is_known([&] { require_clip(*choice.play.clip, scene); }, out))
+        choice.play.clip.reset();
+    std::erase_if(choice.picture.inputs.texts, [&](const std::string& text) {
+        return !is_known([&] { require_input(text, scene); }, out);
+    });
+    std::erase_if(choice.picture.drawings.texts, [&](const std::string& text) {
+        return !is_known([&] { require_drawing(text, scene); }, out);
+    });
     return choice;
 }
 
-std::unique_ptr<OpenedScene> open_as_far_as_it_suits(const PreviewChoice& choice, const fs::path& file,
-                                                     std::ostream& out)
-{
-    try {
-        return opened(choice, file, load_scene(file, {}, out));
-    } catch (const CLI::ValidationError& mistake) {
-        out << mistake.what() << ", so --clip, --input and --drawing are left out\n";
+}
+
+/// Of one scene and of what belongs to it.
+struct PreviewOpener::Reading {
+    fs::path file;
+    std::ostream& out;
+    FileWatch read = {};
+
+    SceneFile scene()
+    {
+        read.add(file);
+        SceneFile scene = load_scene(file, {}, out);
+        for (const fs::path& font : scene.fonts) // known only now
+            read.add(font);
+        return scene;
     }
-    std::ostringstream again; // says the same
-    return opened(without_what_is_named(choice), file, load_scene(file, {}, again));
-}
 
-}
+    std::optional<fit::Target> board(const std::optional<std::string>& name)
+    {
+        if (!name)
+            return std::nullopt;
+        if (fit::names_board_file(*name))
+            read.add(*name);
+        return fit::chosen_board(*name, out);
+    }
 
-std::unique_ptr<OpenedScene> open_preview(const PreviewChoice& choice, const fs::path& file)
+    InputValues inputs(const PictureOptions& options, const SceneView& view)
+    {
+        for (const std::string& text : options.drawings.texts)
+            read.add(drawing_file(text, view));
+        return chosen_values(options, view);
+    }
+
+    /// As its file says now.
+    void refresh(std::optional<ChosenBeam>& beam)
+    {
+        if (!beam || beam->file.empty())
+            return;
+        read.add(beam->file);
+        beam = chosen_beam(beam->file, out);
+    }
+};
+
+PreviewOpener::PreviewOpener(PreviewChoice choice) : choice_{std::move(choice)} {}
+
+std::unique_ptr<OpenedScene> PreviewOpener::open_first(const fs::path& file)
 {
-    return opened(choice, file, load_scene(file));
+    Reading reading{file, std::cerr};
+    SceneFile scene = reading.scene();
+    return opened(choice_, std::move(scene), reading);
 }
 
-Opener preview_opener(const PreviewChoice& choice)
+std::unique_ptr<OpenedScene> PreviewOpener::open_next(const fs::path& file)
 {
-    return [choice](const fs::path& file) {
-        std::ostringstream found;
-        try {
-            auto opened = open_as_far_as_it_suits(choice, file, found);
-            opened->warnings = found.str();
-            return opened;
-        } catch (const std::exception& failure) {
-            throw Failure(found.str() + failure.what());
-        }
+    std::ostringstream found;
+    try {
+        Reading reading{file, found};
+        SceneFile scene = reading.scene();
+        const PreviewChoice choice = without_unknown_names(choice_, scene.view, found);
+        auto next = opened(choice, std::move(scene), reading);
+        next->warnings = found.str();
+        return next;
+    } catch (const std::exception& failure) {
+        throw Failure(found.str() + failure.what());
+    }
+}
+
+std::unique_ptr<OpenedScene> PreviewOpener::opened(const PreviewChoice& choice, SceneFile scene,
+                                                   Reading& reading)
+{
+    PictureOptions picture = choice.picture;
+    reading.refresh(picture.screen.beam);
+    const auto board = reading.board(choice.board);
+    if (board)
+        choose_display(picture, *board);
+    const SceneView view = scene.view;
+    InputValues inputs = reading.inputs(picture, view);
+    auto opened = std::make_unique<OpenedScene>(
+        OpenedScene{.file = reading.file,
+                    .scene = std::move(scene),
+                    .source = {},
+                    .programme = chosen_programme(choice.play, view, inputs.values),
+                    .panel = {},
+                    .fit = picture.fit,
+                    .is_beam = picture.screen.beam.has_value()});
+    auto source = open_at_rest(picture, opened->scene);
+    tell_inputs(inputs, view, *source);
+    opened->panel = source->show(Time{0}).size;
+    opened->source = heard(std::move(source), picture, inputs, view);
+    opened->board = previewed_board(shown_display(picture, opened->panel), board);
+    opened->is_round = !opened->is_beam && is_round_glass(opened->board->display);
+    if (!opened->is_beam && (picture.panel != nullptr || board))
+        opened->panel_name = opened->board->display.name;
+    opened->tell_drawings = [drawings = std::move(inputs.drawings), view](ToldInputs& told) {
+        put_drawings(drawings, view, told);
     };
+    opened->read = std::move(reading.read);
+    return opened;
+}
+
+std::unique_ptr<FrameSource> PreviewOpener::heard(std::unique_ptr<FrameSource> picture,
+                                                  const PictureOptions& options, const InputValues& inputs,
+                                                  const SceneView& scene)
+{
+    if (!choice_.audio.is_heard)
+        return picture;
+    const BeamProfile profile = heard_profile(choice_.audio, options.screen.beam);
+    if (sound_ == nullptr || sound_profile_ != profile)
+        sound_ = opened_sound(choice_.audio, profile);
+    sound_profile_ = profile;
+    BeamSource beam{scene, profile};
+    tell_inputs(inputs, scene, beam);
+    return std::make_unique<BeamSound>(std::move(picture), std::move(beam), sound_);
 }
 
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 
 namespace kfast {
@@ -17,15 +18,32 @@ struct PreviewChoice {
     PlayOptions play;
     PictureOptions picture;
     AudioOptions audio;
-    std::optional<std::string> board; ///< of the fit report
+    std::optional<std::string> board; ///< with the display that is shown, where no other one is named
 };
 
-/// The file that the command names: what is found is printed to standard error. Throws Failure, and
-/// CLI::ValidationError if the scene has not what the options name.
-std::unique_ptr<OpenedScene> open_preview(const PreviewChoice& choice, const std::filesystem::path& file);
+/// Opens scenes for a preview. Each file is read once for each time that a scene is opened, so that pipes can
+/// be read; the sound card is opened with the first scene and plays on for all.
+class PreviewOpener {
+public:
+    explicit PreviewOpener(PreviewChoice choice);
 
-/// For all files after it. --clip, --input and --drawing, which are about that one, are left out where they
-/// do not suit; the warnings of the scene say so.
-Opener preview_opener(const PreviewChoice& choice);
+    /// The file that the command names: what is found is printed to standard error. Throws Failure, and
+    /// CLI::ValidationError if the scene has not what the options name.
+    std::unique_ptr<OpenedScene> open_first(const std::filesystem::path& file);
+    /// Any file after it, as Opener. What --clip, --input and --drawing name, which are about that one, is
+    /// left out where the scene has no such name; its warnings say so.
+    std::unique_ptr<OpenedScene> open_next(const std::filesystem::path& file);
+
+private:
+    struct Reading;
+
+    std::unique_ptr<OpenedScene> opened(const PreviewChoice& choice, SceneFile scene, Reading& reading);
+    std::unique_ptr<FrameSource> heard(std::unique_ptr<FrameSource> picture, const PictureOptions& options,
+                                       const InputValues& inputs, const SceneView& scene);
+
+    PreviewChoice choice_;
+    std::shared_ptr<LedBeam> sound_;
+    BeamProfile sound_profile_; ///< of `sound_`
+};
 
 }

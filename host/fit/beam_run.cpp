@@ -14,20 +14,14 @@ int frames_in_turn(const Stretch& stretch)
     return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
 }
 
-std::vector<std::uint32_t> block_for(const SceneView& scene, const BeamProfile& profile)
-{
-    return std::vector<std::uint32_t>((BeamPlayer::block_bytes(scene, profile) + 3) / 4);
-}
-
 }
 
 BeamRun::BeamRun(const SceneView& scene, const Target& target)
     : stretch_{stretch_of(scene)}, frames_{frames_in_turn(stretch_)}, stride_{(frames_ + most_frames - 1) /
                                                                               most_frames},
-      block_{block_for(scene, *target.beam)}, player_{*BeamPlayer::create(
-                                                  scene, *target.beam, room_for_points(target),
-                                                  std::as_writable_bytes(std::span{block_}))},
-      inputs_{player_}
+      block_{BeamPlayer::block_bytes(scene, *target.beam)},
+      player_{*BeamPlayer::create(scene, *target.beam, room_for_points(target), block_.bytes())}, inputs_{
+                                                                                                      player_}
 {
 }
 

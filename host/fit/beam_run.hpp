@@ -5,11 +5,10 @@
 #include "host/fit/busy_inputs.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_count.hpp"
+#include "host/word_block.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <vector>
 
 namespace kfast::fit {
 
@@ -51,7 +50,7 @@ private:
     Stretch stretch_;
     int frames_; ///< until the picture comes round again
     int stride_;
-    std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
+    WordBlock block_;
     BeamPlayer player_;
     BusyInputs inputs_;
 };

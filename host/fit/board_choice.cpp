@@ -17,11 +17,11 @@ namespace {
 
 constexpr InputKind board_input{"board", "a .kdl file", "a description begins with 'board'"};
 
-Target board_of(const SourceText& source)
+Target board_of(const SourceText& source, std::ostream& out)
 {
     Diagnostics diagnostics;
     const auto target = read_board(source, diagnostics);
-    const std::size_t errors = report(diagnostics, source).errors;
+    const std::size_t errors = report(diagnostics, source, out).errors;
     if (!target)
         throw Failure(source.name + ": " + counted(errors, "error"));
     return *target;
@@ -37,14 +37,16 @@ Target board_of(const SourceText& source)
 
 }
 
-Target chosen_board(const std::string& name)
+bool names_board_file(const std::string& name) { return name.find_first_of("./") != name.npos; }
+
+Target chosen_board(const std::string& name, std::ostream& out)
 {
-    if (name.find_first_of("./") != name.npos)
-        return board_of({name, read_input(name, board_input)});
+    if (names_board_file(name))
+        return board_of({name, read_input(name, board_input)}, out);
     const auto built_in = std::ranges::find(board_texts(), name, &BoardText::name);
     if (built_in == board_texts().end())
         refuse(name);
-    return board_of({name, std::string{built_in->text}});
+    return board_of({name, std::string{built_in->text}}, out);
 }
 
 }

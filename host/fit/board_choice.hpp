@@ -2,13 +2,17 @@
 
 #include "host/fit/target.hpp"
 
+#include <iostream>
 #include <string>
 
 namespace kfast::fit {
 
-/// The board that is called so, or that the file of this name describes: a name with a dot or a slash is that
-/// of a file. What is wrong with a file is printed to standard error.
+/// A name with a dot or a slash is that of a file that describes a board.
+bool names_board_file(const std::string& name);
+
+/// The board that is called so, or that the file of this name describes. What is wrong with a file is printed
+/// to `out`.
 /// Throws Failure for a name that no board has and for a file that describes none.
-Target chosen_board(const std::string& name);
+Target chosen_board(const std::string& name, std::ostream& out = std::cerr);
 
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace kfast::fit {
 namespace {
@@ -46,9 +47,24 @@ constexpr std::array displays{
 
 }
 
+Display taking(PixelFormat format, Display display)
+{
+    display.format = format;
+    display.granularity.width = std::lcm(display.granularity.width, pixels_in_whole_bytes(format));
+    return display;
+}
+
 const Display* display_named(std::string_view name)
 {
     const auto display = std::ranges::find(displays, name, &Display::name);
+    return display == displays.end() ? nullptr : &*display;
+}
+
+const Display* display_like(PixelFormat format)
+{
+    const auto display = std::ranges::find_if(displays, [format](const Display& known) {
+        return bits_per_pixel(known.format) == bits_per_pixel(format);
+    });
     return display == displays.end() ? nullptr : &*display;
 }
 

@@ -20,10 +20,15 @@ struct Display {
     double rated_spi = 0;          ///< Hz that the maker allows for writing; 0: not known
 };
 
+/// The same display, told pixels of another format.
+Display taking(PixelFormat format, Display display);
+
 /// The controller of that name, or null.
 const Display* display_named(std::string_view name);
 /// Of all controllers that are known.
 std::vector<std::string_view> display_names();
+/// The first one whose pixels have as many bits as those of `format`, or null.
+const Display* display_like(PixelFormat format);
 /// The remedy for a name that no controller has (host/text/suggestion.hpp).
 std::string display_suggestion(std::string_view name);
 

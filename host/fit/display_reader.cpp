@@ -7,7 +7,6 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,7 @@ bool read_format(const kdl::Value& value, Display& display, Reading& reading)
         report_unknown_word(value, *name, known, reading);
         return false;
     }
-    display.format = format->value;
-    display.granularity.width = std::lcm(display.granularity.width, pixels_in_whole_bytes(format->value));
+    display = taking(format->value, display);
     return true;
 }
 

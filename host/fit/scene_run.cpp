@@ -20,11 +20,6 @@ int frames_in_turn(const Stretch& stretch)
     return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
 }
 
-std::vector<std::uint32_t> block_for(const SceneView& scene, Size panel)
-{
-    return std::vector<std::uint32_t>((Player::block_bytes(scene, panel) + 3) / 4);
-}
-
 /// Never less than a row that the panel takes: whether the real ones hold it is told elsewhere.
 std::vector<std::byte> band_for(const Target& target)
 {
@@ -46,10 +41,9 @@ WorkCount FrameWork::work() const
 
 SceneRun::SceneRun(const SceneView& scene, const Target& target, Fit fit)
     : target_{target}, stretch_{steady_stretch(scene)}, frames_{frames_in_turn(stretch_)},
-      stride_{(frames_ + most_frames - 1) / most_frames}, block_{block_for(scene, target.display.size)},
-      band_{band_for(target)}, player_{*Player::create(scene, target.display.size, fit,
-                                                       std::as_writable_bytes(std::span{block_}))},
-      inputs_{player_}
+      stride_{(frames_ + most_frames - 1) / most_frames},
+      block_{Player::block_bytes(scene, target.display.size)}, band_{band_for(target)},
+      player_{*Player::create(scene, target.display.size, fit, block_.bytes())}, inputs_{player_}
 {
 }
 

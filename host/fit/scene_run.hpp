@@ -6,6 +6,7 @@
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_log.hpp"
+#include "host/word_block.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -67,7 +68,7 @@ private:
     Stretch stretch_;
     int frames_; ///< until the picture comes round again
     int stride_;
-    std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
+    WordBlock block_;
     std::vector<std::byte> band_;
     Player player_;
     BusyInputs inputs_;

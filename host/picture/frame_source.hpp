@@ -19,6 +19,9 @@ class FrameSource : public ToldInputs {
 public:
     /// The picture at a moment of the timeline, the scene's very end included. Valid until the next call.
     virtual const Frame& show(Time moment) = 0;
+    /// Does what goes along with the picture at a moment, sound for instance, when one that was kept is shown
+    /// in place of a new one.
+    virtual void accompany(Time /*moment*/) {}
     virtual Pace pace() const { return Pace::smooth; }
     /// What is to be told about the picture that was shown last, on one line; empty if nothing.
     virtual std::string facts() const { return {}; }

@@ -3,11 +3,6 @@
 namespace kfast {
 namespace {
 
-std::vector<std::uint32_t> block_for(const SceneView& scene, Size panel)
-{
-    return std::vector<std::uint32_t>((Player::block_bytes(scene, panel) + 3) / 4);
-}
-
 void draw(Player& player, Frame& frame)
 {
     with_format(*frame.format,
@@ -23,8 +18,7 @@ Frame empty_frame(Size size, PixelFormat format)
 }
 
 PlayerSource::PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFormat format)
-    : block_{block_for(scene, panel)}, player_{*Player::create(scene, panel, fit,
-                                                               std::as_writable_bytes(std::span{block_}))},
+    : block_{Player::block_bytes(scene, panel)}, player_{*Player::create(scene, panel, fit, block_.bytes())},
       frame_{empty_frame(panel, format)}
 {
 }

@@ -2,6 +2,7 @@
 
 #include "core/player.hpp"
 #include "host/picture/frame_source.hpp"
+#include "host/word_block.hpp"
 
 #include <cstdint>
 
@@ -22,7 +23,7 @@ public:
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
-    std::vector<std::uint32_t> block_; // words, for the player asks for an alignment of 4
+    WordBlock block_;
     Player player_;
     Frame frame_;
 };

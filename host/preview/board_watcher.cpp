@@ -76,8 +76,9 @@ bool BoardWatcher::has_seen_enough()
     if (window_ == nullptr)
         return is_over_();
     const PictureWindow::Events events = window_->take_events(0);
-    is_closed_ = is_closed_ || events.is_closed ||
-                 std::ranges::find(events.keys, PreviewKey::quit) != events.keys.end();
+    is_closed_ = is_closed_ || events.is_closed || std::ranges::any_of(events.keys, [](PreviewKey key) {
+                     return key == PreviewKey::quit || key == PreviewKey::leave;
+                 });
     if (events.any && !last_.pixels.empty())
         draw();
     return is_closed_ || is_over_();

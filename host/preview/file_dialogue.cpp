@@ -63,10 +63,21 @@ std::vector<std::string> arguments_of(const fs::path& program, const fs::path& f
     return {program, "--title", "Read a scene", "--getopenfilename", begin, all + " | Scenes"};
 }
 
+constexpr const char* remedy = "drop the file here, or give it on the command line";
+
 [[noreturn]] void refuse(const fs::path& program, int error_number)
 {
-    throw Failure(program.string() + " cannot be started: " + std::strerror(error_number) +
-                  ": drop a file onto the window");
+    throw Failure(program.string() + " cannot be started: " + std::strerror(error_number) + ": " + remedy);
+}
+
+/// How a dialogue ended in which neither a file was chosen nor none was wanted; empty otherwise.
+std::string failure_of(int status)
+{
+    constexpr int cancelled = 1; // of zenity and of kdialog
+    if (WIFSIGNALED(status))
+        return "was ended by signal " + std::to_string(WTERMSIG(status));
+    const int code = WEXITSTATUS(status);
+    return code == 0 || code == cancelled ? "" : "failed with status " + std::to_string(code);
 }
 
 }
@@ -85,7 +96,7 @@ void FileDialogue::ask(const fs::path& folder)
     for (const char* const name : {"zenity", "kdialog"})
         if (const fs::path program = program_in_path(name); !program.empty())
             return start(program, folder);
-    throw Failure("there is no file dialogue: install zenity or kdialog, or drop a file onto the window");
+    throw Failure(std::string{"there is no file dialogue: install zenity or kdialog, or "} + remedy);
 }
 
 void FileDialogue::start(const fs::path& program, const fs::path& folder)
@@ -108,6 +119,7 @@ void FileDialogue::start(const fs::path& program, const fs::path& folder)
     answer_ = ends[0];
     ::fcntl(answer_, F_SETFL, O_NONBLOCK);
     text_.clear();
+    program_ = program.filename().string();
     if (error == 0)
         return;
     process_ = 0;
@@ -140,7 +152,9 @@ std::optional<fs::path> FileDialogue::take_answer()
     ::close(answer_);
     if (text_.ends_with('\n'))
         text_.pop_back();
-    const bool was_chosen = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !text_.empty();
+    if (const std::string failure = failure_of(status); !failure.empty())
+        throw Failure(program_ + ' ' + failure + ": " + remedy);
+    const bool was_chosen = WEXITSTATUS(status) == 0 && !text_.empty();
     return was_chosen ? std::optional{fs::path{text_}} : std::nullopt;
 }
 

@@ -27,6 +27,7 @@ private:
     pid_t process_ = 0; ///< 0: none
     int answer_ = -1;   ///< what it writes, to be read without waiting
     std::string text_;  ///< as far as it was read
+    std::string program_;
 };
 
 }

@@ -20,13 +20,20 @@ std::chrono::nanoseconds since_epoch(const timespec& time)
 
 }
 
-FileWatch::FileWatch(std::vector<fs::path> files) : files_{std::move(files)}
+FileWatch::FileWatch(const std::vector<fs::path>& files)
 {
-    std::erase_if(files_, [](const fs::path& file) {
-        std::error_code unknown;
-        return fs::exists(file, unknown) && !fs::is_regular_file(file, unknown);
-    });
-    known_ = latest_ = look();
+    for (const fs::path& file : files)
+        add(file);
+}
+
+void FileWatch::add(const fs::path& file)
+{
+    std::error_code unknown;
+    if (fs::exists(file, unknown) && !fs::is_regular_file(file, unknown))
+        return;
+    files_.push_back(file);
+    known_.push_back(look(file));
+    latest_.push_back(known_.back());
 }
 
 bool FileWatch::has_changed(Seconds now)

@@ -12,8 +12,12 @@ class FileWatch {
 public:
     using Seconds = std::chrono::duration<double>;
 
-    /// As they are now is as they are known. What is no regular file, a pipe for instance, never changes.
-    explicit FileWatch(std::vector<std::filesystem::path> files);
+    FileWatch() = default;
+    explicit FileWatch(const std::vector<std::filesystem::path>& files);
+
+    /// As the file is now is as it is known: to be called before it is read. What is no regular file, a pipe
+    /// for instance, never changes.
+    void add(const std::filesystem::path& file);
 
     /// Whether a file differs from how it is known; then that is how it is known from now on. Looks four
     /// times a second at most, and waits until nobody writes any more: longer where a file is gone or empty,

@@ -11,9 +11,13 @@ FrameCollection::FrameCollection(std::vector<Time> moments) : moments_{std::move
     moments_.erase(std::unique(moments_.begin(), moments_.end()), moments_.end());
 }
 
-void FrameCollection::add_next(FrameSource& source) { frames_.push_back(source.show(moments_[done()])); }
+void FrameCollection::add_next(FrameSource& source)
+{
+    const Frame& frame = source.show(moments_[done()]);
+    frames_.push_back({frame, source.facts()});
+}
 
-const Frame* FrameCollection::at(Time moment) const
+const FrameCollection::Drawn* FrameCollection::at(Time moment) const
 {
     const auto place = std::ranges::lower_bound(moments_, moment);
     const auto index = static_cast<std::size_t>(place - moments_.begin());

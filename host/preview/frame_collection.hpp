@@ -3,6 +3,7 @@
 #include "host/picture/frame_source.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace kfast {
@@ -21,12 +22,16 @@ public:
     bool is_complete() const { return done() == total(); }
     /// Draws the next one; there must be one left.
     void add_next(FrameSource& source);
+    struct Drawn {
+        Frame frame;
+        std::string facts; ///< FrameSource::facts()
+    };
     /// Null where that moment was not drawn.
-    const Frame* at(Time moment) const;
+    const Drawn* at(Time moment) const;
 
 private:
     std::vector<Time> moments_;
-    std::vector<Frame> frames_; ///< of the first moments
+    std::vector<Drawn> frames_; ///< of the first moments
 };
 
 }

@@ -37,7 +37,7 @@ public:
         if (is_stopped_)
             throw Failure("stopped");
         ++shown_;
-        return *frames_.at(moment);
+        return frames_.at(moment)->frame;
     }
 
 private:

@@ -1,6 +1,7 @@
 #include "host/preview/half_blocks.hpp"
 
 #include "host/preview/placement.hpp"
+#include "host/preview/scaled_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,37 +14,16 @@ namespace {
 constexpr int above = 38;
 constexpr int below = 48;
 
-/// The mean of the pixels of `picture` that fall on one pixel of a picture of size `small`.
-Colour mean(const Picture& picture, Size small, int x, int y)
-{
-    const int left = x * picture.size.width / small.width;
-    const int right = (x + 1) * picture.size.width / small.width;
-    const int top = y * picture.size.height / small.height;
-    const int bottom = (y + 1) * picture.size.height / small.height;
-    std::array<int, 3> sum{};
-    for (int row = top; row < bottom; ++row)
-        for (int column = left; column < right; ++column) {
-            const Colour& pixel = picture.at(column, row);
-            sum[0] += pixel.red;
-            sum[1] += pixel.green;
-            sum[2] += pixel.blue;
-        }
-    const int count = (right - left) * (bottom - top);
-    const auto rounded = [count](int total) {
-        return static_cast<std::uint8_t>((total + count / 2) / count);
-    };
-    return {rounded(sum[0]), rounded(sum[1]), rounded(sum[2])};
-}
-
 Picture shrunk(const Picture& picture, Size space)
 {
     if (picture.size.width <= space.width && picture.size.height <= space.height)
         return picture;
     const Rect place = placement(picture.size, space);
     Picture small{{place.width, place.height}, {}};
+    const ScaledPicture scaled{picture, {0, 0, place.width, place.height}};
     for (int y = 0; y < small.size.height; ++y)
         for (int x = 0; x < small.size.width; ++x)
-            small.pixels.push_back(mean(picture, small.size, x, y));
+            small.pixels.push_back(scaled.at(x, y));
     return small;
 }
 

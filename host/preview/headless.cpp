@@ -47,24 +47,24 @@ Seconds clock_at(const Timeline& timeline, int frame)
     return Seconds{timeline.seconds(std::int64_t{frame} * Time::ticks_per_frame)};
 }
 
-void write_events(const std::vector<EventView>& passed, std::ostream& out)
+PreviewPlayback::OnEvent writing_to(std::ostream& out)
 {
-    for (const EventView& event : passed)
+    return [&out](const EventView& event) {
         out << "event " << static_cast<double>(event.time.ticks) / Time::ticks_per_frame << ' '
             << visible(event.name) << '\n';
+    };
 }
 
 void select(Viewer& viewer, const std::string& name)
 {
-    const auto& rows = viewer.time_table().rows;
-    const auto row = std::ranges::find(rows, name, &TimeRow::name);
-    if (row != rows.end())
+    const TimeTable& table = viewer.time_table();
+    if (const TimeRow* const row = table.row_named(name))
         return viewer.select(row->item);
     viewer.select(std::nullopt);
     if (name.empty())
         return;
     std::vector<std::string_view> names;
-    for (const TimeRow& known : rows)
+    for (const TimeRow& known : table.rows)
         names.emplace_back(known.name);
     throw Failure("select=" + name + ": there is no such object: " + suggestion(name, names));
 }
@@ -100,20 +100,20 @@ void play_headless(FrameSource& source, const Programme& programme, std::ostream
 {
     const Timeline timeline{programme.frame_rate, programme.parts[programme.first].stretch, programme.speed};
     PreviewPlayback playback{programme, source.pace(), Seconds{0}, 1};
+    playback.tell_events_to(writing_to(out));
     Summary summary;
     for (int frame = 0; frame < timeline.frame_count(); ++frame) {
         playback.advance_to(clock_at(timeline, frame));
-        write_events(playback.take_passed(), out);
         summary.add(show(source, playback));
     }
     playback.advance_to(clock_at(timeline, timeline.frame_count())); // what lies behind the last frame
-    write_events(playback.take_passed(), out);
     summary.write(out);
 }
 
 void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out, const KeyPress& press)
 {
     const double seconds_per_frame = clock_at(viewer.playback().timeline(), 1).count();
+    viewer.tell_events_to(writing_to(out));
     Summary summary;
     Seconds clock{0};
     for (const ScriptStep& step : script) {
@@ -121,7 +121,6 @@ void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostrea
         take(step, viewer, clock, press);
         while (viewer.is_working())
             viewer.attend(clock);
-        write_events(viewer.take_passed(), out);
         if (viewer.wants_to_quit())
             break;
         const Frame& frame = viewer.frame();
@@ -129,6 +128,7 @@ void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostrea
         write_messages(viewer, out);
         out << viewer.status() << "  " << hexadecimal(hash(frame)) << '\n';
     }
+    viewer.tell_events_to({});
     summary.write(out);
 }
 

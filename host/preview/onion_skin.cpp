@@ -45,13 +45,13 @@ Picture unpainted(const Frame& frame, Colour background)
     return widen(empty);
 }
 
-std::optional<Time> key_before(const std::vector<Time>& keys, Time moment)
+std::optional<Time> key_before(std::span<const Time> keys, Time moment)
 {
     const auto first = std::ranges::lower_bound(keys, moment);
     return first == keys.begin() ? std::nullopt : std::optional{*(first - 1)};
 }
 
-std::optional<Time> key_after(const std::vector<Time>& keys, Time moment)
+std::optional<Time> key_after(std::span<const Time> keys, Time moment)
 {
     const auto first = std::ranges::upper_bound(keys, moment);
     return first == keys.end() ? std::nullopt : std::optional{*first};
@@ -70,15 +70,10 @@ void lay_skin(Picture& picture, const Picture& neighbour, const Picture& backgro
     }
 }
 
-OnionSkin::OnionSkin(std::vector<Time> keys, Colour background)
-    : keys_{std::move(keys)}, background_{background}
+const Picture& OnionSkin::show(FrameSource& source, Time moment, std::span<const Time> keys)
 {
-}
-
-const Picture& OnionSkin::show(FrameSource& source, Time moment)
-{
-    look_up(before_, key_before(keys_, moment), source);
-    look_up(after_, key_after(keys_, moment), source);
+    look_up(before_, key_before(keys, moment), source);
+    look_up(after_, key_after(keys, moment), source);
     const Frame& frame = source.show(moment);
     picture_ = widen(frame);
     if (empty_.pixels.size() != picture_.pixels.size())

@@ -6,7 +6,7 @@
 #include "host/picture/picture.hpp"
 
 #include <optional>
-#include <vector>
+#include <span>
 
 namespace kfast {
 
@@ -26,13 +26,13 @@ public:
     static constexpr Colour cool{64, 144, 255};
     static constexpr int faintness = 128; ///< of 255
 
-    /// `keys` are in order; `background` is what the scene lies on. On the screen of a beam that is black
-    /// anyway.
-    OnionSkin(std::vector<Time> keys, Colour background);
+    /// `background` is what the scene lies on. On the screen of a beam that is black anyway.
+    explicit OnionSkin(Colour background) : background_{background} {}
 
-    /// The picture of `source` at `moment`, which is the last that it shows. Pixels where nothing of the
-    /// neighbours is seen are exactly as `source` has them. Valid until the next call.
-    const Picture& show(FrameSource& source, Time moment);
+    /// The picture of `source` at `moment`, which is the last that it shows, between those of `keys`, which
+    /// are in order. Pixels where nothing of the neighbours is seen are exactly as `source` has them. Valid
+    /// until the next call.
+    const Picture& show(FrameSource& source, Time moment, std::span<const Time> keys);
     /// The pictures of key frames are not known any more: an input was told, or the source is another.
     void forget();
 
@@ -44,7 +44,6 @@ private:
 
     static void look_up(Neighbour& neighbour, std::optional<Time> key, FrameSource& source);
 
-    std::vector<Time> keys_;
     Colour background_;
     Picture empty_; ///< the background alone
     Neighbour before_;

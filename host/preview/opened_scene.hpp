@@ -3,6 +3,7 @@
 #include "core/canvas_map.hpp"
 #include "host/fit/target.hpp"
 #include "host/picture/frame_source.hpp"
+#include "host/preview/file_watch.hpp"
 #include "host/preview/programme.hpp"
 #include "host/scene_file.hpp"
 
@@ -11,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace kfast {
 
@@ -23,11 +23,13 @@ struct OpenedScene {
     Programme programme;                 ///< likewise
     Size panel;
     Fit fit = Fit::contain;
-    bool is_round = false;                 ///< the corners of the panel are not seen
-    bool is_beam = false;                  ///< the screen of a vector display
-    std::string panel_name = {};           ///< empty if none was named
-    std::optional<fit::Target> board = {}; ///< that the fit report is about; none: previewed_board()
-    std::vector<std::filesystem::path> also_read = {}; ///< besides `file`, as far as known
+    bool is_round = false;       ///< the corners of the panel are not seen
+    bool is_beam = false;        ///< the screen of a vector display
+    std::string panel_name = {}; ///< of its controller; empty if none was named
+    /// That the fit report and the changed areas are about, with the display that is shown; none:
+    /// previewed_board() of the panel.
+    std::optional<fit::Target> board = {};
+    FileWatch read = {}; ///< of all files that what is shown depends on, as they were before they were read
     /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
     /// empty.
     std::function<void(ToldInputs&)> tell_drawings = {};

@@ -46,7 +46,7 @@ bool is_selected(const SeenLeaf& leaf, const ViewOptions& view)
 struct OverlaySource::Parts {
     Stage stage;
     PosedScene posed{stage.scene, stage.posed_panel(), stage.posed_fit()};
-    BoardChanges changes{stage.scene, previewed_board(stage), stage.fit};
+    BoardChanges changes{stage.scene, stage.board ? *stage.board : previewed_board({stage.panel}), stage.fit};
     PaintedItems painted{stage.scene, stage.panel, stage.fit};
 
     std::array<ToldInputs*, 2> players() { return {&changes, &painted}; }

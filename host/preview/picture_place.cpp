@@ -2,34 +2,19 @@
 
 #include "host/preview/area.hpp"
 #include "host/preview/placement.hpp"
+#include "host/preview/zoom_steps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace kfast {
 namespace {
-
-constexpr std::array zooms{1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, PicturePlace::largest_zoom};
 
 Rect fitting(Size panel, Rect pane, int margin)
 {
     const Rect room = inset(pane, std::min(margin, pane.width / 4), std::min(margin, pane.height / 4));
     const Rect place = placement(panel, {std::max(1, room.width), std::max(1, room.height)});
     return {room.x + place.x, room.y + place.y, place.width, place.height};
-}
-
-int next_larger(double scale)
-{
-    const auto next = std::ranges::upper_bound(zooms, scale);
-    return next == zooms.end() ? zooms.back() : *next;
-}
-
-/// At least 1.
-int next_smaller(double scale)
-{
-    const auto here = std::ranges::lower_bound(zooms, scale);
-    return here == zooms.begin() ? zooms.front() : *(here - 1);
 }
 
 double panned(double pan, int length, int room)
@@ -80,12 +65,12 @@ int PicturePlace::next_zoom(bool larger) const
 {
     const double here = scale();
     if (larger) {
-        const int next = next_larger(here);
+        const int next = next_larger_zoom(here);
         return fitting_scale_ > here && fitting_scale_ <= next ? 0 : next;
     }
     if (here <= 1)
         return fitting_scale_ < 1 ? 0 : 1;
-    const int next = next_smaller(here);
+    const int next = next_smaller_zoom(here);
     return fitting_scale_ < here && fitting_scale_ >= next ? 0 : next;
 }
 

@@ -8,8 +8,6 @@ namespace kfast {
 /// Where the picture of a panel lies in a pane of the window, and how large; the pane may show a part of it.
 class PicturePlace {
 public:
-    static constexpr int largest_zoom = 64;
-
     /// `zoom` window pixels for each pixel of the panel; 0: as large as fits whole, with `margin` pixels of
     /// the window left on each side. What is smaller than the pane is centred; the rest is moved by `pan`
     /// out of the middle, but not away from the pane.

@@ -103,7 +103,11 @@ std::optional<PreviewKey> pressed(const SDL_Keysym& key)
 
 PointerEvent pointer(PointerEvent::Kind kind, const SDL_MouseButtonEvent& button)
 {
-    return {kind, button.x, button.y};
+    using Button = PointerEvent::Button;
+    return {.kind = kind,
+            .x = button.x,
+            .y = button.y,
+            .button = button.button == SDL_BUTTON_LEFT ? Button::left : Button::other};
 }
 
 PointerEvent wheel(const SDL_MouseWheelEvent& turned)

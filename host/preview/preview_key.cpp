@@ -10,7 +10,10 @@ struct Named {
     std::string_view name;
     PreviewKey key;
     std::string_view help;
+    std::string_view in_terminal = help; ///< empty: does nothing there
 };
+
+constexpr std::string_view nothing;
 
 constexpr std::array names{
     Named{"space", PreviewKey::play_pause, "play, pause; after 'a' the next frame"},
@@ -25,30 +28,35 @@ constexpr std::array names{
     Named{"l", PreviewKey::loop, "again and again, once, as the scene says"},
     Named{"c", PreviewKey::next_clip, "next clip"},
     Named{"b", PreviewKey::previous_clip, "clip before"},
-    Named{"r", PreviewKey::read_file, "read a file"},
+    Named{"r", PreviewKey::read_file, "read a file", "read the file afresh"},
     Named{"i", PreviewKey::next_input, "next input"},
     Named{"+", PreviewKey::more_input, "more of the input"},
     Named{"-", PreviewKey::less_input, "less of the input"},
     Named{"tab", PreviewKey::next_item, "select the next object"},
     Named{"shift-tab", PreviewKey::previous_item, "select the object before"},
     Named{"o", PreviewKey::onion_skin, "onion skin: the key frames before and after"},
-    Named{"k", PreviewKey::bones, "skeletons and backbones"},
-    Named{"m", PreviewKey::numbers, "numbers of points and strokes"},
-    Named{"d", PreviewKey::changed_areas, "areas that differ from the picture before"},
-    Named{"f", PreviewKey::panel_frame, "the panel's frame"},
-    Named{"e", PreviewKey::fit_report, "does it fit a board, and how fast is it?"},
-    Named{"y", PreviewKey::time_line, "time line"},
-    Named{"z", PreviewKey::zoom_in, "larger pixels"},
-    Named{"x", PreviewKey::zoom_out, "smaller pixels"},
+    Named{"k", PreviewKey::bones, "skeletons and backbones", nothing},
+    Named{"m", PreviewKey::numbers, "numbers of points and strokes", nothing},
+    Named{"d", PreviewKey::changed_areas, "areas that differ from the picture before", nothing},
+    Named{"f", PreviewKey::panel_frame, "the panel's frame", nothing},
+    Named{"e", PreviewKey::fit_report, "does it fit a board, and how fast is it?", nothing},
+    Named{"y", PreviewKey::time_line, "time line", nothing},
+    Named{"z", PreviewKey::zoom_in, "larger pixels", nothing},
+    Named{"x", PreviewKey::zoom_out, "smaller pixels", nothing},
     Named{"t", PreviewKey::travel, "travel of a beam, and its points"},
     Named{"s", PreviewKey::screenshot, "write this picture as PNG"},
     Named{"g", PreviewKey::gif, "write all frames as GIF"},
     Named{"h", PreviewKey::help, "this help"},
     Named{"q", PreviewKey::quit, "quit"},
-    Named{"escape", PreviewKey::quit, "quit"},
+    Named{"escape", PreviewKey::leave, "close this help, or quit"},
 };
 
 constexpr std::size_t name_width = 11;
+
+std::string_view help_of(const Named& row, PreviewFront front)
+{
+    return front == PreviewFront::terminal ? row.in_terminal : row.help;
+}
 
 }
 
@@ -58,13 +66,20 @@ std::optional<PreviewKey> preview_key(std::string_view name)
     return found == names.end() ? std::nullopt : std::optional{found->key};
 }
 
-std::vector<std::string> preview_key_help()
+bool works_in(PreviewFront front, PreviewKey key)
+{
+    const auto* const row = std::ranges::find(names, key, &Named::key);
+    return row != names.end() && !help_of(*row, front).empty();
+}
+
+std::vector<std::string> preview_key_help(PreviewFront front)
 {
     std::vector<std::string> lines;
     for (const Named& row : names) {
         std::string line{row.name};
         line.resize(name_width, ' ');
-        lines.push_back(line.append(row.help));
+        if (works_in(front, row.key))
+            lines.push_back(line.append(help_of(row, front)));
     }
     return lines;
 }

@@ -40,14 +40,23 @@ enum class PreviewKey {
     screenshot,
     gif,
     help,
+    leave, ///< the help if it is open, else the preview
     quit
 };
 
-/// `name` as in a list of keys: space n p r a h q escape right left up down v l c b
-/// i + - t o k m d f e y z x tab shift-tab s g.
+/// Where a preview is shown.
+enum class PreviewFront {
+    window,
+    terminal,
+};
+
+/// `name` as in preview_key_help().
 std::optional<PreviewKey> preview_key(std::string_view name);
 
-/// One line per key, for the help of the window and of the command.
-std::vector<std::string> preview_key_help();
+/// Whether there is something to see of it there.
+bool works_in(PreviewFront front, PreviewKey key);
+
+/// One line for each key that works there: its name, spaces, and what it does.
+std::vector<std::string> preview_key_help(PreviewFront front);
 
 }

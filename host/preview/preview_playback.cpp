@@ -27,7 +27,7 @@ void PreviewPlayback::press(PreviewKey key, Seconds now)
 {
     const std::size_t parts = programme_.parts.size();
     advance_to(now);
-    help_open_ = key == PreviewKey::help && !help_open_;
+    const bool was_help_open = std::exchange(help_open_, key == PreviewKey::help && !help_open_);
     switch (key) {
     case PreviewKey::play_pause:
         return toggle_playing(now);
@@ -60,6 +60,9 @@ void PreviewPlayback::press(PreviewKey key, Seconds now)
     case PreviewKey::travel:
         reveals_travel_ = !reveals_travel_;
         return;
+    case PreviewKey::leave:
+        wants_to_quit_ = wants_to_quit_ || !was_help_open;
+        return;
     case PreviewKey::quit:
         wants_to_quit_ = true;
         return;
@@ -83,8 +86,9 @@ void PreviewPlayback::advance_to(Seconds now)
 void PreviewPlayback::play(std::int64_t ticks)
 {
     playhead_.advance(before_the_end(ticks), [this](const EventView& event) {
-        passed_.push_back(event);
         latest_event_ = event.name;
+        if (on_event_)
+            on_event_(event);
     });
     if (!wants_to_quit_)
         shown_ = playhead_.moment();
@@ -111,8 +115,6 @@ PreviewPlayback::Seconds PreviewPlayback::next_frame_at() const
 {
     return anchor_ + Seconds{timeline().seconds((played_ / frame_ticks + 1) * frame_ticks)};
 }
-
-std::vector<EventView> PreviewPlayback::take_passed() { return std::exchange(passed_, {}); }
 
 std::string PreviewPlayback::status() const
 {
@@ -240,7 +242,31 @@ void PreviewPlayback::continue_from(const PreviewPlayback& before, Seconds now)
     help_open_ = before.help_open_;
     reveals_travel_ = before.reveals_travel_;
     continue_inputs(before);
+    const bool is_same = part().name == before.part().name && before.shown_ <= stretch().end;
     go_on_at(before.shown_, before.playing_, now);
+    if (is_same && before.playhead_.returning() && stretch().loop == Loop::ping_pong)
+        playhead_.seek({2 * stretch().end.ticks - before.shown_.ticks});
+    latest_event_ = before.latest_event_;
+    continue_loops(before);
+}
+
+std::int64_t PreviewPlayback::way_of_a_loop() const
+{
+    const int ways = stretch().loop == Loop::ping_pong ? 2 : 1;
+    return std::int64_t{stretch().length().ticks} * Playhead::as_authored * ways;
+}
+
+/// As many whole loops are to go, and of this one what is left from here on.
+void PreviewPlayback::continue_loops(const PreviewPlayback& before)
+{
+    if (!way_left_ || !before.way_left_)
+        return;
+    const std::int64_t old = before.way_of_a_loop();
+    const std::int64_t loop = way_of_a_loop();
+    const std::int64_t whole = (*before.way_left_ - 1) / old;
+    const std::int64_t rest = *before.way_left_ - whole * old;
+    const bool nears_end = speed_ > 0 && !before.playhead_.returning();
+    way_left_ = whole * loop + std::clamp<std::int64_t>(rest + (nears_end ? loop - old : 0), 1, loop);
 }
 
 void PreviewPlayback::stop_at(Time moment)
@@ -250,10 +276,8 @@ void PreviewPlayback::stop_at(Time moment)
     playing_ = false;
     latest_event_ = {};
     way_left_.reset();
-    if (loops_ && stretch().loop != Loop::once) {
-        const std::int64_t passes = stretch().loop == Loop::ping_pong ? 2 * *loops_ : *loops_;
-        way_left_ = std::int64_t{stretch().length().ticks} * Playhead::as_authored * passes;
-    }
+    if (loops_ && stretch().loop != Loop::once)
+        way_left_ = way_of_a_loop() * *loops_;
 }
 
 void PreviewPlayback::step_frame(int direction)
@@ -312,12 +336,6 @@ const Frame& show(FrameSource& source, const PreviewPlayback& playback)
 {
     tell(source, playback);
     return source.show(playback.time());
-}
-
-std::string status_of(const FrameSource& source, const PreviewPlayback& playback)
-{
-    const std::string facts = playback.reveals_travel() ? source.facts() : "";
-    return playback.status() + (facts.empty() ? "" : "  " + facts);
 }
 
 }

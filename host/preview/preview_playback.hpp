@@ -7,8 +7,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kfast {
@@ -28,6 +30,7 @@ enum class LoopChoice : std::uint8_t {
 class PreviewPlayback {
 public:
     using Seconds = std::chrono::duration<double>;
+    using OnEvent = std::function<void(const EventView&)>;
 
     /// With `loops`, quits once it has played so often (what plays once: one time), and shows nothing of the
     /// pass after. Stepping, and another clip, let the count begin anew.
@@ -36,10 +39,13 @@ public:
     /// Stepping keys also pause, another clip plays, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
     void advance_to(Seconds now);
+    /// Who is told the events that are passed, in order; nobody at first.
+    void tell_events_to(OnEvent on_event) { on_event_ = std::move(on_event); }
     /// Pauses at this moment of the scene. One outside of the clip that plays leaves the clip.
     void scrub(Time moment);
-    /// Goes on where `before` stands, a playback of the same scene as it was earlier: at its moment, in its
-    /// clip, with its speed and loop, and with the inputs that were turned, each as far as it is still there.
+    /// Goes on where `before` stands, a playback of the same scene as it was earlier: at its moment, on its
+    /// way there or back, in its clip, with its speed and loop, its latest event, as many loops to go, and
+    /// with the inputs that were turned, each as far as it is still there.
     void continue_from(const PreviewPlayback& before, Seconds now);
 
     /// What is to be shown.
@@ -63,8 +69,6 @@ public:
     const std::vector<InputKnob>& inputs() const { return programme_.inputs; }
     /// The one of them that keys turn.
     std::optional<std::size_t> chosen_input() const { return input_; }
-    /// The events passed since the last call, in order.
-    std::vector<EventView> take_passed();
     /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed
     /// -0.5", "  loop always", "  clip blink" and, of the input that was turned last, "  gaze 0.5".
     std::string status() const;
@@ -79,6 +83,8 @@ private:
     void choose_next_loop(Seconds now);
     void go_on_at(Time moment, bool playing, Seconds now);
     void continue_inputs(const PreviewPlayback& before);
+    void continue_loops(const PreviewPlayback& before);
+    std::int64_t way_of_a_loop() const;
     void stop_at(Time moment);
     void step_frame(int direction);
     void step_key(int direction);
@@ -96,8 +102,8 @@ private:
     Seconds anchor_;                       // when playing began or went on
     std::int64_t played_ = 0;              // ticks of the scene's clock since then
     std::optional<std::int64_t> way_left_; // to the end of the last loop: ticks of the timeline, Q16
-    std::vector<EventView> passed_;
-    std::string_view latest_event_;
+    OnEvent on_event_;
+    std::string latest_event_;         // its name
     std::optional<std::size_t> input_; ///< that keys turn
     bool playing_ = true;
     bool help_open_ = true;
@@ -111,7 +117,5 @@ void tell_inputs(ToldInputs& source, const PreviewPlayback& playback);
 void tell(FrameSource& source, const PreviewPlayback& playback);
 /// The picture where `playback` stands.
 const Frame& show(FrameSource& source, const PreviewPlayback& playback);
-/// Its status, and the facts of the picture that `source` showed last, if its travel is revealed.
-std::string status_of(const FrameSource& source, const PreviewPlayback& playback);
 
 }

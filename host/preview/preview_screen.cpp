@@ -17,6 +17,12 @@ namespace {
 constexpr PreviewScreen::Seconds notice_stays{4};
 constexpr int click_reach = 3; // pixels that a hand may shake
 
+int margin(const ViewOptions& view, Rect pane)
+{
+    constexpr int usual_margin = 12;
+    return view.panel_frame ? module_margin(pane) : usual_margin;
+}
+
 Rect above_status(const WindowLayout& layout) { return {0, 0, layout.status.width, layout.status.y}; }
 
 WindowSpot spot_of(const PointerEvent& event) { return {event.x + 0.5, event.y + 0.5}; }
@@ -37,18 +43,19 @@ Time nearest_frame(Time moment, Time end)
 WindowLayout PreviewScreen::layout(Viewer& viewer) const
 {
     const ViewOptions& view = viewer.view();
-    return window_layout(
-        window_, {.side = true,
-                  .side_at_any_width = view.fit_report,
-                  .time_line_height = view.time_line ? TimeLine::wanted_height(viewer.time_table()) : 0});
+    const TimeTable& table = viewer.time_table();
+    return window_layout(window_, {.side = true,
+                                   .side_at_any_width = view.fit_report,
+                                   .time_line_height = view.time_line ? TimeLine::wanted_height(table) : 0,
+                                   .spare_time_line_height = TimeLine::spare_height(table),
+                                   .panel = viewer.scene().panel,
+                                   .picture_margin = margin(view, {0, 0, window_.width, window_.height})});
 }
 
 PicturePlace PreviewScreen::place(const Viewer& viewer, Rect pane) const
 {
-    constexpr int usual_margin = 12;
     const ViewOptions& view = viewer.view();
-    return {viewer.scene().panel, pane, view.zoom, pan_,
-            view.panel_frame ? module_margin(pane) : usual_margin};
+    return {viewer.scene().panel, pane, view.zoom, pan_, margin(view, pane)};
 }
 
 TimeLine PreviewScreen::time_line(Viewer& viewer, Rect pane) const
@@ -69,9 +76,9 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
                     .frame_rate = viewer.scene().programme.frame_rate,
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
-    draw_status(painter, parts.status, viewer.status() + (facts.empty() ? "" : "  " + facts));
+    draw_status(painter, parts.status, (facts.empty() ? "" : facts + "  ") + viewer.status());
     if (viewer.playback().help_open())
-        draw_help(painter, above_status(parts), preview_key_help());
+        draw_help(painter, above_status(parts), help_.page(help_cells(above_status(parts))));
     draw_messages(painter, viewer, parts.picture, now);
 }
 
@@ -87,17 +94,17 @@ std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, R
 
 void PreviewScreen::draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now)
 {
-    if (viewer.notice() != notice_) {
-        notice_ = viewer.notice();
+    if (viewer.notice_number() != notice_number_) {
+        notice_number_ = viewer.notice_number();
         notice_since_ = now;
     }
-    shows_notice_ = !notice_.empty() && now < notice_since_ + notice_stays;
+    shows_notice_ = !viewer.notice().empty() && now < notice_since_ + notice_stays;
     if (!viewer.errors().empty())
         draw_errors(painter, room, viewer.errors());
     if (const auto share = viewer.progress())
         draw_progress(painter, room, viewer.notice(), *share);
     else if (shows_notice_)
-        draw_notice(painter, room, notice_);
+        draw_notice(painter, room, viewer.notice());
 }
 
 bool PreviewScreen::is_outdated(Seconds now) const
@@ -112,7 +119,8 @@ void PreviewScreen::press(PreviewKey key, Viewer& viewer, Seconds now)
     const bool zooms = key == PreviewKey::zoom_in || key == PreviewKey::zoom_out;
     if (zooms && !viewer.is_working())
         return zoom(viewer, key == PreviewKey::zoom_in, middle_of(layout(viewer).picture));
-    viewer.press(key, now);
+    if (!help_.turns(key, viewer.playback().help_open() && !viewer.is_working()))
+        viewer.press(key, now);
 }
 
 void PreviewScreen::zoom(Viewer& viewer, bool larger, WindowSpot around)
@@ -126,6 +134,8 @@ void PreviewScreen::zoom(Viewer& viewer, bool larger, WindowSpot around)
 
 void PreviewScreen::touch(const PointerEvent& event, Viewer& viewer, Seconds now)
 {
+    if (event.button != PointerEvent::Button::left)
+        return;
     switch (event.kind) {
     case PointerEvent::Kind::press:
         return begin_drag(event, viewer, now);
@@ -141,7 +151,7 @@ void PreviewScreen::touch(const PointerEvent& event, Viewer& viewer, Seconds now
 void PreviewScreen::begin_drag(const PointerEvent& event, Viewer& viewer, Seconds now)
 {
     if (viewer.playback().help_open() || viewer.is_working())
-        return viewer.press(PreviewKey::help, now);
+        return press(PreviewKey::leave, viewer, now);
     const WindowLayout parts = layout(viewer);
     pressed_ = event;
     pan_at_press_ = pan_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/preview/open_help.hpp"
 #include "host/preview/painter.hpp"
 #include "host/preview/picture_place.hpp"
 #include "host/preview/pointer_event.hpp"
@@ -8,6 +9,7 @@
 #include "host/preview/window_layout.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace kfast {
@@ -19,7 +21,8 @@ public:
     using Seconds = Viewer::Seconds;
 
     void draw(Painter& painter, Viewer& viewer, Seconds now);
-    /// Keys that zoom do so from what is seen on; the rest is the viewer's.
+    /// Keys that zoom do so from what is seen on, and the key of the help turns its pages; the rest is the
+    /// viewer's.
     void press(PreviewKey key, Viewer& viewer, Seconds now);
     void touch(const PointerEvent& event, Viewer& viewer, Seconds now);
     /// Something goes away by itself that the last drawing shows.
@@ -50,7 +53,8 @@ private:
     PointerEvent pressed_; ///< where the drag began
     WindowSpot pan_at_press_;
     bool is_click_ = false; ///< not moved since it was pressed
-    std::string notice_;
+    OpenHelp help_{preview_key_help(PreviewFront::window)};
+    std::uint64_t notice_number_ = 0; ///< of the one that was seen last
     Seconds notice_since_{};
     bool shows_notice_ = false;
 };

@@ -18,7 +18,7 @@ bool are_equal(const std::vector<InputKnob>& a, const std::vector<InputKnob>& b)
 
 SceneLayers::SceneLayers(OpenedScene& scene)
     : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{stage()},
-      skin_{scene.programme.keys, scene.scene.view.colour(0)}
+      skin_{scene.scene.view.colour(0)}
 {
     if (scene.tell_drawings)
         scene.tell_drawings(overlays_);
@@ -36,7 +36,14 @@ std::optional<std::size_t> SceneLayers::item_at(const PreviewPlayback& playback,
     return overlays_.item_at(playback.time(), spot);
 }
 
-const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback)
+std::vector<Time> SceneLayers::skin_keys(Stretch played, std::optional<std::size_t> selected) const
+{
+    std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.programme.keys;
+    std::erase_if(keys, [&](Time key) { return key < played.begin || key > played.end; });
+    return keys;
+}
+
+const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected)
 {
     if (!are_equal(skin_inputs_, playback.inputs()) || skin_reveals_travel_ != playback.reveals_travel()) {
         skin_.forget();
@@ -44,21 +51,21 @@ const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback)
         skin_reveals_travel_ = playback.reveals_travel();
     }
     tell(*scene_.source, playback);
-    return skin_.show(*scene_.source, playback.time());
+    return skin_.show(*scene_.source, playback.time(), skin_keys(playback.stretch(), selected));
 }
 
 std::optional<std::span<const FitLine>> SceneLayers::fit_report()
 {
     if (fit_ == nullptr)
-        fit_ =
-            std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
-                                       scene_.board ? *scene_.board : previewed_board(stage()), scene_.fit);
+        fit_ = std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
+                                          scene_.board ? *scene_.board : previewed_board({scene_.panel}),
+                                          scene_.fit);
     return fit_->lines();
 }
 
 Stage SceneLayers::stage() const
 {
-    return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.panel_name};
+    return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.board};
 }
 
 }

@@ -7,6 +7,7 @@
 #include "host/preview/preview_playback.hpp"
 #include "host/preview/time_table.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,13 +25,15 @@ public:
     /// Where `playback` stands, with its inputs; `scale` as in OverlaySource. Valid until the next call.
     const Overlay& overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale);
     std::optional<std::size_t> item_at(const PreviewPlayback& playback, PanelSpot spot);
-    /// With the key frames before and after it. Likewise.
-    const Picture& onion_skin(const PreviewPlayback& playback);
+    /// With the key frames before and after it within what is played: those of the selected item and of what
+    /// lies in it, or of all. Likewise.
+    const Picture& onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected);
     /// Nothing while it is being made, which the first call begins.
     std::optional<std::span<const FitLine>> fit_report();
 
 private:
     Stage stage() const;
+    std::vector<Time> skin_keys(Stretch played, std::optional<std::size_t> selected) const;
 
     OpenedScene& scene_;
     TimeTable table_;

@@ -45,10 +45,9 @@ void add_scene(SidePanel& panel, const OpenedScene& scene, double scale)
 
 void add_selected(SidePanel& panel, const Viewer& viewer)
 {
-    const auto& rows = viewer.time_table().rows;
-    const auto row = std::ranges::find(rows, viewer.view().selected, &TimeRow::item);
+    const TimeRow* const row = viewer.time_table().row_of(viewer.view().selected);
     panel.add_heading("selected");
-    if (row == rows.end())
+    if (row == nullptr)
         return panel.add("nothing: click, or press tab", theme::quiet_text);
     panel.add_value(visible(row->name), counted(row->keys.size(), "key"), true);
 }

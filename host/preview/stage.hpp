@@ -4,9 +4,10 @@
 #include "core/point.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
+#include "host/fit/target.hpp"
 #include "host/preview/overlay.hpp"
 
-#include <string>
+#include <optional>
 
 namespace kfast {
 
@@ -15,8 +16,9 @@ struct Stage {
     SceneView scene;
     Size panel;
     Fit fit = Fit::contain;
-    bool is_beam = false;        ///< the panel is the screen of a vector display
-    std::string panel_name = {}; ///< empty if none was named
+    bool is_beam = false; ///< the panel is the screen of a vector display
+    /// That sends what has changed to such a panel; none: previewed_board().
+    std::optional<fit::Target> board = {};
 
     /// The panel on which the core poses the scene: for a beam one that stands for its field.
     Size posed_panel() const;

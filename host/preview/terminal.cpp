@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <span>
 #include <string>
 #include <string_view>
 #include <sys/ioctl.h>
@@ -80,15 +79,27 @@ class TerminalScreen {
 public:
     bool fits() const { return size_ == terminal_size(); }
 
-    void draw(Viewer& viewer, std::span<const std::string> help)
+    void draw(Viewer& viewer, bool with_help)
     {
         const Size size = terminal_size();
         const TerminalContent content{viewer.picture(), viewer.status(), viewer.notice(), viewer.errors(),
-                                      help};
+                                      with_help ? &help_ : nullptr};
         const TerminalText drawn = terminal_text(content, size, colours_);
         write_all(way_back(size) + drawn.text);
         size_ = size;
         lines_ = drawn.lines;
+    }
+
+    /// A key that does nothing in a terminal still closes the help.
+    void press(PreviewKey key, Viewer& viewer, Seconds now)
+    {
+        const bool is_help_open = viewer.playback().help_open();
+        if (help_.turns(key, is_help_open && !viewer.is_working()))
+            return;
+        if (viewer.is_working() || works_in(PreviewFront::terminal, key))
+            viewer.press(key, now);
+        else if (is_help_open)
+            viewer.press(PreviewKey::leave, now);
     }
 
 private:
@@ -101,6 +112,7 @@ private:
     }
 
     TerminalColours colours_ = these_colours();
+    OpenHelp help_{preview_key_help(PreviewFront::terminal)};
     Size size_{}; ///< of the terminal when it was drawn last
     int lines_ = 0;
 };
@@ -115,11 +127,11 @@ Seconds patience(const Viewer& viewer, Seconds now)
     return plays ? std::clamp(viewer.playback().next_frame_at() - now, Seconds{0}, longest) : longest;
 }
 
-bool press_keys(Viewer& viewer, Keyboard& keyboard)
+bool press_keys(TerminalScreen& screen, Viewer& viewer, Keyboard& keyboard)
 {
     const std::vector<PreviewKey> keys = keyboard.pressed(patience(viewer, steady_now()));
     for (const PreviewKey key : keys)
-        viewer.press(key, steady_now());
+        screen.press(key, viewer, steady_now());
     return !keys.empty();
 }
 
@@ -154,11 +166,9 @@ void play(Viewer& viewer, Keyboard& keyboard)
     while (!viewer.wants_to_quit() && signal_seen == 0) {
         const bool has_changed = viewer.attend(steady_now()) || is_disturbed || !screen.fits();
         const bool is_last = viewer.wants_to_quit();
-        if (times.is_due(viewer, has_changed || is_last, steady_now())) {
-            const bool with_help = keyboard.works() && viewer.playback().help_open();
-            screen.draw(viewer, with_help ? preview_key_help() : std::vector<std::string>{});
-        }
-        is_disturbed = !is_last && press_keys(viewer, keyboard);
+        if (times.is_due(viewer, has_changed || is_last, steady_now()))
+            screen.draw(viewer, keyboard.works() && viewer.playback().help_open());
+        is_disturbed = !is_last && press_keys(screen, viewer, keyboard);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "host/preview/terminal_text.hpp"
 
 #include "host/preview/half_blocks.hpp"
+#include "host/preview/text_columns.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ constexpr std::string_view end_of_all = "\x1b[J";
 constexpr std::string_view on_black = "\x1b[97;40m";
 constexpr std::string_view plain = "\x1b[0m";
 
-/// As much of `text` as goes on a line.
-std::string cut(std::string_view text, int columns)
+/// As much of `text` as goes on a line of a terminal, where some letters take two columns or none.
+std::string line_within(std::string_view text, int columns)
 {
     std::string line;
     auto left = static_cast<std::size_t>(std::max(columns - 1, 0)); // the last column may wrap
@@ -36,44 +37,38 @@ std::string cut(std::string_view text, int columns)
 
 std::vector<std::string> lines_below(const TerminalContent& content, Size cells)
 {
-    std::vector<std::string> lines{cut(content.status, cells.width), cut(content.notice, cells.width)};
+    std::vector<std::string> lines{line_within(content.status, cells.width),
+                                   line_within(content.notice, cells.width)};
     const auto most = static_cast<std::size_t>(std::max(cells.height / 2, 1));
     const bool all = content.errors.size() <= most;
     const std::size_t count = all ? content.errors.size() : most - 1;
     for (const std::string& line : content.errors.first(count))
-        lines.push_back(cut(line, cells.width));
+        lines.push_back(line_within(line, cells.width));
     if (!all)
         lines.push_back("... and " + std::to_string(content.errors.size() - count) + " lines more");
     return lines;
 }
 
-/// A block of ASCII in as many columns as it takes to have at most `rows` lines.
-std::vector<std::string> in_columns(std::span<const std::string> lines, std::size_t rows, int width)
+/// Lines of one length, for colours behind them.
+std::vector<std::string> block_of(const HelpPage& page)
 {
-    if (rows == 0 || lines.empty())
-        return {};
-    const std::size_t columns = (lines.size() + rows - 1) / rows;
-    const int column_width = width / static_cast<int>(columns);
-    std::vector<std::string> block(std::min(rows, lines.size()));
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        std::string& row = block[i % rows];
-        row.resize(static_cast<std::size_t>(column_width) * (i / rows), ' ');
-        row += cut(lines[i], column_width);
+    std::vector<std::string> rows(static_cast<std::size_t>(page.cells.height));
+    for (const HelpLine& line : page.lines) {
+        std::string& row = rows[static_cast<std::size_t>(line.row)];
+        row.append(static_cast<std::size_t>(line.column - columns_of(row)), ' ').append(line.text);
     }
-    const std::size_t longest = std::ranges::max(block, {}, &std::string::size).size();
-    for (std::string& row : block)
-        row.resize(longest, ' ');
-    return block;
+    for (std::string& row : rows)
+        row.append(static_cast<std::size_t>(page.cells.width - columns_of(row)), ' ');
+    return rows;
 }
 
 /// Written from below the picture, over its upper lines.
-std::string help_over(std::span<const std::string> help, int lines, int width)
+std::string help_over(const HelpPage& page, int lines)
 {
-    const auto rows = in_columns(help, static_cast<std::size_t>(lines), width);
     std::string text = "\x1b[" + std::to_string(lines) + 'A';
-    for (const std::string& row : rows)
+    for (const std::string& row : block_of(page))
         text.append(on_black).append(row).append(plain).append("\n");
-    const int left = lines - static_cast<int>(rows.size());
+    const int left = lines - page.cells.height;
     return left == 0 ? text : text + "\x1b[" + std::to_string(left) + 'B';
 }
 
@@ -91,10 +86,12 @@ TerminalText terminal_text(const TerminalContent& content, Size cells, TerminalC
         else
             text += letter;
     int lines = static_cast<int>(std::ranges::count(picture, '\n'));
-    for (; lines < std::min(space, static_cast<int>(content.help.size())); ++lines)
-        text += end_of_line;
-    if (!content.help.empty())
-        text += help_over(content.help, lines, cells.width);
+    if (content.help != nullptr) {
+        const HelpPage page = content.help->page({cells.width - 1, space});
+        for (; lines < page.cells.height; ++lines)
+            text += end_of_line;
+        text += help_over(page, lines);
+    }
     for (const std::string& line : below)
         text.append(line).append(end_of_line);
     text += end_of_all;

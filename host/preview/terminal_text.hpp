@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/picture/picture.hpp"
+#include "host/preview/open_help.hpp"
 #include "host/preview/terminal_colours.hpp"
 
 #include <span>
@@ -14,7 +15,7 @@ struct TerminalContent {
     std::string status;
     std::string notice;
     std::span<const std::string> errors; ///< below the picture, with as many lines as there is space for
-    std::span<const std::string> help;   ///< over the picture, likewise
+    OpenHelp* help = nullptr;            ///< over the picture; null where it is closed
 };
 
 struct TerminalText {

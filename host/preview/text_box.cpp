@@ -16,7 +16,6 @@ namespace {
 constexpr Size letter = Painter::letter;
 constexpr int line_height = letter.height + 1;
 constexpr int margin = 14; // within a box
-constexpr int column_gap = 28;
 
 /// A dark plate with an edge, as much of it as `room` holds.
 Rect draw_plate(Painter& painter, Rect wanted, Rect room, Colour edge)
@@ -38,48 +37,28 @@ int most_columns(std::span<const std::string> lines)
     return columns;
 }
 
-/// A grid of the rows, column by column.
-struct HelpGrid {
-    int columns;
-    int rows;
-    int column_width;
-
-    int width() const { return columns * column_width + (columns - 1) * column_gap + 2 * margin; }
-    int height() const { return rows * line_height + 2 * margin; }
-};
-
-HelpGrid help_grid(Rect room, std::span<const std::string> rows)
-{
-    const int count = static_cast<int>(rows.size());
-    const int width = most_columns(rows) * letter.width;
-    const HelpGrid tall{1, count, width};
-    const HelpGrid wide{2, (count + 1) / 2, width};
-    if (tall.height() <= room.height)
-        return tall;
-    return {2, wide.rows, std::min(width, (room.width - 2 * margin - column_gap) / 2)};
 }
 
-void draw_help_row(Painter& painter, int x, int y, int columns, const std::string& row)
+Size help_cells(Rect room)
 {
-    const std::size_t key = std::min(row.find(' '), row.size());
-    const std::string shown = cut(row, columns);
-    painter.text(x, y, shown, theme::text);
-    painter.text(x, y, shown.substr(0, std::min(key, shown.size())), theme::key);
+    return {(room.width - 2 * margin) / letter.width, (room.height - 2 * margin) / line_height};
 }
 
-}
-
-void draw_help(Painter& painter, Rect room, std::span<const std::string> rows)
+void draw_help(Painter& painter, Rect room, const HelpPage& page)
 {
-    const HelpGrid grid = help_grid(room, rows);
-    const Rect wanted{room.x + (room.width - grid.width()) / 2,
-                      room.y + std::max(0, (room.height - grid.height()) / 2), grid.width(), grid.height()};
-    const Rect box = draw_plate(painter, wanted, room, theme::accent);
+    const Size size{page.cells.width * letter.width + 2 * margin,
+                    page.cells.height * line_height + 2 * margin};
+    const Rect box = draw_plate(painter,
+                                {room.x + (room.width - size.width) / 2,
+                                 room.y + (room.height - size.height) / 2, size.width, size.height},
+                                room, theme::accent);
     const Clipped within{painter, box};
-    for (int i = 0; i < static_cast<int>(rows.size()); ++i)
-        draw_help_row(painter, box.x + margin + i / grid.rows * (grid.column_width + column_gap),
-                      box.y + margin + i % grid.rows * line_height, grid.column_width / letter.width,
-                      rows[static_cast<std::size_t>(i)]);
+    for (const HelpLine& line : page.lines) {
+        const int x = box.x + margin + line.column * letter.width;
+        const int y = box.y + margin + line.row * line_height;
+        painter.text(x, y, line.text, theme::text);
+        painter.text(x, y, first_columns(line.text, line.key_columns), theme::key);
+    }
 }
 
 namespace {
@@ -123,20 +102,24 @@ void draw_errors(Painter& painter, Rect room, std::span<const std::string> lines
 
 namespace {
 
-/// A plate for one line of text, which it draws.
+/// A plate for a text, which it draws.
 Rect draw_lower_plate(Painter& painter, Rect room, const std::string& text, int extra_height)
 {
     constexpr int padding = 7;
     constexpr int gap = 12; // below it
-    const std::string shown = cut(text, (room.width - 2 * margin) / letter.width);
-    const int width = std::max(columns_of(shown) * letter.width, extra_height > 0 ? 240 : 0) + 2 * margin;
-    const int height = letter.height + 2 * padding + extra_height;
+    const std::vector<std::string> lines =
+        wrapped(text, std::max(1, (room.width - 2 * margin) / letter.width));
+    const int width = std::max(most_columns(lines) * letter.width, extra_height > 0 ? 240 : 0) + 2 * margin;
+    const int height = static_cast<int>(lines.size()) * line_height + 2 * padding + extra_height;
     const Rect box = draw_plate(
         painter, {room.x + (room.width - width) / 2, bottom_of(room) - gap - height, width, height}, room,
         theme::accent);
     const Clipped within{painter, box};
-    painter.text(box.x + (box.width - columns_of(shown) * letter.width) / 2, box.y + padding + 1, shown,
-                 theme::text);
+    int y = box.y + padding + 1;
+    for (const std::string& line : lines) {
+        painter.text(box.x + (box.width - columns_of(line) * letter.width) / 2, y, line, theme::text);
+        y += line_height;
+    }
     return box;
 }
 

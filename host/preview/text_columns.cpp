@@ -37,13 +37,18 @@ int columns_of(std::string_view text)
     return columns;
 }
 
+std::string_view first_columns(std::string_view text, int columns)
+{
+    return text.substr(0, bytes_of(text, columns));
+}
+
 std::string cut(std::string_view text, int columns)
 {
     if (columns <= 0)
         return "";
     if (columns_of(text) <= columns)
         return std::string{text};
-    return std::string{text.substr(0, bytes_of(text, columns - 1))} + "…";
+    return std::string{first_columns(text, columns - 1)} + "…";
 }
 
 std::vector<std::string> wrapped(std::string_view text, int columns)

@@ -9,6 +9,9 @@ namespace kfast {
 /// How many columns a line of UTF-8 takes in a window.
 int columns_of(std::string_view text);
 
+/// The beginning of a text, of so many columns at most.
+std::string_view first_columns(std::string_view text, int columns);
+
 /// As much as goes into so many columns; where something is left out, it ends in "…". Empty if there is no
 /// column.
 std::string cut(std::string_view text, int columns);

@@ -34,6 +34,12 @@ int TimeLine::wanted_height(const TimeTable& table)
            row_height * static_cast<int>(table.rows.size()) + 4;
 }
 
+int TimeLine::spare_height(const TimeTable& table)
+{
+    constexpr int few = 3;
+    return row_height * std::max(0, static_cast<int>(table.rows.size()) - few);
+}
+
 TimeLine::TimeLine(const TimeTable& table, Rect pane, std::size_t first_row)
     : table_{table}, pane_{pane}, names_width_{names_width(table, pane.width)},
       first_row_{std::min(first_row, last_first_row())}

@@ -18,6 +18,8 @@ public:
 
     /// What it takes to show all of a table.
     static int wanted_height(const TimeTable& table);
+    /// Of that, what the rows take that a wheel may as well bring: all but a few.
+    static int spare_height(const TimeTable& table);
 
     /// `table` must outlive it. `first_row` is the topmost of those seen, as far as there are rows enough
     /// below it to fill the pane.

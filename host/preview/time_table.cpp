@@ -3,6 +3,7 @@
 #include "host/preview/key_times.hpp"
 #include "host/stored_items.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -52,6 +53,30 @@ private:
     std::vector<TimeRow> rows_;
 };
 
+}
+
+const TimeRow* TimeTable::row_of(std::optional<std::size_t> item) const
+{
+    const auto row = std::ranges::find(rows, item, &TimeRow::item);
+    return row == rows.end() ? nullptr : &*row;
+}
+
+const TimeRow* TimeTable::row_named(std::string_view name) const
+{
+    const auto row = std::ranges::find(rows, name, &TimeRow::name);
+    return row == rows.end() ? nullptr : &*row;
+}
+
+std::vector<Time> TimeTable::keys_of(std::size_t item) const
+{
+    auto row = std::ranges::find(rows, item, &TimeRow::item);
+    if (row == rows.end())
+        return {};
+    std::set<Time> keys{row->keys.begin(), row->keys.end()};
+    const int depth = row->depth;
+    for (++row; row != rows.end() && row->depth > depth; ++row)
+        keys.insert(row->keys.begin(), row->keys.end());
+    return {keys.begin(), keys.end()};
 }
 
 TimeTable time_table(const SceneView& scene, const std::vector<std::string>& item_names)

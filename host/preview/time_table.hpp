@@ -4,7 +4,9 @@
 #include "host/preview/programme.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
@@ -27,6 +29,13 @@ struct TimeTable {
     std::vector<TimeRow> rows = {};
     std::vector<Part> clips = {};
     std::vector<Event> events = {};
+
+    /// Null if there is none, as when nothing is selected.
+    const TimeRow* row_of(std::optional<std::size_t> item) const;
+    /// The topmost of that name, or null.
+    const TimeRow* row_named(std::string_view name) const;
+    /// Of an item and of what lies in it: in order, each moment once. Empty if it has no row.
+    std::vector<Time> keys_of(std::size_t item) const;
 };
 
 /// What lies in a symbol follows the topmost use of it. Keys that go by an input are left out.

@@ -1,8 +1,8 @@
 #include "host/preview/view_options.hpp"
 
-#include <algorithm>
+#include "host/preview/zoom_steps.hpp"
+
 #include <array>
-#include <cstddef>
 
 namespace kfast {
 namespace {
@@ -23,23 +23,14 @@ constexpr std::array switches{
     Switch{PreviewKey::time_line, &ViewOptions::time_line, "time line"},
 };
 
-constexpr std::array zooms{0, 1, 2, 3, 4, 6, 8, 12, 16};
-
-int next_zoom(int zoom, std::ptrdiff_t steps)
-{
-    const auto here = std::ranges::find(zooms, zoom) - zooms.begin();
-    const auto last = static_cast<std::ptrdiff_t>(zooms.size()) - 1;
-    return zooms[static_cast<std::size_t>(std::clamp(here + steps, std::ptrdiff_t{0}, last))];
-}
-
 }
 
 void press(ViewOptions& view, PreviewKey key)
 {
     if (key == PreviewKey::zoom_in)
-        view.zoom = next_zoom(view.zoom, 1);
+        view.zoom = next_larger_zoom(view.zoom);
     else if (key == PreviewKey::zoom_out)
-        view.zoom = next_zoom(view.zoom, -1);
+        view.zoom = view.zoom <= 1 ? 0 : next_smaller_zoom(view.zoom);
     for (const Switch& row : switches)
         if (row.key == key)
             view.*row.value = !(view.*row.value);

@@ -17,7 +17,7 @@ struct ViewOptions {
     bool panel_frame = false;   ///< the edge of the module around the picture
     bool fit_report = false;    ///< memory and speed on a board, in the panel at the side
     bool time_line = true;
-    int zoom = 0; ///< window pixels per panel pixel: 1, 2, 3, 4, 6, 8, 12 or 16; 0: as large as fits
+    int zoom = 0; ///< window pixels per panel pixel, up to largest_zoom; 0: as large as fits
     /// The place of an item in SceneFile::item_names; none is selected at first.
     std::optional<std::size_t> selected = {};
 };

@@ -3,6 +3,7 @@
 #include "host/counted.hpp"
 #include "host/failure.hpp"
 #include "host/picture/png.hpp"
+#include "host/preview/item_choice.hpp"
 #include "host/preview/output_name.hpp"
 #include "host/text/glyph.hpp"
 
@@ -15,22 +16,6 @@ namespace kfast {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> lines_of(const std::string& text)
-{
-    std::vector<std::string> lines;
-    std::istringstream rest{text};
-    for (std::string line; std::getline(rest, line);)
-        lines.push_back(line);
-    return lines;
-}
-
-FileWatch watch_on(const OpenedScene& scene)
-{
-    std::vector<fs::path> files{scene.file};
-    files.insert(files.end(), scene.also_read.begin(), scene.also_read.end());
-    return FileWatch{std::move(files)};
-}
 
 std::unique_ptr<PreviewPlayback> played(const OpenedScene& scene, Viewer::Seconds now,
                                         std::optional<int> loops)
@@ -72,11 +57,11 @@ std::string frame_number(int frame)
 }
 
 Viewer::Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now, std::optional<int> loops)
-    : opener_{std::move(opener)}, loops_{loops}
+    : reader_{std::move(opener), *scene}, loops_{loops}
 {
-    watch_.emplace(watch_on(*scene));
     auto playback = played(*scene, now, loops);
-    put(std::move(scene), std::move(playback));
+    auto layers = std::make_unique<SceneLayers>(*scene);
+    put({std::move(scene), std::move(layers)}, std::move(playback));
 }
 
 Viewer::~Viewer() = default;
@@ -102,9 +87,9 @@ void Viewer::act(PreviewKey key, Seconds now)
     case PreviewKey::all_frames:
         return generate_all_frames();
     case PreviewKey::next_item:
-        return step_selection(1);
+        return select(item_beside(view_.selected, 1, time_table()));
     case PreviewKey::previous_item:
-        return step_selection(-1);
+        return select(item_beside(view_.selected, -1, time_table()));
     case PreviewKey::screenshot:
         return write_screenshot();
     case PreviewKey::gif:
@@ -122,7 +107,7 @@ bool Viewer::attend(Seconds now)
         return true;
     }
     const bool has_chosen = take_chosen_file(now);
-    const bool has_read = reload_if_changed(now);
+    const bool has_read = read_what_changed(now);
     const bool had_report = std::exchange(has_report_, fit_report().has_value());
     return has_chosen || has_read || has_report_ != had_report;
 }
@@ -131,91 +116,93 @@ void Viewer::scrub(Time moment) { playback_->scrub(moment); }
 
 void Viewer::select(std::optional<std::size_t> item) { view_.selected = item; }
 
+void Viewer::set_zoom(int zoom)
+{
+    view_.zoom = zoom;
+    playback_->close_help();
+    notice_.clear();
+}
+
+void Viewer::tell_events_to(PreviewPlayback::OnEvent on_event)
+{
+    on_event_ = std::move(on_event);
+    playback_->tell_events_to(on_event_);
+}
+
 void Viewer::close()
 {
     stop_work();
     is_closed_ = true;
 }
 
-/// Null if that fails; then errors() says why.
-std::unique_ptr<OpenedScene> Viewer::opened(const fs::path& file)
+void Viewer::notify(std::string notice)
 {
-    errors_.clear();
-    try {
-        return opener_(file);
-    } catch (const std::exception& failure) { // whatever it is, what is open can go on
-        errors_ = lines_of(failure.what());
-        return nullptr;
-    }
+    notice_ = std::move(notice);
+    ++notice_number_;
 }
 
-void Viewer::put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<PreviewPlayback> playback)
+void Viewer::put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback)
 {
     stop_work();
     all_frames_.reset();
-    failed_.reset();
+    facts_.clear();
     playback_ = std::move(playback);
-    layers_.reset();
-    scene_ = std::move(scene);
-    layers_ = std::make_unique<SceneLayers>(*scene_);
-    if (const auto warnings = lines_of(scene_->warnings); !warnings.empty())
-        notice_ = warnings.front();
+    playback_->tell_events_to(on_event_);
+    std::swap(shown_, scene); // layers before their scene, when the old ones go
+    const std::string& warnings = shown_.scene->warnings;
+    if (!warnings.empty())
+        notify(warnings.substr(0, warnings.find('\n')));
 }
 
 void Viewer::open(const fs::path& file, Seconds now)
 {
     stop_work();
     notice_.clear();
-    FileWatch watch{{file}};
-    auto scene = opened(file);
-    if (scene == nullptr) {
-        failed_ = file;
-        failed_watch_ = std::move(watch);
+    ReadScene scene = reader_.open(file);
+    if (!scene)
         return;
-    }
-    auto playback = played(*scene, now, loops_);
+    auto playback = played(*scene.scene, now, loops_);
     playback->close_help();
     view_.selected.reset();
-    watch_.emplace(scene->also_read.empty() ? std::move(watch) : watch_on(*scene));
     put(std::move(scene), std::move(playback));
 }
 
 void Viewer::reload(Seconds now)
 {
     notice_.clear();
-    auto scene = opened(scene_->file);
-    if (scene == nullptr)
+    ReadScene scene = reader_.read_again();
+    if (!scene)
         return;
-    auto playback = played(*scene, now, loops_);
+    auto playback = played(*scene.scene, now, loops_);
     playback->continue_from(*playback_, now);
-    const std::string selected{selected_name()};
-    notice_ = scene->file.filename().string() + " is read again";
+    const auto selected = name_of(view_.selected, time_table());
+    notify(reader_.file().filename().string() + " is read again");
     put(std::move(scene), std::move(playback));
-    select_by_name(selected);
+    view_.selected = selected ? item_of(*selected, time_table()) : std::nullopt;
 }
 
-bool Viewer::reload_if_changed(Seconds now)
+bool Viewer::read_what_changed(Seconds now)
 {
-    if (failed_ && failed_watch_->has_changed(now)) {
-        open(fs::path{*failed_}, now);
-        return true;
-    }
-    if (!watch_->has_changed(now))
+    const auto file = reader_.changed(now);
+    if (!file)
         return false;
-    reload(now);
+    if (*file == reader_.file())
+        reload(now);
+    else
+        open(*file, now);
     return true;
 }
 
 void Viewer::ask_for_file(Seconds now)
 {
     if (chooser_ == nullptr)
-        return open(fs::path{scene_->file}, now);
+        return open(fs::path{shown_.scene->file}, now);
     try {
         if (!chooser_->is_asking())
-            chooser_->ask(scene_->file.parent_path());
-        notice_ = "choose a file in the dialogue";
+            chooser_->ask(shown_.scene->file.parent_path());
+        notify("choose a file in the dialogue");
     } catch (const Failure& failure) {
-        notice_ = failure.what();
+        notify(failure.what());
     }
 }
 
@@ -223,38 +210,22 @@ bool Viewer::take_chosen_file(Seconds now)
 {
     if (chooser_ == nullptr || !chooser_->is_asking())
         return false;
-    const auto file = chooser_->take_answer();
-    if (!chooser_->is_asking())
-        notice_.clear();
-    if (file)
-        open(*file, now);
+    try {
+        const auto file = chooser_->take_answer();
+        if (!chooser_->is_asking())
+            notice_.clear();
+        if (file)
+            open(*file, now);
+    } catch (const Failure& failure) {
+        notify(failure.what());
+    }
     return !chooser_->is_asking();
 }
 
 std::string_view Viewer::selected_name() const
 {
-    const auto& rows = time_table().rows;
-    const auto row = std::ranges::find(rows, view_.selected, &TimeRow::item);
-    return row == rows.end() ? std::string_view{} : row->name;
-}
-
-void Viewer::select_by_name(const std::string& name)
-{
-    view_.selected.reset();
-    const auto& rows = time_table().rows;
-    const auto row = std::ranges::find(rows, name, &TimeRow::name);
-    if (row != rows.end() && !name.empty())
-        view_.selected = row->item;
-}
-
-/// Past either end nothing is selected.
-void Viewer::step_selection(int direction)
-{
-    const auto& rows = time_table().rows;
-    const auto count = static_cast<std::ptrdiff_t>(rows.size());
-    const auto here = std::ranges::find(rows, view_.selected, &TimeRow::item) - rows.begin();
-    const std::ptrdiff_t next = (here + direction + count + 1) % (count + 1);
-    view_.selected = next == count ? std::nullopt : std::optional{rows[static_cast<std::size_t>(next)].item};
+    const TimeRow* const row = time_table().row_of(view_.selected);
+    return row == nullptr ? std::string_view{} : row->name;
 }
 
 const FrameCollection* Viewer::frames_in_work() const
@@ -275,7 +246,7 @@ void Viewer::stop_work()
 {
     if (!is_working())
         return;
-    notice_ = gif_ != nullptr ? "stopped: no GIF is written" : "stopped: not all frames are generated";
+    notify(gif_ != nullptr ? "stopped: no GIF is written" : "stopped: not all frames are generated");
     gif_.reset();
     if (frames_in_work() != nullptr)
         all_frames_.reset();
@@ -287,9 +258,9 @@ bool Viewer::fits_in_memory(std::size_t frames)
     const std::size_t bytes = frame().pixels.size() * frames;
     if (bytes <= FrameCollection::most_bytes)
         return true;
-    notice_ = counted(frames, "frame") + " would need " + std::to_string(bytes >> 20) +
-              " MB of memory, and " + std::to_string(FrameCollection::most_bytes >> 20) +
-              " are the most: choose a clip (c) or a smaller --size";
+    notify(counted(frames, "frame") + " would need " + std::to_string(bytes >> 20) + " MB of memory, and " +
+           std::to_string(FrameCollection::most_bytes >> 20) +
+           " are the most: choose a clip (c) or a smaller --size");
     return false;
 }
 
@@ -311,7 +282,8 @@ void Viewer::generate_all_frames()
 void Viewer::begin_gif()
 {
     const std::string& clip = playback_->part().name;
-    const fs::path target = new_output_name(scene_->file, clip.empty() ? "" : '-' + plain_name(clip), ".gif");
+    const fs::path target =
+        new_output_name(shown_.scene->file, clip.empty() ? "" : '-' + plain_name(clip), ".gif");
     auto gif = std::make_unique<GifWriting>(target, playback_->timeline());
     if (fits_in_memory(gif->frames()))
         gif_ = std::move(gif);
@@ -319,24 +291,24 @@ void Viewer::begin_gif()
 
 void Viewer::go_on_working()
 {
-    tell(*scene_->source, *playback_);
+    tell(*shown_.scene->source, *playback_);
     if (gif_ == nullptr) {
-        all_frames_->add_next(*scene_->source);
-        notice_ = all_frames_->is_complete()
-                      ? counted(all_frames_->total(), "frame") + ": space steps, 'a' ends that"
-                      : "frame " + std::to_string(all_frames_->done()) + " of " +
-                            std::to_string(all_frames_->total()) + ": any key stops that";
+        all_frames_->add_next(*shown_.scene->source);
+        notify(all_frames_->is_complete()
+                   ? counted(all_frames_->total(), "frame") + ": space steps, 'a' ends that"
+                   : "frame " + std::to_string(all_frames_->done()) + " of " +
+                         std::to_string(all_frames_->total()) + ": any key stops that");
         return;
     }
     try {
-        notice_ = "writing " + gif_->target().string() + ": " + std::to_string(gif_->percent()) +
-                  " %, any key stops that";
-        if (gif_->go_on(*scene_->source)) {
-            notice_ = gif_->target().string() + " is written";
+        notify("writing " + gif_->target().string() + ": " + std::to_string(gif_->percent()) +
+               " %, any key stops that");
+        if (gif_->go_on(*shown_.scene->source)) {
+            notify(gif_->target().string() + " is written");
             gif_.reset();
         }
     } catch (const std::exception& failure) { // the scene goes on
-        notice_ = failure.what();
+        notify(failure.what());
         gif_.reset();
     }
 }
@@ -344,40 +316,57 @@ void Viewer::go_on_working()
 void Viewer::write_screenshot()
 {
     try {
-        const fs::path target = new_output_name(scene_->file, frame_number(playback_->frame()), ".png");
+        const fs::path target = new_output_name(shown_.scene->file, frame_number(playback_->frame()), ".png");
         write_png(target, widen(frame()));
-        notice_ = target.string() + " is written";
+        notify(target.string() + " is written");
     } catch (const Failure& failure) {
-        notice_ = failure.what();
+        notify(failure.what());
     }
 }
 
 const Frame& Viewer::frame()
 {
-    const Frame* drawn = all_frames_ ? all_frames_->at(playback_->time()) : nullptr;
-    return drawn != nullptr ? *drawn : show(*scene_->source, *playback_);
+    FrameSource& source = *shown_.scene->source;
+    const auto* const drawn = all_frames_ ? all_frames_->at(playback_->time()) : nullptr;
+    if (drawn == nullptr) {
+        const Frame& frame = show(source, *playback_);
+        facts_ = source.facts();
+        return frame;
+    }
+    tell(source, *playback_);
+    source.accompany(playback_->time());
+    facts_ = drawn->facts;
+    return drawn->frame;
 }
 
 const Picture& Viewer::picture()
 {
-    if (view_.onion_skin)
-        return layers_->onion_skin(*playback_);
-    picture_ = widen(frame());
-    return picture_;
+    if (!view_.onion_skin) {
+        picture_ = widen(frame());
+        return picture_;
+    }
+    const Picture& skinned = shown_.layers->onion_skin(*playback_, view_.selected);
+    facts_ = shown_.scene->source->facts();
+    return skinned;
 }
 
-const Overlay& Viewer::overlay(double scale) { return layers_->overlay(*playback_, view_, scale); }
+const Overlay& Viewer::overlay(double scale) { return shown_.layers->overlay(*playback_, view_, scale); }
 
 std::optional<std::span<const FitLine>> Viewer::fit_report()
 {
-    return view_.fit_report ? layers_->fit_report() : std::nullopt;
+    return view_.fit_report ? shown_.layers->fit_report() : std::nullopt;
 }
 
-std::optional<std::size_t> Viewer::item_at(PanelSpot spot) { return layers_->item_at(*playback_, spot); }
+std::optional<std::size_t> Viewer::item_at(PanelSpot spot)
+{
+    return shown_.layers->item_at(*playback_, spot);
+}
 
 std::string Viewer::status() const
 {
-    std::string status = status_of(*scene_->source, *playback_);
+    std::string status = playback_->status();
+    if (playback_->reveals_travel() && !facts_.empty())
+        status += "  " + facts_;
     if (all_frames_ && all_frames_->is_complete())
         status += "  all frames";
     if (view_.selected)

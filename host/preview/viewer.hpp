@@ -2,7 +2,6 @@
 
 #include "host/picture/picture.hpp"
 #include "host/preview/file_chooser.hpp"
-#include "host/preview/file_watch.hpp"
 #include "host/preview/fit_lines.hpp"
 #include "host/preview/frame_collection.hpp"
 #include "host/preview/gif_writing.hpp"
@@ -10,10 +9,12 @@
 #include "host/preview/overlay.hpp"
 #include "host/preview/preview_key.hpp"
 #include "host/preview/preview_playback.hpp"
-#include "host/preview/scene_layers.hpp"
+#include "host/preview/scene_reader.hpp"
 #include "host/preview/time_table.hpp"
 #include "host/preview/view_options.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -42,18 +43,20 @@ public:
 
     /// While it works, any key but stops the work.
     void press(PreviewKey key, Seconds now);
+    /// Who is told the events that are passed, in order.
+    void tell_events_to(PreviewPlayback::OnEvent on_event);
     /// Another file, or the same afresh: from its beginning, with nothing selected. If that fails, what was
     /// open goes on, errors() says why, and it is tried again when that file changes.
     void open(const std::filesystem::path& file, Seconds now);
-    /// Does what is due: goes on playing and working, takes the file that was chosen, and reads a file again
-    /// that has changed on disk, to go on where it stood. True if something else than the moment may have
-    /// changed of what is to be shown.
+    /// Does what is due: goes on playing and working, takes the file that was chosen, and reads the scene
+    /// again if a file has changed on disk that it depends on, to go on where it stood. True if something
+    /// else than the moment may have changed of what is to be shown.
     bool attend(Seconds now);
     /// Pauses at this moment: the time line was touched.
     void scrub(Time moment);
     void select(std::optional<std::size_t> item);
-    /// ViewOptions::zoom.
-    void set_zoom(int zoom) { view_.zoom = zoom; }
+    /// ViewOptions::zoom. Closes the help and clears the notice, as keys do.
+    void set_zoom(int zoom);
     /// Ends it whatever it does: the window was closed.
     void close();
 
@@ -63,27 +66,27 @@ public:
     std::optional<double> progress() const;
     bool wants_to_quit() const { return is_closed_ || playback_->wants_to_quit(); }
 
-    const OpenedScene& scene() const { return *scene_; }
+    const OpenedScene& scene() const { return *shown_.scene; }
     const PreviewPlayback& playback() const { return *playback_; }
     const ViewOptions& view() const { return view_; }
-    /// The events passed since the last call, in order.
-    std::vector<EventView> take_passed() { return playback_->take_passed(); }
     /// What the panel holds now. Valid until the next call of a member.
     const Frame& frame();
     /// The picture to show now, with the onion skin if that is wanted. Likewise.
     const Picture& picture();
     /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
     const Overlay& overlay(double scale);
-    const TimeTable& time_table() const { return layers_->table(); }
+    const TimeTable& time_table() const { return shown_.layers->table(); }
     /// Nothing while it is being made, or if view() does not ask for it.
     std::optional<std::span<const FitLine>> fit_report();
     /// The topmost item at a place of the panel.
     std::optional<std::size_t> item_at(PanelSpot spot);
 
     /// Of the last attempt to read a file, line by line; empty when it went well.
-    const std::vector<std::string>& errors() const { return errors_; }
+    const std::vector<std::string>& errors() const { return reader_.errors(); }
     /// What was done last and is worth telling: "eyes-0012.png is written".
     const std::string& notice() const { return notice_; }
+    /// Another one each time that something is told, the same words again, too.
+    std::uint64_t notice_number() const { return notice_number_; }
     /// That of the playback, then "  all frames" while space steps through them, "  selected lamp", and what
     /// view() shows, "  onion skin  zoom 2".
     std::string status() const;
@@ -92,12 +95,11 @@ public:
 
 private:
     const FrameCollection* frames_in_work() const;
-    std::unique_ptr<OpenedScene> opened(const std::filesystem::path& file);
-    void put(std::unique_ptr<OpenedScene> scene, std::unique_ptr<PreviewPlayback> playback);
+    void notify(std::string notice);
+    void put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback);
     void reload(Seconds now);
-    bool reload_if_changed(Seconds now);
+    bool read_what_changed(Seconds now);
     bool take_chosen_file(Seconds now);
-    void select_by_name(const std::string& name);
     void stop_work();
     void go_on_working();
     bool fits_in_memory(std::size_t frames);
@@ -105,24 +107,21 @@ private:
     void begin_gif();
     void write_screenshot();
     void ask_for_file(Seconds now);
-    void step_selection(int direction);
     void act(PreviewKey key, Seconds now);
 
-    Opener opener_;
+    SceneReader reader_;
     std::optional<int> loops_;
-    std::unique_ptr<OpenedScene> scene_;
-    std::unique_ptr<SceneLayers> layers_;       ///< look into `scene_`
-    std::unique_ptr<PreviewPlayback> playback_; ///< likewise
+    PreviewPlayback::OnEvent on_event_;
+    ReadScene shown_;
+    std::unique_ptr<PreviewPlayback> playback_; ///< looks into `shown_`
     std::unique_ptr<FileChooser> chooser_;
-    std::optional<FileWatch> watch_;              ///< of what is open
-    std::optional<std::filesystem::path> failed_; ///< a file that could not be opened
-    std::optional<FileWatch> failed_watch_;       ///< of it
     ViewOptions view_;
     std::optional<FrameCollection> all_frames_; ///< space steps through them once they are complete
     std::unique_ptr<GifWriting> gif_;
     Picture picture_;
-    std::vector<std::string> errors_;
+    std::string facts_; ///< of the picture that was shown last
     std::string notice_;
+    std::uint64_t notice_number_ = 0;
     bool has_report_ = false; ///< one that is wanted is made, as attend() saw it last
     bool is_closed_ = false;
 };

@@ -1,6 +1,7 @@
 #include "host/preview/window_layout.hpp"
 
 #include "host/preview/painter.hpp"
+#include "host/preview/placement.hpp"
 
 #include <algorithm>
 
@@ -17,6 +18,22 @@ int side_width(Size window, const WindowWishes& wishes)
     return std::min(window.width / 2, std::clamp(window.width * 3 / 10, 200, 340));
 }
 
+/// Of a picture as large as fits, with its margins.
+int picture_height(Size room, const WindowWishes& wishes)
+{
+    const int margins = 2 * wishes.picture_margin;
+    const Size free{std::max(1, room.width - margins), std::max(1, room.height - margins)};
+    return placement(wishes.panel, free).height + margins;
+}
+
+int time_line_height(Size above, const WindowWishes& wishes)
+{
+    const int most = std::clamp(wishes.time_line_height, 0, above.height * 2 / 5);
+    const int least = std::clamp(wishes.time_line_height - wishes.spare_time_line_height, 0, most);
+    const int left = above.height - picture_height({above.width, above.height - least}, wishes);
+    return std::clamp(left, least, most);
+}
+
 }
 
 Size window_around(Size picture) { return {picture.width, picture.height + status_height}; }
@@ -25,9 +42,9 @@ WindowLayout window_layout(Size window, const WindowWishes& wishes)
 {
     const int status = std::min(status_height, window.height);
     const int above = window.height - status;
-    const int time_line = std::clamp(wishes.time_line_height, 0, above * 2 / 5);
-    const int upper = above - time_line;
     const int side = side_width(window, wishes);
+    const int time_line = time_line_height({window.width - side, above}, wishes);
+    const int upper = above - time_line;
     return {.picture = {0, 0, window.width - side, upper},
             .side = {window.width - side, 0, side, upper},
             .time_line = {0, upper, window.width, time_line},

@@ -17,7 +17,10 @@ struct WindowLayout {
 struct WindowWishes {
     bool side = false; ///< if there is room beside the picture
     bool side_at_any_width = false;
-    int time_line_height = 0; ///< it gets two fifths of the height at most
+    int time_line_height = 0;       ///< it gets two fifths of the height at most
+    int spare_time_line_height = 0; ///< of that: what it gives up if the picture is seen larger then
+    Size panel{1, 1};               ///< whose picture is shown
+    int picture_margin = 0;         ///< at each of its sides
 };
 
 /// The window in which a picture of that size, and the status alone, have room.

@@ -1,26 +1,21 @@
 #include "host/sound/beam_sound.hpp"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 namespace kfast {
 
-BeamSound::BeamSound(std::unique_ptr<FrameSource> picture, BeamSource beam, const Deflection& deflection,
-                     const std::string& device)
-    : picture_{std::move(picture)}, beam_{std::move(beam)},
-      deflection_{deflection}, player_{beam_.profile().travel_step}
+BeamSound::BeamSound(std::unique_ptr<FrameSource> picture, BeamSource beam, std::shared_ptr<LedBeam> led)
+    : picture_{std::move(picture)}, beam_{std::move(beam)}, led_{std::move(led)}
 {
-    player_.show(tour_of(beam_.show(Time{0})));
-    card_ = SoundCard::open(device, beam_.profile().rate,
-                            [this](std::span<StereoSample> samples) { next(samples); });
 }
 
 const Frame& BeamSound::show(Time moment)
 {
-    player_.show(tour_of(beam_.show(moment)));
+    accompany(moment);
     return picture_->show(moment);
 }
+
+void BeamSound::accompany(Time moment) { led_->show(beam_.show(moment)); }
 
 void BeamSound::set_input(std::uint32_t number, Time place)
 {
@@ -37,18 +32,6 @@ void BeamSound::set_text(std::uint32_t number, std::string_view text)
 {
     picture_->set_text(number, text);
     beam_.set_text(number, text);
-}
-
-void BeamSound::next(std::span<StereoSample> samples)
-{
-    std::array<FieldPoint, 256> points;
-    while (!samples.empty()) {
-        const std::span piece{points.data(), std::min(points.size(), samples.size())};
-        player_.take(piece);
-        std::ranges::transform(piece, samples.begin(),
-                               [this](FieldPoint point) { return deflection_.sample(point); });
-        samples = samples.subspan(piece.size());
-    }
 }
 
 }

@@ -89,6 +89,24 @@ class TerminalTest(CommandTest):
         self.assertEqual(preview.end(), 0)
         self.assertTrue(preview.written.endswith("\x1b[0m\x1b[?25h"))
 
+    def test_its_help_has_the_keys_that_do_something_there(self):
+        preview = Preview(self.folder, "lamp.kfast")
+        page = preview.wait_for("close this help")
+        self.assertNotIn("skeletons", page)
+        self.assertIn("read the file afresh", page)
+        preview.type("\x1b")
+        self.assertNotIn("next key frame", preview.wait_for(r"(?s)frame.*\x1b\[J(.*)\x1b\[J").rsplit("\x1b[J", 2)[1])
+        preview.type("kyo")
+        self.assertNotIn("bones", preview.wait_for("onion skin"))
+        self.assertEqual(preview.end("\x1b"), 0)
+
+    def test_a_help_that_has_no_room_is_turned(self):
+        preview = Preview(self.folder, "lamp.kfast", columns=50, lines=12)
+        preview.wait_for("h  next page, 1 of")
+        preview.type("h")
+        preview.wait_for("h  next page, 2 of")
+        self.assertEqual(preview.end(), 0)
+
     def test_a_mistake_is_shown_below_the_picture_until_it_is_mended(self):
         preview = Preview(self.folder, "lamp.kfast")
         preview.type("n")
@@ -101,6 +119,26 @@ class TerminalTest(CommandTest):
         self.assertNotIn("error", preview.wait_for("lamp-0005.png is written"))
         self.assertEqual(preview.end(), 0)
         self.assertTrue((self.folder / "lamp-0005.png").read_bytes().startswith(b"\x89PNG"))
+
+    @staticmethod
+    def beginning(heard):
+        """Of what is heard: the scene as it was when the device was opened."""
+        deadline = time.monotonic() + 60
+        while heard.stat().st_size < 4096 * 8 and time.monotonic() < deadline:
+            time.sleep(0.02)
+        return heard.read_bytes()[:4096 * 8]
+
+    def test_the_sound_goes_on_while_the_scene_is_read_again(self):
+        heard = self.folder / "heard"  # by SDL's disk driver, which begins a file when a device is opened
+        preview = Preview(self.folder, "lamp.kfast", "--audio",
+                          environment={"SDL_AUDIODRIVER": "disk", "SDL_DISKAUDIOFILE": str(heard)})
+        preview.wait_for("frame")
+        mark = heard.stat().st_ino
+        begin = self.beginning(heard)
+        self.replace(GOOD.replace("rect 0 0 8 8", "rect 20 9 8 8"))
+        preview.wait_for("lamp.kfast is read again")
+        self.assertEqual(preview.end(), 0)
+        self.assertEqual((heard.stat().st_ino, self.beginning(heard)), (mark, begin))
 
     def test_it_goes_on_in_a_terminal_that_is_resized(self):
         preview = Preview(self.folder, "lamp.kfast")
@@ -177,7 +215,7 @@ class ScriptTest(CommandTest):
         out = self.run_kfast("preview", "clips.kfast", "--clip", "blink", "--headless", "--keys", "right open=lamp.kfast").stdout
         self.assertIn("clip blink", out)
         self.assertIn("notice: --clip: there is no clip 'blink'", out)
-        self.assertIn("are left out", out)
+        self.assertIn("so that is left out", out)
 
     def test_wrong_boards_and_objects_are_refused(self):
         self.refuse("preview", "lamp.kfast", "--headless", "--keys", "e", "--board", "nothing", status=1, says="nothing")

@@ -46,8 +46,7 @@ void check_against_simulator(Controller controller)
     const Size panel = board.panel().size();
     Player player = *Player::create(scene.view(), panel, Fit::contain, board.block());
     begin_panel(board);
-    fit::Target target = previewed_board(
-        {.scene = scene.view(), .panel = panel, .panel_name = std::string{controller_name(controller)}});
+    fit::Target target = previewed_board({.size = panel, .controller = controller_name(controller)});
     CHECK(target.display.format == P::format);
     target.band_bytes = simulated_rows * row_bytes(P::format, panel.width);
     BoardChanges changes{scene.view(), target, Fit::contain};
@@ -64,8 +63,6 @@ void check_against_simulator(Controller controller)
     }
 }
 
-Stage stage_of(const NamedScene& scene) { return {scene.view(), {128, 64}}; }
-
 }
 
 TEST_CASE("what is told to be sent is what a board sends to its panel")
@@ -77,7 +74,7 @@ TEST_CASE("what is told to be sent is what a board sends to its panel")
 TEST_CASE("a moment that is asked for again is told the same, and the first one comes after the frame before")
 {
     const NamedScene scene{ball};
-    const fit::Target board = previewed_board(stage_of(scene));
+    const fit::Target board = previewed_board({.size = {128, 64}});
     BoardChanges played{scene.view(), board, Fit::contain};
     CHECK(played.show({}).areas == std::vector<Rect>{{0, 0, 128, 60}, {0, 60, 128, 4}});
     CHECK(played.show({}).bytes == 128 * 64 * 2 + 2 * 11);
@@ -96,7 +93,7 @@ TEST_CASE("an input that is told makes changes at the same moment")
 {
     const NamedScene scene{"kfast 1\ncanvas 128 64\ninput gaze\n"
                            "object eye fill=red input=gaze { circle 9 9 r=5; key 0 x=0; key 1 x=20 }\n"};
-    BoardChanges changes{scene.view(), previewed_board(stage_of(scene)), Fit::contain};
+    BoardChanges changes{scene.view(), previewed_board({.size = {128, 64}}), Fit::contain};
     changes.show({});
     changes.set_input(0, whole_input);
     const std::vector<Rect> areas = changes.show({}).areas;

@@ -51,9 +51,11 @@ TEST_CASE("without a dialogue the remedy is told")
 {
     const Desktop desktop;
     FileDialogue dialogue;
-    CHECK_THROWS_WITH_AS(
-        dialogue.ask("."),
-        "there is no file dialogue: install zenity or kdialog, or drop a file onto the window", Failure);
+    CHECK_THROWS_WITH_AS(dialogue.ask("."),
+                         "there is no file dialogue: install zenity or kdialog, or drop the file here, or "
+                         "give it on the command "
+                         "line",
+                         Failure);
     CHECK(!dialogue.is_asking());
 }
 
@@ -80,6 +82,26 @@ TEST_CASE("a dialogue that is cancelled answers nothing, and can be asked again"
         dialogue.ask("");
         CHECK(!answer(dialogue));
     }
+}
+
+TEST_CASE("a dialogue that fails is told, with what helps")
+{
+    const Desktop desktop;
+    FileDialogue dialogue;
+    desktop.install("kdialog", "exit 5");
+    dialogue.ask("");
+    CHECK_THROWS_WITH_AS(answer(dialogue),
+                         "kdialog failed with status 5: drop the file here, or give it on the command line",
+                         Failure);
+    CHECK(!dialogue.is_asking());
+    desktop.install("zenity", "kill -ABRT $$");
+    dialogue.ask("");
+    CHECK_THROWS_WITH_AS(answer(dialogue),
+                         "zenity was ended by signal 6: drop the file here, or give it on the command line",
+                         Failure);
+    std::ofstream{desktop.folder / "zenity"} << "#!/no/such/program\n";
+    CHECK_THROWS_AS(dialogue.ask(""), Failure);
+    CHECK(!dialogue.is_asking());
 }
 
 TEST_CASE("nobody waits for a dialogue, and it ends with the preview")

@@ -43,7 +43,7 @@ std::vector<FitLine> waited_for(const FitCheck& check)
 TEST_CASE("a scene that fits has good lines, and says what limits it")
 {
     const NamedScene scene{bouncing};
-    const fit::Target board = previewed_board({scene.view(), {240, 240}});
+    const fit::Target board = previewed_board({.size = {240, 240}});
     const std::vector<FitLine> lines = lines_of(scene, board);
     CHECK(lines[1] == FitLine{"pico, 125 MHz"});
     CHECK(lines[2] == FitLine{"st7789 240x240"});
@@ -64,7 +64,7 @@ TEST_CASE("a scene that fits has good lines, and says what limits it")
 TEST_CASE("a scene that does not fit says why, in lines that are not too long")
 {
     const NamedScene scene{bouncing};
-    fit::Target board = previewed_board({scene.view(), {240, 240}});
+    fit::Target board = previewed_board({.size = {240, 240}});
     board.clock = 1e6;
     board.ram = 20'000;
     const std::vector<FitLine> lines = lines_of(scene, board);
@@ -80,11 +80,10 @@ TEST_CASE("a scene that does not fit says why, in lines that are not too long")
 TEST_CASE("the panel that is shown is the one that is judged, and a beam is one")
 {
     const NamedScene scene{bouncing};
-    const fit::Target mono =
-        previewed_board({.scene = scene.view(), .panel = {128, 32}, .panel_name = "ssd1306"});
+    const fit::Target mono = previewed_board({.size = {128, 32}, .controller = "ssd1306"});
     CHECK(mono.display.format == fit::display_named("ssd1306")->format);
     CHECK(mono.display.size == Size{128, 32});
-    const fit::Target beam = previewed_board({.scene = scene.view(), .panel = {480, 480}, .is_beam = true});
+    const fit::Target beam = previewed_board({.size = {480, 480}, .beam = scope_profile});
     REQUIRE(beam.beam.has_value());
     const std::vector<FitLine> lines = lines_of(scene, beam);
     CHECK(has(lines, "busiest ", Verdict::neutral));
@@ -94,7 +93,7 @@ TEST_CASE("the panel that is shown is the one that is judged, and a beam is one"
 TEST_CASE("a check comes to the same lines on its thread, while other scenes are drawn")
 {
     const NamedScene scene{bouncing};
-    const fit::Target board = previewed_board({scene.view(), {240, 240}});
+    const fit::Target board = previewed_board({.size = {240, 240}});
     const std::vector<FitLine> expected = lines_of(scene, board);
     const FitCheck check{scene.bytes(), scene.names(), board, Fit::contain};
     CHECK(lines_of(scene, board) == expected); // at the same time
@@ -107,12 +106,12 @@ TEST_CASE("a report that nobody wants any more stops after a picture, and a chec
                            "object ball fill=red { key 0 x=0; key 4000 x=80; circle 60 60 r=40 }\n"};
     std::stop_source stop;
     stop.request_stop();
-    const fit::Target panel = previewed_board({scene.view(), {240, 240}});
+    const fit::Target panel = previewed_board({.size = {240, 240}});
     CHECK_THROWS_AS(
         fit::fit_report(
             {.scene = scene.view(), .item_names = scene.names(), .target = panel, .stop = stop.get_token()}),
         fit::FitStopped);
-    const fit::Target beam = previewed_board({.scene = scene.view(), .panel = {240, 240}, .is_beam = true});
+    const fit::Target beam = previewed_board({.size = {240, 240}, .beam = scope_profile});
     CHECK_THROWS_AS(fit::beam_fit(scene.view(), beam, 0, stop.get_token()), fit::FitStopped);
     const FitCheck abandoned{scene.bytes(), scene.names(), panel, Fit::contain};
 }

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+
 namespace kfast::test {
 namespace {
 
@@ -45,6 +47,7 @@ canvas 40 20 frames=30 background="#204080"
 object still fill=white { rect 0 0 6 6 }
 object box fill=red { key 0 x=0 law=hold; key 10 x=10 law=hold; key 20 x=20; rect 0 10 8 8 }
 )";
+constexpr std::array keys{Time::frame(0), Time::frame(10), Time::frame(20)};
 
 }
 
@@ -76,8 +79,8 @@ TEST_CASE("the key frames before and after are seen, all else is exactly the pic
     for (const PixelFormat format : {PixelFormat::rgb565, PixelFormat::grey4, PixelFormat::mono1_dithered}) {
         CAPTURE(static_cast<int>(format));
         NotingSource source{scene.view(), format};
-        OnionSkin skin{{Time::frame(0), Time::frame(10), Time::frame(20)}, scene.view().colour(0)};
-        const Picture seen = skin.show(source, Time::frame(10));
+        OnionSkin skin{scene.view().colour(0)};
+        const Picture seen = skin.show(source, Time::frame(10), keys);
         const Picture plain = widen(source.show(Time::frame(10)));
         int before = 0;
         int after = 0;
@@ -101,12 +104,12 @@ TEST_CASE("key frames are drawn once, and the picture last")
 {
     const NamedScene scene{leaping};
     NotingSource source{scene.view(), PixelFormat::rgb565};
-    OnionSkin skin{{Time::frame(0), Time::frame(10), Time::frame(20)}, scene.view().colour(0)};
+    OnionSkin skin{scene.view().colour(0)};
     for (const int frame : {3, 4, 10, 12, 25})
-        skin.show(source, Time::frame(frame));
+        skin.show(source, Time::frame(frame), keys);
     CHECK(source.shown == std::vector<int>{0, 10, 3, 4, 0 + 20, 10, 10, 12, 20, 25});
     skin.forget();
-    skin.show(source, Time::frame(25));
+    skin.show(source, Time::frame(25), keys);
     CHECK(source.shown.back() == 25);
 }
 

@@ -18,6 +18,7 @@ inline std::unique_ptr<OpenedScene> open_scene(const std::filesystem::path& file
 {
     std::ostringstream found;
     try {
+        FileWatch read{{file}};
         SceneFile scene = load_scene(file, {}, found);
         const SceneView view = scene.view;
         auto source = std::make_unique<PlayerSource>(view, view.canvas(), Fit::contain, PixelFormat::rgb565);
@@ -26,6 +27,7 @@ inline std::unique_ptr<OpenedScene> open_scene(const std::filesystem::path& file
                                                          .source = std::move(source),
                                                          .programme = programme_of(view),
                                                          .panel = view.canvas(),
+                                                         .read = std::move(read),
                                                          .warnings = found.str()});
     } catch (const Failure& failure) {
         throw Failure(found.str() + failure.what());

@@ -50,7 +50,7 @@ void draw_everything(Painter& painter, Rect pane)
     }
     panel_of(50).draw(painter, pane);
     draw_status(painter, pane, "frame 1  0.033 s  playing");
-    draw_help(painter, pane, preview_key_help());
+    draw_help(painter, pane, help_pages(preview_key_help(PreviewFront::window), help_cells(pane)).front());
     draw_errors(painter, pane, errors);
     draw_notice(painter, pane, "eyes.png is written");
     draw_progress(painter, pane, "writing", 0.5);
@@ -102,19 +102,17 @@ TEST_CASE("a bar of the side is filled as far as its value")
     CHECK(widths == std::vector{50, 200});
 }
 
-TEST_CASE("the help shows all its keys in a window of usual size, in two columns where one is too long")
+TEST_CASE("the help lies over the middle of its room")
 {
-    const std::vector<std::string> help = preview_key_help();
-    for (const Rect room : {Rect{0, 0, 900, 576}, Rect{0, 0, 640, 1000}}) {
+    const std::vector<std::string> help = preview_key_help(PreviewFront::window);
+    for (const Rect room : {Rect{0, 0, 900, 576}, Rect{0, 0, 640, 1000}, Rect{0, 0, 320, 216}}) {
         RecordingPainter painter{{room.width, room.height}};
-        draw_help(painter, room, help);
+        const HelpPage page = help_pages(help, help_cells(room)).front();
+        draw_help(painter, room, page);
         for (const auto& written : painter.texts)
             CHECK_MESSAGE(lies_within(written.place, room), written.text);
-        for (const std::string& line : help)
-            CHECK_MESSAGE(painter.find(line) != nullptr, line);
-        const bool is_wide = std::ranges::any_of(
-            painter.texts, [&](const auto& written) { return written.place.x > painter.texts[0].place.x; });
-        CHECK(is_wide == (room.height < 600));
+        for (const HelpLine& line : page.lines)
+            CHECK_MESSAGE(painter.find(line.text) != nullptr, line.text);
     }
 }
 
@@ -129,14 +127,15 @@ TEST_CASE("errors stay within their room: long lines are wrapped, too many left 
     }
 }
 
-TEST_CASE("notices and the status are cut to their room")
+TEST_CASE("notices are wrapped to their room, and the status is cut to it")
 {
-    const Rect room{50, 50, 120, 60};
+    const Rect room{50, 50, 130, 140};
     RecordingPainter painter{{900, 600}};
-    draw_notice(painter, room, "a-very-long-name-of-a-file.png is written");
-    draw_progress(painter, room, "writing a-very-long-name-of-a-file.gif", 2);
+    draw_notice(painter, room, "a-file.png is written");
+    draw_progress(painter, room, "writing a-long.gif", 2);
     draw_status(painter, room, "frame 1  0.033 s  playing  and so on");
-    REQUIRE(painter.texts.size() == 3);
+    REQUIRE(painter.texts.size() == 5);
+    CHECK(painter.texts[1].text == "written");
     for (const auto& written : painter.texts)
         CHECK_MESSAGE(lies_within(written.place, room), written.text);
 }

@@ -38,13 +38,20 @@ PreviewPlayback playback(Loop loop, std::optional<int> loops = std::nullopt)
     return {silent(loop), Pace::smooth, start, loops};
 }
 
-std::string passed(PreviewPlayback& playback)
-{
+/// A playback with events, and the names of those that were passed.
+struct Told {
+    explicit Told(std::optional<int> loops = std::nullopt)
+        : state{programme(Loop::repeat), Pace::smooth, start, loops}
+    {
+        state.tell_events_to([this](const EventView& event) { names.append(event.name).append(" "); });
+    }
+    Told(const Told&) = delete;
+
+    std::string passed() { return std::exchange(names, {}); }
+
+    PreviewPlayback state;
     std::string names;
-    for (const EventView& event : playback.take_passed())
-        names.append(event.name).append(" ");
-    return names;
-}
+};
 
 Seconds after(double seconds) { return start + Seconds{seconds}; }
 
@@ -230,6 +237,16 @@ TEST_CASE("h opens and closes the help, any other key closes it, q quits")
     CHECK(state.wants_to_quit());
 }
 
+TEST_CASE("escape closes the help, and quits where it is closed")
+{
+    PreviewPlayback state = playback(Loop::repeat);
+    state.press(PreviewKey::leave, start);
+    CHECK_FALSE(state.help_open());
+    CHECK_FALSE(state.wants_to_quit());
+    state.press(PreviewKey::leave, start);
+    CHECK(state.wants_to_quit());
+}
+
 TEST_CASE("speed goes by doubles, within 1/16 and 16, and backwards; what is shown does not jump")
 {
     PreviewPlayback state = playback(Loop::repeat);
@@ -314,40 +331,43 @@ TEST_CASE("in a clip, keys and arrows stay within it")
 
 TEST_CASE("events are passed in order, none left out, and the status names the latest")
 {
-    PreviewPlayback state{programme(Loop::repeat), Pace::smooth, start};
-    CHECK(passed(state) == "");
+    Told told;
+    PreviewPlayback& state = told.state;
+    CHECK(told.passed() == "");
     state.advance_to(after(0));
-    CHECK(passed(state) == "begin ");
+    CHECK(told.passed() == "begin ");
     CHECK(state.status() == "frame 0  0.000 s  playing  event begin");
     state.advance_to(after(0.51));
-    CHECK(passed(state) == "step ");
+    CHECK(told.passed() == "step ");
     state.advance_to(after(2.9));
-    CHECK(passed(state) == "echo\x1b begin step echo\x1b begin step echo\x1b ");
+    CHECK(told.passed() == "echo\x1b begin step echo\x1b begin step echo\x1b ");
     CHECK(state.status() == "frame 9  0.900 s  playing  event echo<U+001B>");
-    CHECK(passed(state) == "");
+    CHECK(told.passed() == "");
 }
 
 TEST_CASE("stepping passes nothing and forgets the latest event; playing on begins with what is there")
 {
-    PreviewPlayback state{programme(Loop::repeat), Pace::smooth, start};
+    Told told;
+    PreviewPlayback& state = told.state;
     state.advance_to(after(0.45));
-    passed(state);
+    told.passed();
     state.press(PreviewKey::next_frame, after(0.45));
     CHECK(state.status() == "frame 5  0.500 s  paused");
-    CHECK(passed(state) == "");
+    CHECK(told.passed() == "");
     state.press(PreviewKey::play_pause, after(1));
     state.advance_to(after(1.01));
-    CHECK(passed(state) == "step ");
+    CHECK(told.passed() == "step ");
 }
 
 TEST_CASE("the last loop passes its last events, though it shows no more")
 {
-    PreviewPlayback state{programme(Loop::repeat), Pace::smooth, start, 1};
+    Told told{1};
+    PreviewPlayback& state = told.state;
     state.advance_to(after(0.4));
     state.advance_to(after(7));
     CHECK(state.wants_to_quit());
     CHECK(state.frame() == 4);
-    CHECK(passed(state) == "begin step echo\x1b ");
+    CHECK(told.passed() == "begin step echo\x1b ");
 }
 
 TEST_CASE("a board changes its picture at the frames alone")
@@ -360,14 +380,6 @@ TEST_CASE("a board changes its picture at the frames alone")
     CHECK((state.next_frame_at() - start).count() == doctest::Approx(0.4));
     state.advance_to(after(0.4));
     CHECK(state.time() == Time::frame(2));
-}
-
-TEST_CASE("keys have names")
-{
-    CHECK(preview_key("space") == PreviewKey::play_pause);
-    CHECK(preview_key("escape") == PreviewKey::quit);
-    CHECK_FALSE(preview_key("7").has_value());
-    CHECK(preview_key_help().front() == "space      play, pause; after 'a' the next frame");
 }
 
 TEST_CASE("what plays once can be repeated, what repeats can play once, and either as it was made")
@@ -386,6 +398,54 @@ TEST_CASE("what plays once can be repeated, what repeats can play once, and eith
     state.press(PreviewKey::loop, after(20));
     CHECK(state.loop_choice() == LoopChoice::as_authored);
     CHECK(state.time() == Time::frame(10));
+}
+
+TEST_CASE("a playback that goes on for another keeps its way back and its latest event")
+{
+    PreviewPlayback before = playback(Loop::ping_pong);
+    before.advance_to(after(1.4));
+    PreviewPlayback state = playback(Loop::ping_pong);
+    state.continue_from(before, after(1.4));
+    CHECK(state.time() == Time::frame(6));
+    state.advance_to(after(1.6));
+    CHECK(state.time() == Time::frame(4));
+    state.advance_to(after(2.3));
+    CHECK(state.time() == Time::frame(3)); // forwards again
+
+    Told told;
+    told.state.advance_to(after(0.6));
+    PreviewPlayback next{programme(Loop::repeat), Pace::smooth, start};
+    next.continue_from(told.state, after(0.6));
+    CHECK(next.status() == told.state.status());
+    CHECK(next.status().find("event echo") != std::string::npos);
+}
+
+TEST_CASE("the number of loops goes on with a playback for another, whose scene may last longer")
+{
+    for (const int frames : {10, 15, 5}) {
+        CAPTURE(frames);
+        PreviewPlayback before = playback(Loop::repeat, 3);
+        before.advance_to(after(1.4));
+        Programme longer = silent(Loop::repeat);
+        longer.parts.front().stretch.end = Time::frame(frames);
+        PreviewPlayback state{longer, Pace::smooth, start, 3};
+        state.continue_from(before, after(1.4));
+        const double end = 1.4 + (frames - 4) / 10.0 + frames / 10.0; // of this loop, and another one
+        state.advance_to(after(end - 0.01));
+        CHECK_FALSE(state.wants_to_quit());
+        state.advance_to(after(end));
+        CHECK(state.wants_to_quit());
+    }
+    PreviewPlayback before = playback(Loop::ping_pong, 1);
+    before.advance_to(after(1.4));
+    Programme longer = silent(Loop::ping_pong);
+    longer.parts.front().stretch.end = Time::frame(15);
+    PreviewPlayback state{longer, Pace::smooth, start, 1};
+    state.continue_from(before, after(1.4));
+    state.advance_to(after(1.99));
+    CHECK_FALSE(state.wants_to_quit());
+    state.advance_to(after(2));
+    CHECK(state.wants_to_quit());
 }
 
 TEST_CASE("ping-pong stays what it is while it is repeated")

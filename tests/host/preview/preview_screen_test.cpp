@@ -53,6 +53,7 @@ struct Window {
         return painter;
     }
     void touch(Kind kind, int x, int y, int wheel = 0) { screen.touch({kind, x, y, wheel}, viewer, now); }
+    void press(PreviewKey key) { screen.press(key, viewer, now); }
     void drag(std::initializer_list<std::pair<int, int>> way)
     {
         const auto [first_x, first_y] = *way.begin();
@@ -207,6 +208,65 @@ TEST_CASE("a click closes the help and does nothing else")
     CHECK(window.selected().empty());
 }
 
+TEST_CASE("in a small window h turns the pages of the help, and any other key closes it")
+{
+    Window window;
+    window.press(PreviewKey::help);
+    window.draw({320, 240});
+    CHECK(window.has_text("h  next page, 1 of 4"));
+    window.press(PreviewKey::help);
+    window.draw({320, 240});
+    CHECK(window.has_text("h  next page, 2 of 4"));
+    window.press(PreviewKey::leave);
+    CHECK_FALSE(window.viewer.playback().help_open());
+    CHECK_FALSE(window.viewer.wants_to_quit());
+    window.press(PreviewKey::help);
+    window.draw({320, 240});
+    CHECK(window.has_text("h  next page, 1 of 4"));
+    window.draw({900, 600});
+    window.press(PreviewKey::help);
+    CHECK_FALSE(window.viewer.playback().help_open());
+}
+
+TEST_CASE("only the left button of the mouse does something")
+{
+    Window window;
+    const Rect picture = window.painter.pictures[0];
+    const TimeLine line = window.time_line();
+    for (const auto& [x, y] : {std::pair{picture.x + 5, picture.y + 5},
+                               std::pair{static_cast<int>(line.x_of(Time::frame(20))), line.ruler().y + 10}})
+        for (const Kind kind : {Kind::press, Kind::release})
+            window.screen.touch({.kind = kind, .x = x, .y = y, .button = PointerEvent::Button::other},
+                                window.viewer, window.now);
+    CHECK(window.selected().empty());
+    CHECK(window.frame() == 0);
+}
+
+TEST_CASE("the facts that were asked for are at the beginning of the status")
+{
+    Window window;
+    window.press(PreviewKey::changed_areas);
+    window.draw({320, 240});
+    CHECK(std::ranges::any_of(window.painter.texts, [](const RecordingPainter::Text& written) {
+        return written.text.find("1 area, 811 bytes, 100 % of the panel") == 0;
+    }));
+}
+
+TEST_CASE("the picture is as large as fits, and the time line has as many rows as are left")
+{
+    Window window;
+    std::string rows = "kfast 1\ncanvas 240 240\n";
+    for (int i = 0; i < 20; ++i)
+        rows += "object part" + std::to_string(i) + " fill=red { key 0 { rect 0 0 9 9 } }\n";
+    std::ofstream{window.folder / "rows.kfast"} << rows;
+    window.viewer.open(window.folder / "rows.kfast", window.now);
+    window.draw({960, 720});
+    CHECK(window.painter.pictures[0].width == 480);
+    CHECK(window.has_text("part19"));
+    CHECK(window.has_text("part14"));
+    CHECK_FALSE(window.has_text("part0"));
+}
+
 TEST_CASE("a notice goes away after a while, errors stay until the file is good")
 {
     Window window;
@@ -226,6 +286,31 @@ TEST_CASE("a notice goes away after a while, errors stay until the file is good"
     CHECK_FALSE(shows_notice());
     CHECK_FALSE(window.screen.is_outdated(window.now));
     CHECK(std::ranges::count(window.painter.texts, theme::bad, &RecordingPainter::Text::colour) > 0);
+}
+
+TEST_CASE("a notice that is told again is shown again")
+{
+    Window window;
+    const auto shows_notice = [&] {
+        window.viewer.press(PreviewKey::screenshot, window.now);
+        window.draw({4000, 600});
+        return window.has_text(window.viewer.notice().c_str());
+    };
+    CHECK(shows_notice());
+    const std::string first = window.viewer.notice();
+    std::filesystem::remove(window.folder / "halves-0000.png");
+    window.now += Viewer::Seconds{5};
+    CHECK(shows_notice());
+    CHECK(window.viewer.notice() == first);
+}
+
+TEST_CASE("a key that zooms closes the help, as others do")
+{
+    Window window;
+    window.screen.press(PreviewKey::help, window.viewer, window.now);
+    REQUIRE(window.viewer.playback().help_open());
+    window.screen.press(PreviewKey::zoom_in, window.viewer, window.now);
+    CHECK_FALSE(window.viewer.playback().help_open());
 }
 
 TEST_CASE("a snapshot is the window after a script")

@@ -98,6 +98,129 @@ TEST_CASE("a saved file goes on at the same moment, clip and speed, with what wa
     CHECK(preview.viewer.notice() == "lamp.kfast is read again");
 }
 
+TEST_CASE("the same notice again is another one")
+{
+    Preview preview;
+    preview.replace(replaced(moving, "rect 12", "rect 11"));
+    preview.wait();
+    const auto first = preview.viewer.notice_number();
+    CHECK(preview.viewer.notice() == "lamp.kfast is read again");
+    preview.replace(replaced(moving, "rect 12", "rect 10"));
+    preview.wait();
+    CHECK(preview.viewer.notice() == "lamp.kfast is read again");
+    CHECK(preview.viewer.notice_number() != first);
+}
+
+TEST_CASE("of several items with one name, the same one stays selected")
+{
+    const std::string twins = "kfast 1\ncanvas 16 16\nsymbol lamp { object bulb fill=red { rect 0 0 4 4 } }\n"
+                              "use lamp { key 0 x=0 }\nuse lamp { key 0 x=8 }\n";
+    Preview preview{twins};
+    preview.viewer.open(preview.folder / "lamp.kfast", preview.now);
+    const auto rows = preview.viewer.time_table().rows;
+    REQUIRE(std::ranges::count(rows, rows.front().name, &TimeRow::name) == 2);
+    int side = 5;
+    for (const TimeRow& row : rows) {
+        preview.viewer.select(row.item);
+        preview.replace(replaced(twins, "rect 0 0 4 4", "rect 0 0 4 " + std::to_string(side++)));
+        preview.wait();
+        CHECK(preview.viewer.notice() == "lamp.kfast is read again");
+        CHECK(preview.viewer.view().selected == row.item);
+    }
+    const auto second = std::ranges::find(rows.rbegin(), rows.rend(), rows.front().name, &TimeRow::name);
+    preview.viewer.select(second->item);
+    preview.replace(replaced(twins, "use lamp { key 0 x=8 }\n", ""));
+    preview.wait();
+    CHECK_FALSE(preview.viewer.view().selected.has_value()); // there is no second one any more
+}
+
+TEST_CASE("zooming closes the help and clears the notice, as keys do")
+{
+    Preview preview;
+    preview.viewer.open(preview.folder / "none.kfast", preview.now);
+    preview.press({PreviewKey::screenshot, PreviewKey::all_frames});
+    preview.finish_work();
+    CHECK(!preview.viewer.notice().empty());
+    preview.viewer.set_zoom(2);
+    CHECK(preview.viewer.notice().empty());
+    preview.press({PreviewKey::help});
+    REQUIRE(preview.viewer.playback().help_open());
+    preview.viewer.set_zoom(3);
+    CHECK_FALSE(preview.viewer.playback().help_open());
+}
+
+TEST_CASE("what is saved while the scene is read for the first time is read again")
+{
+    TemporaryFolder folder;
+    const fs::path file = folder / "lamp.kfast";
+    write(file, moving);
+    auto scene = open_scene(file);
+    write(file, replaced(moving, "frames=10", "frames=20"));
+    Viewer viewer{open_scene, std::move(scene), Seconds{0}};
+    for (double now = 0; now < 1; now += 0.1)
+        viewer.attend(Seconds{now});
+    CHECK(viewer.playback().stretch().end == Time::frame(20));
+}
+
+TEST_CASE("a scene of which the layers cannot be made leaves what is open whole")
+{
+    bool fails = false;
+    const Opener opener = [&fails](const fs::path& file) {
+        auto scene = open_scene(file);
+        if (fails)
+            scene->tell_drawings = [](ToldInputs&) { throw Failure("too many points"); };
+        return scene;
+    };
+    Preview preview;
+    Viewer viewer{opener, opener(preview.folder / "lamp.kfast"), preview.now};
+    viewer.select(1);
+    viewer.press(PreviewKey::next_frame, preview.now);
+    const std::string before = viewer.status();
+    const Frame good = viewer.frame();
+    fails = true;
+    viewer.open(preview.folder / "lamp.kfast", preview.now);
+    CHECK(viewer.errors() == std::vector<std::string>{"too many points"});
+    CHECK(viewer.status() == before);
+    CHECK(viewer.frame().pixels == good.pixels);
+    CHECK(viewer.item_at({11.5, 1.5}).has_value());
+    CHECK(viewer.time_table().rows.size() == 2);
+}
+
+TEST_CASE("what is told about a picture belongs to the one that is shown, kept or new, and sound goes along")
+{
+    /// Tells which picture it shows, and what it accompanies.
+    struct Telling : FrameSource {
+        explicit Telling(std::vector<int>& heard) : heard_{heard} {}
+        const Frame& show(Time moment) override
+        {
+            shown_ = moment.ticks / Time::ticks_per_frame;
+            return frame_;
+        }
+        void accompany(Time moment) override { heard_.push_back(moment.ticks / Time::ticks_per_frame); }
+        std::string facts() const override { return "fact " + std::to_string(shown_); }
+        void set_input(std::uint32_t, Time) override {}
+        bool set_drawing(std::uint32_t, std::span<const LiveStroke>) override { return true; }
+        void set_text(std::uint32_t, std::string_view) override {}
+
+        std::vector<int>& heard_;
+        int shown_ = 0;
+        Frame frame_{PixelFormat::rgb565, {16, 16}, std::vector<std::byte>(512)};
+    };
+    Preview preview;
+    std::vector<int> heard;
+    auto scene = open_scene(preview.folder / "lamp.kfast");
+    scene->source = std::make_unique<Telling>(heard);
+    Viewer viewer{open_scene, std::move(scene), preview.now};
+    for (const PreviewKey key : {PreviewKey::travel, PreviewKey::next_frame, PreviewKey::all_frames})
+        viewer.press(key, preview.now);
+    while (viewer.is_working())
+        viewer.attend(preview.now);
+    viewer.press(PreviewKey::play_pause, preview.now);
+    viewer.frame();
+    CHECK(viewer.status() == "frame 2  0.200 s  paused  fact 2  all frames");
+    CHECK(heard == std::vector<int>{2});
+}
+
 TEST_CASE("a mistake is shown with its place while the last good scene goes on, until it is mended")
 {
     Preview preview;
@@ -327,6 +450,26 @@ TEST_CASE("where nobody can be asked the notice says what helps")
     preview.viewer.let_choose(std::make_unique<Nobody>());
     preview.press({PreviewKey::read_file});
     CHECK(preview.viewer.notice() == "install one");
+}
+
+TEST_CASE("a dialogue that fails is told in the notice")
+{
+    struct Broken : FileChooser {
+        void ask(const fs::path&) override { asks_ = true; }
+        bool is_asking() const override { return asks_; }
+        std::optional<fs::path> take_answer() override
+        {
+            asks_ = false;
+            throw Failure("it failed: drop the file here");
+        }
+        bool asks_ = false;
+    };
+    Preview preview;
+    preview.viewer.let_choose(std::make_unique<Broken>());
+    preview.press({PreviewKey::read_file});
+    CHECK(preview.viewer.attend(preview.now));
+    CHECK(preview.viewer.notice() == "it failed: drop the file here");
+    CHECK(preview.viewer.scene().file.filename() == "lamp.kfast");
 }
 
 TEST_CASE("closing the window ends it, work or not")

@@ -49,4 +49,21 @@ TEST_CASE("a time line takes what it needs, but leaves the picture more than its
     CHECK(window_layout({900, 600}, {.time_line_height = 900}).time_line.height == 230);
 }
 
+TEST_CASE("a time line gives up rows for a larger picture, but only as far as that helps")
+{
+    const auto height = [](Size panel, int margin, int spare) {
+        return window_layout({960, 720}, {.side = true,
+                                          .time_line_height = 260,
+                                          .spare_time_line_height = spare,
+                                          .panel = panel,
+                                          .picture_margin = margin})
+            .time_line.height;
+    };
+    CHECK(height({240, 240}, 12, 160) == 696 - 480 - 24);
+    CHECK(height({240, 240}, 30, 160) == 696 - 480 - 60);
+    CHECK(height({240, 240}, 12, 60) == 260); // 480 do not fit beside that
+    CHECK(height({128, 64}, 12, 160) == 260); // the side leaves no more
+    CHECK(height({2000, 3000}, 12, 160) == 100);
+}
+
 }
