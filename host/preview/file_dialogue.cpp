@@ -32,7 +32,7 @@ fs::path program_in_path(const char* name)
     std::string_view folders = path == nullptr ? "" : path;
     while (!folders.empty()) {
         const std::size_t end = std::min(folders.find(':'), folders.size());
-        const fs::path program = fs::path{folders.substr(0, end)} / name;
+        fs::path program = fs::path{folders.substr(0, end)} / name;
         std::error_code unknown;
         if (end != 0 && fs::is_regular_file(program, unknown) && ::access(program.c_str(), X_OK) == 0)
             return program;
@@ -103,6 +103,7 @@ void FileDialogue::start(const fs::path& program, const fs::path& folder)
 {
     std::vector<std::string> arguments = arguments_of(program, folder);
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments)
         pointers.push_back(argument.data());
     pointers.push_back(nullptr);

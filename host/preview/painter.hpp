@@ -14,6 +14,11 @@ struct WindowSpot {
     double y = 0;
 };
 
+constexpr WindowSpot middle_of(const Rect& area)
+{
+    return {area.x + area.width / 2.0, area.y + area.height / 2.0};
+}
+
 /// Draws into a window, one thing above the other. What lies outside is not seen. Colours that are not
 /// opaque let shine through what was drawn before.
 class Painter {

@@ -18,8 +18,6 @@ Rect grown(Rect area, int by)
     return {area.x - by, area.y - by, area.width + 2 * by, area.height + 2 * by};
 }
 
-WindowSpot middle_of(Rect area) { return {area.x + area.width / 2.0, area.y + area.height / 2.0}; }
-
 /// A hole with its copper around, in each corner of a module.
 void draw_holes(Painter& painter, Rect module, int margin)
 {

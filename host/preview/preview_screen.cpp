@@ -27,8 +27,6 @@ Rect above_status(const WindowLayout& layout) { return {0, 0, layout.status.widt
 
 WindowSpot spot_of(const PointerEvent& event) { return {event.x + 0.5, event.y + 0.5}; }
 
-WindowSpot middle_of(Rect pane) { return {pane.x + pane.width / 2.0, pane.y + pane.height / 2.0}; }
-
 /// The frame of a moment, or the end where that lies between frames.
 Time nearest_frame(Time moment, Time end)
 {

@@ -26,6 +26,7 @@ std::unique_ptr<PreviewPlayback> played(const OpenedScene& scene, Viewer::Second
 std::vector<Time> moments_of(const Timeline& timeline)
 {
     std::vector<Time> moments;
+    moments.reserve(static_cast<std::size_t>(timeline.frame_count()));
     for (int frame = 0; frame < timeline.frame_count(); ++frame)
         moments.push_back(timeline.frame_time(frame));
     return moments;

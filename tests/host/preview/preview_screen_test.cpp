@@ -81,8 +81,6 @@ struct Window {
     RecordingPainter painter{{1, 1}};
 };
 
-WindowSpot middle_of(Rect area) { return {area.x + area.width / 2.0, area.y + area.height / 2.0}; }
-
 }
 
 TEST_CASE("a window shows the picture, the scene's facts, the time line and the status")
