@@ -117,10 +117,11 @@ void require_inputs(std::span<const LiveInput> inputs)
                       "that has some"};
 }
 
-/// Otherwise what is opened next would be taken for it.
+/// One that was closed at the start cannot be read since (host/main.cpp).
 void require_standard_input()
 {
-    if (::fcntl(STDIN_FILENO, F_GETFD) < 0)
+    const int flags = ::fcntl(STDIN_FILENO, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_WRONLY)
         throw Failure{"standard input is closed: live values are read from there"};
 }
 
