@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@ template <class Rows>
 CLI::Option* offer_names(CLI::Option* option, const Rows& rows)
 {
     std::vector<std::string_view> names;
+    names.reserve(std::size(rows));
     for (const auto& row : rows)
         names.push_back(row.name);
     return offer(option, names);
