@@ -109,7 +109,7 @@ void require_all(const ImportOptions& options, const art::Losses& losses)
 /// A text that has been changed since it was imported must not be lost to a name that nobody has written.
 fs::path scene_beside(const std::string& input, const std::string& text)
 {
-    const fs::path path = fs::path{input}.replace_extension(".kfast");
+    fs::path path = fs::path{input}.replace_extension(".kfast");
     std::error_code none_yet;
     if (!fs::exists(path, none_yet) || fs::equivalent(path, input, none_yet))
         return path;
