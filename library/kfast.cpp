@@ -18,7 +18,7 @@ static_assert(std::is_trivially_destructible_v<kfast_player>);
 namespace {
 
 using kfast::Animation, kfast::Error, kfast::EventView, kfast::PixelFormat, kfast::Player, kfast::Rect,
-    kfast::Size;
+    kfast::SceneView, kfast::Size;
 
 constexpr kfast_error code_of(Error error)
 {
@@ -142,11 +142,13 @@ kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes,
         return KFAST_NULL_POINTER;
     if (!is_panel({width, height}))
         return KFAST_BAD_PANEL_SIZE;
+    const auto view = SceneView::parse(bytes_of(scene, scene_bytes));
+    if (!view)
+        return code_of(view.error());
     const Room room{block, block_bytes};
-    const auto animation = Animation::create(bytes_of(scene, scene_bytes), {width, height}, room.rest);
-    if (!animation)
-        return code_of(animation.error());
-    *player = new (room.player) kfast_player{kfast::Playback{*animation}};
+    if (room.rest.size() < Player::block_bytes(*view, {width, height}))
+        return KFAST_BLOCK_TOO_SMALL;
+    *player = new (room.player) kfast_player{kfast::Playback{*view, {width, height}, room.rest}};
     return KFAST_OK;
 }
 

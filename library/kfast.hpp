@@ -37,10 +37,16 @@ public:
         const Result<SceneView> view = SceneView::parse(scene);
         if (!view)
             return view.error();
-        const Result<Player> player = Player::create(*view, panel, fit, block);
-        if (!player)
-            return player.error();
-        return Animation{*player};
+        if (block.size() < Player::block_bytes(*view, panel))
+            return Error::block_too_small;
+        return Animation{*view, panel, fit, block};
+    }
+
+    /// In its place at once, for a small stack: what create() returns is copied. `scene` was parsed, and
+    /// `block` has Player::block_bytes() for it or more.
+    Animation(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
+        : player_{*Player::create(scene, panel, fit, block)}, stretch_{stretch_of(scene)}
+    {
     }
 
     /// What show() counts from: a clip, or the whole scene again. A clip that the scene has not changes
@@ -175,8 +181,6 @@ private:
         const auto number = scene().input(name);
         return number && scene().input(*number).type == type ? number : std::nullopt;
     }
-
-    explicit Animation(const Player& player) : player_{player}, stretch_{stretch_of(player.scene())} {}
 
     Player player_;
     Stretch stretch_;

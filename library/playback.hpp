@@ -13,7 +13,11 @@ namespace kfast {
 /// are passed.
 class Playback {
 public:
-    explicit Playback(const Animation& animation) : animation_{animation}, playhead_{animation.scene()} {}
+    /// As the animation's constructor.
+    Playback(const SceneView& scene, Size panel, std::span<std::byte> block)
+        : animation_{scene, panel, Fit::contain, block}, playhead_{scene}
+    {
+    }
 
     const Animation& animation() const { return animation_; }
     /// For setting inputs, for redraw() and show(): the next update() shows a picture in any case.
