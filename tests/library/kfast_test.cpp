@@ -1,196 +1,14 @@
 #include "library/kfast.h"
-#include "library/kfast.hpp"
 
-#include "tests/core/everything.hpp"
-#include "tests/core/filling.hpp"
 #include "tests/core/stage.hpp"
+#include "tests/library/screen.hpp"
 
 #include <array>
 #include <doctest/doctest.h>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace kfast::test {
-namespace {
-
-constexpr std::string_view moving = R"(
-kfast 1
-canvas 30 20 fps=25 background="#203040" loop=repeat
-object dot fill="#ff8000" { key 0 { rect 1 1 8 8 }; key 10 { rect 20 10 8 8 } }
-clip back from=4 to=8 loop=once
-)";
-
-/// The dot goes by one input, and blinks by another.
-constexpr std::string_view steered = R"(
-kfast 1
-canvas 30 20 background="#203040"
-input gaze min=-1 max=1 default=0.5
-input open min=0 max=100
-group look {
-    track x input=gaze { at -1 0; at 1 20 }
-    object dot fill="#ff8000" input=open { key 0 { rect 1 1 8 2 }; key 100 { rect 1 1 8 12 } }
-}
-)";
-
-constexpr int width = 30;
-constexpr int height = 20;
-
-/// A player on a block of its own, and a display that remembers what it is handed.
-class Screen {
-public:
-    explicit Screen(std::string_view text, std::size_t gap = 0)
-        : scene_{compiled(text)},
-          block_(gap + kfast_block_bytes(scene_.data(), scene_.size(), width, height)),
-          pixels_(2 * width * height)
-    {
-        CHECK(kfast_create(&player, block_.data() + gap, block_.size() - gap, scene_.data(), scene_.size(),
-                           width, height) == KFAST_OK);
-    }
-
-    void draw(std::size_t buffer_bytes)
-    {
-        std::vector<std::byte> buffer(buffer_bytes);
-        rectangles = 0;
-        CHECK(kfast_draw_rgb565(player, buffer.data(), buffer.size(), take, this) == KFAST_OK);
-    }
-
-    const std::vector<std::byte>& pixels() const { return pixels_; }
-
-    kfast_player* player = nullptr;
-    int rectangles = 0;
-
-private:
-    static void take(int x, int y, int columns, int rows, const void* pixels, void* user)
-    {
-        Screen& screen = *static_cast<Screen*>(user);
-        const auto* from = static_cast<const std::byte*>(pixels);
-        for (int row = y; row < y + rows; ++row, from += 2 * columns)
-            std::copy_n(from, 2 * columns, screen.pixels_.begin() + 2 * (row * width + x));
-        ++screen.rectangles;
-    }
-
-    Bytes scene_;
-    std::vector<std::byte> block_;
-    std::vector<std::byte> pixels_;
-};
-
-Bytes picture(std::string_view text, Time moment)
-{
-    return Stage{text, {width, height}}.picture<PixelFormat::rgb565>(moment);
-}
-
-/// With inputs at these places.
-Bytes picture(std::string_view text, Time gaze, Time open)
-{
-    Stage stage{text, {width, height}};
-    stage.player.set_input(0, gaze);
-    stage.player.set_input(1, open);
-    return stage.picture<PixelFormat::rgb565>({});
-}
-
-using Draw = kfast_error (*)(kfast_player*, void*, size_t, kfast_draw_rectangle, void*);
-
-/// A display of one format, as its driver sees it. It starts with rubbish in it.
-template <PixelFormat format>
-class Display {
-public:
-    explicit Display(Size size)
-        : size_{size},
-          bytes_(row_bytes(format, size.width) * static_cast<std::size_t>(size.height), std::byte{0x5A})
-    {
-    }
-
-    static void take(int x, int y, int columns, int rows, const void* pixels, void* user)
-    {
-        Display& display = *static_cast<Display*>(user);
-        constexpr int unit = pixels_in_whole_bytes(format);
-        CHECK(x % unit == 0);
-        CHECK((columns % unit == 0 || x + columns == display.size_.width));
-        const std::size_t length = row_bytes(format, columns);
-        const std::size_t stride = row_bytes(format, display.size_.width);
-        const auto* from = static_cast<const std::byte*>(pixels);
-        for (int row = y; row < y + rows; ++row, from += length)
-            std::copy_n(from, length,
-                        &display.bytes_.at(stride * static_cast<std::size_t>(row) + row_bytes(format, x)));
-        display.taken_ += length * static_cast<std::size_t>(rows);
-    }
-
-    Bytes shown() const { return without_filling(format, size_, bytes_); }
-    std::size_t taken() const { return taken_; }
-
-private:
-    Size size_;
-    Bytes bytes_;
-    std::size_t taken_ = 0; ///< bytes
-};
-
-/// Random times, by small and large steps, with buffers at any place and of any size: from the least on.
-template <PixelFormat format>
-void check_against_redraws(Draw draw, Size panel, unsigned seed)
-{
-    std::mt19937 random{seed};
-    const Bytes scene = compiled(everything);
-    std::vector<std::byte> block(kfast_block_bytes(scene.data(), scene.size(), panel.width, panel.height));
-    kfast_player* player = nullptr;
-    REQUIRE(kfast_create(&player, block.data(), block.size(), scene.data(), scene.size(), panel.width,
-                         panel.height) == KFAST_OK);
-    Stage fresh{scene, panel};
-    Display<format> display{panel};
-    std::int32_t time = 0;
-    for (int round = 0; round < 60; ++round) {
-        time = random() % 3 == 0 ? static_cast<std::int32_t>(random() % 60'000)
-                                 : time + static_cast<std::int32_t>(random() % 700);
-        if (random() % 8 == 0)
-            CHECK(kfast_redraw(player) == KFAST_OK);
-        CHECK(kfast_show(player, time) == KFAST_OK);
-        const std::size_t place = random() % 4;
-        const std::size_t lost = bits_per_pixel(format) == 16 ? place % 2 : 0;
-        const std::size_t bytes = lost + row_bytes(format, panel.width) * (1 + random() % 5) + random() % 7;
-        Bytes buffer(place + bytes);
-        CHECK(draw(player, &buffer[place], bytes, display.take, &display) == KFAST_OK);
-        REQUIRE(display.shown() == without_filling(format, panel, fresh.picture<format>({time})));
-    }
-}
-
-}
-
-TEST_CASE("a display that takes what changes shows what a full redraw would")
-{
-    for (unsigned seed = 0; seed < 3; ++seed)
-        for (const Size panel : {Size{64, 40}, Size{61, 33}}) {
-            check_against_redraws<PixelFormat::rgb565>(kfast_draw_rgb565, panel, seed);
-            check_against_redraws<PixelFormat::rgb444>(kfast_draw_rgb444, panel, seed);
-            check_against_redraws<PixelFormat::rgb666>(kfast_draw_rgb666, panel, seed);
-            check_against_redraws<PixelFormat::grey4>(kfast_draw_grey4, panel, seed);
-            check_against_redraws<PixelFormat::mono1>(kfast_draw_mono1, panel, seed);
-            check_against_redraws<PixelFormat::mono1_dithered>(kfast_draw_mono1_dithered, panel, seed);
-        }
-}
-
-TEST_CASE("only what changes is handed out")
-{
-    const Bytes scene = compiled("kfast 1\ncanvas 60 40 frames=20\n"
-                                 "object o fill=red { rect 5 5 10 10; key 0 x=0; key 10 x=20 }\n");
-    std::vector<std::byte> block(kfast_block_bytes(scene.data(), scene.size(), 60, 40));
-    kfast_player* player = nullptr;
-    REQUIRE(kfast_create(&player, block.data(), block.size(), scene.data(), scene.size(), 60, 40) ==
-            KFAST_OK);
-    Display<PixelFormat::rgb565> display{{60, 40}};
-    std::vector<std::byte> buffer(2 * 60 * 8);
-    const auto drawn = [&] {
-        const std::size_t before = display.taken();
-        kfast_draw_rgb565(player, buffer.data(), buffer.size(), display.take, &display);
-        return display.taken() - before;
-    };
-    CHECK(drawn() == 2 * 60 * 40);
-    kfast_show(player, KFAST_FRAME);
-    CHECK(drawn() <= 2 * 14 * 10); // two columns at both sides
-    kfast_show(player, KFAST_FRAME);
-    CHECK(drawn() == 0);
-    kfast_redraw(player);
-    CHECK(drawn() == 2 * 60 * 40);
-}
 
 TEST_CASE("the C player draws what the core draws, wherever its block begins and however small its buffer")
 {
@@ -462,48 +280,6 @@ TEST_CASE("every error has a text that begins with its name")
     CHECK(std::string{kfast_error_text(static_cast<kfast_error>(15))} == "unknown");
 }
 
-TEST_CASE("the C++ animation draws the same")
-{
-    const Bytes scene = compiled(moving);
-    std::vector<std::uint32_t> block(*Animation::block_bytes(scene, {width, height}) / 4 + 1);
-    const auto lent = std::as_writable_bytes(std::span{block});
-    CHECK(Animation::create(scene, {width, height}, lent.first(8)).error() == Error::block_too_small);
-    CHECK(Animation::create(std::span{scene}.first(20), {width, height}, lent).error() == Error::truncated);
-    auto animation = Animation::create(scene, {width, height}, lent);
-    REQUIRE(animation);
-    CHECK_FALSE(animation->choose_clip("forth"));
-    CHECK(animation->choose_clip("back"));
-    animation->show_after(40);
-    std::vector<std::byte> buffer(2 * width * height);
-    Bytes pixels;
-    CHECK_FALSE(
-        animation->draw<PixelFormat::rgb565>(std::span{buffer}.first(2 * width - 1), [](Rect, auto) {}));
-    CHECK(animation->draw<PixelFormat::rgb565>(buffer, [&](Rect area, std::span<const std::byte> part) {
-        CHECK(area == Rect{0, 0, width, height});
-        pixels.assign(part.begin(), part.end());
-    }));
-    CHECK(pixels == picture(moving, Time::frame(5)));
-}
-
-TEST_CASE("the C++ animation takes drawings by name")
-{
-    const Bytes scene =
-        compiled("kfast 1\ncanvas 30 20\ninput curve kind=drawing points=3\nobject o stroke=lime live=curve");
-    Bytes block(*Animation::block_bytes(scene, {width, height}));
-    auto animation = Animation::create(scene, {width, height}, block);
-    REQUIRE(animation);
-    const std::vector<LivePoint> points{{16, 16}, {160, 32}, {24, 80}};
-    const std::array<LiveStroke, 2> strokes{points, points};
-    CHECK(animation->set_drawing("curve", std::span{strokes}.first(1)));
-    CHECK_FALSE(animation->set_drawing("curve", strokes));
-    CHECK_FALSE(animation->set_drawing("curse", std::span{strokes}.first(1)));
-    CHECK_FALSE(animation->drawing("curse"));
-    CHECK(animation->drawing("curve")->stroke(0).size() == 3);
-    animation->drawing("curve")->add({1, 2});
-    animation->show_next_drawing("curve");
-    CHECK(animation->drawing("curve")->stroke(0).size() == 1);
-}
-
 TEST_CASE("a text is what was told last")
 {
     const std::string label =
@@ -533,23 +309,6 @@ TEST_CASE("a text is what was told last")
     CHECK(kfast_set_text(screen.player, "t", nullptr) == KFAST_NULL_POINTER);
     CHECK(kfast_set_text(nullptr, "t", "5") == KFAST_NULL_POINTER);
     CHECK(shows("19"));
-}
-
-TEST_CASE("the C++ animation takes inputs by name")
-{
-    const Bytes scene = compiled(steered);
-    std::vector<std::uint32_t> block(*Animation::block_bytes(scene, {width, height}) / 4 + 1);
-    auto animation = Animation::create(scene, {width, height}, std::as_writable_bytes(std::span{block}));
-    REQUIRE(animation);
-    CHECK_FALSE(animation->set_input("gase", 0));
-    CHECK(animation->set_input("open", 50'000));
-    CHECK(animation->set_input("gaze", -250));
-    animation->show({});
-    std::vector<std::byte> buffer(2 * width * height);
-    Bytes pixels;
-    CHECK(animation->draw<PixelFormat::rgb565>(
-        buffer, [&](Rect, std::span<const std::byte> part) { pixels.assign(part.begin(), part.end()); }));
-    CHECK(pixels == picture(steered, {24576}, {32768}));
 }
 
 }
