@@ -51,7 +51,7 @@ std::string rate_text(double bytes_per_second)
 std::string progress_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed)
 {
     done = std::min(done, total);
-    const std::string text = share_text(done, total);
+    std::string text = share_text(done, total);
     if (elapsed.count() < telling_seconds || done == 0)
         return text;
     const double rate = static_cast<double>(done) / elapsed.count();
@@ -61,7 +61,7 @@ std::string progress_text(std::size_t done, std::size_t total, std::chrono::dura
 std::string work_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed)
 {
     done = std::min(done, total);
-    const std::string text = share_text(done, total);
+    std::string text = share_text(done, total);
     if (elapsed.count() < telling_seconds || done == 0)
         return text;
     return text + rest_text(done, total, static_cast<double>(done) / elapsed.count());
