@@ -1,8 +1,8 @@
 option(KFAST_TOGETHER "Compile sources of a library together, a dozen at a time, which is quicker" ${KFAST_SANITIZE})
 
 # kfast_compile_together(<target> [APART <file>...]): for a library of many small sources, if KFAST_TOGETHER is on. Those
-# apart have names in their anonymous namespaces that others have as well. Where it is off an include that is missing is
-# told, and a name that hides another one.
+# apart have names in their anonymous namespaces that others have as well. Where it is off (scripts/tidy, and core and
+# firmware everywhere) an include that is missing is told, and a name that hides another one.
 function(kfast_compile_together TARGET)
     if(KFAST_TOGETHER)
         cmake_parse_arguments(PARSE_ARGV 1 TOGETHER "" "" "APART")

@@ -126,7 +126,7 @@ void require_one_input(const CheckOptions& options)
         throw CLI::ValidationError("--name", "names what comes from standard input: write - as SCENE");
 }
 
-void declare(CLI::App& app)
+void declare_check(CLI::App& app)
 {
     const auto options = std::make_shared<CheckOptions>();
     app.add_option("SCENE", options->paths, std::string{loaded_scene} + "; several, or - for standard input")
@@ -154,6 +154,6 @@ const Command check_command{"check", "Say what is wrong with a scene, without wr
                             "kfast check eyes.kfast\n"
                             "  kfast check eyes.json --strict\n"
                             "  kfast check - --name eyes.kfast --format json < eyes.kfast",
-                            declare};
+                            declare_check};
 
 }

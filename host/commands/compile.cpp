@@ -46,7 +46,7 @@ void compile_scene(const CompileOptions& options)
     std::cout << output.string() << ": " << summary(scene) << '\n';
 }
 
-void declare(CLI::App& app)
+void declare_compile(CLI::App& app)
 {
     const auto options = std::make_shared<CompileOptions>();
     app.add_option("SCENE", options->scene,
@@ -64,6 +64,6 @@ void declare(CLI::App& app)
 const Command compile_command{"compile", "Turn a scene text into the .kfb file a board plays",
                               "kfast compile eyes.kfast -o eyes.kfb\n"
                               "  kfast compile eyes.json --strict",
-                              declare};
+                              declare_compile};
 
 }

@@ -22,7 +22,7 @@ struct Shell {
 constexpr std::array shells{Shell{"bash", bash_completion}, Shell{"zsh", zsh_completion},
                             Shell{"fish", fish_completion}};
 
-void declare(CLI::App& app)
+void declare_completions(CLI::App& app)
 {
     const auto shell = std::make_shared<std::string>();
     offer_names(app.add_option("SHELL", *shell, names_of(shells))->required(), shells);
@@ -36,7 +36,7 @@ void declare(CLI::App& app)
 const Command completions_command{"completions",
                                   "Print what a shell needs to complete commands, options and files",
                                   "kfast completions bash > ~/.local/share/bash-completion/completions/kfast",
-                                  declare,
+                                  declare_completions,
                                   {},
                                   editors_group};
 

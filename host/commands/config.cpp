@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ConfigOptions {
     std::string input;
     std::string output;
     bool list = false;
@@ -63,7 +63,7 @@ const OutputForm& form_of(const fs::path& output)
         "--output", "'" + output.string() + "': settings are written as .kdl (text), .bin (sector) or .uf2");
 }
 
-void write_settings(const Options& options, const BoardSettings& settings)
+void write_settings(const ConfigOptions& options, const BoardSettings& settings)
 {
     const OutputForm& form = form_of(options.output);
     const fs::path output = output_path(options.output, options.input, "file that is read");
@@ -86,7 +86,7 @@ void list_configurations()
     }
 }
 
-void run(const Options& options)
+void run(const ConfigOptions& options)
 {
     if (options.list)
         return list_configurations();
@@ -101,9 +101,9 @@ void run(const Options& options)
         write_settings(options, settings);
 }
 
-void declare(CLI::App& app)
+void declare_config(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ConfigOptions>();
     CLI::Option* const input =
         app.add_option("INPUT", options->input,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)");
@@ -120,7 +120,7 @@ void declare(CLI::App& app)
 const Command config_command{"config",
                              "Make, check and read the settings of a board: display, pins, controls",
                              "kfast config pico-st7789 -o gadget.kdl",
-                             declare,
+                             declare_config,
                              {},
                              settings_group};
 

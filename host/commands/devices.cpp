@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct DevicesOptions {
     DeviceOptions device;
     bool udev_rule = false;
 };
@@ -89,7 +89,7 @@ std::vector<DeviceAddress> addresses_of(const DeviceOptions& options)
 }
 
 /// One that cannot be asked does not keep the others from being listed.
-void list(const Options& options)
+void list(const DevicesOptions& options)
 {
     const RememberedInterruption interruption;
     std::optional<Failure> failure;
@@ -113,7 +113,7 @@ void list(const Options& options)
         throw Failure{*failure};
 }
 
-void run(const Options& options)
+void run(const DevicesOptions& options)
 {
     if (options.udev_rule)
         std::cout << udev_rule;
@@ -121,9 +121,9 @@ void run(const Options& options)
         list(options);
 }
 
-void declare(CLI::App& app)
+void declare_devices(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DevicesOptions>();
     declare_device_options(app, options->device);
     app.add_flag("--udev-rule", options->udev_rule,
                  "Print the rules by which users may open devices, which 'kfast install-udev' installs")
@@ -137,7 +137,7 @@ void declare(CLI::App& app)
 const Command devices_command{.name = "devices",
                               .summary = "List the devices that are attached, and what they play",
                               .example = "kfast devices --json",
-                              .declare = declare,
+                              .declare = declare_devices,
                               .group = devices_group};
 
 }

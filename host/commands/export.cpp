@@ -78,7 +78,7 @@ Options declare_beam_options(CLI::App& app, ExportOptions& options)
             app.get_option("--drawing")};
 }
 
-void declare(CLI::App& app)
+void declare_export(CLI::App& app)
 {
     const auto options = std::make_shared<ExportOptions>();
     app.add_option("FILE", options->scene, loaded_scene)->required();
@@ -116,6 +116,6 @@ const Command export_command{"export",
                              "kfast export --header eyes.kfast -o eyes.h\n"
                              "  kfast export --ild eyes.kfast --beam galvo\n"
                              "  kfast export --wav eyes.kfast --rate 96000 --seconds 60",
-                             declare};
+                             declare_export};
 
 }

@@ -9,14 +9,14 @@
 namespace kfast {
 namespace {
 
-struct Options {
+struct FitCommandOptions {
     std::string file;
     ImportChoice import_choice;
     FitOptions fit;
     bool json = false;
 };
 
-void print_beam_fit(const Options& options, const fit::Target& target, const SceneFile& scene)
+void print_beam_fit(const FitCommandOptions& options, const fit::Target& target, const SceneFile& scene)
 {
     const fit::BeamFit report = beam_fit(options.fit, target, scene);
     const BeamFitFacts facts{options.file, target, report};
@@ -25,7 +25,7 @@ void print_beam_fit(const Options& options, const fit::Target& target, const Sce
     require_fit(options.file, target, report.reasons());
 }
 
-void print_fit(const Options& options)
+void print_fit(const FitCommandOptions& options)
 {
     const fit::Target target = chosen_target(options.fit);
     const SceneFile scene = load_scene(options.file, options.import_choice);
@@ -38,9 +38,9 @@ void print_fit(const Options& options)
     require_fit(options.file, target, report.reasons());
 }
 
-void declare(CLI::App& app)
+void declare_fit(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<FitCommandOptions>();
     app.add_option("FILE", options->file, loaded_scene)->required();
     declare_fit_options(app, options->fit)->required();
     declare_import_options(app, options->import_choice);
@@ -51,6 +51,6 @@ void declare(CLI::App& app)
 }
 
 const Command fit_command{"fit", "Tell whether a scene fits a board, and how fast it plays there",
-                          "kfast fit eyes.kfast --board pico", declare};
+                          "kfast fit eyes.kfast --board pico", declare_fit};
 
 }

@@ -19,7 +19,7 @@
 namespace kfast {
 namespace {
 
-struct Options {
+struct FlashOptions {
     PlanWish plan;
     PlaceWish place;
     BootLines lines;
@@ -40,7 +40,7 @@ std::string mistaken_board(const std::string& board)
     return "there is no firmware for '" + board + "': " + suggestion(board, boards);
 }
 
-FlashOrder order_of(const Options& options)
+FlashOrder order_of(const FlashOptions& options)
 {
     FlashOrder order{.place = options.place, .last_patience = last_patience(options.talk)};
     if (options.dry_run)
@@ -71,20 +71,21 @@ void require_playing(const FlashPlan& plan, const PlayerOutcome& player)
                       ExitStatus::refused};
 }
 
-void tell(const Options& options, const std::string& text)
+void tell(const FlashOptions& options, const std::string& text)
 {
     if (!options.talk.json && !options.talk.quiet)
         std::cout << text << std::flush;
 }
 
-void tell_programs(const Options& options, const FlashOutcome& outcome,
+void tell_programs(const FlashOptions& options, const FlashOutcome& outcome,
                    const std::optional<PlayerOutcome>& player)
 {
     if (options.talk.json)
         std::cout << json_text(flash_json(outcome, player)) << std::flush;
 }
 
-void see_it_play(const Options& options, const FlashPlan& plan, FlashJob& job, const FlashOutcome& outcome)
+void see_it_play(const FlashOptions& options, const FlashPlan& plan, FlashJob& job,
+                 const FlashOutcome& outcome)
 {
     std::optional<PlayerOutcome> player;
     const std::optional<Failure> failure = failure_of([&] { player = job.await_player(); });
@@ -95,7 +96,7 @@ void see_it_play(const Options& options, const FlashPlan& plan, FlashJob& job, c
     require_playing(plan, *player);
 }
 
-void flash(const Options& options)
+void flash(const FlashOptions& options)
 {
     const FlashPlan plan{options.plan, config::image_folders()};
     const FlashOrder order = order_of(options);
@@ -115,7 +116,7 @@ void flash(const Options& options)
         tell_programs(options, outcome, std::nullopt);
 }
 
-void run(const Options& options)
+void run(const FlashOptions& options)
 {
     if (options.list)
         print_flash_list(*this_workbench(), options.talk.json ? ListForm::json : ListForm::text);
@@ -123,7 +124,7 @@ void run(const Options& options)
         flash(options);
 }
 
-void declare_contents(CLI::App& app, Options& options)
+void declare_contents(CLI::App& app, FlashOptions& options)
 {
     app.add_option("SCENE", options.plan.scene, std::string{"The built-in scene. "} + loaded_scene);
     app.add_option("--board", options.board, "The kind of the board: pico, which is usual")
@@ -138,7 +139,7 @@ void declare_contents(CLI::App& app, Options& options)
         ->excludes(firmware);
 }
 
-void declare_place(CLI::App& app, Options& options)
+void declare_place(CLI::App& app, FlashOptions& options)
 {
     CLI::Option* const port =
         app.add_option("--port", options.place.port, "The board in its boot loader at this port, like 1-2.3")
@@ -168,9 +169,9 @@ void declare_place(CLI::App& app, Options& options)
         ->needs(reset);
 }
 
-void declare(CLI::App& app)
+void declare_flash(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<FlashOptions>();
     declare_contents(app, *options);
     declare_place(app, *options);
     CLI::Option* const dry_run =
@@ -189,7 +190,7 @@ const Command flash_command{.name = "flash",
                             .summary =
                                 "Put firmware, settings and a scene on a board by USB, and see it play",
                             .example = "kfast flash eyes.kfast --panel gc9a01 --pin dc=8",
-                            .declare = declare,
+                            .declare = declare_flash,
                             .group = settings_group};
 
 }

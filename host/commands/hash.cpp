@@ -54,7 +54,7 @@ void print_hashes(const HashOptions& options)
     print_hashes(points, timeline);
 }
 
-void declare(CLI::App& app)
+void declare_hash(CLI::App& app)
 {
     const auto options = std::make_shared<HashOptions>();
     app.add_option("FILE", options->file, loaded_scene)->required();
@@ -71,6 +71,6 @@ void declare(CLI::App& app)
 const Command hash_command{"hash", "Print the CRC-32 of every frame, the same on every target",
                            "kfast hash eyes.kfb --size 128x64 --format mono1\n"
                            "  kfast hash eyes.kfb --beam scope",
-                           declare};
+                           declare_hash};
 
 }

@@ -204,7 +204,7 @@ void require_input(const ImportOptions& options)
         throw CLI::RequiredError("one of FILE and --keys FILES --at TIMES");
 }
 
-void declare(CLI::App& app)
+void declare_import(CLI::App& app)
 {
     const auto options = std::make_shared<ImportOptions>();
     app.add_option("FILE", options->file,
@@ -228,6 +228,6 @@ void declare(CLI::App& app)
 const Command import_command{"import", "Turn a file of Lottie, SVG or Synfig into a scene text",
                              "kfast import eyes.json -o eyes.kfast\n"
                              "  kfast import --keys shut.svg open.svg --at 0 12 -o blink.kfast",
-                             declare};
+                             declare_import};
 
 }

@@ -271,7 +271,7 @@ void print_info(const InfoOptions& options)
         print_text(known);
 }
 
-void declare(CLI::App& app)
+void declare_info(CLI::App& app)
 {
     const auto options = std::make_shared<InfoOptions>();
     app.add_option("FILE", options->file, "A scene text (.kfast), a compiled scene (.kfb) or an ILDA file")
@@ -292,6 +292,6 @@ const Command info_command{
     "info", "Tell size, length, loop, objects, keys, inputs, clips, events and memory of a scene",
     "kfast info eyes.kfb --panel ssd0323\n"
     "  kfast info eyes.ild --rate 40000",
-    declare};
+    declare_info};
 
 }

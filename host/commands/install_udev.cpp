@@ -14,7 +14,7 @@
 namespace kfast {
 namespace {
 
-struct Options {
+struct InstallUdevOptions {
     std::filesystem::path folder = "/etc/udev/rules.d";
     bool dry_run = false;
 };
@@ -43,7 +43,7 @@ void let_udev_heed_them()
                   << heed_rules << '\n';
 }
 
-void install(const Options& options)
+void install(const InstallUdevOptions& options)
 {
     const std::filesystem::path file = options.folder / "70-kfast.rules";
     if (options.dry_run) {
@@ -58,9 +58,9 @@ void install(const Options& options)
     let_udev_heed_them();
 }
 
-void declare(CLI::App& app)
+void declare_install_udev(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<InstallUdevOptions>();
     app.add_flag("--dry-run", options->dry_run, "Print what would be written and run");
     app.add_option("--folder", options->folder, "Where the rules go")
         ->type_name("FOLDER")
@@ -74,7 +74,7 @@ const Command install_udev_command{.name = "install-udev",
                                    .summary =
                                        "Let users open devices and flash boards, by rules of udev (as root)",
                                    .example = "sudo kfast install-udev",
-                                   .declare = declare,
+                                   .declare = declare_install_udev,
                                    .group = devices_group};
 
 }

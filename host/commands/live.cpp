@@ -43,7 +43,7 @@ Afterwards read_afterwards(const std::string& text)
                                "'" + visible(text) + "' is unknown: " + suggestion(text, words));
 }
 
-struct Options {
+struct LiveOptions {
     std::string file;
     LiveManner manner;
     double silence = 1; ///< in seconds
@@ -100,7 +100,7 @@ std::vector<LiveInput> common_inputs(std::span<RemoteDevice> devices)
 }
 
 /// The inputs of what plays then on all devices.
-std::vector<LiveInput> begin(const Options& options, std::span<RemoteDevice> devices,
+std::vector<LiveInput> begin(const LiveOptions& options, std::span<RemoteDevice> devices,
                              const std::optional<SceneFile>& scene)
 {
     if (!scene)
@@ -125,7 +125,7 @@ void require_standard_input()
         throw Failure{"standard input is closed: live values are read from there"};
 }
 
-void live(const Options& options)
+void live(const LiveOptions& options)
 {
     require_standard_input();
     std::optional<SceneFile> scene;
@@ -142,12 +142,12 @@ void live(const Options& options)
     print_playing(devices.all(), options.device);
 }
 
-void declare(CLI::App& app)
+void declare_live(CLI::App& app)
 {
     constexpr double fastest = 1000;
     constexpr double shortest_silence = 0.1;
     constexpr double longest_silence = 60;
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<LiveOptions>();
     app.add_option("SCENE", options->file,
                    std::string{loaded_scene} + " to play from RAM (default: what plays)");
     app.add_option("--rate", options->manner.rate, "So many lines a second (default: as they come)")
@@ -172,7 +172,7 @@ void declare(CLI::App& app)
 const Command live_command{.name = "live",
                            .summary = "Set inputs of what plays on a device from standard input",
                            .example = "kfast live eyes.kfast --rate 30 <poses.txt",
-                           .declare = declare,
+                           .declare = declare_live,
                            .group = devices_group};
 
 }

@@ -1,7 +1,7 @@
 #include "host/commands/live_stream.hpp"
 
 #include "host/commands/line_source.hpp"
-#include "host/commands/pace.hpp"
+#include "host/commands/metronome.hpp"
 #include "host/failure.hpp"
 #include "host/interruption.hpp"
 #include "host/link/live_sending.hpp"
@@ -52,7 +52,7 @@ private:
     void read_lines()
     {
         LineSource lines{STDIN_FILENO};
-        Pace pace{manner_.rate};
+        Metronome metronome{manner_.rate};
         while (!has_to_end() && !lines.is_over()) {
             const auto line = lines.next(unheeded_at_most);
             if (!line)
@@ -60,7 +60,7 @@ private:
             const LiveValues values = read_live_line(*line, lines.number(), inputs_);
             if (values.empty())
                 continue;
-            while (!has_to_end() && !pace.is_due(unheeded_at_most))
+            while (!has_to_end() && !metronome.is_due(unheeded_at_most))
                 continue;
             for (LiveFeed& feed : feeds_)
                 feed.put(values);

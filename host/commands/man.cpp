@@ -21,7 +21,7 @@ void write_pages(const std::vector<ManPage>& pages, const std::filesystem::path&
     }
 }
 
-void declare(CLI::App& app)
+void declare_man(CLI::App& app)
 {
     const auto folder = std::make_shared<std::string>();
     app.add_option("FOLDER", *folder,
@@ -40,7 +40,7 @@ void declare(CLI::App& app)
 const Command man_command{"man",
                           "Print the manual page of kfast, or write those of all commands",
                           "kfast man ~/.local/share/man\n  kfast man | man -l -",
-                          declare,
+                          declare_man,
                           {},
                           editors_group};
 

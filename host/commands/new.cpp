@@ -22,7 +22,7 @@ void write_starter(const std::filesystem::path& path)
               << '\n';
 }
 
-void declare(CLI::App& app)
+void declare_new(CLI::App& app)
 {
     const auto path = std::make_shared<std::string>();
     app.add_option("SCENE", *path, "The scene text to write (.kfast)")->required();
@@ -32,6 +32,6 @@ void declare(CLI::App& app)
 }
 
 const Command new_command{"new", "Write a small scene with comments, to start from", "kfast new eyes.kfast",
-                          declare};
+                          declare_new};
 
 }

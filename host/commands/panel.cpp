@@ -105,7 +105,7 @@ void show(const PanelOptions& options)
     std::cout << frames.shown << " frames shown, " << frames.left_out << " left out\n";
 }
 
-void declare(CLI::App& app)
+void declare_panel(CLI::App& app)
 {
     const auto options = std::make_shared<PanelOptions>();
     app.add_option("SCENE", options->scene, loaded_scene)->required();
@@ -125,6 +125,6 @@ const Command panel_command{"panel",
                             "Play a scene on a display that is wired to this computer (docs/panel.md)",
                             "kfast panel eyes.kfast --panel st7789 --spi /dev/spidev0.0 --clock 40MHz \\\n"
                             "      --pin dc=GPIO25 --pin reset=GPIO27 --pin backlight=GPIO24",
-                            declare};
+                            declare_panel};
 
 }

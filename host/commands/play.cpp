@@ -14,7 +14,7 @@
 namespace kfast {
 namespace {
 
-struct Options {
+struct PlayCommandOptions {
     std::string file;
     std::optional<std::uint8_t> slot;
     bool built_in = false;
@@ -23,7 +23,7 @@ struct Options {
     DeviceOptions device;
 };
 
-link::Name clip_name(const Options& options)
+link::Name clip_name(const PlayCommandOptions& options)
 {
     const std::string name = options.play.clip.value_or("");
     if (stored_name(name) != name)
@@ -34,7 +34,7 @@ link::Name clip_name(const Options& options)
 }
 
 /// Of a scene that is there already.
-link::Home home_of(const Options& options)
+link::Home home_of(const PlayCommandOptions& options)
 {
     if (options.slot)
         return link::Home::slot;
@@ -43,13 +43,13 @@ link::Home home_of(const Options& options)
     return options.start ? link::Home::start : link::Home::here;
 }
 
-SentScene sent(const Options& options, std::span<RemoteDevice> devices, const SceneFile& scene)
+SentScene sent(const PlayCommandOptions& options, std::span<RemoteDevice> devices, const SceneFile& scene)
 {
     static_cast<void>(chosen_timeline(options.play, scene.view)); // a clip that it has not is refused here
     return {scene, devices, options.device};
 }
 
-void play(const Options& options)
+void play(const PlayCommandOptions& options)
 {
     const link::Play what{
         .home = home_of(options), .slot = options.slot.value_or(link::no_slot), .clip = clip_name(options)};
@@ -71,9 +71,9 @@ void play(const Options& options)
     print_playing(devices.all(), options.device);
 }
 
-void declare(CLI::App& app)
+void declare_play(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PlayCommandOptions>();
     CLI::Option* const file = app.add_option(
         "SCENE", options->file, std::string{loaded_scene} + "; it goes into RAM (default: what plays)");
     CLI::Option* const slot =
@@ -95,7 +95,7 @@ const Command play_command{.name = "play",
                            .summary =
                                "Play a scene on a device from its beginning, without wear of its flash",
                            .example = "kfast play eyes.kfast --clip blink",
-                           .declare = declare,
+                           .declare = declare_play,
                            .group = devices_group};
 
 }

@@ -104,7 +104,7 @@ std::string key_list()
     return text;
 }
 
-void declare(CLI::App& app)
+void declare_preview(CLI::App& app)
 {
     const auto options = std::make_shared<PreviewOptions>();
     app.add_option("FILE", options->file, loaded_scene)->required();
@@ -153,6 +153,6 @@ void declare(CLI::App& app)
 const Command preview_command{"preview", "Play a scene in a window, in the terminal, or unseen",
                               "kfast preview eyes.kfast --size 128x64 --format mono1\n"
                               "  kfast preview eyes.kfast --headless --keys \"n n p right\"",
-                              declare};
+                              declare_preview};
 
 }

@@ -8,8 +8,6 @@
 namespace kfast {
 namespace {
 
-constexpr std::chrono::milliseconds between_drawings{100};
-
 }
 
 ProgressBar::ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, std::string what)

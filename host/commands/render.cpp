@@ -270,7 +270,7 @@ void declare_files(CLI::App& app, RenderOptions& options)
         ->check(number_within(1, most_loops));
 }
 
-void declare(CLI::App& app)
+void declare_render(CLI::App& app)
 {
     const auto options = std::make_shared<RenderOptions>();
     app.add_option("FILE", options->file, loaded_scene)->required();
@@ -294,6 +294,6 @@ const Command render_command{"render",
                              "  kfast render eyes.kfast --all --loops 4 -o eyes.mp4\n"
                              "  kfast render eyes.kfast --clip blink --speed 0.5 --all -o blink.gif\n"
                              "  kfast render eyes.kfast --contact -o keys.png",
-                             declare};
+                             declare_render};
 
 }

@@ -25,7 +25,7 @@ void print_schema(const SchemaOptions& options)
         std::cout << vocabulary_kdl(words);
 }
 
-void declare(CLI::App& app)
+void declare_schema(CLI::App& app)
 {
     const auto options = std::make_shared<SchemaOptions>();
     CLI::Option* const json = app.add_flag("--json", options->json, "For tools: the same as a JSON object");
@@ -38,7 +38,7 @@ void declare(CLI::App& app)
 const Command schema_command{"schema",
                              "Print what scenes may be written with: a KDL schema",
                              "kfast schema > kfast-scene.kdl",
-                             declare,
+                             declare_schema,
                              {},
                              editors_group};
 

@@ -113,7 +113,7 @@ void simulate(const SimulateOptions& options)
         write_png(options.picture, widen(watcher.last()));
 }
 
-void declare(CLI::App& app)
+void declare_simulate(CLI::App& app)
 {
     const auto options = std::make_shared<SimulateOptions>();
     app.add_option("SCENE", options->scene,
@@ -146,6 +146,6 @@ void declare(CLI::App& app)
 const Command simulate_command{"simulate", "Run a board in a window, for --device sim",
                                "kfast simulate --panel gc9a01 &\n"
                                "  kfast play eyes.kfast --device sim",
-                               declare};
+                               declare_simulate};
 
 }

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Slots = std::vector<link::SlotContents>;
 
-struct Options {
+struct SlotsOptions {
     std::vector<std::uint8_t> slots;
     std::string choice;
     DeviceOptions device;
@@ -63,7 +63,7 @@ void print(std::span<RemoteDevice> devices, const DeviceOptions& options)
         std::cout << json_text(json);
 }
 
-void list(const Options& options)
+void list(const SlotsOptions& options)
 {
     OpenDevices devices{options.device};
     print(devices.all(), options.device);
@@ -83,7 +83,7 @@ std::uint8_t chosen_slot(const std::string& text)
     return slot;
 }
 
-void choose(const Options& options)
+void choose(const SlotsOptions& options)
 {
     const std::uint8_t slot = chosen_slot(options.choice);
     OpenDevices devices{options.device};
@@ -105,7 +105,7 @@ void erase(Session& session, std::uint8_t slot)
     }
 }
 
-void erase_all(const Options& options)
+void erase_all(const SlotsOptions& options)
 {
     OpenDevices devices{options.device};
     on_each(devices.all(), [&](RemoteDevice& device, std::size_t) {
@@ -117,14 +117,14 @@ void erase_all(const Options& options)
 
 void declare_list(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SlotsOptions>();
     declare_device_options(app, options->device);
     app.callback([options] { list(*options); });
 }
 
 void declare_choose(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SlotsOptions>();
     app.add_option("SLOT", options->choice, "The number of a slot, or built-in")->required();
     declare_device_options(app, options->device);
     app.callback([options] { choose(*options); });
@@ -132,7 +132,7 @@ void declare_choose(CLI::App& app)
 
 void declare_erase(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SlotsOptions>();
     app.add_option("SLOT", options->slots, "The numbers of slots")->required();
     declare_device_options(app, options->device);
     app.callback([options] { erase_all(*options); });

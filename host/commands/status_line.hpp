@@ -1,9 +1,13 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 
 namespace kfast {
+
+/// As long as a line that tells of progress stays at least.
+inline constexpr std::chrono::milliseconds between_drawings{100};
 
 /// One line at the end of standard error, if that is a terminal, that is written over and over. It goes away
 /// with its owner.

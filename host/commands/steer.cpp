@@ -16,7 +16,7 @@
 namespace kfast {
 namespace {
 
-struct Options {
+struct SteerOptions {
     std::string text; ///< what the command takes, if anything
     DeviceOptions device;
 };
@@ -30,10 +30,10 @@ void order(const Message& message, const DeviceOptions& options)
     print_playing(devices.all(), options);
 }
 
-void pause(const Options& options) { order(link::Pause{}, options.device); }
-void resume(const Options& options) { order(link::Resume{}, options.device); }
-void arm(const Options& options) { order(link::Arm{}, options.device); }
-void disarm(const Options& options) { order(link::Disarm{}, options.device); }
+void pause(const SteerOptions& options) { order(link::Pause{}, options.device); }
+void resume(const SteerOptions& options) { order(link::Resume{}, options.device); }
+void arm(const SteerOptions& options) { order(link::Arm{}, options.device); }
+void disarm(const SteerOptions& options) { order(link::Disarm{}, options.device); }
 
 /// The frame rate is that of what the device plays.
 Time moment_of(const std::string& text, RemoteDevice& device)
@@ -50,7 +50,7 @@ Time moment_of(const std::string& text, RemoteDevice& device)
     return *moment;
 }
 
-void seek(const Options& options)
+void seek(const SteerOptions& options)
 {
     OpenDevices devices{options.device};
     std::vector<Time> moments(devices.all().size());
@@ -63,18 +63,18 @@ void seek(const Options& options)
     print_playing(devices.all(), options.device);
 }
 
-void set_speed(const Options& options)
+void set_speed(const SteerOptions& options)
 {
     order(link::Speed{read_speed("FACTOR", options.text)}, options.device);
 }
 
-void set_brightness(const Options& options)
+void set_brightness(const SteerOptions& options)
 {
     order(link::Brightness{read_brightness("BRIGHTNESS", options.text)}, options.device);
 }
 
 /// It does not play any more then, so it cannot be asked what it plays.
-void boot(const Options& options)
+void boot(const SteerOptions& options)
 {
     OpenDevices devices{options.device};
     on_each(devices.all(),
@@ -89,14 +89,14 @@ void boot(const Options& options)
         std::cout << json_text(json);
 }
 
-std::shared_ptr<Options> with_devices(CLI::App& app)
+std::shared_ptr<SteerOptions> with_devices(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SteerOptions>();
     declare_device_options(app, options->device);
     return options;
 }
 
-template <void (*act)(const Options&)>
+template <void (*act)(const SteerOptions&)>
 void declare_plain(CLI::App& app)
 {
     const auto options = with_devices(app);
@@ -104,7 +104,7 @@ void declare_plain(CLI::App& app)
 }
 
 /// One that takes a text.
-template <void (*act)(const Options&)>
+template <void (*act)(const SteerOptions&)>
 void declare_taking(CLI::App& app, const char* name, const char* help)
 {
     const auto options = with_devices(app);

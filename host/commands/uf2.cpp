@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> subcommands{"pack", "info", "unpack"};
 
-void declare(CLI::App& app)
+void declare_uf2(CLI::App& app)
 {
     declare_uf2_pack(*app.add_subcommand("pack", "Put firmware, settings and scene together in one file"));
     declare_uf2_info(*app.add_subcommand("info", "Tell what a file writes, where, and for which chips"));
@@ -22,7 +22,7 @@ void declare(CLI::App& app)
 const Command uf2_command{"uf2",
                           "Make and read files that are dragged onto the drive of a Pico",
                           "kfast uf2 pack --config pico-st7789 --scene eyes.kfast -o eyes.uf2",
-                          declare,
+                          declare_uf2,
                           subcommands,
                           settings_group};
 

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct Uf2InfoOptions {
     std::string file;
     bool json = false;
 };
@@ -74,7 +74,7 @@ Json json_of(const Uf2Part& part)
             {"regions", regions}};
 }
 
-void inform(const Options& options)
+void inform(const Uf2InfoOptions& options)
 {
     const Uf2Contents contents = load_uf2(options.file);
     if (options.json) {
@@ -93,7 +93,7 @@ void inform(const Options& options)
 
 void declare_uf2_info(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<Uf2InfoOptions>();
     app.add_option("FILE", options->file, "A UF2 file")->required();
     app.add_flag("--json", options->json, "For programs");
     app.footer("Example:\n  kfast uf2 info eyes.uf2");

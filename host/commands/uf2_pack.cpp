@@ -18,14 +18,14 @@
 namespace kfast {
 namespace {
 
-struct Options {
+struct Uf2PackOptions {
     std::string firmware;
     std::string config;
     std::string scene;
     std::string output;
 };
 
-FlashContents contents_of(const Options& options)
+FlashContents contents_of(const Uf2PackOptions& options)
 {
     std::optional<NamedFirmware> firmware;
     if (!options.firmware.empty())
@@ -40,7 +40,7 @@ FlashContents contents_of(const Options& options)
     return flash_contents({part(firmware), part(settings), part(scene), options.scene});
 }
 
-void pack(const Options& options)
+void pack(const Uf2PackOptions& options)
 {
     if (options.firmware.empty() && options.config.empty() && options.scene.empty())
         throw CLI::RequiredError("one of --firmware, --config and --scene");
@@ -60,7 +60,7 @@ void pack(const Options& options)
 
 void declare_uf2_pack(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<Uf2PackOptions>();
     app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
     CLI::Option* const config =
         app.add_option("--config", options->config, "As for 'kfast config': a ready configuration or a file")

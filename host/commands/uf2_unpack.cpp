@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct Uf2UnpackOptions {
     std::string file;
     std::string folder;
     std::string family;
@@ -33,7 +33,7 @@ std::string list_of(const std::vector<Uf2Part>& parts)
     return list;
 }
 
-const Uf2Part& only_part(const Options& options, const std::vector<Uf2Part>& parts)
+const Uf2Part& only_part(const Uf2UnpackOptions& options, const std::vector<Uf2Part>& parts)
 {
     if (parts.size() > 1)
         throw Failure{options.file + " is for several families of chips: choose one with --family" +
@@ -42,7 +42,7 @@ const Uf2Part& only_part(const Options& options, const std::vector<Uf2Part>& par
     return parts.front();
 }
 
-const Uf2Part& chosen_part(const Options& options, const std::vector<Uf2Part>& parts)
+const Uf2Part& chosen_part(const Uf2UnpackOptions& options, const std::vector<Uf2Part>& parts)
 {
     if (options.family.empty())
         return only_part(options, parts);
@@ -58,14 +58,14 @@ const Uf2Part& chosen_part(const Options& options, const std::vector<Uf2Part>& p
 }
 
 /// "eyes-10040000.bin"
-fs::path name_of(const Options& options, std::uint32_t address)
+fs::path name_of(const Uf2UnpackOptions& options, std::uint32_t address)
 {
     std::array<char, 16> digits{};
     std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(address));
     return fs::path{options.file}.stem().string() + "-" + digits.data() + ".bin";
 }
 
-void unpack(const Options& options)
+void unpack(const Uf2UnpackOptions& options)
 {
     const Uf2Contents contents = load_uf2(options.file);
     const std::vector<FlashPiece> pieces = pieces_of(chosen_part(options, contents.parts));
@@ -84,7 +84,7 @@ void unpack(const Options& options)
 
 void declare_uf2_unpack(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<Uf2UnpackOptions>();
     app.add_option("FILE", options->file, "A UF2 file")->required();
     app.add_option("-o,--output", options->folder, "The folder to write to; made if need be")
         ->required()

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct UploadOptions {
     std::string file;
     std::optional<std::uint8_t> slot;
     std::optional<std::string> name;
@@ -27,7 +27,7 @@ struct Options {
     DeviceOptions device;
 };
 
-std::string chosen_name(const Options& options)
+std::string chosen_name(const UploadOptions& options)
 {
     if (!options.name)
         return std::string{stored_name(std::filesystem::path{options.file}.stem().string())};
@@ -41,7 +41,7 @@ std::string chosen_name(const Options& options)
 
 class SceneInSlots {
 public:
-    SceneInSlots(const Options& options, std::span<RemoteDevice> devices)
+    SceneInSlots(const UploadOptions& options, std::span<RemoteDevice> devices)
         : options_{options}, name_{chosen_name(options)}, devices_{devices}, slots_(devices.size())
     {
     }
@@ -93,13 +93,13 @@ private:
                       << (options_.play ? "; it plays now" : "") << '\n';
     }
 
-    const Options& options_;
+    const UploadOptions& options_;
     std::string name_;
     std::span<RemoteDevice> devices_;
     std::vector<std::uint8_t> slots_;
 };
 
-void upload(const Options& options)
+void upload(const UploadOptions& options)
 {
     static_cast<void>(chosen_name(options)); // before anything is said about the scene
     const SceneFile scene = load_scene(options.file);
@@ -111,9 +111,9 @@ void upload(const Options& options)
     slots.print(scene.bytes.size());
 }
 
-void declare(CLI::App& app)
+void declare_upload(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<UploadOptions>();
     app.add_option("SCENE", options->file, loaded_scene)->required();
     app.add_option("--slot", options->slot,
                    "Where it goes (default: the slot of the same name, else the first empty one)")
@@ -131,7 +131,7 @@ void declare(CLI::App& app)
 const Command upload_command{.name = "upload",
                              .summary = "Send a scene into a slot of the device's flash, where it stays",
                              .example = "kfast upload eyes.kfast --choose --play",
-                             .declare = declare,
+                             .declare = declare_upload,
                              .group = devices_group};
 
 }

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct WiringOptions {
     std::string input;
     bool json = false;
 };
@@ -121,7 +121,7 @@ std::string outputs_text(const BoardSettings& settings)
     return text;
 }
 
-std::string plain_text(const Options& options, std::span<const config::Connection> wires,
+std::string plain_text(const WiringOptions& options, std::span<const config::Connection> wires,
                        const BoardSettings& settings)
 {
     return options.input + ": " + display_text(settings) + "\nfirmware: " + config::image_of(settings.bus) +
@@ -129,16 +129,16 @@ std::string plain_text(const Options& options, std::span<const config::Connectio
            config::pico_drawing(wires);
 }
 
-void print_wiring(const Options& options)
+void print_wiring(const WiringOptions& options)
 {
     const BoardSettings settings = config::chosen_settings(options.input);
     const std::vector<config::Connection> wires = config::wiring(settings);
     std::cout << (options.json ? json_text(settings, wires) : plain_text(options, wires, settings));
 }
 
-void declare(CLI::App& app)
+void declare_wiring(CLI::App& app)
 {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<WiringOptions>();
     CLI::Option* const input =
         app.add_option("INPUT", options->input,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
@@ -153,7 +153,7 @@ void declare(CLI::App& app)
 const Command wiring_command{"wiring",
                              "Tell which pin of the board goes to which pin of the display",
                              "kfast wiring pico-st7789",
-                             declare,
+                             declare_wiring,
                              {},
                              settings_group};
 

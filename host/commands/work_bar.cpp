@@ -6,7 +6,6 @@ namespace kfast {
 namespace {
 
 constexpr std::chrono::seconds before_first_drawing{1};
-constexpr std::chrono::milliseconds between_drawings{100};
 
 }
 

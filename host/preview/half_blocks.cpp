@@ -1,5 +1,6 @@
 #include "host/preview/half_blocks.hpp"
 
+#include "core/channel.hpp"
 #include "host/preview/placement.hpp"
 #include "host/preview/scaled_picture.hpp"
 
@@ -111,17 +112,14 @@ private:
     Colour last_;
 };
 
-// Green is the brightest for an eye, and blue the darkest.
-int brightness(Colour colour) { return (77 * colour.red + 150 * colour.green + 29 * colour.blue) >> 8; }
-
 std::string line_without_colours(const Picture& picture, int y)
 {
     constexpr std::string_view by_brightness = " .:-=+*#%@";
     std::string text;
     for (int x = 0; x < picture.size.width; ++x) {
-        const int upper = brightness(picture.at(x, y));
-        const int lower = y + 1 < picture.size.height ? brightness(picture.at(x, y + 1)) : 0;
-        text += by_brightness[static_cast<std::size_t>(upper + lower) * by_brightness.size() / 512];
+        const std::uint32_t upper = brightness(picture.at(x, y));
+        const std::uint32_t lower = y + 1 < picture.size.height ? brightness(picture.at(x, y + 1)) : 0;
+        text += by_brightness[(upper + lower) * by_brightness.size() / 512];
     }
     return text + '\n';
 }

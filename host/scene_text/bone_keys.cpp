@@ -100,11 +100,7 @@ private:
 
 bool is_zero(const Channel& channel) { return channel.is_still() && channel.value() == 0; }
 
-scene::Spot stored(scene::Spot spot)
-{
-    return {off_grid(on_grid(spot.x, coordinates), coordinates),
-            off_grid(on_grid(spot.y, coordinates), coordinates)};
-}
+scene::Spot stored(scene::Spot spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
 
 }
 

@@ -40,6 +40,8 @@ std::int32_t on_grid(double value, const Grid& grid)
 
 double off_grid(std::int32_t stored, const Grid& grid) { return stored * grid.units / grid.stored; }
 
+double snapped(double value, const Grid& grid) { return off_grid(on_grid(value, grid), grid); }
+
 std::string decimal(std::int32_t stored, const Grid& grid)
 {
     const double value = off_grid(stored, grid);

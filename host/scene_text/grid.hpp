@@ -38,6 +38,8 @@ inline constexpr Grid turns{BinaryAngle::turn, 360, -5400, 5400};
 std::int32_t on_grid(double value, const Grid& grid);
 /// What is stored as that.
 double off_grid(std::int32_t stored, const Grid& grid);
+/// The nearest that can be stored, as on_grid().
+double snapped(double value, const Grid& grid);
 
 /// The decimal with the fewest digits that is stored as `stored`.
 std::string decimal(std::int32_t stored, const Grid& grid);

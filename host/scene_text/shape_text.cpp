@@ -13,9 +13,7 @@ using scene::Spot;
 
 constexpr std::size_t widest_data = 96;
 
-double snapped(double coordinate) { return off_grid(on_grid(coordinate, coordinates), coordinates); }
-
-Spot snapped(Spot spot) { return {snapped(spot.x), snapped(spot.y)}; }
+Spot snapped(Spot spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
 
 Outline snapped(const Outline& outline)
 {

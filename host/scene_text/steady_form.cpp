@@ -19,8 +19,6 @@ constexpr double step = 1.0 / 16;
 
 bool equal(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
 
-double snapped(double coordinate) { return off_grid(on_grid(coordinate, coordinates), coordinates); }
-
 bool has_extent(Spot from, const Curve& curve)
 {
     return !equal(curve.to, from) || (curve.cubic && (!equal(curve.c1, from) || !equal(curve.c2, from)));
@@ -48,7 +46,7 @@ Spot stepped(Spot from, Spot goal, std::size_t steps)
     const Spot way = goal - from;
     const double longest = std::max(std::abs(way.x), std::abs(way.y));
     const double share = longest > 0 ? static_cast<double>(steps) * step / longest : 0;
-    return {snapped(from.x + share * way.x), snapped(from.y + share * way.y)};
+    return {snapped(from.x + share * way.x, coordinates), snapped(from.y + share * way.y, coordinates)};
 }
 
 /// Of one outline: moves the ends of segments without extent.
@@ -107,8 +105,8 @@ private:
     /// The whole outline lies in one place.
     void spread_alone(Spot place)
     {
-        const Spot beside{snapped(place.x + (place.x < 0 ? step : -step)), place.y};
-        const Spot below{place.x, snapped(place.y + (place.y < 0 ? step : -step))};
+        const Spot beside{snapped(place.x + (place.x < 0 ? step : -step), coordinates), place.y};
+        const Spot below{place.x, snapped(place.y + (place.y < 0 ? step : -step), coordinates)};
         for (std::size_t i = 0; i + 1 < curves_.size(); ++i)
             curves_[i].to = i % 2 == 0 ? beside : place;
         if (curves_.size() > 1 && curves_.size() % 2 == 1)

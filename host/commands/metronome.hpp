@@ -10,10 +10,10 @@
 namespace kfast {
 
 /// Says when it is time for the next one of things that are to come so many times a second.
-class Pace {
+class Metronome {
 public:
     /// Without a rate it is always time.
-    explicit Pace(const std::optional<double>& rate)
+    explicit Metronome(const std::optional<double>& rate)
         : step_{rate ? std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{1 / *rate})
                      : Clock::duration{0}}
     {
