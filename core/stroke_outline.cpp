@@ -1,5 +1,6 @@
 #include "core/stroke_outline.hpp"
 
+#include "core/angle.hpp"
 #include "core/corner_at.hpp"
 #include "core/flatten.hpp"
 #include "core/held_point.hpp"
@@ -15,7 +16,6 @@ namespace kfast {
 namespace {
 
 constexpr std::int32_t shortest_step = Fixed::one / 256;
-constexpr std::int32_t one_q30 = 1 << 30;
 
 /// sin(i / 48 of a quarter turn) in Q15.
 constexpr std::array<std::uint16_t, 49> sines{

@@ -19,6 +19,7 @@ function(kfast_installed_library NAME FILE)
 endfunction()
 
 kfast_installed_library(core kfast_core SOURCES ${KFAST_CORE_SOURCES} INCLUDES ${HEADERS_FOLDER})
+kfast_compile_core_together(kfast_installed_core)
 kfast_installed_library(library kfast SOURCES ${PROJECT_SOURCE_DIR}/library/kfast.cpp INCLUDES ${HEADERS_FOLDER}/library)
 target_link_libraries(kfast_installed_library PUBLIC kfast_installed_core)
 
