@@ -42,6 +42,10 @@ public:
     /// once it has drawn. Fails with block_too_small.
     static Result<Player> create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
+    /// In its place at once, for a small stack: what create() returns is copied. As for create(), but `block`
+    /// has block_bytes(), no more and no less.
+    Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
+
     /// Computes the outlines of the picture at `time`. Any time is allowed: the scene's loop mode decides
     /// what it stands for.
     void show(Time time);
@@ -72,8 +76,6 @@ public:
 private:
     /// How far draw_changes() has come with the picture.
     enum class Progress : std::uint8_t { none, begun, done };
-
-    Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
     TracedPicture& coming() { return pictures_[coming_]; }
     TracedPicture& shown() { return pictures_[1 - coming_]; }

@@ -45,7 +45,8 @@ public:
     /// In its place at once, for a small stack: what create() returns is copied. `scene` was parsed, and
     /// `block` has Player::block_bytes() for it or more.
     Animation(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-        : player_{*Player::create(scene, panel, fit, block)}, stretch_{stretch_of(scene)}
+        : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))}, stretch_{
+                                                                                          stretch_of(scene)}
     {
     }
 
