@@ -1,8 +1,7 @@
 #include "host/commands/clock_text.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/drawing_options.hpp"
 #include "host/commands/import_options.hpp"
-#include "host/commands/input_options.hpp"
+#include "host/commands/input_values.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/commands/wired_panel_options.hpp"
@@ -41,23 +40,18 @@ private:
     LiveScene& player_;
 };
 
-void tell(ToldInputs& told, const PanelOptions& options, const SceneView& scene)
-{
-    put_inputs(chosen_inputs(options.inputs, scene), scene, told);
-    put_drawings(chosen_drawings(options.drawings, scene), scene, told);
-}
-
 PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, const SceneFile& scene)
 {
+    const InputValues values = chosen_values(options.inputs, options.drawings, scene.view);
     PlayerSource trial{scene.view, settings.panel.size(), Fit::contain, PixelFormat::rgb565};
-    tell(trial, options, scene.view); // a mistake is to be told before the display is touched
+    put_values(values, scene.view, trial); // a mistake is to be told before the display is touched
     return {.panel = settings.panel,
             .scene = scene.bytes,
             .timeline = chosen_timeline(options.play, scene.view),
             .tell_inputs =
-                [&](LiveScene& player) {
+                [values, &scene](LiveScene& player) {
                     PlayerInputs told{player};
-                    tell(told, options, scene.view);
+                    put_values(values, scene.view, told);
                 },
             .frames = options.frames};
 }

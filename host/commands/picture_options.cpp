@@ -1,5 +1,6 @@
 #include "host/commands/picture_options.hpp"
 
+#include "host/commands/input_values.hpp"
 #include "host/commands/named_choice.hpp"
 #include "host/commands/offered_names.hpp"
 #include "host/commands/size_text.hpp"
@@ -94,20 +95,9 @@ Size panel_size(const PictureOptions& options, const SceneView& scene)
     return options.panel != nullptr ? options.panel->settings.size() : options.size.value_or(scene.canvas());
 }
 
-InputValues chosen_values(const PictureOptions& options, const SceneView& scene)
-{
-    return {chosen_inputs(options.inputs, scene), chosen_drawings(options.drawings, scene)};
-}
-
-void tell_inputs(const InputValues& inputs, const SceneView& scene, ToldInputs& told)
-{
-    put_inputs(inputs.values, scene, told);
-    put_drawings(inputs.drawings, scene, told);
-}
-
 void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source)
 {
-    tell_inputs(chosen_values(options, scene.view), scene.view, source);
+    put_values(chosen_values(options.inputs, options.drawings, scene.view), scene.view, source);
 }
 
 std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene)

@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace kfast {
 
@@ -41,17 +40,7 @@ void declare_size_options(CLI::App& app, PictureOptions& options);
 
 Size panel_size(const PictureOptions& options, const SceneView& scene);
 
-/// What all inputs of a scene are.
-struct InputValues {
-    std::vector<InputValue> values; ///< one for each input
-    std::vector<DrawingValue> drawings;
-};
-
-/// As chosen by --input and --drawing. Throws as chosen_inputs() and chosen_drawings().
-InputValues chosen_values(const PictureOptions& options, const SceneView& scene);
-/// Tells them. Throws as put_drawings().
-void tell_inputs(const InputValues& inputs, const SceneView& scene, ToldInputs& told);
-/// Both.
+/// Tells what is chosen. Throws as chosen_values() and put_values().
 void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);
 
 /// Its inputs stand as usual. `scene` must outlive the source.

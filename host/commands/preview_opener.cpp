@@ -124,7 +124,7 @@ struct PreviewOpener::Reading {
     {
         for (const std::string& text : options.drawings.texts)
             read.add(drawing_file(text, view));
-        return chosen_values(options, view);
+        return chosen_values(options.inputs, options.drawings, view);
     }
 
     /// As its file says now.
@@ -149,15 +149,15 @@ std::unique_ptr<OpenedScene> PreviewOpener::open_first(const fs::path& file)
 std::unique_ptr<OpenedScene> PreviewOpener::open_next(const fs::path& file)
 {
     std::ostringstream found;
+    Reading reading{file, found};
     try {
-        Reading reading{file, found};
         SceneFile scene = reading.scene();
         const PreviewChoice choice = without_unknown_names(choice_, scene.view, found);
         auto next = opened(choice, std::move(scene), reading);
         next->warnings = found.str();
         return next;
     } catch (const std::exception& failure) {
-        throw Failure(found.str() + failure.what());
+        throw OpeningFailed(found.str() + failure.what(), std::move(reading.read));
     }
 }
 
@@ -180,7 +180,7 @@ std::unique_ptr<OpenedScene> PreviewOpener::opened(const PreviewChoice& choice, 
                     .fit = picture.fit,
                     .is_beam = picture.screen.beam.has_value()});
     auto source = open_at_rest(picture, opened->scene);
-    tell_inputs(inputs, view, *source);
+    put_values(inputs, view, *source);
     opened->panel = source->show(Time{0}).size;
     opened->source = heard(std::move(source), picture, inputs, view);
     opened->board = previewed_board(shown_display(picture, opened->panel), board);
@@ -205,7 +205,7 @@ std::unique_ptr<FrameSource> PreviewOpener::heard(std::unique_ptr<FrameSource> p
         sound_ = opened_sound(choice_.audio, profile);
     sound_profile_ = profile;
     BeamSource beam{scene, profile};
-    tell_inputs(inputs, scene, beam);
+    put_values(inputs, scene, beam);
     return std::make_unique<BeamSound>(std::move(picture), std::move(beam), sound_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/commands/audio_options.hpp"
+#include "host/commands/input_values.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/preview/opened_scene.hpp"

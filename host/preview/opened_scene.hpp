@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/canvas_map.hpp"
+#include "host/failure.hpp"
 #include "host/fit/target.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/preview/file_watch.hpp"
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace kfast {
 
@@ -36,8 +38,19 @@ struct OpenedScene {
     std::string warnings = {}; ///< what was found, line by line, if it was not printed
 };
 
-/// Opens a file as the options of the command say. Throws Failure, whose text has all that the compiler
-/// found.
+/// Why a scene was not opened, in a text that has all that was found.
+class OpeningFailed : public Failure {
+public:
+    OpeningFailed(const std::string& text, FileWatch read) : Failure{text}, read_{std::move(read)} {}
+
+    /// Of all files that were looked at, as they were before: a change in one of them may mend it.
+    const FileWatch& read() const { return read_; }
+
+private:
+    FileWatch read_;
+};
+
+/// Opens a file as the options of the command say. Throws OpeningFailed.
 using Opener = std::function<std::unique_ptr<OpenedScene>(const std::filesystem::path& file)>;
 
 }

@@ -27,14 +27,18 @@ SceneReader::SceneReader(Opener opener, const OpenedScene& first)
 
 ReadScene SceneReader::open(const fs::path& file)
 {
-    FileWatch watch{{file}};
-    ReadScene read_now = read(file);
+    FileWatch tried{{file}};
+    ReadScene read_now = read(file, tried);
     if (!read_now)
-        failed_ = Failed{file, std::move(watch)};
+        failed_ = Failed{file, std::move(tried)};
     return read_now;
 }
 
-ReadScene SceneReader::read_again() { return read(fs::path{file_}); }
+ReadScene SceneReader::read_again()
+{
+    FileWatch tried;
+    return read(fs::path{file_}, tried);
+}
 
 std::optional<fs::path> SceneReader::changed(Seconds now)
 {
@@ -45,7 +49,7 @@ std::optional<fs::path> SceneReader::changed(Seconds now)
     return std::nullopt;
 }
 
-ReadScene SceneReader::read(const fs::path& file)
+ReadScene SceneReader::read(const fs::path& file, FileWatch& tried)
 {
     errors_.clear();
     try {
@@ -55,6 +59,10 @@ ReadScene SceneReader::read(const fs::path& file)
         file_ = file;
         watch_ = read_now.scene->read;
         return read_now;
+    } catch (const OpeningFailed& failure) {
+        errors_ = lines_of(failure.what());
+        tried = failure.read();
+        return {};
     } catch (const std::exception& failure) { // whatever it is, what is open can go on
         errors_ = lines_of(failure.what());
         return {};

@@ -28,7 +28,8 @@ public:
     /// `first` has been opened already.
     SceneReader(Opener opener, const OpenedScene& first);
 
-    /// Another file, or the same. If that fails, changed() names it once it has changed.
+    /// Another file, or the same. If that fails, changed() names it once it, or what belongs to it, has
+    /// changed.
     ReadScene open(const std::filesystem::path& file);
     /// The file that was read last. If that fails, changed() names it once more after another change.
     ReadScene read_again();
@@ -45,7 +46,8 @@ private:
         FileWatch watch;
     };
 
-    ReadScene read(const std::filesystem::path& file);
+    /// `tried` becomes what was looked at, if that fails and is known.
+    ReadScene read(const std::filesystem::path& file, FileWatch& tried);
 
     Opener opener_;
     std::filesystem::path file_;

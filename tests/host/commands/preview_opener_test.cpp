@@ -92,6 +92,21 @@ TEST_CASE("a mistake in a drawing is a mistake, whatever is known, and no reason
     CHECK(opener.open_next(folder.path("plot.kfast"))->warnings.empty());
 }
 
+TEST_CASE("what was not opened for a mistake in a drawing may be once the drawing has changed")
+{
+    Folder folder;
+    folder.write("points.txt", "1,x");
+    PreviewOpener opener{folder.all_named()};
+    try {
+        opener.open_next(folder.path("plot.kfast"));
+        FAIL("opened");
+    } catch (const OpeningFailed& failure) {
+        CHECK_FALSE(has_changed(failure.read()));
+        folder.write("points.txt", "1,1 9,9");
+        CHECK(has_changed(failure.read()));
+    }
+}
+
 TEST_CASE("only the names that a scene has not are left out")
 {
     Folder folder;

@@ -152,7 +152,7 @@ class TerminalTest(CommandTest):
 
     def test_colours_are_those_of_the_terminal(self):
         for environment, colour in (({"COLORTERM": "truecolor"}, r"\x1b\[38;2;255;0;0m"), ({}, r"\x1b\[38;5;196m"),
-                                    ({"TERM": "linux"}, r"\x1b\[91m"), ({"NO_COLOR": "1"}, "::::::::")):
+                                    ({"TERM": "linux"}, r"\x1b\[91m"), ({"NO_COLOR": "1"}, "--------")):
             preview = Preview(self.folder, "lamp.kfast", environment=environment)
             preview.type("p")
             preview.wait_for(colour)
@@ -169,7 +169,7 @@ class TerminalTest(CommandTest):
         preview = Preview(self.folder, "lamp.kfast", environment={"TERM": "dumb"})
         self.assertEqual(preview.end(""), 0)
         self.assertNotIn("\x1b", preview.written)
-        self.assertIn("::::::::", preview.written)
+        self.assertIn("--------", preview.written)
 
 
 class ScriptTest(CommandTest):

@@ -86,6 +86,28 @@ TEST_CASE("a scene of which the layers cannot be made leaves what is open whole"
     CHECK(viewer.time_table().rows.size() == 2);
 }
 
+TEST_CASE("a file that was not opened for a mistake elsewhere is opened once that is mended")
+{
+    Preview preview;
+    const fs::path points = preview.folder / "points.txt";
+    write(points, "bad");
+    const Opener opener = [&](const fs::path& file) {
+        const FileWatch read{{file, points}};
+        if (fs::file_size(points) == 3)
+            throw OpeningFailed("there is no point", read);
+        return open_scene(file);
+    };
+    write(preview.folder / "other.kfast", replaced(moving, "frames=10", "frames=20"));
+    Viewer viewer{opener, open_scene(preview.folder / "lamp.kfast"), preview.now};
+    viewer.open(preview.folder / "other.kfast", preview.now);
+    CHECK(viewer.errors() == std::vector<std::string>{"there is no point"});
+    write(points, "1,1 2,2");
+    for (double passed = 0; passed < 1; passed += 0.1)
+        viewer.attend(preview.now + Seconds{passed});
+    CHECK(viewer.errors().empty());
+    CHECK(viewer.playback().stretch().end == Time::frame(20));
+}
+
 TEST_CASE("a mistake is shown with its place while the last good scene goes on, until it is mended")
 {
     Preview preview;
