@@ -70,7 +70,7 @@ void apply(const Playing& playing, art::Document& document)
     document.frame_rate *= playing.speed;
     if (playing.loop)
         document.loop = *playing.loop;
-    if (playing.background)
+    if (!document.background) // else a layer covers it
         document.background = playing.background;
 }
 
@@ -91,6 +91,8 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
         refuse(source.name, "--animation chooses among those of a .lottie file, and this is none");
     if (!kind)
         refuse(source.name, std::string{"nothing that can be imported: "} + known_files);
+    if (root_element(source.text) != "svg" && options.drawings != svg::KeyOptions{})
+        refuse(source.name, "--fps, --law, --end and --layers are for key drawings of SVG, and this is none");
     switch (*kind) {
     case ContentKind::json:
         return lottie::read_lottie(source, losses);

@@ -31,6 +31,7 @@ struct KeyOptions {
     art::Ease ease = {};    ///< of the way from each drawing to the next
     Ending ending = Ending::automatic;
     LayerKeys layers = LayerKeys::automatic;
+    friend bool operator==(const KeyOptions&, const KeyOptions&) = default;
 };
 
 }

@@ -242,6 +242,10 @@ class KeyDrawingTest(ImportCase):
         self.refuse("import", "dot.json", "--law", "steps(3)", status=2, says="cannot be imported")
         self.refuse("import", "dot.json", "--end", "never", status=2, says="'never' is unknown")
 
+    def test_options_of_key_drawings_are_refused_where_there_are_none(self):
+        for option in (["--fps", "60"], ["--law", "hold"], ["--end", "once"], ["--layers", "never"]):
+            self.refuse("import", "dot.json", *option, status=1, says="are for key drawings of SVG, and this is none")
+
 
 class DotLottieTest(ImportCase):
     def setUp(self):
@@ -255,6 +259,16 @@ class DotLottieTest(ImportCase):
         self.assertIn("fps=60", result.stdout)
         self.assertIn("loop=once", result.stdout)
         self.assertIn("more than one animation: 'dot' of dot, shiny (--animation ID takes another)", result.stderr)
+
+    def test_its_background_lies_behind_a_layer_that_covers_the_canvas(self):
+        ground = {"ty": 1, "sc": "#ff0000", "sw": FRAME["w"], "sh": FRAME["h"], "ip": 0, "op": 30, "st": 0, "ks": {}}
+        manifest = {"animations": [{"id": "dot", "background": "#00ff00"}]}
+        for layers, background in (([], "lime"), ([ground], "red")):
+            animation = json.loads(lottie())
+            animation["layers"] += layers
+            self.write("ground.lottie", zipped({"manifest.json": json.dumps(manifest),
+                                                "a/dot.json": json.dumps(animation)}))
+            self.assertIn(f"background={background}", self.run_kfast("import", "ground.lottie", "-o", "-").stdout)
 
     def test_another_animation(self):
         self.run_kfast("check", "two.lottie", "--animation", "dot", "--strict")
