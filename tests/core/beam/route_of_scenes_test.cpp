@@ -2,6 +2,7 @@
 #include "core/beam/nearest_leg.hpp"
 #include "tests/core/beam/shortest_tour.hpp"
 #include "tests/core/beam/traced_scene.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -50,7 +51,7 @@ struct Travels {
 
 Travels travels_of(const Bytes& scene)
 {
-    constexpr int most = 12;
+    constexpr int most = rounds(12);
     TracedScene traced{scene};
     Travels travels;
     for (int picture = 0; picture < most; ++picture)
