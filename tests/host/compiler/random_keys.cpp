@@ -1,0 +1,53 @@
+#include "tests/host/compiler/random_keys.hpp"
+
+#include <cstdint>
+
+namespace kfast::test {
+namespace {
+
+VelocityLaw random_law(Dice& dice)
+{
+    const auto control = [&dice](int least, int most) {
+        return static_cast<std::int16_t>(dice.within(least, most));
+    };
+    const auto x = [&] { return control(0, VelocityLaw::control_one); };
+    const auto y = [&] { return control(VelocityLaw::lowest_y, VelocityLaw::highest_y); };
+    switch (dice.within(0, 6)) {
+    case 5:
+        return VelocityLaw::in_steps(static_cast<std::uint16_t>(dice.within(1, 65535)));
+    case 6: {
+        const std::int16_t x1 = x();
+        const std::int16_t y1 = y();
+        const std::int16_t x2 = x();
+        return VelocityLaw::bezier(x1, y1, x2, y());
+    }
+    default:
+        return {.kind = static_cast<VelocityLaw::Kind>(dice.within(0, 4))};
+    }
+}
+
+}
+
+Time RisingTimes::next()
+{
+    const int step = dice_.within(is_first_ ? 0 : 1, 20);
+    is_first_ = false;
+    time_ = time_ + (dice_.sometimes() ? Time{step * 100} : Time::frame(step));
+    return time_;
+}
+
+LawPair random_laws(Dice& dice)
+{
+    if (dice.sometimes())
+        return {};
+    const VelocityLaw x = random_law(dice);
+    return {x, random_law(dice)};
+}
+
+LawPair soft_laws(Dice& dice)
+{
+    const VelocityLaw law{.kind = static_cast<VelocityLaw::Kind>(dice.within(0, 3))};
+    return {law, law};
+}
+
+}

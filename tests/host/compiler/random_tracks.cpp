@@ -1,0 +1,71 @@
+#include "tests/host/compiler/random_tracks.hpp"
+
+#include "tests/host/compiler/random_keys.hpp"
+
+namespace kfast::test {
+namespace {
+
+std::int32_t random_value(Dice& dice, Property property, std::size_t colours)
+{
+    switch (property) {
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+        return dice.within(-100'000, 100'000);
+    case Property::scale_x:
+    case Property::scale_y:
+        return dice.within(-6000, 6000);
+    case Property::along:
+        return dice.within(0, path_whole);
+    case Property::opacity:
+        return dice.within(0, 255);
+    case Property::visible:
+        return dice.within(0, 1);
+    case Property::fill:
+    case Property::stroke:
+        return static_cast<std::int32_t>(dice.below(colours));
+    case Property::width:
+        return dice.within(0, 300);
+    default:
+        return dice.within(-3000, 3000);
+    }
+}
+
+scene::Track random_track(Dice& dice, Property property, std::size_t colours)
+{
+    scene::Track track{property, {}, may_be_smooth(property) && dice.sometimes()};
+    RisingTimes times{dice};
+    for (int left = dice.within(1, 3); left > 0; --left)
+        track.keys.push_back({.time = times.next(),
+                              .laws = random_laws(dice),
+                              .value = random_value(dice, property, colours)});
+    return track;
+}
+
+bool may_have(const scene::Object* object, Property property)
+{
+    switch (property) {
+    case Property::fill:
+        return object != nullptr && object->fill;
+    case Property::stroke:
+    case Property::width:
+        return object != nullptr && object->stroke;
+    default:
+        return true;
+    }
+}
+
+}
+
+std::vector<scene::Track> random_tracks(Dice& dice, const scene::Object* object, std::size_t colours)
+{
+    std::vector<scene::Track> tracks;
+    for (std::size_t number = 0; number < property_count; ++number) {
+        const auto property = static_cast<Property>(number);
+        if (may_have(object, property) && dice.below(6) == 0)
+            tracks.push_back(random_track(dice, property, colours));
+    }
+    return tracks;
+}
+
+}
