@@ -10,6 +10,14 @@
 /// Skeletons of bones put together by hand (docs/format.md, "Bones").
 namespace kfast::test {
 
+/// The indices of a bone's quantities.
+namespace of_bone {
+inline constexpr auto angle = static_cast<std::size_t>(BoneQuantity::angle);
+inline constexpr auto x = static_cast<std::size_t>(BoneQuantity::x);
+inline constexpr auto y = static_cast<std::size_t>(BoneQuantity::y);
+inline constexpr auto length = static_cast<std::size_t>(BoneQuantity::length);
+}
+
 /// None of both if the quantity has no keys.
 struct RawBoneKeys {
     std::vector<std::int32_t> common; ///< a value for each common key

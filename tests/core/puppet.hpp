@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/live_bones.hpp"
+#include "tests/core/raw_bones.hpp"
+
+#include <array>
+#include <vector>
+
+namespace kfast::test {
+
+/// All bones of a scene, set up.
+class Puppet {
+public:
+    /// Of all its keys, by their numbers.
+    static constexpr std::array<LawPair, 5> laws{
+        LawPair{}, LawPair{VelocityLaw::accelerate, VelocityLaw::decelerate},
+        LawPair{VelocityLaw::accelerate_decelerate, VelocityLaw::constant},
+        LawPair{VelocityLaw::hold, VelocityLaw::accelerate},
+        LawPair{VelocityLaw::decelerate, VelocityLaw::hold}};
+    /// The number of one more pair; both swing beyond their ends.
+    static constexpr int wild = 5;
+
+    explicit Puppet(const std::vector<RawSkeleton>& skeletons)
+        : file_{scene_with(skeletons).file()}, scene_{*SceneView::parse(file_)}, bones_(scene_.bone_count())
+    {
+        set_up_bones(scene_, bones_);
+    }
+
+    const std::vector<LiveBone>& at(Time time)
+    {
+        pose_bones(scene_, time, bones_);
+        return bones_;
+    }
+
+private:
+    static RawScene scene_with(const std::vector<RawSkeleton>& skeletons)
+    {
+        RawScene scene;
+        scene.law_count = 5;
+        scene.laws = bytes({0x21, 0x03, 0x14, 0x42,                               //
+                            0x66, 0,    0,    0x00, 0xC0, 0,    0x20, 0x00, 0x60, // y from -2 to 3
+                            0,    0,    0x00, 0xC0, 0,    0x20, 0x00, 0x60});
+        for (const RawSkeleton& skeleton : skeletons)
+            scene.bones = joined({scene.bones, skeleton_bytes(skeleton)});
+        return scene;
+    }
+
+    Bytes file_;
+    SceneView scene_;
+    std::vector<LiveBone> bones_;
+};
+
+}
