@@ -1,4 +1,4 @@
-#include "tests/firmware/link/staged_board.hpp"
+#include "tests/firmware/link/staged_bench.hpp"
 
 #include <doctest/doctest.h>
 
