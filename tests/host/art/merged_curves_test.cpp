@@ -2,6 +2,7 @@
 
 #include "host/art/cubic_piece.hpp"
 #include "host/scene/shape.hpp"
+#include "tests/host/art/art_parts.hpp"
 #include "tests/host/art/drawn_distance.hpp"
 #include "tests/host/art/random_document.hpp"
 #include "tests/rounds.hpp"
@@ -21,14 +22,6 @@ using scene::Outline;
 using scene::Spot;
 
 constexpr double tolerance = 1.0 / 32;
-
-Figure filled(Animated<Drawing> drawing)
-{
-    Figure figure;
-    figure.drawing = std::move(drawing);
-    figure.fill.emplace();
-    return figure;
-}
 
 Figure stroked(Animated<Drawing> drawing, double width, Join join)
 {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "host/art/document.hpp"
+
+#include <utility>
+
+/// Short ways to say what a document consists of.
+namespace kfast::test {
+
+inline art::Figure filled(art::Animated<art::Drawing> drawing)
+{
+    art::Figure figure;
+    figure.drawing = std::move(drawing);
+    figure.fill.emplace();
+    return figure;
+}
+
+inline art::Node node_of(art::Figure figure)
+{
+    art::Node node;
+    node.content = std::move(figure);
+    return node;
+}
+
+/// 100 px wide and high, and 40 frames long.
+inline art::Document document_of(art::Node node)
+{
+    art::Document document;
+    document.width = document.height = 100;
+    document.frames = 40;
+    document.nodes.push_back(std::move(node));
+    return document;
+}
+
+}
