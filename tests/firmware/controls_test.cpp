@@ -1,22 +1,15 @@
 #include "firmware/controls.hpp"
 
 #include "tests/compiled.hpp"
+#include "tests/firmware/control_settings.hpp"
+#include "tests/firmware/pretend_pins.hpp"
 
 #include <doctest/doctest.h>
 
-#include <map>
+#include <algorithm>
 
 namespace kfast::test {
 namespace {
-
-/// Pins as a test sets them.
-struct FakePins {
-    bool pressed(Pin pin) { return closed[pin]; }
-    int level(Pin pin) { return levels[pin]; }
-
-    std::map<Pin, bool> closed;
-    std::map<Pin, int> levels;
-};
 
 constexpr Microseconds frame{33'333};
 
@@ -58,7 +51,7 @@ public:
             steer();
     }
 
-    FakePins pins;
+    PretendPins pins;
 
 private:
     SceneView scene() const { return *SceneView::parse(scene_); }
@@ -73,13 +66,6 @@ private:
     Playhead playhead_;
     Microseconds now_{1'000'000};
 };
-
-BoardSettings with(std::initializer_list<Control> controls)
-{
-    BoardSettings settings;
-    std::ranges::copy(controls, settings.controls.begin());
-    return settings;
-}
 
 constexpr Control wink{ControlKind::button, ControlAction::play, 1, {"wink"}};
 constexpr Control spin{ControlKind::button, ControlAction::play, 2, {"spin"}};
@@ -107,7 +93,7 @@ TEST_CASE(
 
 TEST_CASE("a button plays its clip once, then what was played before goes on where it was")
 {
-    Gadget gadget{with({wink})};
+    Gadget gadget{settings_with({wink})};
     gadget.run(5);
     gadget.click(1);
     CHECK(gadget.frame_shown() == 10);
@@ -121,7 +107,7 @@ TEST_CASE("a button plays its clip once, then what was played before goes on whe
 
 TEST_CASE("a clip starts anew when its button is pressed again, and another button's clip takes its place")
 {
-    Gadget gadget{with({wink, spin})};
+    Gadget gadget{settings_with({wink, spin})};
     gadget.run(5);
     gadget.click(1);
     gadget.run(2);
@@ -135,7 +121,7 @@ TEST_CASE("a clip starts anew when its button is pressed again, and another butt
 
 TEST_CASE("a clip that repeats is played until its button is pressed again")
 {
-    Gadget gadget{with({spin})};
+    Gadget gadget{settings_with({spin})};
     gadget.run(5);
     gadget.click(2);
     gadget.run(35);
@@ -146,86 +132,15 @@ TEST_CASE("a clip that repeats is played until its button is pressed again")
 
 TEST_CASE("a button that is held counts once")
 {
-    Gadget gadget{with({pause_button})};
+    Gadget gadget{settings_with({pause_button})};
     gadget.pins.closed[3] = true;
     gadget.run(10);
     CHECK(gadget.frame_shown() == 1); // the frame that had passed before it was pressed
 }
 
-/// A button that switches the display off and on, and is an input of the scene, asked about at moments in
-/// microseconds.
-class AskedButton {
-public:
-    /// Whether the display rests then.
-    bool at(std::uint32_t time, bool closed)
-    {
-        pins_.closed[4] = closed;
-        controls_.steer(playhead_, pins_, Microseconds{time});
-        return controls_.wants_rest();
-    }
-    /// Whether the input is at its greatest value then, and not at its least.
-    bool holds_at(std::uint32_t time, bool closed)
-    {
-        at(time, closed);
-        REQUIRE(controls_.inputs().size() == 1);
-        const Time place = controls_.inputs().front().place;
-        CHECK((place == Time{} || place == whole_input));
-        return place == whole_input;
-    }
-
-private:
-    static constexpr Control input_button{ControlKind::button, ControlAction::input, 4, {"open"}};
-
-    std::vector<std::byte> scene_ = compiled(
-        "kfast 1\ncanvas 8 8 frames=9\ninput open min=0 max=100\n"
-        "group g { track x input=open { at 0 0; at 100 2 }; object a fill=white { rect 1 1 2 2 } }\n");
-    Controls controls_{with({sleep_button, input_button}), *SceneView::parse(scene_)};
-    Playhead playhead_ = controls_.playhead();
-    FakePins pins_;
-};
-
-TEST_CASE("what a switch does within 20 ms of a change is bouncing")
-{
-    AskedButton button;
-    CHECK(button.at(100'000, true));
-    CHECK(button.at(105'000, false));
-    CHECK(button.at(110'000, true));
-    CHECK(button.at(120'000, false)); // tells of what happened since 110 ms
-    CHECK(button.at(130'000, false)); // open
-    CHECK(button.at(150'000, true));
-    CHECK_FALSE(button.at(151'000, true));
-}
-
-TEST_CASE("a release that bounces after it was seen is no press, however late the next question comes")
-{
-    AskedButton button;
-    CHECK(button.at(100'000, true));
-    CHECK(button.at(133'000, true));
-    CHECK(button.at(166'000, true));
-    CHECK(button.at(200'000, false)); // the release, in the middle of its bouncing
-    CHECK(button.at(233'000, true));  // an edge at 201 ms, remembered by the pin
-    CHECK(button.at(266'000, false));
-    CHECK_FALSE(button.at(300'000, true));
-}
-
-TEST_CASE("a button that nobody has touched for an hour works, whatever the clock's bits are by then")
-{
-    constexpr std::uint32_t minute = 60'000'000;
-    for (const std::uint32_t pause : {34 * minute, 36 * minute, 50 * minute, 71 * minute}) {
-        AskedButton button;
-        CHECK_FALSE(button.at(100'000, false));
-        CHECK(button.at(pause, true));
-        CHECK(button.at(pause + 33'000, false));
-        CHECK(button.at(pause + 66'000, false));
-        CHECK(button.at(pause + 99'000, false));
-        CHECK(button.at(pause + 132'000, false));
-        CHECK_FALSE(button.at(2 * pause + 132'000, true));
-    }
-}
-
 TEST_CASE("pausing stands still and goes on; a clip's button ends it")
 {
-    Gadget gadget{with({wink, pause_button})};
+    Gadget gadget{settings_with({wink, pause_button})};
     gadget.run(5);
     gadget.click(3);
     gadget.run(10);
@@ -241,7 +156,7 @@ TEST_CASE("pausing stands still and goes on; a clip's button ends it")
 
 TEST_CASE("the sleep button asks for rest, and ends it")
 {
-    Gadget gadget{with({sleep_button})};
+    Gadget gadget{settings_with({sleep_button})};
     CHECK_FALSE(gadget.controls().wants_rest());
     gadget.click(4);
     CHECK(gadget.controls().wants_rest());
@@ -251,7 +166,7 @@ TEST_CASE("the sleep button asks for rest, and ends it")
 
 TEST_CASE("a knob sets the speed: backwards, still around the middle, twice as fast")
 {
-    Gadget gadget{with({speed_knob})};
+    Gadget gadget{settings_with({speed_knob})};
     gadget.pins.levels[26] = Controls::full_level;
     gadget.steer();
     gadget.run(10);
@@ -269,7 +184,7 @@ TEST_CASE("a knob sets the speed: backwards, still around the middle, twice as f
 
 TEST_CASE("a knob says where in its clip playing stands, from its beginning to its end")
 {
-    Gadget gadget{with({place_knob})};
+    Gadget gadget{settings_with({place_knob})};
     gadget.steer();
     CHECK(gadget.frame_shown() == 40);
     gadget.run(5);
@@ -287,7 +202,7 @@ TEST_CASE("a knob says where in its clip playing stands, from its beginning to i
 
 TEST_CASE("a knob that trembles does nothing, but its ends are reached")
 {
-    Gadget gadget{with({light_knob})};
+    Gadget gadget{settings_with({light_knob})};
     gadget.pins.levels[28] = 1600;
     gadget.steer();
     CHECK(gadget.controls().brightness() == 100);
@@ -306,7 +221,7 @@ TEST_CASE("a knob that trembles does nothing, but its ends are reached")
 
 TEST_CASE("a knob puts its input where it is turned, from the least to the greatest value")
 {
-    Gadget gadget{with({gaze_knob})};
+    Gadget gadget{settings_with({gaze_knob})};
     CHECK(gadget.place_of("gaze") == -1); // not before it was read
     gadget.steer();
     CHECK(gadget.place_of("gaze") == 0);
@@ -327,7 +242,7 @@ TEST_CASE("a knob puts its input where it is turned, from the least to the great
 
 TEST_CASE("a button's input is at its greatest value while it is pressed, else at its least")
 {
-    Gadget gadget{with({open_button})};
+    Gadget gadget{settings_with({open_button})};
     CHECK(gadget.place_of("open") == 0); // whatever is usual
     gadget.run(3);
     CHECK(gadget.place_of("open") == 0);
@@ -343,25 +258,9 @@ TEST_CASE("a button's input is at its greatest value while it is pressed, else a
     CHECK(gadget.place_of("gaze") == -1);
 }
 
-TEST_CASE("a button's input follows the button and not its bouncing")
-{
-    AskedButton button;
-    CHECK_FALSE(button.holds_at(50'000, false));
-    CHECK(button.holds_at(100'000, true));
-    CHECK(button.holds_at(105'000, false));
-    CHECK(button.holds_at(110'000, true));
-    CHECK(button.holds_at(125'000, true));
-    CHECK(button.holds_at(200'000, true));
-    CHECK_FALSE(button.holds_at(300'000, false)); // let go
-    CHECK_FALSE(button.holds_at(305'000, true));
-    CHECK_FALSE(button.holds_at(315'000, false));
-    CHECK_FALSE(button.holds_at(330'000, false));
-    CHECK(button.holds_at(400'000, true));
-}
-
 TEST_CASE("of two controls for one input the one that moved last has it")
 {
-    Gadget gadget{with({open_button, open_knob, gaze_knob})};
+    Gadget gadget{settings_with({open_button, open_knob, gaze_knob})};
     gadget.pins.levels[27] = 819;
     gadget.steer();
     CHECK(gadget.place_of("open") == 13107);
@@ -379,9 +278,9 @@ TEST_CASE("of two controls for one input the one that moved last has it")
 
 TEST_CASE("an input that the scene lacks is nowhere, and the other controls do what they do")
 {
-    Gadget gadget{with({{ControlKind::knob, ControlAction::input, 28, {"gone"}},
-                        {ControlKind::button, ControlAction::input, 6, {"blink"}},
-                        gaze_knob})};
+    Gadget gadget{settings_with({{ControlKind::knob, ControlAction::input, 28, {"gone"}},
+                                 {ControlKind::button, ControlAction::input, 6, {"blink"}},
+                                 gaze_knob})};
     gadget.pins.closed[6] = true;
     gadget.pins.levels[28] = 3000;
     gadget.pins.levels[26] = Controls::full_level;
@@ -392,7 +291,7 @@ TEST_CASE("an input that the scene lacks is nowhere, and the other controls do w
 
 TEST_CASE("a button's clip goes before a knob's place, which is taken up when it has finished")
 {
-    Gadget gadget{with({wink, place_knob})};
+    Gadget gadget{settings_with({wink, place_knob})};
     gadget.steer();
     gadget.click(1);
     CHECK(gadget.frame_shown() == 10);

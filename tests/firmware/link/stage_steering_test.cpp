@@ -1,3 +1,5 @@
+#include "tests/compiled.hpp"
+#include "tests/firmware/control_settings.hpp"
 #include "tests/firmware/link/staged_bench.hpp"
 
 #include <doctest/doctest.h>
@@ -10,13 +12,6 @@ using namespace link;
 namespace {
 
 constexpr std::uint8_t tag = 42;
-
-BoardSettings with(std::initializer_list<Control> controls)
-{
-    BoardSettings settings;
-    std::ranges::copy(controls, settings.controls.begin());
-    return settings;
-}
 
 }
 
@@ -97,9 +92,9 @@ TEST_CASE("of the computer and a knob, the one that moved last has its way")
     constexpr Pin gaze = 26;
     constexpr Pin light = 27;
     constexpr Pin speed = 28;
-    StagedBench bench{with({{ControlKind::knob, ControlAction::input, gaze, {"gaze"}},
-                            {ControlKind::knob, ControlAction::brightness, light, {}},
-                            {ControlKind::knob, ControlAction::speed, speed, {}}})};
+    StagedBench bench{settings_with({{ControlKind::knob, ControlAction::input, gaze, {"gaze"}},
+                                     {ControlKind::knob, ControlAction::brightness, light, {}},
+                                     {ControlKind::knob, ControlAction::speed, speed, {}}})};
     auto& levels = bench.board.pins.levels;
     levels = {{gaze, 4095}, {light, 1600}, {speed, 2048}};
     const auto place = [&] { return bench.ask<InputState>(AskInput{.input = 0}).place.ticks; };
@@ -138,9 +133,9 @@ TEST_CASE("of the computer and a button, the one that moved last has its way")
     constexpr Pin pause = 2;
     constexpr Pin rise = 3;
     constexpr Pin lid = 4;
-    StagedBench bench{with({{ControlKind::button, ControlAction::pause, pause, {}},
-                            {ControlKind::button, ControlAction::play, rise, {"rise"}},
-                            {ControlKind::button, ControlAction::input, lid, {"lid"}}})};
+    StagedBench bench{settings_with({{ControlKind::button, ControlAction::pause, pause, {}},
+                                     {ControlKind::button, ControlAction::play, rise, {"rise"}},
+                                     {ControlKind::button, ControlAction::input, lid, {"lid"}}})};
     const auto press = [&](Pin pin) {
         bench.board.pins.closed[pin] = true;
         bench.board.run_for(120);
@@ -174,7 +169,7 @@ TEST_CASE("of the computer and a button, the one that moved last has its way")
 TEST_CASE("a display that a button has switched off wakes at once, however slow its scene is")
 {
     constexpr Pin sleep = 5;
-    StagedBench bench{with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
+    StagedBench bench{settings_with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
     bench.board.run_for(300);
     play_from_ram(bench, compiled("kfast 1\ncanvas 64 48 fps=1 frames=3\n"
                                   "object sun fill=yellow { circle 10 24 r=8 }\n"));
@@ -189,7 +184,7 @@ TEST_CASE("a display that a button has switched off wakes at once, however slow 
 TEST_CASE("what the computer plays wakes a display that a button has switched off")
 {
     constexpr Pin sleep = 5;
-    StagedBench bench{with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
+    StagedBench bench{settings_with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
     bench.board.run_for(300);
     bench.board.pins.closed[sleep] = true; // and stays so
     bench.board.run_for(200);

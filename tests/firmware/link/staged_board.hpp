@@ -8,6 +8,7 @@
 #include "host/told_drawing.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
+#include "tests/firmware/pretend_pins.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
 
 #include <doctest/doctest.h>
@@ -59,14 +60,6 @@ public:
 
 private:
     PanelMirror<format, small_panel.width, small_panel.height> mirror_;
-};
-
-struct PretendPins {
-    bool pressed(Pin pin) { return closed[pin]; }
-    int level(Pin pin) { return levels[pin]; }
-
-    std::map<Pin, bool> closed;
-    std::map<Pin, int> levels;
 };
 
 /// A board with a stage, and a computer that has its turn whenever the board listens: everything is called in
