@@ -1,10 +1,10 @@
 #include "host/art/merged_outline.hpp"
 
+#include "host/art/cubic_fit.hpp"
 #include "host/art/drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace kfast::art {
 namespace {
@@ -37,68 +37,6 @@ bool is_point(const CubicPiece& piece)
                std::abs(point.y - piece.points[0].y) <= no_length;
     });
 }
-
-struct Weights {
-    double first;
-    double second;
-};
-
-/// Of the two control points of a cubic.
-Weights weights_at(double parameter)
-{
-    const double rest = 1 - parameter;
-    return {3 * rest * rest * parameter, 3 * rest * parameter * parameter};
-}
-
-/// The least squares of a cubic whose ends are given.
-class Fit {
-public:
-    Fit(Spot from, Spot to) : from_{from}, to_{to} {}
-
-    void take(double parameter, Spot spot, double weight)
-    {
-        const Weights at = weights_at(parameter);
-        const double rest = 1 - parameter;
-        const double begin = rest * rest * rest + at.first;
-        const Spot miss = spot - (begin * from_ + (1 - begin) * to_);
-        first_ += weight * at.first * at.first;
-        both_ += weight * at.first * at.second;
-        last_ += weight * at.second * at.second;
-        towards_first_ = towards_first_ + weight * at.first * miss;
-        towards_last_ = towards_last_ + weight * at.second * miss;
-    }
-
-    /// With any handles.
-    CubicPiece free() const
-    {
-        const double determinant = first_ * last_ - both_ * both_;
-        const Spot first = 1 / determinant * (last_ * towards_first_ - both_ * towards_last_);
-        const Spot last = 1 / determinant * (first_ * towards_last_ - both_ * towards_first_);
-        return {{from_, from_ + first, to_ + last, to_}};
-    }
-
-    /// With handles in given directions.
-    CubicPiece along(Spot first, Spot last) const
-    {
-        first = 1 / length(first) * first;
-        last = -1 / length(last) * last;
-        const double both = both_ * dot(first, last);
-        const double determinant = first_ * last_ - both * both;
-        const double towards_first = dot(towards_first_, first);
-        const double towards_last = dot(towards_last_, last);
-        return {{from_, from_ + (last_ * towards_first - both * towards_last) / determinant * first,
-                 to_ + (first_ * towards_last - both * towards_first) / determinant * last, to_}};
-    }
-
-private:
-    Spot from_;
-    Spot to_;
-    double first_ = 0;
-    double both_ = 0;
-    double last_ = 0;
-    Spot towards_first_;
-    Spot towards_last_;
-};
 
 }
 
@@ -368,7 +306,7 @@ CubicPiece MergedOutline::fitted(std::size_t key, std::size_t begin, const std::
 {
     const auto& pieces = pieces_[key];
     const std::size_t last = begin + shares.size() - 2;
-    Fit fit{pieces[begin].points[0], pieces[last].points[3]};
+    CubicFit fit{pieces[begin].points[0], pieces[last].points[3]};
     for (std::size_t i = begin; i <= last; ++i) {
         const double from = shares[i - begin];
         const double width = shares[i - begin + 1] - from;
