@@ -4,11 +4,6 @@
 #include "host/synfig/time_text.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <iterator>
 
 namespace kfast::synfig {
 namespace {
@@ -16,36 +11,11 @@ namespace {
 constexpr int deepest_value = 120;
 // Values that are known by an id may lie in each other in any number, though none is read within the other.
 constexpr int deepest_formula = 400;
-constexpr double most_number = 1e9;
-
-pugi::xml_node first_element(pugi::xml_node parent)
-{
-    for (const pugi::xml_node child : parent.children())
-        if (child.type() == pugi::node_element)
-            return child;
-    return {};
-}
-
-bool is_true(pugi::xml_attribute attribute)
-{
-    const std::string_view text = attribute.value();
-    return text == "true" || text == "1" || text == "TRUE" || text == "True";
-}
 
 bool is_list(std::string_view kind)
 {
     return kind == "static_list" || kind == "dynamic_list" || kind == "bline" || kind == "wplist" ||
            kind == "dilist" || kind == "average" || kind == "weighted_average";
-}
-
-/// Behind these names stand plain values.
-bool is_constant(std::string_view kind)
-{
-    static constexpr std::string_view kinds[] = {
-        "real",           "integer",  "angle",       "time",      "bool",           "vector",
-        "color",          "string",   "bline_point", "list",      "transformation", "width_point",
-        "bone_valuenode", "gradient", "segment",     "dash_item", "canvas",         "nil"};
-    return std::ranges::find(kinds, kind) != std::end(kinds);
 }
 
 void collect_unknown(ValueNode& node)
@@ -108,7 +78,7 @@ ValueNodePtr ValueReader::read_inside(pugi::xml_node holder)
 {
     if (const auto use = holder.attribute("use"))
         return with_id(use.value(), XmlFile::place(holder));
-    const pugi::xml_node element = first_element(holder);
+    const pugi::xml_node element = XmlFile::first_element(holder);
     return element ? read(element) : nullptr;
 }
 
@@ -156,11 +126,11 @@ ValueNodePtr ValueReader::read_new(pugi::xml_node element)
     node->kind = element.name();
     node->type = element.attribute("type").value();
     node->place = XmlFile::place(element);
-    node->loop = is_true(element.attribute("loop"));
-    if (is_constant(node->kind)) {
+    node->loop = ConstantReader::is_true(element.attribute("loop"));
+    if (ConstantReader::knows(node->kind)) {
         node->type = node->kind;
         node->kind = "constant";
-        node->constant = constant(element);
+        node->constant = constants_.read(element);
     } else if (node->kind == "animated" || node->kind == "hermite") {
         node->kind = "animated";
         read_waypoints(element, *node);
@@ -176,92 +146,6 @@ ValueNodePtr ValueReader::read_new(pugi::xml_node element)
     if (node->depth > deepest_formula)
         file_.fail(node->place, "this value is made of too many others one after the other");
     return node;
-}
-
-Value ValueReader::constant(pugi::xml_node element)
-{
-    const std::string_view kind = element.name();
-    if (kind == "bool")
-        return {is_true(element.attribute("value"))};
-    if (kind == "real" || kind == "angle")
-        return {number(element, "value", 0)};
-    if (kind == "integer")
-        return {integer(element)};
-    if (kind == "time")
-        return {time(element, "value")};
-    if (kind == "string")
-        return {std::string{element.text().get()}};
-    if (kind == "vector")
-        return {Spot{number_inside(element.child("x"), 0), number_inside(element.child("y"), 0)}};
-    if (kind == "color")
-        return {Colour{number_inside(element.child("r"), 0), number_inside(element.child("g"), 0),
-                       number_inside(element.child("b"), 0), number_inside(element.child("a"), 1)}};
-    if (kind == "bline_point")
-        return {spline_point(element)};
-    if (kind == "width_point")
-        return {width_point(element)};
-    if (kind == "transformation")
-        return {placement(element)};
-    if (kind == "bone_valuenode")
-        return {BoneName{element.attribute("guid").value()}};
-    if (kind == "gradient")
-        return {gradient(element)};
-    if (kind == "list")
-        return list_constant(element);
-    return {};
-}
-
-Gradient ValueReader::gradient(pugi::xml_node element)
-{
-    Gradient gradient;
-    for (const pugi::xml_node child : element.children("color"))
-        gradient.stops.push_back(
-            {std::clamp(number(child, "pos", 0), 0.0, 1.0), constant(child).as<Colour>()});
-    std::ranges::stable_sort(gradient.stops, {}, &GradientStop::position);
-    return gradient;
-}
-
-Value ValueReader::list_constant(pugi::xml_node element)
-{
-    List list{{}, is_true(element.attribute("loop"))};
-    for (const pugi::xml_node child : element.children())
-        if (child.type() == pugi::node_element && is_constant(child.name()))
-            list.entries.push_back(constant(child));
-    return {std::move(list)};
-}
-
-SplinePoint ValueReader::spline_point(pugi::xml_node element)
-{
-    SplinePoint point;
-    const auto spot = [&](const char* name) {
-        return constant(first_element(element.child(name))).as<Spot>();
-    };
-    const auto real = [&](const char* name, double usual) {
-        return constant(first_element(element.child(name))).number(usual);
-    };
-    point.vertex = spot(element.child("vertex") ? "vertex" : "point");
-    point.arriving = spot("t1");
-    point.split_radius = point.split_angle = static_cast<bool>(element.child("t2"));
-    point.second = point.split_angle ? spot("t2") : point.arriving;
-    point.width = real("width", 1);
-    point.origin = real("origin", 0.5);
-    return point;
-}
-
-WidthPoint ValueReader::width_point(pugi::xml_node element)
-{
-    const auto real = [&](const char* name, double usual) {
-        return constant(first_element(element.child(name))).number(usual);
-    };
-    return {real("position", 0), real("width", 1), side_of(real("side_before", 0)),
-            side_of(real("side_after", 0))};
-}
-
-Placement ValueReader::placement(pugi::xml_node element)
-{
-    const auto inner = [&](const char* name) { return constant(first_element(element.child(name))); };
-    return {inner("offset").as<Spot>(), inner("angle").number(), inner("skew_angle").number(),
-            inner("scale").as<Spot>({1, 1})};
 }
 
 void ValueReader::read_waypoints(pugi::xml_node element, ValueNode& node)
@@ -282,16 +166,16 @@ void ValueReader::read_waypoints(pugi::xml_node element, ValueNode& node)
 Waypoint ValueReader::waypoint(pugi::xml_node element, const std::string& type)
 {
     Waypoint point;
-    point.time = time(element, "time");
+    point.time = constants_.time(element, "time");
     if (type != "canvas")
         point.value = read_inside(element);
     const auto usual = type == "angle" ? Interpolation::linear : Interpolation::automatic;
     point.before = interpolation(element.attribute("before"), usual);
     point.after = interpolation(element.attribute("after"), usual);
-    point.tension = number(element, "tension", 0);
-    point.continuity = number(element, "continuity", 0);
-    point.bias = number(element, "bias", 0);
-    point.temporal_tension = number(element, "temporal-tension", 0);
+    point.tension = constants_.number(element, "tension", 0);
+    point.continuity = constants_.number(element, "continuity", 0);
+    point.bias = constants_.number(element, "bias", 0);
+    point.temporal_tension = constants_.number(element, "temporal-tension", 0);
     return point;
 }
 
@@ -355,47 +239,6 @@ void ValueReader::read_links(pugi::xml_node element, ValueNode& node)
         if (child.type() == pugi::node_element)
             if (ValueNodePtr value = read_inside(child))
                 node.links.emplace_back(current_link(node, child.name()), std::move(value));
-}
-
-double ValueReader::number(pugi::xml_node element, const char* attribute, double usual) const
-{
-    const auto found = element.attribute(attribute);
-    return found ? number_of(found.value(), element) : usual;
-}
-
-/// Seeds of noise are as large as 32 bits go; nothing else is.
-double ValueReader::integer(pugi::xml_node element) const
-{
-    const std::string_view text = element.attribute("value").value();
-    std::int64_t value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
-        return number(element, "value", 0);
-    return std::clamp(static_cast<double>(value), -most_number, most_number);
-}
-
-double ValueReader::number_inside(pugi::xml_node element, double usual) const
-{
-    return element ? number_of(element.text().get(), element) : usual;
-}
-
-double ValueReader::number_of(std::string_view text, pugi::xml_node element) const
-{
-    const std::string_view digits = text.substr(std::min(text.find_first_not_of(" \t\r\n+"), text.size()));
-    double value = 0;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (read.ec != std::errc{} || !(std::abs(value) <= most_number))
-        file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no number below a billion");
-    return value;
-}
-
-double ValueReader::time(pugi::xml_node element, const char* attribute) const
-{
-    const std::string_view text = element.attribute(attribute).value();
-    const auto found = time_of(text, frame_rate_);
-    if (!found)
-        file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no time, such as \"1s 12f\"");
-    return std::clamp(*found, begin_of_time, end_of_time);
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/art/losses.hpp"
+#include "host/synfig/constant_reader.hpp"
 #include "host/synfig/value_node.hpp"
 #include "host/synfig/xml_file.hpp"
 
@@ -15,7 +16,7 @@ namespace kfast::synfig {
 class ValueReader {
 public:
     ValueReader(const XmlFile& file, double frame_rate, art::Losses& losses)
-        : file_{file}, frame_rate_{frame_rate}, losses_{losses}
+        : file_{file}, frame_rate_{frame_rate}, constants_{file, frame_rate}, losses_{losses}
     {
     }
 
@@ -30,26 +31,16 @@ public:
 
 private:
     ValueNodePtr read_new(pugi::xml_node element);
-    Value constant(pugi::xml_node element);
-    Value list_constant(pugi::xml_node element);
-    Gradient gradient(pugi::xml_node element);
-    SplinePoint spline_point(pugi::xml_node element);
-    WidthPoint width_point(pugi::xml_node element);
-    Placement placement(pugi::xml_node element);
     void read_waypoints(pugi::xml_node element, ValueNode& node);
     Waypoint waypoint(pugi::xml_node element, const std::string& type);
     Interpolation interpolation(pugi::xml_attribute attribute, Interpolation usual) const;
     void read_entries(pugi::xml_node element, ValueNode& node);
     void read_switchings(pugi::xml_attribute times, bool on, Entry& entry);
     void read_links(pugi::xml_node element, ValueNode& node);
-    double number(pugi::xml_node element, const char* attribute, double usual) const;
-    double integer(pugi::xml_node element) const;
-    double number_inside(pugi::xml_node element, double usual) const;
-    double number_of(std::string_view text, pugi::xml_node element) const;
-    double time(pugi::xml_node element, const char* attribute) const;
 
     const XmlFile& file_;
     double frame_rate_;
+    ConstantReader constants_;
     art::Losses& losses_;
     int depth_ = 0;
     std::map<std::size_t, ValueNodePtr> known_; ///< by the place of the element

@@ -86,6 +86,14 @@ std::vector<std::string> XmlFile::bones() const
     return guids;
 }
 
+pugi::xml_node XmlFile::first_element(pugi::xml_node parent)
+{
+    for (const pugi::xml_node child : parent.children())
+        if (child.type() == pugi::node_element)
+            return child;
+    return {};
+}
+
 std::size_t XmlFile::place(pugi::xml_node element)
 {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, element.offset_debug()));

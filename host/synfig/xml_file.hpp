@@ -29,6 +29,8 @@ public:
     /// Of all elements <bone> that have content.
     std::vector<std::string> bones() const;
 
+    /// The first child that is an element, or nothing.
+    static pugi::xml_node first_element(pugi::xml_node parent);
     static std::size_t place(pugi::xml_node element);
     /// Throws Failure that names the file, the line and the column.
     [[noreturn]] void fail(std::size_t place, const std::string& text) const;
