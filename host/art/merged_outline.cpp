@@ -224,19 +224,17 @@ std::optional<MergedOutline::Run> MergedOutline::longest(std::size_t begin, cons
     std::size_t bad = smooth_until_[begin] + 1;
     const auto reaches = [&](std::size_t end) {
         auto run = attempt(end);
-        if (run) {
-            good = end;
-            best = std::move(run);
-        } else {
-            bad = end;
-        }
-        return good == end;
+        if (!run)
+            return false;
+        best = std::move(run);
+        return true;
     };
     for (std::size_t step = 2; begin + step < bad; step *= 2)
-        if (!reaches(begin + step))
-            break;
-    while (bad - good > 1)
-        reaches(good + (bad - good) / 2);
+        (reaches(begin + step) ? good : bad) = begin + step;
+    while (bad - good > 1) {
+        const std::size_t middle = good + (bad - good) / 2;
+        (reaches(middle) ? good : bad) = middle;
+    }
     return best;
 }
 

@@ -158,6 +158,7 @@ TEST_CASE("a smooth track goes by the curve through its keys")
                                         {Time::frame(5), 0, 400},
                                         {Time::frame(9), 0, 2000}};
     std::vector<KeyTime> times;
+    times.reserve(keys.size());
     for (const RawTrackKey& key : keys)
         times.push_back({key.time, key.value});
     const ExactHermite exact{times};

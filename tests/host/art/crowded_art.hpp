@@ -70,8 +70,10 @@ private:
     art::Node figure()
     {
         art::Figure figure;
+        constexpr int count = 30;
         std::vector<art::Key<art::Drawing>> keys;
-        for (int i = 0; i < 30; ++i)
+        keys.reserve(count);
+        for (int i = 0; i < count; ++i)
             keys.push_back({1.25 * i, drawing({10 * std::sin(0.15 * i), random_.number(0, 0.01)}), {}});
         if (random_.chance(0.5))
             keys.resize(1);

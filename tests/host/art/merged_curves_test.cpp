@@ -122,8 +122,10 @@ TEST_CASE("what was divided becomes one curve again, in all keys")
     for (unsigned seed = 0; seed < 100; ++seed) {
         RandomArt random{seed};
         const auto at = cuts(random);
+        constexpr int count = 3;
         std::vector<art::Key<Drawing>> keys;
-        for (int key = 0; key < 3; ++key)
+        keys.reserve(count);
+        for (int key = 0; key < count; ++key)
             keys.push_back({10.0 * key, {{divided(wild(random, {true}), at, random, 0)}}, {}});
         Figure figure = filled(Animated<Drawing>{keys});
         art::merge_curves(figure, tolerance);

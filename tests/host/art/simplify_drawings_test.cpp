@@ -96,6 +96,7 @@ TEST_CASE("the tips of a line's corners move by no more than the tolerance")
         const Spot speed = random.spot(0.2);
         for (int i = 0; i <= 30; ++i) {
             std::vector<Spot> spots;
+            spots.reserve(corners.size());
             for (const Spot corner : corners)
                 spots.push_back(corner + i * (0.01 * corner.x * speed) + random.spot(noise));
             keys.push_back({1.0 * i, {{scene::polyline(spots, true)}}, {}});

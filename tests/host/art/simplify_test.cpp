@@ -193,7 +193,8 @@ TEST_CASE("what is never seen is taken out")
     dot.line.emplace().cap = Cap::round;
     Figure no_dot = dot;
     no_dot.line->cap = Cap::butt;
-    for (Node node : {hidden, clear, inkless, empty, node_of(filled(point)), node_of(dot), node_of(no_dot)})
+    for (const Node& node :
+         {hidden, clear, inkless, empty, node_of(filled(point)), node_of(dot), node_of(no_dot)})
         document.nodes.push_back(node);
     art::simplify(document, tolerance);
     REQUIRE(document.nodes.size() == 2);
