@@ -263,12 +263,12 @@ class DotLottieTest(ImportCase):
     def test_its_background_lies_behind_a_layer_that_covers_the_canvas(self):
         ground = {"ty": 1, "sc": "#ff0000", "sw": FRAME["w"], "sh": FRAME["h"], "ip": 0, "op": 30, "st": 0, "ks": {}}
         manifest = {"animations": [{"id": "dot", "background": "#00ff00"}]}
-        for layers, background in (([], "lime"), ([ground], "red")):
+        for layers, background in (([], "#00ff00"), ([ground], "#ff0000")):
             animation = json.loads(lottie())
             animation["layers"] += layers
             self.write("ground.lottie", zipped({"manifest.json": json.dumps(manifest),
                                                 "a/dot.json": json.dumps(animation)}))
-            self.assertIn(f"background={background}", self.run_kfast("import", "ground.lottie", "-o", "-").stdout)
+            self.assertIn(f'{{ background "{background}"', self.run_kfast("import", "ground.lottie", "-o", "-").stdout)
 
     def test_another_animation(self):
         self.run_kfast("check", "two.lottie", "--animation", "dot", "--strict")
