@@ -1,7 +1,7 @@
 #include "host/drawing_reports.hpp"
 
 #include "firmware/link/fields.hpp"
-#include "firmware/link/message.hpp"
+#include "firmware/link/input_message.hpp"
 
 #include <algorithm>
 #include <span>

@@ -3,6 +3,7 @@
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
 #include "firmware/link/drawing_part.hpp"
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/status.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/live_drawing.hpp"
-#include "firmware/link/message.hpp"
+#include "firmware/link/input_message.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -6,11 +6,13 @@
 #include "firmware/link/answer_queue.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/fields.hpp"
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/outcome.hpp"
 #include "firmware/link/repertoire.hpp"
 #include "firmware/link/silence_watch.hpp"
 #include "firmware/link/upload.hpp"
+#include "firmware/link/upload_message.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/slots/slot_store.hpp"
 

@@ -8,6 +8,7 @@
 #include "firmware/board_settings.hpp"
 #include "firmware/controls.hpp"
 #include "firmware/link/device.hpp"
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/placed_input.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/crc32.hpp"
-#include "firmware/link/message.hpp"
 #include "firmware/link/sink.hpp"
+#include "firmware/link/upload_message.hpp"
 #include "firmware/microseconds.hpp"
 #include "firmware/status.hpp"
 

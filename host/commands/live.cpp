@@ -1,3 +1,4 @@
+#include "firmware/link/input_message.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
 #include "host/commands/import_options.hpp"

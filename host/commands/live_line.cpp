@@ -1,5 +1,6 @@
 #include "host/commands/live_line.hpp"
 
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
 #include "host/commands/input_value.hpp"
 #include "host/drawing_text.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/message.hpp"
+#include "firmware/link/message_kind.hpp"
 #include "host/commands/device_options.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/scene_file.hpp"

@@ -1,7 +1,7 @@
 #include "host/fit/link_need.hpp"
 
 #include "core/kfb_limits.hpp"
-#include "firmware/link/message.hpp"
+#include "firmware/link/input_message.hpp"
 #include "host/counted.hpp"
 
 namespace kfast::fit {

@@ -1,6 +1,7 @@
 #include "host/link/live_sending.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "firmware/link/input_message.hpp"
 #include "host/drawing_reports.hpp"
 #include "host/interruption.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/message.hpp"
+#include "firmware/link/upload_message.hpp"
 #include "host/link/session.hpp"
 
 #include <cstddef>

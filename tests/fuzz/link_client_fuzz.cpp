@@ -1,5 +1,7 @@
 #include "core/crc32.hpp"
 #include "firmware/link/fields.hpp"
+#include "firmware/link/input_message.hpp"
+#include "firmware/link/upload_message.hpp"
 #include "host/failure.hpp"
 #include "host/link/live_sending.hpp"
 #include "host/link/remote_device.hpp"

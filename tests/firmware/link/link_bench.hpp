@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/link/link.hpp"
+#include "firmware/link/upload_message.hpp"
 #include "tests/firmware/link/pretend_device.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
 

@@ -1,5 +1,7 @@
 #include "firmware/link/fields.hpp"
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
+#include "firmware/link/upload_message.hpp"
 
 #include "tests/bytes.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
+#include "firmware/link/upload_message.hpp"
 #include "tests/firmware/slots/padded_scene.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "core/player.hpp"
 #include "core/scene_view.hpp"
 #include "firmware/link/device.hpp"
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/told_drawing.hpp"
 #include "host/told_drawing.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/link/upload_message.hpp"
 #include "tests/firmware/link/staged_board.hpp"
 
 #include <doctest/doctest.h>

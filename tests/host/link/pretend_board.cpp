@@ -1,3 +1,4 @@
+#include "firmware/link/input_message.hpp"
 #include "firmware/link/link.hpp"
 #include "tests/firmware/link/pretend_device.hpp"
 #include "tests/firmware/slots/padded_scene.hpp"

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "core/input_view.hpp"
+#include "core/kfb_limits.hpp"
+#include "core/live_drawing.hpp"
+#include "core/time.hpp"
+#include "firmware/link/message_kind.hpp"
+#include "firmware/link/report.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+/// The messages about the inputs of the scene that plays (message.hpp).
+namespace kfast::link {
+
+struct AskInput {
+    static constexpr Kind kind = Kind::input;
+    std::uint8_t input = 0; ///< its number in the scene that plays
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input); }
+};
+
+/// What an input of a scene takes.
+enum class InputKind : std::uint8_t {
+    number = 0,
+    text = 1,
+    drawing = 2,
+};
+/// A later device may have more of them.
+constexpr bool is_known(InputKind) { return true; }
+constexpr InputKind input_kind(InputType type) { return static_cast<InputKind>(type); }
+static_assert(input_kind(InputType::number) == InputKind::number &&
+              input_kind(InputType::text) == InputKind::text &&
+              input_kind(InputType::drawing) == InputKind::drawing);
+
+/// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `most` alone
+/// counts, its characters.
+struct InputState {
+    static constexpr Kind kind = Kind::input;
+    static constexpr bool answers = true;
+    std::uint8_t input = 0;
+    InputKind takes = InputKind::number;
+    Name name{}; ///< its first 24 bytes, in whole letters
+    std::int32_t least = 0;
+    std::int32_t most = 0;
+    std::int32_t usual = 0; ///< until another is told
+    Time place{};           ///< where it stands: 0 … whole_input
+
+    static constexpr void fields(auto&& io, auto& it)
+    {
+        io(it.input, it.takes, it.name, it.least, it.most, it.usual, it.place);
+    }
+};
+
+struct InputPlace {
+    std::uint8_t input = 0; ///< its number in the scene
+    Time place{};           ///< 0 … whole_input (core/clock.hpp)
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input, it.place); }
+    friend constexpr bool operator==(const InputPlace&, const InputPlace&) = default;
+};
+
+/// Where inputs of the scene that plays stand from now on.
+struct Inputs {
+    static constexpr Kind kind = Kind::inputs;
+    static constexpr std::size_t most = 12;
+    std::uint8_t count = 0;
+    std::array<InputPlace, most> places{};
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
+};
+
+/// What a text among the inputs of the scene that plays is from now on.
+struct Text {
+    static constexpr Kind kind = Kind::text;
+    static constexpr std::size_t most = payload_bytes - 2;
+    std::uint8_t input = 0;              ///< its number in the scene
+    std::uint8_t length = 0;             ///< bytes
+    std::array<std::byte, most> bytes{}; ///< in UTF-8
+
+    /// `length` is at most `most`.
+    std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }
+};
+
+/// Whose points they are: a drawing among the inputs of the scene that plays, and a number that tells it from
+/// the ones before.
+struct DrawingNumber {
+    static constexpr std::uint8_t count = 8; ///< numbers go round
+
+    std::uint8_t input = 0; ///< below kfb::max_inputs
+    std::uint8_t number = 0;
+
+    static constexpr DrawingNumber of(std::uint8_t code)
+    {
+        return {static_cast<std::uint8_t>(code % kfb::max_inputs),
+                static_cast<std::uint8_t>(code / kfb::max_inputs)};
+    }
+    constexpr std::uint8_t code() const
+    {
+        return static_cast<std::uint8_t>(input + number * kfb::max_inputs);
+    }
+    friend constexpr bool operator==(DrawingNumber, DrawingNumber) = default;
+};
+static_assert(kfb::max_inputs * DrawingNumber::count == 256);
+
+/// In place of a point: the next one begins a stroke.
+inline constexpr LivePoint pen_up{std::numeric_limits<std::int16_t>::min(), 0};
+
+/// Of a drawing, in their order: part 0 begins it.
+struct Points {
+    static constexpr Kind kind = Kind::points;
+    static constexpr std::size_t most = 15;
+    std::uint8_t which = 0; ///< DrawingNumber
+    std::uint8_t part = 0;  ///< how many come before, modulo 256
+    std::array<LivePoint, most> points{};
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.points); }
+};
+
+/// The last points of a drawing, which is to be shown.
+struct Drawing {
+    static constexpr Kind kind = Kind::drawing;
+    static constexpr std::size_t most = 14;
+    std::uint8_t which = 0;  ///< DrawingNumber
+    std::uint8_t part = 0;   ///< how many come before, modulo 256
+    std::uint16_t count = 0; ///< of all points of the drawing and of what stands in place of one
+    std::array<LivePoint, most> points{};
+
+    static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.count, it.points); }
+};
+
+/// How many reports a drawing with so many points, and what stands in place of one, takes.
+constexpr std::size_t reports_of_drawing(std::size_t count)
+{
+    return count <= Drawing::most ? 1 : 1 + (count - Drawing::most + Points::most - 1) / Points::most;
+}
+
+}

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "firmware/stored_text.hpp"
+
+#include <cstdint>
+
+namespace kfast::link {
+
+/// Goes up when a computer or a device that knows the number before cannot understand what is meant.
+inline constexpr std::uint8_t protocol_version = 1;
+
+/// Byte 0 of a report. What answers a request has the same number and `from_device`.
+enum class Kind : std::uint8_t {
+    hello = 0x01,
+    names = 0x02,
+    playing = 0x03,
+    statistics = 0x04,
+    input = 0x05,
+    begin = 0x10,
+    data = 0x11,
+    commit = 0x12,
+    cancel = 0x13,
+    slot = 0x20,
+    erase = 0x21,
+    choose = 0x22,
+    play = 0x30,
+    pause = 0x31,
+    resume = 0x32,
+    seek = 0x33,
+    speed = 0x34,
+    brightness = 0x35,
+    inputs = 0x36,
+    text = 0x37,
+    points = 0x38,
+    drawing = 0x39,
+    silence = 0x3A,
+    arm = 0x3B,
+    disarm = 0x3C,
+    boot_loader = 0x3F,
+    error = 0x7F, ///< only from the device
+};
+
+/// Names of scenes and clips.
+using Name = StoredText<24>;
+
+/// Where a scene lies.
+enum class Home : std::uint8_t {
+    built_in, ///< where a UF2 file puts it
+    slot,
+    ram,
+    here,  ///< only in Play: where what plays now lies
+    start, ///< only in Play: what plays when the device starts
+};
+constexpr bool is_known(Home home) { return home <= Home::start; }
+
+/// Stands for a slot where there is none.
+inline constexpr std::uint8_t no_slot = 0xFF;
+
+/// A request that has nothing but its kind.
+template <Kind which>
+struct Plain {
+    static constexpr Kind kind = which;
+    static constexpr void fields(auto&&, auto&) {}
+};
+
+/// An answer that has nothing to tell but that it was done.
+template <Kind which>
+struct Done : Plain<which> {
+    static constexpr bool answers = true;
+};
+
+}
