@@ -1,5 +1,6 @@
 #include "host/art/affine.hpp"
 #include "host/art/baked_drawing.hpp"
+#include "host/art/degree.hpp"
 #include "host/lottie/transform.hpp"
 
 #include <cmath>
@@ -10,8 +11,6 @@ namespace {
 
 using art::Affine;
 using art::Channel;
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Leaning, then growing, then turning.
 struct Lean {
@@ -30,8 +29,8 @@ Lean lean_of(const Affine& matrix)
     const double cosine = matrix.a / width;
     const double sine = matrix.b / width;
     const double across = cosine * matrix.c + sine * matrix.d;
-    return {std::atan2(sine, cosine) / degree, width, cosine * matrix.d - sine * matrix.c,
-            -std::atan(across / width) / degree};
+    return {std::atan2(sine, cosine) / art::degree, width, cosine * matrix.d - sine * matrix.c,
+            -std::atan(across / width) / art::degree};
 }
 
 Lean lean_at(const art::Transform& transform, double time)

@@ -1,13 +1,13 @@
 #include "host/synfig/arithmetic_values.hpp"
 
+#include "host/art/degree.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace kfast::synfig {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Value add(Evaluator& evaluator, const ValueNode& node, double time)
 {
@@ -38,19 +38,19 @@ Value linear(Evaluator& evaluator, const ValueNode& node, double time)
 
 Value sine(Evaluator& evaluator, const ValueNode& node, double time)
 {
-    return {std::sin(degree * evaluator.number(node, "angle", time)) *
+    return {std::sin(art::degree * evaluator.number(node, "angle", time)) *
             evaluator.number(node, "amp", time, 1)};
 }
 
 Value cosine(Evaluator& evaluator, const ValueNode& node, double time)
 {
-    return {std::cos(degree * evaluator.number(node, "angle", time)) *
+    return {std::cos(art::degree * evaluator.number(node, "angle", time)) *
             evaluator.number(node, "amp", time, 1)};
 }
 
 Value arc_tangent(Evaluator& evaluator, const ValueNode& node, double time)
 {
-    return {std::atan2(evaluator.number(node, "y", time), evaluator.number(node, "x", time)) / degree};
+    return {std::atan2(evaluator.number(node, "y", time), evaluator.number(node, "x", time)) / art::degree};
 }
 
 Value exponential(Evaluator& evaluator, const ValueNode& node, double time)
@@ -109,7 +109,7 @@ Value dot_product(Evaluator& evaluator, const ValueNode& node, double time)
     if (node.type != "angle")
         return {product};
     const double lengths = std::sqrt(scene::dot(left, left) * scene::dot(right, right));
-    return {lengths == 0 ? 0 : std::acos(std::clamp(product / lengths, -1.0, 1.0)) / degree};
+    return {lengths == 0 ? 0 : std::acos(std::clamp(product / lengths, -1.0, 1.0)) / art::degree};
 }
 
 Value number_of(Evaluator& evaluator, const ValueNode& node, double time)

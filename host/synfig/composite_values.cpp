@@ -1,13 +1,13 @@
 #include "host/synfig/composite_values.hpp"
 
+#include "host/art/degree.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace kfast::synfig {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Value spline_point(Evaluator& evaluator, const ValueNode& node, double time)
 {
@@ -65,7 +65,7 @@ Value colour_by_hue(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const double luma = evaluator.number(node, "y_luma", time);
     const double saturation = evaluator.number(node, "saturation", time);
-    const double hue = degree * evaluator.number(node, "hue", time);
+    const double hue = art::degree * evaluator.number(node, "hue", time);
     const double u = saturation * std::sin(hue);
     const double v = saturation * std::cos(hue);
     return {Colour{luma + v * 1.402, luma - u * 0.344136 - v * 0.714136, luma + u * 1.772,
@@ -77,7 +77,7 @@ Value radial_composite(Evaluator& evaluator, const ValueNode& node, double time)
     if (node.type == "color")
         return colour_by_hue(evaluator, node, time);
     const double radius = evaluator.number(node, "radius", time);
-    const double angle = degree * evaluator.number(node, "theta", time);
+    const double angle = art::degree * evaluator.number(node, "theta", time);
     return {Spot{radius * std::cos(angle), radius * std::sin(angle)}};
 }
 
@@ -94,7 +94,7 @@ Value vector_y(Evaluator& evaluator, const ValueNode& node, double time)
 Value vector_angle(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const Spot spot = evaluator.spot(node, "vector", time);
-    return {std::atan2(spot.y, spot.x) / degree};
+    return {std::atan2(spot.y, spot.x) / art::degree};
 }
 
 Value vector_length(Evaluator& evaluator, const ValueNode& node, double time)

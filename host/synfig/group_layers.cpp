@@ -1,5 +1,7 @@
 #include "host/synfig/group_layers.hpp"
 
+#include "host/art/degree.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -7,8 +9,6 @@
 
 namespace kfast::synfig {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 using Numbers = std::function<double(double)>;
 using Spots = std::function<Spot(double)>;
@@ -85,7 +85,7 @@ void set_growth(const Layer& group, const Channels& channels, art::Transform& tr
     transform.scale_y = channels(
         [&](double frame) {
             const Placement placement = placement_at(group, frame);
-            return leans ? placement.scale.y * std::cos(degree * placement.skew) : placement.scale.y;
+            return leans ? placement.scale.y * std::cos(art::degree * placement.skew) : placement.scale.y;
         },
         scale_tolerance);
     if (leans)
@@ -93,8 +93,9 @@ void set_growth(const Layer& group, const Channels& channels, art::Transform& tr
         transform.skew = channels(
             [&](double frame) {
                 const Placement placement = placement_at(group, frame);
-                return std::atan2(-placement.scale.y * std::sin(degree * placement.skew), placement.scale.x) /
-                       degree;
+                return std::atan2(-placement.scale.y * std::sin(art::degree * placement.skew),
+                                  placement.scale.x) /
+                       art::degree;
             },
             angle_tolerance);
 }

@@ -1,5 +1,7 @@
 #include "host/synfig/posed_rig.hpp"
 
+#include "host/art/degree.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,13 +10,11 @@
 namespace kfast::synfig {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 /// Degrees, counter-clockwise, without jumps: as all the angles that the bone has in the file say.
 double direction_of(const Bone& bone)
 {
     const Spot along = bone.to() - bone.from();
-    return bone.angle + std::remainder(std::atan2(along.y, along.x) / degree - bone.angle, 360);
+    return bone.angle + std::remainder(std::atan2(along.y, along.x) / art::degree - bone.angle, 360);
 }
 
 class RigMaker {

@@ -1,6 +1,7 @@
 #include "host/synfig/spline_values.hpp"
 
 #include "host/art/animated.hpp"
+#include "host/art/degree.hpp"
 #include "host/synfig/spline_list.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace kfast::synfig {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A place on a spline: between two of its points.
 struct Foot {
@@ -93,13 +92,13 @@ Value tangent(Evaluator& evaluator, const ValueNode& node, double time)
     const auto foot = foot_of(evaluator, node, time);
     const Spot direction = foot ? foot->piece().direction(foot->share) : Spot{};
     const double angle =
-        std::atan2(direction.y, direction.x) + degree * evaluator.number(node, "offset", time);
+        std::atan2(direction.y, direction.x) + art::degree * evaluator.number(node, "offset", time);
     const double scale = evaluator.number(node, "scale", time, 1);
     const double length = evaluator.truth(node, "fixed_length", time)
                               ? scale
                               : scale * std::sqrt(scene::dot(direction, direction));
     if (node.type == "angle")
-        return {angle / degree};
+        return {angle / art::degree};
     if (node.type == "real")
         return {length};
     return {Spot{length * std::cos(angle), length * std::sin(angle)}};

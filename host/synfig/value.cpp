@@ -1,13 +1,13 @@
 #include "host/synfig/value.hpp"
 
+#include "host/art/degree.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <type_traits>
 
 namespace kfast::synfig {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Spot directed(double length, Spot along)
 {
@@ -16,7 +16,7 @@ Spot directed(double length, Spot along)
 }
 
 double length_of(Spot spot) { return std::sqrt(scene::dot(spot, spot)); }
-double degrees_of(Spot spot) { return std::atan2(spot.y, spot.x) / degree; }
+double degrees_of(Spot spot) { return std::atan2(spot.y, spot.x) / art::degree; }
 
 double combined(double left, double right, double factor) { return left + factor * right; }
 Spot combined(Spot left, Spot right, double factor) { return left + factor * right; }
@@ -56,8 +56,8 @@ Spot SplinePoint::leaving() const
 
 art::Affine Placement::matrix() const
 {
-    const double first = angle * degree;
-    const double other = (angle + skew + 90) * degree;
+    const double first = angle * art::degree;
+    const double other = (angle + skew + 90) * art::degree;
     return {scale.x * std::cos(first),
             scale.x * std::sin(first),
             scale.y * std::cos(other),
