@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 
@@ -18,14 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a signal has to remove. A handler may touch nothing but plain memory, hence no std::string.
-std::array<char, PATH_MAX> path_to_remove{};
+constexpr std::size_t most_at_once = 4;
+
+// What a signal has to remove; empty where there is nothing. A handler may touch nothing but plain memory,
+// hence no std::string.
+std::array<std::array<char, PATH_MAX>, most_at_once> paths_to_remove{};
 
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGTERM};
 
 extern "C" void remove_and_end(int number)
 {
-    ::unlink(path_to_remove.data());
+    for (const auto& path : paths_to_remove)
+        if (path.front() != '\0')
+            ::unlink(path.data());
     std::signal(number, SIG_DFL);
     std::raise(number);
 }
@@ -44,13 +52,34 @@ void set_handler(void (*handler)(int))
             std::signal(number, handler);
 }
 
+auto* slot_of(std::string_view name)
+{
+    return std::ranges::find(paths_to_remove, name,
+                             [](const auto& path) { return std::string_view{path.data()}; });
+}
+
 void remove_on_signal(const fs::path& path)
 {
-    const std::string& name = path.native();
-    path_to_remove.fill('\0');
-    std::copy_n(name.begin(), std::min(name.size(), path_to_remove.size() - 1), path_to_remove.begin());
+    auto* const slot = slot_of("");
+    if (slot == paths_to_remove.end())
+        throw std::logic_error("more than " + std::to_string(most_at_once) + " files at once");
+    if (path.native().size() >= slot->size())
+        throw Failure("cannot write " + path.string() + ": the name is too long: choose a shorter one");
+    std::ranges::copy(path.native().substr(1), slot->begin() + 1);
+    std::atomic_signal_fence(std::memory_order_seq_cst); // a signal sees all of it or nothing
+    slot->front() = path.native().front();
     set_handler(remove_and_end);
     std::signal(SIGXFSZ, SIG_IGN); // beyond a limit on file sizes, write() then fails like on a full disk
+}
+
+void keep_on_signal(const fs::path& path)
+{
+    auto* const slot = slot_of(path.native());
+    slot->front() = '\0';
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    slot->fill('\0');
+    if (std::ranges::all_of(paths_to_remove, [](const auto& other) { return other.front() == '\0'; }))
+        set_handler(SIG_DFL);
 }
 
 bool is_special(const fs::path& path)
@@ -115,7 +144,7 @@ AtomicFile::~AtomicFile()
     if (!temporary_)
         return;
     ::unlink(temporary_->c_str());
-    set_handler(SIG_DFL);
+    keep_on_signal(*temporary_);
 }
 
 void AtomicFile::open_special()
@@ -131,12 +160,13 @@ void AtomicFile::open_temporary()
         const fs::path name = temporary_name(target_, attempt);
         remove_on_signal(name);
         descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        const int error_number = errno;
         if (descriptor_ >= 0)
             temporary_ = name;
-        else if (const int error_number = errno; error_number != EEXIST) {
-            set_handler(SIG_DFL);
+        else
+            keep_on_signal(name);
+        if (!temporary_ && error_number != EEXIST)
             fail(error_number);
-        }
     }
 }
 
@@ -157,8 +187,8 @@ void AtomicFile::commit()
         return;
     if (std::rename(temporary_->c_str(), target_.c_str()) != 0)
         fail(errno);
+    keep_on_signal(*temporary_);
     temporary_.reset();
-    set_handler(SIG_DFL);
 }
 
 void AtomicFile::close()

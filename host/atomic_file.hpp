@@ -9,7 +9,7 @@ namespace kfast {
 
 /// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by
 /// commit(). Without commit(), or when a signal ends the program, the temporary is removed and whatever
-/// stood at `target` stays as it was. One at a time.
+/// stood at `target` stays as it was. Four at a time, at most.
 ///
 /// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
 /// destructor throws Failure when the disk is full, the place is not writable and so on.

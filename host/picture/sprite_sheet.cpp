@@ -87,9 +87,12 @@ void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source
     }
     const std::string json = sheet_json(target.filename().string(), sheet, grid, moments, timeline,
                                         list_loop(timeline.stretch.loop, form));
-    // The list first: what fails, most likely fails here, and then an older sheet stays as it was.
-    write_file(sprite_list_path(target), std::as_bytes(std::span{json}));
-    write_png(target, sheet);
+    AtomicFile list{sprite_list_path(target)};
+    AtomicFile image{target};
+    list.write(std::as_bytes(std::span{json}));
+    image.write(encoded_png(sheet));
+    list.commit();
+    image.commit();
 }
 
 }

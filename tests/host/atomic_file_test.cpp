@@ -109,6 +109,36 @@ TEST_CASE("a signal removes the temporary and still ends the program")
     }
 }
 
+TEST_CASE("a signal removes the temporaries of all files that are not committed")
+{
+    const TemporaryFolder folder;
+    const int status = status_of_child([&folder] {
+        AtomicFile first{folder / "a"};
+        AtomicFile second{folder / "b"};
+        AtomicFile third{folder / "c"};
+        second.commit();
+        ::raise(SIGTERM);
+    });
+    CHECK(WIFSIGNALED(status));
+    CHECK(fs::exists(folder / "b"));
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("once the last file is committed a signal ends the program as ever")
+{
+    const TemporaryFolder folder;
+    {
+        AtomicFile first{folder / "a"};
+        AtomicFile{folder / "b"}.commit();
+        struct sigaction current = {};
+        ::sigaction(SIGTERM, nullptr, &current);
+        CHECK((current.sa_handler != SIG_DFL));
+        first.commit();
+        ::sigaction(SIGTERM, nullptr, &current);
+        CHECK((current.sa_handler == SIG_DFL));
+    }
+}
+
 TEST_CASE("a link stays a link, what it points to is replaced")
 {
     const TemporaryFolder folder;

@@ -68,6 +68,10 @@ class SheetTest(RenderTest):
         (self.folder / "b.json").mkdir()
         self.refuse("render", "repeat.kfast", "--sheet", "2", "-o", "b.png", status=1, says="not a folder")
 
+    def test_a_list_without_its_sheet_is_not_written(self):
+        (self.folder / "full.png").symlink_to("/dev/full")
+        self.refuse("render", "once.kfast", "--sheet", "2", "-o", "full.png", status=1, says="No space left")
+
 
 if __name__ == "__main__":
     unittest.main()
