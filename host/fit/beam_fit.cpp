@@ -3,6 +3,7 @@
 #include "host/counted.hpp"
 #include "host/fit/beam_run.hpp"
 #include "host/fit/cost_table.hpp"
+#include "host/fit/slack.hpp"
 #include "host/fit/wording.hpp"
 
 #include <algorithm>
@@ -15,8 +16,7 @@ namespace {
 
 constexpr std::size_t point_bytes = 4;
 constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pause between them
-constexpr double slack = 1.0001;
-constexpr int readable_haste = 4; ///< beyond twice the speed, lines grow too dark or too coarse
+constexpr int readable_haste = 4;        ///< beyond twice the speed, lines grow too dark or too coarse
 
 /// Of the program that plays for a beam, with the core (tests/bench/image/beam).
 constexpr std::size_t beam_code = 60352;

@@ -2,14 +2,15 @@
 
 #include "host/counted.hpp"
 #include "host/fit/item_labels.hpp"
+#include "host/fit/slack.hpp"
 #include "host/fit/wording.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace kfast::fit {
 namespace {
-
-constexpr double slack = 1.0001; ///< of figures that were rounded: 16.667 ms are 60 fps
 
 std::string excess(const std::string& what, std::size_t needed, std::size_t available,
                    const std::string& parts)
@@ -59,6 +60,20 @@ void check_outlines(const FitReport& report, std::vector<std::string>& shortages
         report.overfull_object);
 }
 
+/// What has to become less for more frames: pixels that change, or what there is to compute.
+std::string bottleneck_of(const FitReport& report)
+{
+    const FrameCost& frame = report.speed.median();
+    if (frame.bus_seconds > frame.cpu_seconds)
+        return "the bus takes longest, " + milliseconds_text(frame.bus_seconds) + " for " +
+               bytes_text(frame.bytes);
+    std::string text = "the processor takes longest";
+    if (!report.heaviest_object.empty())
+        text += ", in the worst frame " + std::to_string(std::lround(report.speed.heaviest.share * 100)) +
+                " % of it for " + report.heaviest_object;
+    return text;
+}
+
 std::string slowness_of(const FitReport& report)
 {
     const double seconds = report.speed.median().seconds();
@@ -66,7 +81,7 @@ std::string slowness_of(const FitReport& report)
         return {};
     return "speed: every second frame takes " + milliseconds_text(seconds) + " or more, but " +
            rate_text(report.wanted_rate) + " leave " + milliseconds_text(1 / report.wanted_rate) +
-           " for each; " + rate_text(1 / seconds) + " can be reached";
+           " for each; " + rate_text(1 / seconds) + " can be reached: " + bottleneck_of(report);
 }
 
 std::size_t late_frames(const FitReport& report)

@@ -21,9 +21,8 @@ Target desk()
     return target;
 }
 
-FitReport report_of(const std::vector<std::byte>& bytes)
+FitReport report_of(const std::vector<std::byte>& bytes, const Target& target = desk())
 {
-    const Target target = desk();
     const SceneView scene = *SceneView::parse(bytes);
     return fit_report({.scene = scene, .item_names = {}, .target = target});
 }
@@ -90,6 +89,26 @@ TEST_CASE("texts are looked at full of the letters that cost most, all of them c
     CHECK(many.worst().instructions > 1.5 * plain.worst().instructions);
     CHECK(many.frames.front().instructions < many.worst().instructions / 4); // at rest
     CHECK(many.outlines.bytes > 3 * few.outlines.bytes);
+}
+
+TEST_CASE("a scene that is too slow is told what takes longest")
+{
+    const auto bytes =
+        test::compiled("kfast 1\ncanvas 60 40 frames=10\nobject a fill=red { key 0 { rect 0 0 9 40 }; key 10 "
+                       "{ rect 51 0 9 40 } }\n"
+                       "object b fill=lime { key 0 { rect 0 0 2 2 }; key 10 { rect 50 0 2 2 } }\n");
+    CHECK(report_of(bytes).slowness.empty());
+    Target target = desk();
+    target.clock = 100e3;
+    const std::string by_processor = report_of(bytes, target).slowness;
+    CHECK(by_processor.find("can be reached: the processor takes longest, in the worst frame ") !=
+          std::string::npos);
+    CHECK(by_processor.ends_with(" % of it for object 1"));
+    target = desk();
+    target.bus.clock = 100e3;
+    const std::string by_bus = report_of(bytes, target).slowness;
+    CHECK(by_bus.find("can be reached: the bus takes longest, ") != std::string::npos);
+    CHECK(by_bus.ends_with(" bytes"));
 }
 
 TEST_CASE("the stack has no less than its bound")
