@@ -54,7 +54,7 @@ FineValues values_at_rest(const BoneView& bone)
 }
 
 /// Two unit components in Q30, multiplied.
-std::int64_t product(std::int32_t a, std::int32_t b) { return (std::int64_t{a} * b) >> 30; }
+std::int64_t q30_product(std::int32_t a, std::int32_t b) { return (std::int64_t{a} * b) >> 30; }
 
 /// stretch * a + b of Q30 numbers, as a Q16 factor.
 std::int32_t factor(std::int64_t stretch, std::int64_t a, std::int64_t b)
@@ -143,10 +143,10 @@ void LiveBone::pose(const BoneView& bone, const LiveBone* parent,
     const std::int64_t stretch = std::min(((length << 16) + set_up_length / 2) / set_up_length, most_stretch);
     const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
     const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
-    xx_ = factor(stretch, product(posed_c, c), product(posed_s, s));
-    xy_ = factor(stretch, product(posed_c, s), -product(posed_s, c));
-    yx_ = factor(stretch, product(posed_s, c), -product(posed_c, s));
-    yy_ = factor(stretch, product(posed_s, s), product(posed_c, c));
+    xx_ = factor(stretch, q30_product(posed_c, c), q30_product(posed_s, s));
+    xy_ = factor(stretch, q30_product(posed_c, s), -q30_product(posed_s, c));
+    yx_ = factor(stretch, q30_product(posed_s, c), -q30_product(posed_c, s));
+    yy_ = factor(stretch, q30_product(posed_s, s), q30_product(posed_c, c));
 }
 
 Point LiveBone::operator()(Point point) const
