@@ -94,11 +94,30 @@ Number number_of(const Decimal& decimal)
     return {.canonical = std::move(canonical), .value = value};
 }
 
+/// By what stands behind the digits.
+std::string remedy_of(std::string_view word)
+{
+    std::string_view behind = word;
+    take_sign(behind);
+    take_digits(behind, Radix::decimal());
+    const bool is_whole = !take(behind, ".");
+    if (!is_whole)
+        take_digits(behind, Radix::decimal());
+    const std::string number{word.substr(0, word.size() - behind.size())};
+    if (behind == "s" || behind == "ms")
+        return "write (" + std::string{behind} + ')' + number + ": a unit stands before its number";
+    if (!take(behind, ","))
+        return (behind.find_first_of(".0123456789") == behind.npos ? "write " + number + " alone, or " : "") +
+               "put a text that begins with a digit in quotes";
+    const std::string more = take_digits(behind, Radix::decimal());
+    if (!is_whole || more.empty() || !behind.empty())
+        return "separate values by spaces alone, without commas";
+    return "write " + number + '.' + more + " for a fraction, " + number + ' ' + more + " for two numbers";
+}
+
 NumberFault not_a_number(std::string_view word)
 {
-    return {.message = quoted(word) + " begins like a number but is none",
-            .remedy = word.ends_with(',') ? "separate values by spaces alone, without commas"
-                                          : "put a text that begins with a digit in quotes"};
+    return {.message = in_quotes(word) + " begins like a number but is none", .remedy = remedy_of(word)};
 }
 
 std::variant<Number, NumberFault> integer_of(const Radix& radix, std::string_view word, std::string_view rest)
@@ -106,7 +125,7 @@ std::variant<Number, NumberFault> integer_of(const Radix& radix, std::string_vie
     constexpr std::size_t most_digits = 1000;
     const std::string digits = take_digits(rest, radix);
     if (digits.empty() || !rest.empty())
-        return NumberFault{.message = quoted(word) + " is not " + std::string(radix.name()),
+        return NumberFault{.message = in_quotes(word) + " is not " + std::string(radix.name()),
                            .remedy = std::string(radix.rule()) + "; a _ may stand after a digit"};
     const std::string significant = without_leading_zeros(digits);
     if (significant.size() > most_digits)

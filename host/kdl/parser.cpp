@@ -7,7 +7,9 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace kfast::kdl {
@@ -27,6 +29,26 @@ void drop_replaced(std::vector<Property>& properties)
             kept.push_back(std::move(*property));
     std::ranges::reverse(kept);
     properties = std::move(kept);
+}
+
+/// Of what begins its line.
+std::optional<std::size_t> indent_of(std::string_view text, std::size_t offset)
+{
+    const std::size_t begin = text.substr(0, offset).find_last_not_of(" \t") + 1; // npos + 1 is 0
+    const bool begins_line = begin == 0 || text[begin - 1] == '\n' || text[begin - 1] == '\r';
+    return begins_line ? std::optional{offset - begin} : std::nullopt;
+}
+
+/// The first of `children` that is indented no deeper than the line of the brace is hardly meant to be one.
+std::string remedy_of_unclosed(std::string_view text, Place brace, const std::vector<Node>& children)
+{
+    const std::string_view line = line_at(text, brace.offset);
+    const std::size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
+    for (const Node& child : children)
+        if (indent_of(text, child.name_place.offset).value_or(indent + 1) <= indent)
+            return "add a closing }, perhaps before line " +
+                   std::to_string(line_column(text, child.name_place.offset).line);
+    return "add a closing }";
 }
 
 /// The grammar of nodes, by recursive descent. Each read_ function goes over what it names, or over as much
@@ -178,7 +200,8 @@ void Parser::read_block(Node& node, Progress& progress, bool is_dropped, int dep
     std::vector<Node> dropped;
     read_nodes(is_dropped ? dropped : node.children, depth + 1);
     if (!scanner_.accept("}")) {
-        scanner_.error(opening, "this { is not closed", "add a closing }");
+        scanner_.error(opening, "this { is not closed",
+                       remedy_of_unclosed(scanner_.text(), opening, is_dropped ? dropped : node.children));
         scanner_.stop();
     }
     scanner_.silence(was_silent);
@@ -268,7 +291,7 @@ void Parser::report_missing(const std::string& what, const std::string& remedy)
         return scanner_.error({.offset = begin, .length = 1}, what + " is missing here", remedy);
     const bool is_equals = scanner_.at("=");
     scanner_.advance();
-    scanner_.error(scanner_.place_since(begin), quoted(scanner_.since(begin)) + " cannot stand here",
+    scanner_.error(scanner_.place_since(begin), in_quotes(scanner_.since(begin)) + " cannot stand here",
                    is_equals ? "a value is written as name=value or alone"
                              : "put a text with such characters in quotes");
 }

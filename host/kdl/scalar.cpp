@@ -60,9 +60,9 @@ bool read_keyword(Scanner& scanner, Value& value)
             value.data = data;
             return true;
         }
-    scanner.error(
-        scanner.place_since(begin), quoted(scanner.since(begin)) + " is not a keyword",
-        "the keywords are #true, #false, #null, #inf, #-inf and #nan; a text with a # needs quotes");
+    scanner.error(scanner.place_since(begin), in_quotes(scanner.since(begin)) + " is not a keyword",
+                  "a text with a # needs quotes: \"" + std::string{scanner.since(begin)} +
+                      "\"; the keywords are #true, #false, #null, #inf, #-inf and #nan");
     return false;
 }
 
@@ -77,10 +77,22 @@ bool read_number(Scanner& scanner, std::size_t begin, Value& value)
     return true;
 }
 
+/// Word processors and web pages put these in place of ".
+void warn_of_typographic_quote(Scanner& scanner, std::size_t begin)
+{
+    constexpr std::array<std::string_view, 6> quotes{"\u201C", "\u201D", "\u201E",
+                                                     "\u2018", "\u2019", "\u00AB"};
+    for (const std::string_view quote : quotes)
+        if (scanner.since(begin).starts_with(quote))
+            scanner.warning({.offset = begin, .length = quote.size()},
+                            std::string{quote} + " is read as a letter", "write \" around a text");
+}
+
 bool read_bare_word(Scanner& scanner, Value& value)
 {
     const std::size_t begin = scanner.offset();
     const std::string word{read_word(scanner)};
+    warn_of_typographic_quote(scanner, begin);
     if (begins_like_number(word))
         return read_number(scanner, begin, value);
     if (is_reserved(word)) {

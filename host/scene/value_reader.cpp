@@ -1,5 +1,7 @@
 #include "host/scene/value_reader.hpp"
 
+#include "host/kdl/identifier.hpp"
+#include "host/kdl/number.hpp"
 #include "host/scene/limits.hpp"
 #include "host/text/glyph.hpp"
 
@@ -18,12 +20,25 @@ struct Unit {
 
 constexpr std::array units{Unit{"s", 1000}, Unit{"ms", 1}};
 
+/// If a number is meant by what is a text; empty: it is none.
+std::string remedy_of_text(const std::string& text)
+{
+    constexpr std::string_view minus = "\u2212";
+    const bool is_typographic = text.starts_with(minus);
+    const std::string plain = is_typographic ? '-' + text.substr(minus.size()) : text;
+    if (!kdl::begins_like_number(plain) || !std::holds_alternative<kdl::Number>(kdl::number_from(plain)))
+        return {};
+    return "write " + plain + (is_typographic ? ", with the minus of the keyboard" : " without quotes");
+}
+
 /// A type annotation means something on times only.
 const kdl::Number* number_of(const kdl::Value& value, Reading& reading)
 {
     const kdl::Number* const number = value.number();
+    const std::string* const text = value.string();
     if (number == nullptr)
-        reading.report.error(value.place, "a number is expected here");
+        reading.report.error(value.place, "a number is expected here",
+                             text == nullptr ? std::string{} : remedy_of_text(*text));
     return number;
 }
 
@@ -43,7 +58,7 @@ std::optional<double> ticks_per(const kdl::Value& value, Reading& reading)
             return units[i].milliseconds * reading.frame_rate * Time::ticks_per_frame / 1e6;
         known[i] = units[i].name;
     }
-    reading.report.error(value.place, "unknown unit " + quoted(*value.type),
+    reading.report.error(value.place, "unknown unit " + in_quotes(*value.type),
                          suggestion(*value.type, known) + " (frames have no unit)");
     return std::nullopt;
 }
@@ -167,6 +182,10 @@ std::string text_of(Time time) { return text_of(static_cast<double>(time.ticks) 
 
 std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading)
 {
+    if (value.string() == nullptr) {
+        reading.report.error(value.place, "a colour is expected here", "write its name or \"#rrggbb\"");
+        return std::nullopt;
+    }
     const auto text = read_text(value, reading);
     if (!text)
         return std::nullopt;
@@ -188,20 +207,23 @@ void report_unknown_colour(const kdl::Value& value, std::string_view text,
 {
     std::string hexadecimal{'#'};
     hexadecimal += text;
+    std::string remedy = suggestion(text, known);
+    if (!remedy.ends_with('?'))
+        remedy += ", or \"#rrggbb\"";
     if (text.starts_with('#'))
-        reading.report.error(value.place, quoted(text) + " is no colour",
+        reading.report.error(value.place, in_quotes(text) + " is no colour",
                              "write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", \"#rrggbbaa\"");
     else if (text.size() >= 6 && hex_colour(hexadecimal))
-        reading.report.error(value.place, quoted(text) + " is no colour",
-                             "write " + quoted(hexadecimal) + ", with the quotes");
+        reading.report.error(value.place, in_quotes(text) + " is no colour",
+                             "write " + in_quotes(hexadecimal) + ", with the quotes");
     else
-        reading.report.error(value.place, "unknown colour " + quoted(text), suggestion(text, known));
+        reading.report.error(value.place, "unknown colour " + in_quotes(text), remedy);
 }
 
 void report_unknown_word(const kdl::Value& value, std::string_view name,
                          std::span<const std::string_view> known, Reading& reading)
 {
-    reading.report.error(value.place, "unknown value " + quoted(name), suggestion(name, known));
+    reading.report.error(value.place, "unknown value " + in_quotes(name), suggestion(name, known));
 }
 
 std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading)

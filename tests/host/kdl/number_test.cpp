@@ -90,7 +90,7 @@ TEST_CASE("infinity and not-a-number are keywords")
 TEST_CASE("what begins like a number must be one")
 {
     CHECK(errors("n 1a") == "1:3: \"1a\" begins like a number but is none\n");
-    CHECK(remedy("n 1a") == "put a text that begins with a digit in quotes");
+    CHECK(remedy("n 1.2.3") == "put a text that begins with a digit in quotes");
     CHECK(errors("n 1.2.3") == "1:3: \"1.2.3\" begins like a number but is none\n");
     CHECK(errors("n 1e2e3") == "1:3: \"1e2e3\" begins like a number but is none\n");
     CHECK(errors("n 1e2.5") == "1:3: \"1e2.5\" begins like a number but is none\n");
@@ -99,8 +99,20 @@ TEST_CASE("what begins like a number must be one")
     CHECK(errors("n -1em") == "1:3: \"-1em\" begins like a number but is none\n");
 }
 
+TEST_CASE("a unit stands before its number, if there is one")
+{
+    CHECK(remedy("n 10px") == "write 10 alone, or put a text that begins with a digit in quotes");
+    CHECK(remedy("n -4.5°") == "write -4.5 alone, or put a text that begins with a digit in quotes");
+    CHECK(remedy("n 500ms") == "write (ms)500: a unit stands before its number");
+    CHECK(remedy("n 1.5s") == "write (s)1.5: a unit stands before its number");
+}
+
 TEST_CASE("commas between numbers are pointed out")
 {
+    CHECK(remedy("n 1,5") == "write 1.5 for a fraction, 1 5 for two numbers");
+    CHECK(remedy("n -10,20") == "write -10.20 for a fraction, -10 20 for two numbers");
+    CHECK(remedy("n 1.5,2") == "separate values by spaces alone, without commas");
+    CHECK(remedy("n 1,2,3") == "separate values by spaces alone, without commas");
     CHECK(errors("n 1, 2, 3") == "1:3: \"1,\" begins like a number but is none\n");
     CHECK(remedy("n 1, 2, 3") == "separate values by spaces alone, without commas");
 }

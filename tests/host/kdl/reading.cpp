@@ -37,7 +37,8 @@ std::string remedy(std::string_view text)
 {
     Diagnostics diagnostics;
     kdl::parse(text, diagnostics);
-    return diagnostics.has_errors() ? diagnostics.sorted().front().remedy : "no error";
+    const auto found = diagnostics.sorted();
+    return found.empty() ? "nothing is found" : found.front().remedy;
 }
 
 }

@@ -136,9 +136,17 @@ TEST_CASE("the raw strings of KDL 1 are refused with the new form")
 
 TEST_CASE("a # begins a keyword or a raw string")
 {
+    CHECK(remedy("n #maybe").starts_with("a text with a # needs quotes: \"#maybe\";"));
     CHECK(errors("n #maybe") == "1:3: \"#maybe\" is not a keyword\n");
     CHECK(errors("n #TRUE") == "1:3: \"#TRUE\" is not a keyword\n");
     CHECK(errors("n ##true") == "1:3: \"##true\" is not a keyword\n");
     CHECK(errors("n #") == "1:3: \"#\" is not a keyword\n");
     CHECK(errors("n #+inf") == "1:3: \"#+inf\" is not a keyword\n");
+}
+
+TEST_CASE("typographic quotes are letters, which is hardly meant")
+{
+    CHECK(errors("n \u201Cred\u201D") == "1:3: \u201C is read as a letter\n");
+    CHECK(remedy("n a=\u2018red\u2019") == "write \" around a text");
+    CHECK(errors("n \u00E9").empty());
 }

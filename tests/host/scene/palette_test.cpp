@@ -72,13 +72,13 @@ TEST_CASE("a wrong colour is told from an unknown one")
           "3:15 error: \"ff0000\" is no colour (write \"#ff0000\", with the quotes)");
     CHECK(read_on_canvas("object o fill=magenta { key 0 { empty } }").findings ==
           "3:15 error: unknown colour \"magenta\" (allowed: black, silver, gray, grey, white, maroon, red, "
-          "purple, fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua)");
+          "purple, fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua, or \"#rrggbb\")");
     for (const std::string wrong : {"#12345", "#", "#12345g", "#123456789", "#-12", "#1234567", "#+12"})
         CHECK(read_on_canvas("object o fill=\"" + wrong + "\" { key 0 { empty } }").findings ==
               "3:15 error: \"" + wrong +
                   "\" is no colour (write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", \"#rrggbbaa\")");
     CHECK(read_on_canvas("object o fill=3 { key 0 { empty } }").findings ==
-          "3:15 error: a word or a text in quotes is expected here");
+          "3:15 error: a colour is expected here (write its name or \"#rrggbb\")");
     CHECK(read("kfast 1\ncanvas 9 9 background=vermilion-red-hot")
               .findings.starts_with("2:23 error: unknown colour \"vermilion-red-hot\""));
 }
