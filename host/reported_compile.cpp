@@ -10,8 +10,9 @@ CompiledText compile_and_report(const SourceText& source, const Reporter& report
     auto compiled = compile_with_names(source, diagnostics);
     const auto [errors, warnings] = reporter(diagnostics, source);
     if (!compiled)
-        return {std::nullopt, {}, errors, warnings};
-    return {std::move(compiled->bytes), std::move(compiled->item_names), errors, warnings};
+        return {std::nullopt, {}, {}, errors, warnings};
+    return {std::move(compiled->bytes), std::move(compiled->item_names), std::move(compiled->item_places),
+            errors, warnings};
 }
 
 }

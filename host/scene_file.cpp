@@ -9,6 +9,7 @@
 #include "host/reported_diagnostics.hpp"
 #include "host/scene/font_files.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,8 +58,17 @@ SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)
     return {std::move(bytes), *view};
 }
 
+bool is_utf_16(std::string_view text)
+{
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        return true;
+    return text.size() > 1 && std::min(text[0], text[1]) == '\0' && std::max(text[0], text[1]) >= '\t';
+}
+
 SceneFile from_text(const fs::path& path, std::string text, const Reporter& reporter)
 {
+    if (is_utf_16(text))
+        refuse(path, "the text is in UTF-16: save it as UTF-8");
     if (text.find('\0') != std::string::npos)
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
     if (text.size() > most_scene_text_bytes)
@@ -71,6 +81,7 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
     scene.was_text = true;
     scene.warnings = compiled.warnings;
     scene.item_names = std::move(compiled.item_names);
+    scene.item_places = std::move(compiled.item_places);
     scene.fonts = scene::font_files(source);
     return scene;
 }
@@ -102,6 +113,10 @@ SceneFile read_scene(const fs::path& path, std::string content, const ImportChoi
 {
     if (importing::can_import(content))
         return from_other_program(path, std::move(content), choice, out);
+    if (!choice.only_for_imports.empty())
+        throw Failure(path.string() + ": " + choice.only_for_imports +
+                          " is for files of other programs, and this is a scene of kfast: leave it out",
+                      ExitStatus::wrong_usage);
     if (!content.starts_with(magic))
         return from_text(path, std::move(content), reporter);
     const auto bytes = std::as_bytes(std::span{content});

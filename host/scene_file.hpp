@@ -4,6 +4,7 @@
 #include "host/art/losses.hpp"
 #include "host/import/options.hpp"
 #include "host/reporter.hpp"
+#include "host/text/source.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct SceneFile {
     std::size_t warnings = 0;            ///< of the compiler
     art::Losses losses;                  ///< of a file of another program
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
+    std::vector<Place> item_places;      ///< likewise; of a file of another program none
     std::vector<std::filesystem::path> fonts; ///< files that a text names
 };
 
@@ -42,6 +44,8 @@ enum class OnLoss {
 struct ImportChoice {
     importing::Options options = {};
     OnLoss on_loss = OnLoss::warn;
+    /// The option that was used for `options`, if any was: scenes of kfast are refused, and told so.
+    std::string only_for_imports = {};
 };
 
 /// Reads a compiled scene (known by its first bytes, "KFB"), reads and compiles a scene text, or imports a

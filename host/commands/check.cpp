@@ -8,6 +8,7 @@
 #include "host/failure.hpp"
 #include "host/import/loss_list.hpp"
 #include "host/input_file.hpp"
+#include "host/preview/unseen_objects.hpp"
 #include "host/reported_diagnostics.hpp"
 #include "host/scene_file.hpp"
 
@@ -49,12 +50,25 @@ std::string content_of(const std::string& path, const CheckOptions& options)
     return content.empty() ? throw Failure(options.name + ": nothing came from standard input") : content;
 }
 
+/// Of objects in a scene text that nobody ever sees.
+void warn_of_unseen(const SceneFile& scene, Diagnostics& diagnostics)
+{
+    if (scene.item_places.empty())
+        return;
+    for (const UnseenObject& object : unseen_objects(scene.view))
+        diagnostics.warning(scene.item_places[object.number], "no frame shows anything of this",
+                            object.is_hidden ? "it is hidden or transparent all the time"
+                                             : "it is outside of the canvas all the time, or has no area");
+}
+
 void check_scene(const std::string& path, const CheckOptions& options)
 {
-    const std::string name = name_of(path, options);
-    const SceneFile scene =
-        scene_of(name, content_of(path, options), options.import_choice, printing_to(std::cerr));
-    std::cout << name << ": ok: " << summary(scene) << ", " << counted(scene.warnings, "warning") << '\n';
+    const SourceText source{name_of(path, options), content_of(path, options)};
+    const SceneFile scene = scene_of(source.name, source.text, options.import_choice, printing_to(std::cerr));
+    Diagnostics unseen;
+    warn_of_unseen(scene, unseen);
+    const std::size_t warnings = scene.warnings + report(unseen, source).warnings;
+    std::cout << source.name << ": ok: " << summary(scene) << ", " << counted(warnings, "warning") << '\n';
     if (!scene.losses.empty())
         std::cout << importing::loss_count(scene.losses) << ":\n"
                   << importing::loss_list(scene.losses, importing::ListLength::whole) << '\n';
@@ -96,6 +110,7 @@ CheckedFile checked(const std::string& path, const CheckOptions& options)
         choice.on_loss = OnLoss::report;
         const SceneFile scene = scene_of(file.name, file.text, choice, keep);
         file.summary = summary(scene);
+        warn_of_unseen(scene, file.diagnostics);
         file.losses = scene.losses;
         if (options.import_choice.on_loss == OnLoss::refuse && !file.losses.empty())
             file.failure = file.name + ": " + importing::loss_count(file.losses);

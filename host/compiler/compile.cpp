@@ -1,6 +1,6 @@
 #include "host/compiler/compile.hpp"
 
-#include "host/compiler/item_names.hpp"
+#include "host/compiler/item_origins.hpp"
 #include "host/compiler/stroke_order.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "host/kdl/parser.hpp"
@@ -30,7 +30,8 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
     auto bytes = write_scene(*scene, diagnostics, tell);
     if (!bytes)
         return std::nullopt;
-    return CompiledScene{std::move(*bytes), item_names(*scene)};
+    ItemOrigins origins = item_origins(*scene);
+    return CompiledScene{std::move(*bytes), std::move(origins.names), std::move(origins.places)};
 }
 
 }

@@ -15,6 +15,7 @@ namespace kfast {
 struct CompiledScene {
     std::vector<std::byte> bytes;
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; may be empty
+    std::vector<Place> item_places;      ///< likewise, in the text
 };
 
 /// Compiles a .kfast text into the bytes of a .kfb (docs/format.md).

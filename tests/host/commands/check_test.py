@@ -69,6 +69,21 @@ class CheckTest(CommandTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn("<stdin>:4:17: error: ", result.stderr)
 
+    def test_what_nobody_sees(self):
+        text = """kfast 1
+canvas 60 40
+object seen fill=white { rect 0 0 9 9 }
+object outside fill=white { rect 60 0 9 9 }
+"""
+        (file,) = self.json(self.write("half.kfast", text))
+        (warning,) = file["diagnostics"]
+        self.assertTrue(file["good"])
+        self.assertEqual((warning["severity"], warning["begin"]["line"]), ("warning", 4))
+        self.assertIn("outside of the canvas", warning["remedy"])
+        result = self.run_kfast("check", "half.kfast")
+        self.assertIn("half.kfast:4:1: warning: no frame shows anything of this\n", result.stderr)
+        self.assertTrue(result.stdout.endswith(", 1 warning\n"), result.stdout)
+
     def test_several_files(self):
         self.write("wrong.kfast", WRONG)
         files = self.json("repeat.kfast", "wrong.kfast", "none.kfast", status=1)

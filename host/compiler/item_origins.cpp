@@ -1,4 +1,4 @@
-#include "host/compiler/item_names.hpp"
+#include "host/compiler/item_origins.hpp"
 
 #include <utility>
 #include <variant>
@@ -6,22 +6,23 @@
 namespace kfast {
 namespace {
 
-class ItemNames {
+class OriginList {
 public:
-    explicit ItemNames(const scene::Scene& scene) : scene_{scene}
+    explicit OriginList(const scene::Scene& scene) : scene_{scene}
     {
         for (const scene::Symbol& symbol : scene.symbols)
             add(symbol.items);
         add(scene.items);
     }
 
-    std::vector<std::string> take() { return std::move(names_); }
+    ItemOrigins take() { return std::move(origins_); }
 
 private:
     void add(const std::vector<scene::Item>& items)
     {
         for (const scene::Item& item : items) {
-            names_.push_back(name_of(item));
+            origins_.names.push_back(name_of(item));
+            origins_.places.push_back(item.place);
             if (const auto* group = std::get_if<scene::Group>(&item.content))
                 add(group->items);
         }
@@ -34,11 +35,11 @@ private:
     }
 
     const scene::Scene& scene_;
-    std::vector<std::string> names_;
+    ItemOrigins origins_;
 };
 
 }
 
-std::vector<std::string> item_names(const scene::Scene& scene) { return ItemNames{scene}.take(); }
+ItemOrigins item_origins(const scene::Scene& scene) { return OriginList{scene}.take(); }
 
 }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/scene/model.hpp"
+#include "host/text/source.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// Where the items of a .kfb come from, in the order in which it stores them, as every_item() reads them.
+struct ItemOrigins {
+    std::vector<std::string> names; ///< of a use without a name that of its symbol
+    std::vector<Place> places;      ///< in the text
+};
+
+ItemOrigins item_origins(const scene::Scene& scene);
+
+}
