@@ -41,6 +41,13 @@ bool may_go_on(std::string_view bytes)
 Keyboard::Keyboard()
     : works_{::tcgetpgrp(STDIN_FILENO) == ::getpgrp() && ::tcgetattr(STDIN_FILENO, &before_) == 0}
 {
+    take();
+}
+
+Keyboard::~Keyboard() { give_back(); }
+
+void Keyboard::take()
+{
     if (!works_)
         return;
     termios by_keys = before_;
@@ -50,7 +57,7 @@ Keyboard::Keyboard()
     ::tcsetattr(STDIN_FILENO, TCSANOW, &by_keys);
 }
 
-Keyboard::~Keyboard()
+void Keyboard::give_back()
 {
     if (works_)
         ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);

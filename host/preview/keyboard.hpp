@@ -16,6 +16,10 @@ public:
     Keyboard(const Keyboard&) = delete;
     Keyboard& operator=(const Keyboard&) = delete;
 
+    /// For a time in which the program is stopped: the terminal is as it was.
+    void give_back();
+    void take();
+
     /// Whether keys can be pressed.
     bool works() const { return works_; }
     /// Those pressed since the last call; waits for some, but not longer than `patience`.

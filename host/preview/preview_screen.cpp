@@ -75,9 +75,23 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
     draw_status(painter, parts.status, (facts.empty() ? "" : facts + "  ") + viewer.status());
-    if (viewer.playback().help_open())
-        draw_help(painter, above_status(parts), help_.page(help_cells(above_status(parts))));
+    draw_help_and_errors(painter, viewer, parts);
     draw_messages(painter, viewer, parts.picture, now);
+}
+
+/// The help below the errors.
+void PreviewScreen::draw_help_and_errors(Painter& painter, const Viewer& viewer, const WindowLayout& parts)
+{
+    const bool has_help = viewer.playback().help_open();
+    Rect help_room = above_status(parts);
+    if (!viewer.errors().empty()) {
+        Rect room = parts.picture;
+        room.height /= has_help ? 2 : 1;
+        const int end = bottom_of(draw_errors(painter, room, viewer.errors()));
+        help_room = {help_room.x, end, help_room.width, std::max(0, bottom_of(help_room) - end)};
+    }
+    if (has_help)
+        draw_help(painter, help_room, help_.page(help_cells(help_room)));
 }
 
 std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const
@@ -97,8 +111,6 @@ void PreviewScreen::draw_messages(Painter& painter, Viewer& viewer, Rect room, S
         notice_since_ = now;
     }
     shows_notice_ = !viewer.notice().empty() && now < notice_since_ + notice_stays;
-    if (!viewer.errors().empty())
-        draw_errors(painter, room, viewer.errors());
     if (const auto share = viewer.progress())
         draw_progress(painter, room, viewer.notice(), *share);
     else if (shows_notice_)

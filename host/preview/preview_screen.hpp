@@ -37,6 +37,7 @@ private:
 
     /// The facts of its overlay.
     std::string draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const;
+    void draw_help_and_errors(Painter& painter, const Viewer& viewer, const WindowLayout& parts);
     void draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now);
 
     void begin_drag(const PointerEvent& event, Viewer& viewer, Seconds now);

@@ -1,65 +1,22 @@
 #include "host/preview/terminal.hpp"
 
-#include "host/failure.hpp"
+#include "host/preview/borrowed_terminal.hpp"
 #include "host/preview/half_blocks.hpp"
 #include "host/preview/steady_now.hpp"
 #include "host/preview/terminal_text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <vector>
 
 namespace kfast {
 namespace {
 
 using Seconds = PreviewPlayback::Seconds;
-
-volatile std::sig_atomic_t signal_seen = 0;
-
-extern "C" void remember_signal(int number) { signal_seen = number; }
-
-void write_all(std::string_view text)
-{
-    while (!text.empty()) {
-        const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
-        if (count < 0 && errno != EINTR)
-            throw Failure(std::string("cannot write to the terminal: ") + std::strerror(errno));
-        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    }
-}
-
-/// Hides the cursor while it lives. A signal that would end the program is only remembered, and raised again
-/// once the terminal is as it was.
-class BorrowedTerminal {
-public:
-    BorrowedTerminal()
-    {
-        for (const int number : signals)
-            std::signal(number, remember_signal);
-        write_all("\x1b[?25l");
-    }
-    ~BorrowedTerminal()
-    {
-        constexpr std::string_view restore = "\x1b[0m\x1b[?25h";
-        [[maybe_unused]] const ssize_t count = ::write(STDOUT_FILENO, restore.data(), restore.size());
-        for (const int number : signals)
-            std::signal(number, SIG_DFL);
-        if (signal_seen != 0)
-            std::raise(signal_seen);
-    }
-    BorrowedTerminal(const BorrowedTerminal&) = delete;
-    BorrowedTerminal& operator=(const BorrowedTerminal&) = delete;
-
-private:
-    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
-};
 
 Size terminal_size()
 {
@@ -77,6 +34,9 @@ TerminalColours these_colours()
 /// Draws one picture above the other.
 class TerminalScreen {
 public:
+    /// Below what others have written: the picture that was drawn last stays where it is.
+    void begin_anew() { lines_ = 0; }
+
     bool fits() const { return size_ == terminal_size(); }
 
     void draw(Viewer& viewer, bool with_help)
@@ -85,7 +45,7 @@ public:
         const TerminalContent content{viewer.picture(), viewer.status(), viewer.notice(), viewer.errors(),
                                       with_help ? &help_ : nullptr};
         const TerminalText drawn = terminal_text(content, size, colours_);
-        write_all(way_back(size) + drawn.text);
+        write_to_terminal(way_back(size) + drawn.text);
         size_ = size;
         lines_ = drawn.lines;
     }
@@ -127,14 +87,6 @@ Seconds patience(const Viewer& viewer, Seconds now)
     return plays ? std::clamp(viewer.playback().next_frame_at() - now, Seconds{0}, longest) : longest;
 }
 
-bool press_keys(TerminalScreen& screen, Viewer& viewer, Keyboard& keyboard)
-{
-    const std::vector<PreviewKey> keys = keyboard.pressed(patience(viewer, steady_now()));
-    for (const PreviewKey key : keys)
-        screen.press(key, viewer, steady_now());
-    return !keys.empty();
-}
-
 /// Draws what changes, and what plays at each frame.
 class DrawTimes {
 public:
@@ -158,27 +110,55 @@ private:
     Seconds next_{0};
 };
 
-void play(Viewer& viewer, Keyboard& keyboard)
-{
-    TerminalScreen screen;
-    DrawTimes times;
-    bool is_disturbed = true;
-    while (!viewer.wants_to_quit() && signal_seen == 0) {
-        const bool has_changed = viewer.attend(steady_now()) || is_disturbed || !screen.fits();
-        const bool is_last = viewer.wants_to_quit();
-        if (times.is_due(viewer, has_changed || is_last, steady_now()))
-            screen.draw(viewer, keyboard.works() && viewer.playback().help_open());
-        is_disturbed = !is_last && press_keys(screen, viewer, keyboard);
+class TerminalPreview {
+public:
+    TerminalPreview(Viewer& viewer, Keyboard& keyboard) : viewer_{viewer}, keyboard_{keyboard} {}
+
+    void play()
+    {
+        bool is_disturbed = true;
+        while (!viewer_.wants_to_quit() && !terminal_.is_to_end()) {
+            is_disturbed = stop_if_asked() || is_disturbed;
+            const bool has_changed = viewer_.attend(now()) || is_disturbed || !screen_.fits();
+            const bool is_last = viewer_.wants_to_quit();
+            if (times_.is_due(viewer_, has_changed || is_last, now()))
+                screen_.draw(viewer_, keyboard_.works() && viewer_.playback().help_open());
+            is_disturbed = !is_last && press_keys();
+        }
     }
-}
+
+private:
+    Seconds now() const { return steady_now() - stood_still_; }
+
+    bool stop_if_asked()
+    {
+        const Seconds before = now();
+        if (!terminal_.stop_if_asked())
+            return false;
+        stood_still_ += now() - before;
+        screen_.begin_anew();
+        return true;
+    }
+
+    bool press_keys()
+    {
+        const std::vector<PreviewKey> keys = keyboard_.pressed(patience(viewer_, now()));
+        for (const PreviewKey key : keys)
+            screen_.press(key, viewer_, now());
+        return !keys.empty();
+    }
+
+    Viewer& viewer_;
+    Keyboard& keyboard_;
+    BorrowedTerminal terminal_{keyboard_};
+    TerminalScreen screen_;
+    DrawTimes times_;
+    Seconds stood_still_{0}; ///< in all, while the program was stopped
+};
 
 }
 
-void play_in_terminal(Viewer& viewer, Keyboard& keyboard)
-{
-    const BorrowedTerminal terminal;
-    play(viewer, keyboard);
-}
+void play_in_terminal(Viewer& viewer, Keyboard& keyboard) { TerminalPreview{viewer, keyboard}.play(); }
 
 bool can_play_in_terminal()
 {
@@ -189,7 +169,7 @@ bool can_play_in_terminal()
 void write_as_text(const Frame& frame)
 {
     const Size size = terminal_size();
-    write_all(half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, these_colours()));
+    write_to_terminal(half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, these_colours()));
 }
 
 }

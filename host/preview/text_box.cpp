@@ -81,7 +81,7 @@ std::vector<ColouredLine> error_lines(std::span<const std::string> lines, int co
 
 }
 
-void draw_errors(Painter& painter, Rect room, std::span<const std::string> lines)
+Rect draw_errors(Painter& painter, Rect room, std::span<const std::string> lines)
 {
     const Rect free = inset(room, std::min(10, room.width / 20), std::min(10, room.height / 20));
     const int most = std::max(1, (free.height - 2 * margin) / line_height);
@@ -98,6 +98,7 @@ void draw_errors(Painter& painter, Rect room, std::span<const std::string> lines
         painter.text(box.x + margin, y, line.text, line.colour);
         y += line_height;
     }
+    return box;
 }
 
 namespace {

@@ -14,8 +14,8 @@ Size help_cells(Rect room);
 void draw_help(Painter& painter, Rect room, const HelpPage& page);
 
 /// What went wrong, at the upper edge of `room`: long lines are wrapped, and lines for which there is no
-/// room left out, which "…" tells.
-void draw_errors(Painter& painter, Rect room, std::span<const std::string> lines);
+/// room left out, which "…" tells. Returns what it covers.
+Rect draw_errors(Painter& painter, Rect room, std::span<const std::string> lines);
 
 /// In the middle of the lower edge of `room`, in as many lines as it takes; with a bar that is filled to a
 /// share from 0 to 1.

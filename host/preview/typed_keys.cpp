@@ -23,7 +23,8 @@ Sent first_key(std::string_view bytes)
         if (bytes.starts_with(key.bytes))
             return key;
     const std::string_view letter = bytes.substr(0, 1);
-    return {letter, bytes == "\x1b" ? "escape" : letter};
+    const bool is_escape = bytes == "\x1b" || bytes.starts_with("\x1b\x1b"); // else it begins another key
+    return {letter, is_escape ? "escape" : letter};
 }
 
 }

@@ -5,6 +5,8 @@ import os
 import pty
 import re
 import select
+import shlex
+import signal
 import struct
 import subprocess
 import termios
@@ -21,9 +23,9 @@ BAD = GOOD.replace("rect 30", "rectangle 30")
 
 
 class Preview:
-    """A preview in a terminal of its own."""
+    """A preview in a terminal of its own; if `shell`, begun by one that waits for more once it ends."""
 
-    def __init__(self, folder, *arguments, columns=80, lines=24, environment=None):
+    def __init__(self, folder, *arguments, columns=80, lines=24, environment=None, shell=False):
         self.written = ""
         self.terminal, slave = pty.openpty()
         self.resize(columns, lines)
@@ -33,13 +35,20 @@ class Preview:
             fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
 
         plain = {name: value for name, value in os.environ.items() if name not in ("COLORTERM", "NO_COLOR")}
-        self.process = subprocess.Popen([KFAST, "preview", "--terminal", *arguments], cwd=folder, stdin=slave,
-                                        stdout=slave, stderr=slave, preexec_fn=take_terminal,
+        command = [str(KFAST), "preview", "--terminal", *arguments]
+        waiting_shell = ["dash", "-i"]  # which leaves the modes of a terminal to its jobs: bash mends them itself
+        self.process = subprocess.Popen(waiting_shell if shell else command, cwd=folder, stdin=slave, stdout=slave,
+                                        stderr=slave, preexec_fn=take_terminal,
                                         env={**plain, "TERM": "xterm-256color", **(environment or {})})
         os.close(slave)
+        if shell:
+            self.type("ulimit -c 0; " + shlex.join(command) + "\n")
 
     def resize(self, columns, lines):
         fcntl.ioctl(self.terminal, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
+
+    def echoes(self):
+        return bool(termios.tcgetattr(self.terminal)[3] & termios.ECHO)
 
     def type(self, keys):
         os.write(self.terminal, keys.encode())
@@ -88,6 +97,37 @@ class TerminalTest(CommandTest):
         preview.wait_for(r"(?s)frame 9.*frame 0.*frame 9.*frame 0")
         self.assertEqual(preview.end(), 0)
         self.assertTrue(preview.written.endswith("\x1b[0m\x1b[?25h"))
+
+    def test_ctrl_z_stops_it_with_the_terminal_as_it_was(self):
+        shell = Preview(self.folder, "lamp.kfast", shell=True)
+        self.addCleanup(shell.process.kill)
+        shell.wait_for("next key frame")
+        shell.type("hn")
+        shell.wait_for("frame 5 .*paused")
+        shell.type("\x1a")
+        shell.wait_for(r"(?s)\x1b\[\?25h.*Stopped")
+        shell.type("stty -a\n")
+        shell.wait_for(r"(?s)[^-]icanon.*[^-]echo ")
+        shell.type("fg\n")
+        self.assertNotIn("\x1b[2J", shell.wait_for(r"(?s)\x1b\[\?25l.*frame 5 .*paused"))
+        shell.type("n")
+        shell.wait_for("frame 0 .*paused")
+        shell.type("\x1c")  # Ctrl-\
+        shell.wait_for(r"(?s)\x1b\[\?25h.*Quit")
+        shell.type("stty -a\n")
+        shell.wait_for(r"(?s)[^-]icanon.*[^-]echo ")
+        self.assertEqual(shell.end("exit 3\n"), 3)
+
+    def test_a_signal_leaves_the_terminal_as_it_was(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            preview = Preview(self.folder, "lamp.kfast")
+            self.addCleanup(preview.process.kill)
+            preview.wait_for("next key frame")
+            self.assertFalse(preview.echoes())
+            preview.process.send_signal(number)
+            preview.wait_for(r"\x1b\[\?25h")
+            self.assertEqual(preview.process.wait(timeout=60), -number)
+            self.assertTrue(preview.echoes())
 
     def test_its_help_has_the_keys_that_do_something_there(self):
         preview = Preview(self.folder, "lamp.kfast")

@@ -286,6 +286,28 @@ TEST_CASE("a notice goes away after a while, errors stay until the file is good"
     CHECK(std::ranges::count(window.painter.texts, theme::bad, &RecordingPainter::Text::colour) > 0);
 }
 
+TEST_CASE("the help and the errors do not cover each other")
+{
+    Window window;
+    std::ofstream{window.folder / "bad.kfast"} << "kfast 1\nnonsense";
+    window.viewer.open(window.folder / "bad.kfast", window.now);
+    window.press(PreviewKey::help);
+    for (const Size size : {Size{900, 600}, Size{400, 300}}) {
+        window.draw(size);
+        int errors_end = 0;
+        int help_begin = size.height;
+        for (const auto& text : window.painter.texts) {
+            if (text.colour == theme::bad)
+                errors_end = std::max(errors_end, bottom_of(text.place));
+            if (text.colour == theme::key)
+                help_begin = std::min(help_begin, text.place.y);
+        }
+        CHECK(errors_end > 0);
+        CHECK(help_begin < size.height);
+        CHECK(errors_end < help_begin);
+    }
+}
+
 TEST_CASE("a notice that is told again is shown again")
 {
     Window window;

@@ -1,0 +1,80 @@
+#include "host/preview/borrowed_terminal.hpp"
+
+#include "host/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string>
+#include <unistd.h>
+
+namespace kfast {
+namespace {
+
+constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+volatile std::sig_atomic_t ending_signal = 0;
+volatile std::sig_atomic_t is_to_stop = 0;
+
+extern "C" void remember_end(int number) { ending_signal = number; }
+extern "C" void remember_stop(int) { is_to_stop = 1; }
+
+}
+
+void write_to_terminal(std::string_view text)
+{
+    while (!text.empty()) {
+        const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
+        if (count < 0 && errno != EINTR)
+            throw Failure(std::string("cannot write to the terminal: ") + std::strerror(errno));
+        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    }
+}
+
+BorrowedTerminal::BorrowedTerminal(Keyboard& keyboard) : keyboard_{keyboard}
+{
+    for (const int number : ending_signals)
+        std::signal(number, remember_end);
+    take();
+}
+
+BorrowedTerminal::~BorrowedTerminal()
+{
+    give_back();
+    for (const int number : ending_signals)
+        std::signal(number, SIG_DFL);
+    if (ending_signal != 0)
+        std::raise(ending_signal);
+}
+
+void BorrowedTerminal::take()
+{
+    std::signal(SIGTSTP, remember_stop);
+    keyboard_.take();
+    write_to_terminal("\x1b[?25l");
+}
+
+void BorrowedTerminal::give_back()
+{
+    constexpr std::string_view as_usual = "\x1b[0m\x1b[?25h";
+    [[maybe_unused]] const ssize_t count = ::write(STDOUT_FILENO, as_usual.data(), as_usual.size());
+    keyboard_.give_back();
+    std::signal(SIGTSTP, SIG_DFL);
+}
+
+bool BorrowedTerminal::is_to_end() const { return ending_signal != 0; }
+
+bool BorrowedTerminal::stop_if_asked()
+{
+    if (is_to_stop == 0)
+        return false;
+    give_back();
+    std::raise(SIGTSTP);
+    is_to_stop = 0;
+    take();
+    return true;
+}
+
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "host/preview/keyboard.hpp"
+
+#include <string_view>
+
+namespace kfast {
+
+/// The terminal that standard output is, to draw pictures on: its cursor is hidden while this lives. Signals
+/// that end or stop the program are only remembered, so that the terminal can be left as it was before they
+/// do. One at a time. Throws Failure when the terminal cannot be written.
+class BorrowedTerminal {
+public:
+    explicit BorrowedTerminal(Keyboard& keyboard);
+    /// Gives the terminal and the keyboard back, and raises the signal that ends the program, if one came.
+    ~BorrowedTerminal();
+    BorrowedTerminal(const BorrowedTerminal&) = delete;
+    BorrowedTerminal& operator=(const BorrowedTerminal&) = delete;
+
+    /// Whether a signal came that ends the program.
+    bool is_to_end() const;
+    /// Stops the program if that was asked for (Ctrl-Z), with the terminal given back, until its shell lets
+    /// it go on. True if it did: what stands on the terminal then is others'.
+    bool stop_if_asked();
+
+private:
+    void take();
+    void give_back();
+
+    Keyboard& keyboard_;
+};
+
+/// All of `text` to standard output. Throws Failure.
+void write_to_terminal(std::string_view text);
+
+}
