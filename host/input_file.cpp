@@ -73,6 +73,8 @@ private:
 
 std::string read_input(const fs::path& path, const InputKind& kind)
 {
+    if (path.empty())
+        throw Failure("the name of the file is empty: name " + std::string{kind.files});
     const InputFile file{path, kind};
     std::string content = file.content();
     if (content.empty())

@@ -59,8 +59,8 @@ std::string cases_of(const CommandWords& command)
 {
     if (command.subcommands.empty())
         return case_of(command);
-    std::string text =
-        "    '" + command.name + "') _kfast_words '" + names_of_commands(command) + " --help' ;;\n";
+    std::string text = "    '" + command.name + "') _kfast_words '" + names_of_commands(command) + ' ' +
+                       options_of(command) + "' ;;\n";
     for (const CommandWords& inner : command.subcommands)
         text += cases_of(inner);
     return text;

@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 
 #include "firmware/version.hpp"
+#include "host/commands/usage_mistake.hpp"
 #include "host/failure.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -32,18 +33,21 @@ std::string exit_status_list()
     return list;
 }
 
-std::string usage_message(const CLI::App* kfast, const CLI::Error& error)
+std::string usage_message(const CLI::App* kfast, const CLI::Error& error,
+                          std::span<const char* const> arguments)
 {
-    std::string command;
-    for (auto chosen = kfast->get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands())
-        command += chosen.front()->get_name() + ' ';
-    return std::string("kfast: ") + error.what() + "\nTry 'kfast " + command + "--help'.\n";
+    std::string name;
+    const CLI::App* command = kfast;
+    for (auto chosen = kfast->get_subcommands(); !chosen.empty(); chosen = command->get_subcommands()) {
+        command = chosen.front();
+        name += command->get_name() + ' ';
+    }
+    return "kfast: " + usage_mistake(*command, error, arguments) + "\nTry 'kfast " + name + "--help'.\n";
 }
 
 void declare_commands(CLI::App& kfast)
 {
     kfast.set_version_flag("--version", std::string("kfast ") + version);
-    kfast.failure_message(usage_message);
     kfast.footer(
         "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.\n\n" +
         exit_status_list());
@@ -61,7 +65,7 @@ void require_one_of(std::span<const std::string_view> known, std::string_view wo
         return;
     const std::string wrong =
         word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
-    throw CLI::RequiredError(wrong + ": " + suggestion(word, known), CLI::ExitCodes::RequiredError);
+    throw Failure(wrong + ": " + suggestion(word, known) + "\nTry 'kfast --help'.", ExitStatus::wrong_usage);
 }
 
 void require_command(std::span<const char* const> arguments)
@@ -81,11 +85,14 @@ int fail(const char* reason, ExitStatus status = ExitStatus::wrong_input)
     return static_cast<int>(status);
 }
 
-int parse_and_run(CLI::App& kfast, int count, const char* const* arguments)
+int parse_and_run(CLI::App& kfast, std::span<const char* const> arguments)
 {
+    kfast.failure_message([arguments](const CLI::App* app, const CLI::Error& error) {
+        return usage_message(app, error, arguments);
+    });
     try {
-        require_command({arguments, static_cast<std::size_t>(count)});
-        kfast.parse(count, arguments);
+        require_command(arguments);
+        kfast.parse(static_cast<int>(arguments.size()), arguments.data());
     } catch (const CLI::ParseError& error) {
         return kfast.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::wrong_usage);
     } catch (const Failure& failure) {
@@ -102,7 +109,7 @@ int run_command_line(int count, const char* const* arguments)
 {
     CLI::App kfast{"Vector key-frame animation for microcontroller-driven displays.", "kfast"};
     declare_commands(kfast);
-    const int status = parse_and_run(kfast, count, arguments);
+    const int status = parse_and_run(kfast, {arguments, static_cast<std::size_t>(count)});
     std::cout.flush();
     return std::cout ? status : fail("cannot write to standard output");
 }

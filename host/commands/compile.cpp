@@ -2,6 +2,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/fit_options.hpp"
 #include "host/commands/import_options.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/summary.hpp"
 #include "host/failure.hpp"
@@ -52,8 +53,7 @@ void declare_compile(CLI::App& app)
     app.add_option("SCENE", options->scene,
                    "The scene text (.kfast), or a file to import (.json, .lottie, .svg, .sif)")
         ->required();
-    app.add_option("-o,--output", options->output, "The compiled scene (default: SCENE's name with .kfb)")
-        ->type_name("OUT");
+    declare_output(app, options->output, "The compiled scene (default: SCENE's name with .kfb)");
     declare_import_options(app, options->import_choice);
     declare_fit_options(app, options->fit);
     app.callback([options] { compile_scene(*options); });

@@ -1,6 +1,7 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/config_text.hpp"
@@ -107,9 +108,8 @@ void declare_config(CLI::App& app)
     CLI::Option* const input =
         app.add_option("INPUT", options->input,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)");
-    CLI::Option* const output = app.add_option("-o,--output", options->output,
-                                               "A .kdl, .bin or .uf2 file (default: the text is printed)")
-                                    ->type_name("OUT");
+    CLI::Option* const output =
+        declare_output(app, options->output, "A .kdl, .bin or .uf2 file (default: the text is printed)");
     offer_names(input, config::configurations());
     app.add_flag("--list", options->list, "Name the ready configurations")->excludes(input)->excludes(output);
     app.callback([options] { run(*options); });

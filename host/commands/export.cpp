@@ -4,6 +4,7 @@
 #include "host/commands/export_kinds.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 
 #include <array>
@@ -88,8 +89,7 @@ void declare_export(CLI::App& app)
         add_kind(group, "--ild", "An ILDA file with the frames of one play, for lasers", export_ilda),
         add_kind(group, "--wav", "A sound that leads an oscilloscope: x left, y right", export_wave)};
     group.require_option(1);
-    app.add_option("-o,--output", options->output, "The file (default: FILE's name with .h, .ild or .wav)")
-        ->type_name("OUT");
+    declare_output(app, options->output, "The file (default: FILE's name with .h, .ild or .wav)");
     belong_to(kinds[0], declare_header_options(app, *options));
     belong_to(kinds[1], declare_ilda_options(app, *options));
     belong_to(kinds[2], declare_wave_options(app, *options));

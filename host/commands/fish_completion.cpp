@@ -61,9 +61,9 @@ std::string values(const OptionWords& option)
     return words.empty() ? "" : " -a " + single_quoted(words);
 }
 
-std::string line_of(const CommandWords& command, const OptionWords& option)
+std::string line_of(const std::string& condition, const OptionWords& option)
 {
-    std::string line = "complete -c kfast" + when(condition(command.name));
+    std::string line = "complete -c kfast" + when(condition);
     if (option.is_positional)
         return values(option).empty() && !option.takes_path
                    ? ""
@@ -80,7 +80,7 @@ std::string lines_of(const CommandWords& command)
 {
     std::string text;
     for (const OptionWords& option : command.options)
-        text += line_of(command, option);
+        text += line_of(condition(command.name), option);
     for (const CommandWords& inner : command.subcommands) {
         text += "complete -c kfast -f" + when(condition_of_inner(command)) + " -a " + last_word(inner.name) +
                 " -d " + single_quoted(inner.summary) + '\n' + lines_of(inner);
@@ -97,6 +97,8 @@ std::string fish_completion(const CommandWords& kfast)
     for (const CommandWords& command : kfast.subcommands)
         text += "complete -c kfast -n __fish_use_subcommand -a " + command.name + " -d " +
                 single_quoted(command.summary) + '\n';
+    for (const OptionWords& option : kfast.options)
+        text += line_of("__fish_use_subcommand", option);
     for (const CommandWords& command : kfast.subcommands)
         text += lines_of(command);
     return text;

@@ -63,20 +63,20 @@ std::optional<Known> known_scene(Bytes bytes)
     return Known{own.size(), "scene: " + summary(SceneFile{{own.begin(), own.end()}, *scene})};
 }
 
-struct Place {
+struct KnownPlace {
     std::uint32_t address;
     std::optional<Known> (*look)(Bytes);
 };
 
-constexpr std::array places{Place{pico_flash::begin, known_firmware},
-                            Place{pico_flash::settings, known_settings},
-                            Place{pico_flash::scene, known_scene}};
+constexpr std::array places{KnownPlace{pico_flash::begin, known_firmware},
+                            KnownPlace{pico_flash::settings, known_settings},
+                            KnownPlace{pico_flash::scene, known_scene}};
 
 /// From `begin` to `end`, which are in the region.
 FlashPiece piece_of(const FlashRegion& region, std::uint64_t begin, std::uint64_t end)
 {
     Bytes bytes = Bytes{region.bytes}.subspan(begin - region.address, end - begin);
-    const auto* const place = std::ranges::find(places, begin, &Place::address);
+    const auto* const place = std::ranges::find(places, begin, &KnownPlace::address);
     const auto known = place == places.end() ? std::nullopt : place->look(bytes);
     if (known)
         bytes = bytes.first(known->bytes);
@@ -84,7 +84,7 @@ FlashPiece piece_of(const FlashRegion& region, std::uint64_t begin, std::uint64_
 }
 
 /// Where something that is known begins inside of the region.
-bool begins_something(const FlashRegion& region, const Place& place)
+bool begins_something(const FlashRegion& region, const KnownPlace& place)
 {
     const std::uint64_t end = std::uint64_t{region.address} + region.bytes.size();
     return place.address > region.address && place.address < end &&
@@ -98,7 +98,7 @@ std::vector<FlashPiece> flash_pieces(std::span<const FlashRegion> regions)
     std::vector<FlashPiece> pieces;
     for (const FlashRegion& region : regions) {
         std::uint64_t begin = region.address;
-        for (const Place& place : places)
+        for (const KnownPlace& place : places)
             if (begins_something(region, place)) {
                 pieces.push_back(piece_of(region, begin, place.address));
                 begin = place.address;

@@ -71,7 +71,7 @@ BootBoard required_board_at(const std::string& port, const std::vector<BootBoard
 {
     if (const auto board = board_at(port, boards))
         return *board;
-    throw Failure{"there is no board in its boot loader at " + kfast::quoted(port) + ": " +
+    throw Failure{"there is no board in its boot loader at " + in_quotes(port) + ": " +
                       (boards.empty() ? boot_loader_by_hand : "there are: " + ports_of(boards)),
                   ExitStatus::no_device};
 }
@@ -81,7 +81,7 @@ DeviceAddress device_called(const std::string& serial, const std::vector<DeviceA
     const auto found = std::ranges::find(devices, serial, &DeviceAddress::serial);
     if (found != devices.end())
         return *found;
-    throw Failure{"no board that runs KFAST has the serial number " + kfast::quoted(serial) + ": " +
+    throw Failure{"no board that runs KFAST has the serial number " + in_quotes(serial) + ": " +
                       (devices.empty() ? "none is there; in the boot loader, boards are known by their --port"
                                        : "there are: " + serials_of(devices)),
                   ExitStatus::no_device};

@@ -7,6 +7,7 @@
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/commands/work_bar.hpp"
@@ -209,9 +210,9 @@ void declare_import(CLI::App& app)
     const auto options = std::make_shared<ImportOptions>();
     app.add_option("FILE", options->file,
                    "A file of Lottie (.json, .lottie), SVG (.svg, .svgz) or Synfig (.sif, .sifz)");
-    app.add_option("-o,--output", options->output,
-                   "The scene text, - for standard output (default: FILE's name with .kfast)")
-        ->type_name("OUT");
+    declare_output(app, options->output,
+                   "The scene text, - for standard output (default: FILE's name with .kfast)",
+                   StandardOutput::is_meant);
     app.add_flag("--all-losses", options->whole_list,
                  "All that is not carried over, however long the list is");
     app.add_flag("--json", options->json, "For programs: the report as a JSON object");

@@ -6,6 +6,7 @@
 #include "host/scene/palette.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace kfast {
@@ -40,26 +41,26 @@ Colour background(const std::string& text)
 
 void declare_import_options(CLI::App& app, ImportChoice& choice)
 {
-    app.add_option("--tolerance", choice.options.tolerance,
-                   "How far simplification may move anything, in pixels of the canvas (default: 1/32)")
-        ->type_name("PX")
-        ->check(number_within(0, widest_tolerance))
-        ->group(group);
-    app.add_option_function<std::string>(
-           "--size", [&choice](const std::string& text) { choice.options.size = canvas_size(text); },
-           "Scale it so that its canvas just lies within this (default: as it is)")
-        ->type_name("WxH")
-        ->group(group);
-    app.add_option_function<std::string>(
-           "--background",
-           [&choice](const std::string& text) { choice.options.background = background(text); },
-           "Behind a file that says nothing of its background (default: white for SVG, otherwise black)")
-        ->type_name("COLOR")
-        ->group(group);
-    app.add_option("--animation", choice.options.animation,
-                   "Which one of a .lottie file that has several (default: the one it begins with)")
-        ->type_name("ID")
-        ->group(group);
+    importing::Options& options = choice.options;
+    const std::array only_for_imports{
+        app.add_option("--tolerance", options.tolerance,
+                       "How far simplification may move anything, in pixels of the canvas (default: 1/32)")
+            ->type_name("PX")
+            ->check(number_within(0, widest_tolerance)),
+        app.add_option_function<std::string>(
+               "--size", [&options](const std::string& text) { options.size = canvas_size(text); },
+               "Scale it so that its canvas just lies within this (default: as it is)")
+            ->type_name("WxH"),
+        app.add_option_function<std::string>(
+               "--background", [&options](const std::string& text) { options.background = background(text); },
+               "Behind a file that says nothing of its background (default: white for SVG, otherwise black)")
+            ->type_name("COLOR"),
+        app.add_option("--animation", options.animation,
+                       "Which one of a .lottie file that has several (default: the one it begins with)")
+            ->type_name("ID")};
+    for (CLI::Option* option : only_for_imports)
+        option->group(group)->each(
+            [&choice, name = option->get_name()](const std::string&) { choice.only_for_imports = name; });
     app.add_flag_callback(
            "--strict", [&choice] { choice.on_loss = OnLoss::refuse; },
            "Refuse a file of which something is not carried over")

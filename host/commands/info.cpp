@@ -188,8 +188,8 @@ std::string number_text(const Json& input)
 std::string words_text(const Json& input)
 {
     return "a text of up to " + counted(input["max"].get<std::size_t>(), "character") + " of " +
-           kfast::quoted(input["glyphs"].get<std::string>()) + " and spaces, usually " +
-           kfast::quoted(input["default"].get<std::string>());
+           in_quotes(input["glyphs"].get<std::string>()) + " and spaces, usually " +
+           in_quotes(input["default"].get<std::string>());
 }
 
 std::string drawing_text(const Json& input)

@@ -34,8 +34,8 @@ std::optional<std::string> input_text_mistake(std::string_view text, std::string
         if (!point.valid)
             return "'" + visible(text) + "' is no UTF-8";
         if (glyphs && !glyphs->glyph(point.value))
-            return visible(name) + " has no " + kfast::quoted(text.substr(at, point.length)) +
-                   ": its characters are " + kfast::quoted(glyph_text(*glyphs)) + " and the space";
+            return visible(name) + " has no " + in_quotes(text.substr(at, point.length)) +
+                   ": its characters are " + in_quotes(glyph_text(*glyphs)) + " and the space";
         at += point.length;
     }
     if (count <= most)

@@ -61,7 +61,7 @@ private:
                 ++at;
             word += rest_[at];
         }
-        refuse(number_, "a \" is missing: the text of " + kfast::quoted(word) + " does not end");
+        refuse(number_, "a \" is missing: the text of " + in_quotes(word) + " does not end");
     }
 
     std::string_view rest_;

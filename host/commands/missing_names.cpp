@@ -40,7 +40,7 @@ std::string remedy(std::string_view name, std::string_view what, const std::vect
 
 std::string missing_clip(std::string_view name, const SceneView& scene)
 {
-    return "there is no clip " + quoted(name) +
+    return "there is no clip " + in_quotes(name) +
            ", the whole scene will play in its place: " + remedy(name, "clip", clip_names(scene));
 }
 
@@ -53,7 +53,7 @@ bool has_number(const SceneView& scene, std::string_view input)
 std::string missing_input(std::string_view name, const SceneView& scene)
 {
     return "there is no " + std::string{scene.input(name) ? "number among the inputs called " : "input "} +
-           quoted(name) + ", its button or knob will do nothing: " +
+           in_quotes(name) + ", its button or knob will do nothing: " +
            remedy(name, "input", input_names(scene, InputType::number));
 }
 

@@ -3,6 +3,7 @@
 #include "host/commands/import_options.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/output_folder.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
@@ -254,9 +255,8 @@ void declare_subject(CLI::App& app, RenderOptions& options)
 
 void declare_files(CLI::App& app, RenderOptions& options)
 {
-    app.add_option("-o,--output", options.output,
+    declare_output(app, options.output,
                    "A .png or .svg; with --all a folder, or .apng, .png, .gif, .svg, .mp4 or .webm")
-        ->type_name("OUT")
         ->required();
     app.add_option("--kind", options.kind, "The files in a folder: png (default) or svg")
         ->type_name("KIND")

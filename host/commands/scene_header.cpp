@@ -34,7 +34,7 @@ std::string constants(const SceneHeader& header, const SceneFile& scene)
            constant(header.name + "_width", static_cast<std::size_t>(width)) + ", /* of the panel */\n    " +
            constant(header.name + "_height", static_cast<std::size_t>(height)) + ",\n    " +
            constant(header.name + "_block_bytes", block_bytes(header, scene)) +
-           " /* to be lent, for such a panel */\n};\n";
+           " /* of memory to be lent: the player and what the scene needs on such a panel */\n};\n";
 }
 
 std::string line_of(std::span<const std::byte> bytes)

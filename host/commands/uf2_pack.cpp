@@ -2,6 +2,7 @@
 #include "host/commands/flash_contents.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/config/config_input.hpp"
@@ -67,7 +68,7 @@ void declare_uf2_pack(CLI::App& app)
             ->type_name("INPUT");
     offer_names(config, config::configurations());
     app.add_option("--scene", options->scene, loaded_scene)->type_name("FILE");
-    app.add_option("-o,--output", options->output, "The file to write (.uf2)")->required()->type_name("OUT");
+    declare_output(app, options->output, "The file to write (.uf2)")->required();
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
                "build/pico/pico-spi.bin "
                "--config pico-st7789 --scene eyes.kfast -o eyes.uf2");

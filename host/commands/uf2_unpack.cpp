@@ -1,5 +1,6 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/output_folder.hpp"
+#include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/commands/uf2_input.hpp"
@@ -86,7 +87,7 @@ void declare_uf2_unpack(CLI::App& app)
 {
     const auto options = std::make_shared<Uf2UnpackOptions>();
     app.add_option("FILE", options->file, "A UF2 file")->required();
-    app.add_option("-o,--output", options->folder, "The folder to write to; made if need be")
+    declare_output(app, options->folder, "The folder to write to; made if need be")
         ->required()
         ->type_name("FOLDER");
     app.add_option("--family", options->family, "Of a file for several kinds of chips: rp2040 or 0xe48bff56")

@@ -68,6 +68,12 @@ std::string function_name(const std::string& command)
     return name;
 }
 
+/// An element of an array for _describe.
+std::string described(const std::string& word, const std::string& help)
+{
+    return "        '" + word + ':' + help_text(help) + "'\n";
+}
+
 std::string functions_of(const CommandWords& command)
 {
     std::string text;
@@ -82,11 +88,14 @@ std::string functions_of(const CommandWords& command)
     }
     text += "    local -a commands=(\n";
     for (const CommandWords& inner : command.subcommands)
-        text += "        '" + inner.name.substr(inner.name.rfind(' ') + 1) + ':' + help_text(inner.summary) +
-                "'\n";
-    text +=
-        "    )\n    if ((CURRENT == 2)); then\n        _describe command commands\n        return\n    fi\n"
-        "    shift words\n    ((CURRENT--))\n    case \"$words[1]\" in\n";
+        text += described(inner.name.substr(inner.name.rfind(' ') + 1), inner.summary);
+    text += "    )\n    local -a flags=(\n";
+    for (const OptionWords& option : command.options)
+        for (const std::string& name : option.names)
+            text += described(name, option.help);
+    text += "    )\n    if ((CURRENT == 2)); then\n        _describe command commands\n"
+            "        _describe -o option flags\n        return\n    fi\n"
+            "    shift words\n    ((CURRENT--))\n    case \"$words[1]\" in\n";
     for (const CommandWords& inner : command.subcommands)
         text += "    " + inner.name.substr(inner.name.rfind(' ') + 1) + ") " + function_name(inner.name) +
                 " ;;\n";

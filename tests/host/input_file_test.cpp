@@ -45,6 +45,7 @@ TEST_CASE("what cannot be read is named with the remedy")
     CHECK(failure(folder / "none").find("there is no such file") != std::string::npos);
     CHECK(failure(folder / "empty/x").find("there is no such file") != std::string::npos);
     CHECK(failure(folder / ".").find("this is a folder") != std::string::npos);
+    CHECK(failure("") == "the name of the file is empty: name " + std::string{scene_files});
 }
 
 TEST_CASE("the remedy fits what the file is to be")

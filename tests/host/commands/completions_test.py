@@ -31,7 +31,13 @@ class CompletionsTest(CommandTest):
     def test_commands(self):
         self.assertLessEqual(self.commands(), self.offered(""))
         self.assertEqual(self.offered("ren"), {"render"})
-        self.assertEqual(self.offered("uf2", "") - {"--help"}, {"pack", "unpack", "info"})
+        self.assertEqual(self.offered("uf2", "") - {"-h", "--help"}, {"pack", "unpack", "info"})
+
+    def test_options_without_a_command(self):
+        for name in ("--help", "--version"):
+            self.assertIn(name, self.offered("--"))
+            self.assertIn(f"        '{name}:", self.script("zsh"))
+            self.assertIn(f"-n '__fish_use_subcommand' -l {name[2:]} ", self.script("fish").replace(" -s h", ""))
 
     def test_all_options_of_all_commands(self):
         ways = [(command,) for command in sorted(self.commands() - {"uf2"})]

@@ -1,65 +1,12 @@
 """kfast import, and files of other programs through the commands that take scenes."""
 
 import gzip
-import io
 import json
 import math
-import random
 import unittest
-import zipfile
 
-from command_case import ROOT, CommandTest, kfast
-
-FRAME = {"v": "5.7.0", "fr": 30, "ip": 0, "op": 30, "w": 100, "h": 80}
-FILL = {"ty": "fl", "c": {"a": 0, "k": [1, 0.5, 0, 1]}, "o": {"a": 0, "k": 100}}
-GRADIENT = {"ty": "gf", "o": {"a": 0, "k": 100}, "t": 1, "s": {"a": 0, "k": [0, 0]}, "e": {"a": 0, "k": [9, 0]},
-            "g": {"p": 2, "k": {"a": 0, "k": [0, 1, 0, 0, 1, 0, 0, 1]}}}
-MOVE = {"a": 1, "k": [{"t": 0, "s": [10, 10], "o": {"x": 0.3, "y": 0}, "i": {"x": 0.6, "y": 1}}, {"t": 30, "s": [90, 70]}]}
-
-SVG = """<?xml version="1.0"?>
-<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40">
-  <circle id="sun" cx="{x}" cy="20" r="8" fill="#ff8000"/>
-</svg>
-"""
-
-SIF = """<?xml version="1.0" encoding="UTF-8"?>
-<canvas version="1.2" width="64" height="48" view-box="-2 1.5 2 -1.5" fps="24" begin-time="0f" end-time="1s">
-  <layer type="circle" active="true" desc="ball">
-    <param name="color"><color><r>1</r><g>0.5</g><b>0</b><a>1</a></color></param>
-    <param name="radius"><real value="0.5"/></param>
-    <param name="origin"><vector><x>0</x><y>0</y></vector></param>
-  </layer>
-</canvas>
-"""
-
-
-def lottie(paint=FILL, **more):
-    shapes = [{"ty": "el", "p": {"a": 0, "k": [0, 0]}, "s": {"a": 0, "k": [20, 20]}}, paint]
-    return json.dumps({**FRAME, "layers": [{"ty": 4, "nm": "dot", "ip": 0, "op": 30, "st": 0, "ks": {"p": MOVE},
-                                            "shapes": shapes}], **more})
-
-
-def zipped(files):
-    whole = io.BytesIO()
-    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path, content in files.items():
-            archive.writestr(path, content)
-    return whole.getvalue()
-
-
-class ImportCase(CommandTest):
-    def setUp(self):
-        super().setUp()
-        self.write("dot.json", lottie())
-        self.write("shiny.json", lottie(GRADIENT))
-
-    def write(self, name, content):
-        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
-        return name
-
-    def scene(self, name):
-        """The text that `kfast import` makes of a file."""
-        return self.run_kfast("import", name, "-o", "-").stdout
+from command_case import ROOT, CommandTest
+from imported_files import FILL, FRAME, GRADIENT, SIF, SVG, ImportCase, lottie, zipped
 
 
 class ImportTest(ImportCase):
@@ -305,107 +252,6 @@ class EverywhereTest(ImportCase):
         self.assertIn("import", self.run_kfast("--help").stdout)
         for command in ("compile", "check", "fit", "preview", "render", "flash", "upload", "play"):
             self.assertIn(".lottie", self.run_kfast(command, "--help").stdout, command)
-
-
-class RubbishTest(ImportCase):
-    """Whatever a file holds, the answer is a sentence, or a scene."""
-
-    def refused(self, name, content, says=""):
-        self.write(name, content)
-        for command in (["import", "-o", "out.kfast"], ["check"]):
-            self.refuse(*command, name, status=1, says=f"kfast: {name}:{says and ' ' + says}")
-
-    def test_other_files(self):
-        self.refused("page.html", "<!DOCTYPE html><html><body>hello</body></html>",
-                     "an XML file, but neither SVG nor Synfig")
-        self.refused("wide.svg", SVG.format(x=1).encode("utf-16"), "the text is in UTF-16: save it as UTF-8")
-        self.refused("other.zip", zipped({"readme.txt": "hello"}), "a zip file without an animation")
-        self.refused("twice.svgz", gzip.compress(gzip.compress(b"<svg/>")), "is packed twice")
-        self.write("hello.svg", "hello")
-        self.refuse("import", "hello.svg", status=1, says="hello.svg: nothing that can be imported: kfast imports Lottie")
-        self.write("void.svg", "")
-        self.refuse("import", "void.svg", status=1, says="void.svg: the file is empty")
-        self.refuse("import", "none.svg", status=1, says="none.svg: there is no such file")
-        self.run_kfast("compile", "once.kfast")
-        self.refuse("import", "once.kfb", status=1, says="once.kfb: a compiled scene already")
-
-    def test_bombs(self):
-        self.refused("bomb.svgz", gzip.compress(b" " * (17 << 20)), "holds more than 16 MB")
-        self.refused("bomb.lottie", zipped({"a/dot.json": b" " * (17 << 20)}), "a/dot.json is larger than 16 MB")
-
-    def test_broken_texts(self):
-        self.refused("half.json", lottie()[:-9])
-        self.refused("half.svg", SVG.format(x=1)[:-12])
-        self.refused("half.sif", SIF[:-40])
-        self.refused("list.json", "{}")
-
-    def test_depths(self):
-        deep = 100_000
-        self.refused("deep.json", '{"layers":' + "[" * deep)
-        self.refused("deeper.json", '{"layers":' + "[" * deep + "]" * deep + "}")
-        groups = '{"ty":"gr","it":[' * deep + "]}" * deep
-        self.refused("groups.json", json.dumps({**FRAME, "layers": [{"ty": 4, "ip": 0, "op": 9, "ks": {}, "shapes": [0]}]})
-                     .replace("[0]", f"[{groups}]"))
-        self.refused("deep.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">' + "<g>" * deep
-                     + '<rect width="5" height="5"/>' + "</g>" * deep + "</svg>")
-        self.refused("deep.sif", '<canvas version="1.2" width="9" height="9">'
-                     + '<layer type="group"><param name="canvas"><canvas>' * deep
-                     + "</canvas></param></layer>" * deep + "</canvas>")
-
-    def test_circles(self):
-        comp = {"ty": 0, "refId": "a", "ip": 0, "op": 30, "st": 0, "ks": {}, "w": 9, "h": 9}
-        self.answered("circle.json", json.dumps({**FRAME, "layers": [comp], "assets": [{"id": "a", "layers": [comp]}]}))
-        self.answered("circle.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">'
-                                    '<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g><use href="#a"/></svg>')
-
-    def test_what_explodes(self):
-        uses = "".join(f'<g id="l{level + 1}">' + f'<use href="#l{level}"/>' * 10 + "</g>" for level in range(12))
-        self.answered("laughs.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><defs>'
-                                    f'<rect id="l0" width="5" height="5" fill="red"/>{uses}</defs><use href="#l12"/></svg>')
-        comps = [{"id": f"c{level + 1}",
-                  "layers": [{"ty": 0, "refId": f"c{level}", "ip": 0, "op": 30, "ks": {}, "w": 9, "h": 9}] * 10}
-                 for level in range(12)]
-        comps.append({"id": "c0", "layers": json.loads(lottie())["layers"]})
-        self.answered("laughs.json", json.dumps({**FRAME, "layers": comps[11]["layers"], "assets": comps}))
-
-    def answered(self, name, content):
-        """Either a scene or a refusal, and nothing in between."""
-        self.write(name, content)
-        result = self.run_any("check", name)
-        self.assertIn(result.returncode, (0, 1), f"{name}: {result.stderr[:400]}")
-        self.assertNotIn("mistake in kfast", result.stderr)
-        if result.returncode:
-            self.assertTrue(result.stderr.startswith(f"kfast: {name}:"), result.stderr[:400])
-
-    def run_any(self, *arguments):
-        return kfast(*arguments, folder=self.folder)
-
-    def test_numbers(self):
-        for number in ("1e999", "-1e308", "1e-320", "NaN", "nan", "inf", "0x10", "1e", "--1", "99999999999999999999", "null",
-                       '"a"', "[]", "{}", "1.5.5", ""):
-            with self.subTest(number=number):
-                self.answered("number.svg", SVG.replace("{x}", number.replace('"', "&quot;")))
-                self.answered("size.svg", SVG.replace('width="60"', f'width="{number.replace(chr(34), "")}"'))
-                self.answered("number.sif", SIF.replace('value="0.5"', f'value="{number.replace(chr(34), "")}"'))
-                self.answered("size.sif", SIF.replace('width="64"', f'width="{number.replace(chr(34), "")}"'))
-                for at in ("[20, 20]", '"fr": 30', '"op": 30', '"w": 100', "0.5", "100}", '"t": 30', "[90, 70]"):
-                    name, colon, value = at.partition(": ")
-                    self.answered("number.json", lottie().replace(at, f"{name}: {number}" if colon else number, 1))
-
-    def test_cut_and_changed(self):
-        dice = random.Random(10)
-        for name, content in {"a.json": lottie(GRADIENT), "a.svg": SVG.format(x=9), "a.sif": SIF,
-                              "a.lottie": zipped({"manifest.json": "{}", "a/dot.json": lottie()})}.items():
-            whole = content if isinstance(content, bytes) else content.encode()
-            for _ in range(25):
-                changed = bytearray(whole[:dice.randrange(4, len(whole))] if dice.random() < 0.3 else whole)
-                for _ in range(dice.randrange(1, 4)):
-                    changed[dice.randrange(4, len(changed))] = dice.choice(b'0-9e{}[]",:<>/ \0\xff')
-                with self.subTest(changed=bytes(changed)):
-                    self.write(name, bytes(changed))
-                    result = self.run_any("check", name)
-                    self.assertIn(result.returncode, (0, 1), result.stderr[:400])
-                    self.assertNotIn("mistake in kfast", result.stderr)
 
 
 class LongTest(CommandTest):

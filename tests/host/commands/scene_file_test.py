@@ -79,6 +79,13 @@ class InputTest(CommandTest):
     def test_binary(self):
         self.everywhere(self.write("binary.kfast", bytes(range(256)) * 9), "neither a scene nor a compiled scene")
 
+    def test_utf_16(self):
+        text = SCENE.format(loop="repeat")
+        for number, encoding in enumerate(("utf-16", "utf-16-le", "utf-16-be")):
+            name = self.write(f"wide{number}.kfast", text.encode(encoding))
+            self.everywhere(name, "the text is in UTF-16: save it as UTF-8")
+        self.run_kfast("check", self.write("marked.kfast", text.encode("utf-8-sig")))
+
     def test_huge(self):
         with open(self.folder / "huge.kfast", "wb") as file:
             file.truncate((16 << 20) + 1)

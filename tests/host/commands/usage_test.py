@@ -28,9 +28,38 @@ class UsageTest(CommandTest):
     def test_wrong_usage(self):
         self.refuse(status=2, says="a command is missing")
         self.refuse("hsh", "repeat.kfast", status=2, says='did you mean "hash"?')
+        self.refuse("hsh", "repeat.kfast", "--size", "9x9", status=2, says='did you mean "hash"?\nTry \'kfast --help\'.')
+        self.refuse("uf2", "pck", "--config", "a", status=2, says='did you mean "pack"?')
         self.refuse("hash", status=2, says="FILE is required")
         self.refuse("hash", "repeat.kfast", "--frobnicate", status=2, says="--frobnicate")
         self.refuse("hash", "repeat.kfast", "extra", status=2, says="extra")
+
+    def test_an_option_that_there_is_not_is_told_first(self):
+        self.refuse("render", "nothing.kfast", "--scal", "3", status=2, says='no option --scal: did you mean "--scale"?')
+        self.refuse("render", "repeat.kfast", "--frme=3", status=2, says='did you mean "--frame"?')
+        self.refuse("hash", "repeat.kfast", "--size", "3", "--qqq", status=2, says="no option --qqq: allowed: --")
+        self.refuse("--vesion", status=2, says='did you mean "--version"?')
+        self.refuse("uf2", "pack", "--firmwear", "a.bin", status=2, says='did you mean "--firmware"?')
+        self.refuse("info", "--", "--no-file", status=1, says="--no-file: there is no such file")
+
+    def test_whole_numbers(self):
+        for arguments in (["render", "repeat.kfast", "--frame", "1e3", "-o", "a.png"],
+                          ["render", "repeat.kfast", "--all", "--scale", "1.5", "-o", "a.gif"]):
+            self.refuse(*arguments, status=2, says=f"{arguments[-4]}: '{arguments[-3]}' is no whole number: write digits")
+
+    def test_outputs_have_names(self):
+        for command in (["compile", "repeat.kfast"], ["render", "repeat.kfast", "--all"], ["config", "pico-st7789"],
+                        ["export", "--header", "repeat.kfast"], ["uf2", "unpack", "repeat.kfast"]):
+            self.refuse(*command, "-o", "", status=2, says="--output: the name is empty: say where to write")
+            self.refuse(*command, "-o", "-", status=2, says="standard output is not written to: say where to write")
+
+    def test_options_for_files_of_other_programs(self):
+        self.run_kfast("compile", "repeat.kfast")
+        for option, value in (("--size", "30x30"), ("--background", "navy"), ("--tolerance", "1"), ("--animation", "a")):
+            for scene in ("repeat.kfast", "repeat.kfb"):
+                self.refuse("fit", scene, "--board", "pico", option, value, status=2,
+                            says=f"{scene}: {option} is for files of other programs")
+        self.run_kfast("check", "repeat.kfast", "--strict")
 
     def test_a_closed_output_is_a_failure_and_closed_messages_are_none(self):
         for number, status in ((1, 1), (2, 0)):
