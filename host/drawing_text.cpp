@@ -54,7 +54,7 @@ std::variant<ToldDrawing, std::string> read_drawing(std::string_view text)
         }
         const auto point = read_point(word);
         if (!point)
-            return quoted(word) + " is no point: write it like 10,20.5, each within -2047 and 2047";
+            return in_quotes(word) + " is no point: write it like 10,20.5, each within -2047 and 2047";
         drawing.back().push_back(*point);
     }
     std::erase_if(drawing, [](const std::vector<LivePoint>& stroke) { return stroke.empty(); });

@@ -59,7 +59,7 @@ ChosenBeam chosen_beam(const std::string& name, std::ostream& out)
         return beam_of({name, read_input(name, beam_input)}, out);
     if (const ProfileChoice* const choice = profile_named(name))
         return {choice->profile, choice->name};
-    throw Failure("there is no beam " + kfast::quoted(name) + ": " + suggestion(name, profile_names()) +
+    throw Failure("there is no beam " + in_quotes(name) + ": " + suggestion(name, profile_names()) +
                   ", or name the file that describes it, like my-beam.kdl");
 }
 

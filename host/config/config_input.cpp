@@ -52,7 +52,7 @@ BoardSettings built_in(const std::string& name)
         return from_configuration(*configuration);
     std::vector<std::string_view> known;
     std::ranges::transform(configurations(), std::back_inserter(known), &Configuration::name);
-    throw Failure("there is no configuration " + kfast::quoted(name) + ": " + suggestion(name, known) +
+    throw Failure("there is no configuration " + in_quotes(name) + ": " + suggestion(name, known) +
                   ", or name a file, like gadget.kdl");
 }
 

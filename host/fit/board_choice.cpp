@@ -31,7 +31,7 @@ Target board_of(const SourceText& source, std::ostream& out)
 {
     std::vector<std::string_view> known;
     std::ranges::transform(board_texts(), std::back_inserter(known), &BoardText::name);
-    throw Failure("there is no board " + kfast::quoted(name) + ": " + suggestion(name, known) +
+    throw Failure("there is no board " + in_quotes(name) + ": " + suggestion(name, known) +
                   ", or name the file that describes it, like my-board.kdl");
 }
 

@@ -51,7 +51,7 @@ std::optional<Display> named_display(const kdl::Value& value, Reading& reading)
         return std::nullopt;
     if (const Display* const display = display_named(*name))
         return *display;
-    reading.report.error(value.place, "unknown panel " + quoted(*name),
+    reading.report.error(value.place, "unknown panel " + in_quotes(*name),
                          display_suggestion(*name) + ", or describe it: panel 240 240 format=rgb565");
     return std::nullopt;
 }

@@ -57,7 +57,7 @@ DeviceAddress with_serial(const std::string& serial, std::span<const DeviceAddre
     const auto found = std::ranges::find(attached, serial, &DeviceAddress::serial);
     if (found != attached.end())
         return *found;
-    throw Failure{"there is no device " + kfast::quoted(serial) + ": " +
+    throw Failure{"there is no device " + in_quotes(serial) + ": " +
                       (attached.empty() ? "none is attached" : "attached: " + serials_of(attached)),
                   ExitStatus::no_device};
 }

@@ -23,7 +23,7 @@ std::vector<art::Node> read_solid(const Layer& layer)
         return {};
     const auto colour = solid_colour(layer.json);
     if (!colour)
-        report(layer, "solid of the colour " + kfast::quoted(text_at(layer.json, "sc")), "black");
+        report(layer, "solid of the colour " + in_quotes(text_at(layer.json, "sc")), "black");
     figure.fill.emplace().colour = colour.value_or(art::Rgb{});
     art::Node node;
     node.content = std::move(figure);
@@ -42,7 +42,7 @@ std::string words(const Json& layer)
     const Json* const said = value ? find_member(*value, "t") : nullptr;
     if (!said || !said->is_string())
         return {};
-    return std::string{" "} + kfast::quoted(said->get<std::string>());
+    return std::string{" "} + in_quotes(said->get<std::string>());
 }
 
 std::string image_name(const Layer& layer, const Animation& animation)
@@ -53,7 +53,7 @@ std::string image_name(const Layer& layer, const Animation& animation)
     const Json* const file = find_member(*asset->second, "p");
     const bool is_name =
         file && file->is_string() && !file->get_ref<const std::string&>().starts_with("data:");
-    return is_name ? std::string{"image "} + kfast::quoted(file->get<std::string>()) : std::string{"image"};
+    return is_name ? std::string{"image "} + in_quotes(file->get<std::string>()) : std::string{"image"};
 }
 
 void report_undrawn(const Layer& layer, const Animation& animation)

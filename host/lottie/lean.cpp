@@ -4,7 +4,6 @@
 #include "host/lottie/transform.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace kfast::lottie {
 namespace {

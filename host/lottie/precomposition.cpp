@@ -24,12 +24,12 @@ public:
         const std::string id = identifier_at(layer.json, "refId");
         const auto asset = animation.assets.find(id);
         if (asset == animation.assets.end())
-            throw WrongMember(layer.json, "its composition " + kfast::quoted(id) +
+            throw WrongMember(layer.json, "its composition " + in_quotes(id) +
                                               " is not among the assets: export the "
                                               "file again");
         if (std::ranges::find(animation.open, id) != animation.open.end())
             throw WrongMember(layer.json,
-                              "the composition " + kfast::quoted(id) + " uses itself: take this layer out");
+                              "the composition " + in_quotes(id) + " uses itself: take this layer out");
         layers_ = &array_at(*asset->second, "layers");
         if (number_at(*asset->second, "fr", animation.frame_rate) != animation.frame_rate)
             layer.reading.losses.add({"frame rate of a composition", layer.reading.layer, std::nullopt,

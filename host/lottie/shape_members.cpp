@@ -49,7 +49,7 @@ void report_unknown_members(const Json& item, std::string_view type, const Readi
         return;
     for (const auto& [name, member] : item.items())
         if (!holds(of_all, name) && !holds(known->names, name))
-            reading.losses.add({"member " + kfast::quoted(name) + " of a shape \"" + std::string{type} + '"',
+            reading.losses.add({"member " + in_quotes(name) + " of a shape \"" + std::string{type} + '"',
                                 reading.layer, std::nullopt, "it is not looked at"});
 }
 

@@ -29,7 +29,7 @@ std::string naming(const Json& thing)
     const Json* const name = find_member(thing, "nm");
     if (!name || !name->is_string())
         return {};
-    return std::string{" "} + kfast::quoted(name->get<std::string>());
+    return std::string{" "} + in_quotes(name->get<std::string>());
 }
 
 /// Sliders and the like, which only expressions look at, draw nothing.
@@ -73,7 +73,7 @@ void report_unknown(const Json& layer, const Reading& reading)
 {
     for (const auto& [name, member] : layer.items())
         if (known_members.find(' ' + name + ' ') == std::string_view::npos)
-            report(reading, std::string{"member "} + kfast::quoted(name), "it is not looked at");
+            report(reading, std::string{"member "} + in_quotes(name), "it is not looked at");
 }
 
 /// A property may name a value of the file that others set anew.
@@ -83,7 +83,7 @@ void report_slot(const Json& part, const std::string& path, const Animation& ani
     const Json* const slots = find_member(animation.root, "slots");
     const Json* const id = find_member(part, "sid");
     if (slots && id && id->is_string() && slots->contains(id->get_ref<const std::string&>()))
-        report(reading, "slot " + kfast::quoted(id->get<std::string>()) + " of " + path,
+        report(reading, "slot " + in_quotes(id->get<std::string>()) + " of " + path,
                "the value that stands beside its name");
 }
 

@@ -11,7 +11,7 @@ std::optional<std::size_t> read_bone_name(std::string_view name, Place place, co
 {
     const auto bone = find_bone(bones, name);
     if (!bone)
-        reading.report.error(place, "unknown bone " + quoted(name), suggestion(name, names_of(bones)));
+        reading.report.error(place, "unknown bone " + in_quotes(name), suggestion(name, names_of(bones)));
     return bone;
 }
 

@@ -79,7 +79,7 @@ void BoneReader::read(const kdl::Node& node, std::optional<std::size_t> parent)
         if (child.name == bone_name)
             read(child, index);
         else
-            is_good_ = reading_.report.error(child.name_place, "a bone has no node " + quoted(child.name),
+            is_good_ = reading_.report.error(child.name_place, "a bone has no node " + in_quotes(child.name),
                                              suggestion(child.name, std::array{bone_name}));
 }
 
@@ -133,7 +133,7 @@ void BoneReader::find_parent(WrittenBone& bone)
     std::vector<std::string_view> known;
     for (const WrittenBone& other : bones_)
         known.push_back(other.name);
-    is_good_ = reading_.report.error(bone.parent_name->place, "unknown bone " + quoted(*name),
+    is_good_ = reading_.report.error(bone.parent_name->place, "unknown bone " + in_quotes(*name),
                                      suggestion(*name, known));
 }
 

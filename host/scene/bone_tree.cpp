@@ -57,7 +57,7 @@ void report_cycles(const Written& bones, const std::vector<std::size_t>& order, 
         for (const std::size_t bone : cycle)
             chain += visible(bones[bone].name) + " → ";
         reading.report.error(property_place(*bones[i].node, "parent"),
-                             "the bone " + quoted(bones[i].name) + " hangs on itself, and on no root",
+                             "the bone " + in_quotes(bones[i].name) + " hangs on itself, and on no root",
                              chain + visible(bones[i].name) + "; let one of them have no parent");
     }
 }

@@ -43,7 +43,7 @@ void refuse_unknown_nodes(const kdl::Node& node, Reading& reading)
 {
     for (const kdl::Node& child : node.children)
         if (std::ranges::find(known_nodes, child.name) == known_nodes.end() && !reading.report.full())
-            reading.report.error(child.name_place, "a skeleton has no node " + quoted(child.name),
+            reading.report.error(child.name_place, "a skeleton has no node " + in_quotes(child.name),
                                  suggestion(child.name, known_nodes));
 }
 
@@ -123,7 +123,7 @@ void warn_of_unused_skeletons(Reading& reading)
     for (const Skeleton& skeleton : reading.skeletons.entries)
         if (!skeleton.is_used)
             reading.report.warning(
-                skeleton.bones.place, "the skeleton " + quoted(skeleton.bones.name) + " carries nothing",
+                skeleton.bones.place, "the skeleton " + in_quotes(skeleton.bones.name) + " carries nothing",
                 "add skin=" + visible(skeleton.bones.name) + " to an object, or remove it");
 }
 

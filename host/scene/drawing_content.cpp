@@ -90,9 +90,9 @@ private:
     {
         if (node.name == skeleton_name)
             return report_skeleton(node);
-        content_.is_good =
-            reading_.report.error(node.name_place, std::string{noun_} + " has no node " + quoted(node.name),
-                                  suggestion(node.name, names_in_drawing(holder_)));
+        content_.is_good = reading_.report.error(node.name_place,
+                                                 std::string{noun_} + " has no node " + in_quotes(node.name),
+                                                 suggestion(node.name, names_in_drawing(holder_)));
     }
 
     void report_skeleton(const kdl::Node& node)

@@ -51,7 +51,7 @@ Drawing read_shape(const kdl::Node& node, Reading& reading)
 
 void report_unknown(const kdl::Node& node, Reading& reading)
 {
-    reading.report.error(node.name_place, "the drawing of an input has no node " + quoted(node.name),
+    reading.report.error(node.name_place, "the drawing of an input has no node " + in_quotes(node.name),
                          suggestion(node.name, shape_names()));
 }
 

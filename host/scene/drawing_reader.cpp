@@ -125,12 +125,13 @@ void DrawingReader::copy(const kdl::Node& node)
     const Place name = node.arguments.front().place;
     if (!symbol.still) {
         reading_.report.error(
-            name, "the symbol " + quoted(symbol.name) + " has keys, which do not fit here",
+            name, "the symbol " + in_quotes(symbol.name) + " has keys, which do not fit here",
             "let its use be all that an object without skin draws, or use one without keys");
         return;
     }
     if (is_wire_frame(symbol.keys)) {
-        reading_.report.error(name, "the symbol " + quoted(symbol.name) + " has depth, and does not fit here",
+        reading_.report.error(name,
+                              "the symbol " + in_quotes(symbol.name) + " has depth, and does not fit here",
                               "let its use be all that an object draws");
         return;
     }

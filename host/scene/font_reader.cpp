@@ -31,7 +31,7 @@ bool leads_out(const std::filesystem::path& path)
 bool may_be_read(const kdl::Value& value, std::string_view name, Reading& reading)
 {
     if (!names_file(name))
-        return reading.report.error(value.place, "unknown font " + quoted(name),
+        return reading.report.error(value.place, "unknown font " + in_quotes(name),
                                     suggestion(name, FontShelf::bundled_names()) +
                                         " (a font file beside the scene is named as \"Sans.ttf\")");
     if (leads_out(name))

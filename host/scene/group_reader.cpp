@@ -50,7 +50,7 @@ std::vector<std::string_view> names_inside()
 
 void report_unknown(const kdl::Node& node, Reading& reading)
 {
-    reading.report.error(node.name_place, "a group has no node " + quoted(node.name),
+    reading.report.error(node.name_place, "a group has no node " + in_quotes(node.name),
                          suggestion(node.name, names_inside()));
 }
 

@@ -152,7 +152,7 @@ void warn_of_unused_inputs(Reading& reading)
     for (const InputEntry& entry : reading.inputs.entries)
         if (!entry.is_used)
             reading.report.warning(entry.place,
-                                   "the input " + quoted(entry.input.name) +
+                                   "the input " + in_quotes(entry.input.name) +
                                        (entry.input.type == InputType::number ? " moves" : " shows") +
                                        " nothing",
                                    remedy_of_unused(entry.input));

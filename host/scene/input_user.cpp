@@ -65,13 +65,13 @@ std::optional<std::size_t> use_input(const kdl::Value& name, InputType type, Rea
         entry->is_used = true; // by mistake, which is enough to tell
         const Wording actual = wording(entry->input.type);
         reading.report.error(name.place,
-                             "the input " + quoted(*text) + " is " + std::string{actual.noun} + ", not " +
+                             "the input " + in_quotes(*text) + " is " + std::string{actual.noun} + ", not " +
                                  std::string{wording(type).noun},
                              std::string{wording(type).use} + "; " + std::string{actual.use});
         return std::nullopt;
     }
     const auto known = names(type, inputs);
-    reading.report.error(name.place, "unknown input " + quoted(*text),
+    reading.report.error(name.place, "unknown input " + in_quotes(*text),
                          known.empty() ? example(*text, type) : suggestion(*text, known));
     return std::nullopt;
 }

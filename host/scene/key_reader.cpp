@@ -82,7 +82,7 @@ std::vector<std::string_view> names_inside(KeyHolder holder)
 
 void report_unknown(const kdl::Node& node, KeyHolder holder, Reading& reading)
 {
-    reading.report.error(node.name_place, "a key has no node " + quoted(node.name),
+    reading.report.error(node.name_place, "a key has no node " + in_quotes(node.name),
                          suggestion(node.name, names_inside(holder)));
 }
 

@@ -81,8 +81,8 @@ private:
     void report_missing(const std::string& character, std::string_view input)
     {
         reading_.report.error(property_place(node_, "font"),
-                              "the font " + quoted(properties_.font) + " has no " + in_words(character) +
-                                  ", which the input " + quoted(input) + " may have",
+                              "the font " + in_quotes(properties_.font) + " has no " + in_words(character) +
+                                  ", which the input " + in_quotes(input) + " may have",
                               other_font(properties_));
     }
 

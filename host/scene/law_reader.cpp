@@ -123,7 +123,7 @@ std::optional<VelocityLaw> LawReader::read()
         return read_call(*call);
     const auto law = std::ranges::find(plain_laws, name, &Word<VelocityLaw>::name);
     if (law == plain_laws.end())
-        fail(begin, "unknown law " + quoted(name), suggestion(name, law_names));
+        fail(begin, "unknown law " + in_quotes(name), suggestion(name, law_names));
     else if (expect_end(name))
         return law->meaning;
     return std::nullopt;
@@ -175,7 +175,7 @@ bool LawReader::expect(char mark, const CallForm& call)
     }
     if (mark == '(' || found == ')' || found == ',')
         return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), remedy_for(call.form));
-    return fail(scanner_.offset(), quoted({&mark, 1}) + " is expected here", remedy_for(call.form));
+    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", remedy_for(call.form));
 }
 
 bool LawReader::expect_end(std::string_view form)

@@ -76,7 +76,7 @@ private:
         else if (node.name == face_form.name)
             read_face(node);
         else
-            fail(node.name_place, "a mesh has no node " + quoted(node.name),
+            fail(node.name_place, "a mesh has no node " + in_quotes(node.name),
                  suggestion(node.name, names_inside));
     }
 

@@ -17,14 +17,14 @@ bool may_stand(const kdl::Node& part, const kdl::Node& whole, Times times, Readi
     const auto first = std::ranges::find(whole.children, part.name, &kdl::Node::name);
     if (times == Times::any || &*first == &part)
         return true;
-    return reading.report.error(part.name_place, quoted(part.name) + " stands here already, on " +
+    return reading.report.error(part.name_place, in_quotes(part.name) + " stands here already, on " +
                                                      reading.report.line(first->name_place));
 }
 
 void report_unknown_part(const kdl::Node& part, const kdl::Node& whole,
                          std::span<const std::string_view> known, Reading& reading)
 {
-    reading.report.error(part.name_place, "a " + whole.name + " has no node " + quoted(part.name),
+    reading.report.error(part.name_place, "a " + whole.name + " has no node " + in_quotes(part.name),
                          suggestion(part.name, known));
 }
 

@@ -146,7 +146,7 @@ std::vector<PosedBone> PoseReader::read_bones(const kdl::Node& node)
         if (earlier == bones.end())
             bones.push_back(*bone);
         else
-            reading_.report.error(bone->place, "this pose sets " + quoted(child.name) + " already, on " +
+            reading_.report.error(bone->place, "this pose sets " + in_quotes(child.name) + " already, on " +
                                                    reading_.report.line(earlier->place));
     }
     return bones;
@@ -172,7 +172,8 @@ std::vector<Pose> PoseReader::take()
         look_up(mention);
     for (const Definition& definition : definitions_)
         if (!definition.is_used)
-            reading_.report.warning(definition.place, "the pose " + quoted(definition.name) + " is not used",
+            reading_.report.warning(definition.place,
+                                    "the pose " + in_quotes(definition.name) + " is not used",
                                     "use it: pose TIME " + visible(definition.name) + ", or remove it");
     warn_of_idle_laws();
     refuse_two_clocks();
@@ -200,7 +201,7 @@ void PoseReader::refuse_two_clocks()
             if (other->clock.clock() == pose.clock.clock())
                 continue;
             reading_.report.error(pose.place,
-                                  "the bone " + quoted(bones_[posed.bone].name) +
+                                  "the bone " + in_quotes(bones_[posed.bone].name) +
                                       " goes by something else on " + reading_.report.line(other->place),
                                   "let all poses of a bone go by the time, or by one input; move it as well "
                                   "with a bone of its own as its parent");
@@ -224,7 +225,8 @@ void PoseReader::look_up(const Mention& mention)
         std::vector<std::string_view> known{rest_name};
         for (const Definition& other : definitions_)
             known.push_back(other.name);
-        reading_.report.error(mention.name->place, "unknown pose " + quoted(*name), suggestion(*name, known));
+        reading_.report.error(mention.name->place, "unknown pose " + in_quotes(*name),
+                              suggestion(*name, known));
     }
 }
 

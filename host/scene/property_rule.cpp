@@ -23,7 +23,8 @@ Place property_place(const kdl::Node& node, std::string_view name)
 bool report_unknown_property(const kdl::Node& node, const kdl::Property& property,
                              std::span<const std::string_view> known, Reading& reading)
 {
-    return reading.report.error(property.name_place, node.name + " has no property " + quoted(property.name),
+    return reading.report.error(property.name_place,
+                                node.name + " has no property " + in_quotes(property.name),
                                 suggestion(property.name, known));
 }
 

@@ -22,7 +22,8 @@ const QuantityUnit* unit_of(const kdl::Value& value, const QuantityForm& form, R
         return &*unit;
     std::vector<std::string_view> known;
     std::ranges::transform(form.units, std::back_inserter(known), &QuantityUnit::name);
-    reading.report.error(value.place, "unknown unit " + quoted(*value.type), suggestion(*value.type, known));
+    reading.report.error(value.place, "unknown unit " + in_quotes(*value.type),
+                         suggestion(*value.type, known));
     return nullptr;
 }
 

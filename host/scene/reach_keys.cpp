@@ -188,7 +188,7 @@ void warn_of_missed_targets(const Reach& reach, const std::vector<Bone>& bones, 
     if (worst.pixels == 0)
         return;
     reading.report.warning(worst.place,
-                           "the tip of " + quoted(bones[reach.bone].name) +
+                           "the tip of " + in_quotes(bones[reach.bone].name) +
                                " does not reach its target: at frame " + text_of(worst.time) + ", " +
                                text_of(std::round(worst.pixels * 10) / 10) + " px are missing",
                            "it goes as near as the bones let it; make them longer, or choose other targets");
@@ -213,7 +213,7 @@ bool refuse_other_turns(const Reach& reach, const std::vector<GivenTurn>& turns,
     for (const GivenTurn& turn : turns)
         if (moves(reach, turn.bone, bones) && is_within(reach, turn.time))
             good = reading.report.error(turn.place,
-                                        quoted(bones[turn.bone].name) + " is turned by the reach on " +
+                                        in_quotes(bones[turn.bone].name) + " is turned by the reach on " +
                                             reading.report.line(reach.place) + " at this time",
                                         "leave out turn=…, or let the reach begin later or end earlier");
     return good;
@@ -224,9 +224,10 @@ bool refuse_inputs(const Reach& reach, const std::vector<Bone>& bones, Reading& 
 {
     for (std::optional<std::size_t> bone = reach.bone; bone; bone = bones[*bone].parent)
         if (!bones[*bone].clock.is_time())
-            return reading.report.error(
-                reach.place, "this reach goes by the time, but an input moves " + quoted(bones[*bone].name),
-                "let poses of the input turn the bones of the arm instead");
+            return reading.report.error(reach.place,
+                                        "this reach goes by the time, but an input moves " +
+                                            in_quotes(bones[*bone].name),
+                                        "let poses of the input turn the bones of the arm instead");
     return true;
 }
 
@@ -261,7 +262,7 @@ bool insert_angles(const Reach& reach, const std::vector<ArmKey>& angles, std::i
         inserted.push_back({.time = key.time, .laws = {}, .value = value, .place = reach.place});
         if (std::abs(value) > kfb::max_bone_turn)
             return reading.report.error(
-                reach.place, "to reach its targets, " + quoted(bone.name) + " turns round too often",
+                reach.place, "to reach its targets, " + in_quotes(bone.name) + " turns round too often",
                 "let the skeleton have turns=shortest");
     }
     keys.insert(place, inserted.begin(), inserted.end());

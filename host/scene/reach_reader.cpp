@@ -63,12 +63,12 @@ std::optional<std::size_t> read_bone(const kdl::Value& value, const std::vector<
 bool check_chain(const Bone& bone, const std::vector<Bone>& bones, Place place, Reading& reading)
 {
     if (!bone.parent)
-        return reading.report.error(place,
-                                    "to reach takes two bones, and " + quoted(bone.name) + " has no parent",
-                                    "name the last bone of an arm or a leg");
-    const std::string parent = quoted(bones[*bone.parent].name);
+        return reading.report.error(
+            place, "to reach takes two bones, and " + in_quotes(bone.name) + " has no parent",
+            "name the last bone of an arm or a leg");
+    const std::string parent = in_quotes(bones[*bone.parent].name);
     return bone.is_at_tip ||
-           reading.report.error(place, quoted(bone.name) + " does not begin at the tip of " + parent,
+           reading.report.error(place, in_quotes(bone.name) + " does not begin at the tip of " + parent,
                                 "let it begin exactly where " + parent + " ends");
 }
 
@@ -87,7 +87,7 @@ std::optional<Bend> bend_of(const std::vector<Bone>& bones, std::size_t bone)
 std::optional<WrittenTarget> read_target(const kdl::Node& node, Reading& reading)
 {
     if (node.name != at_form.name) {
-        reading.report.error(node.name_place, "a reach has no node " + quoted(node.name),
+        reading.report.error(node.name_place, "a reach has no node " + in_quotes(node.name),
                              suggestion(node.name, std::array{at_form.name}));
         return std::nullopt;
     }

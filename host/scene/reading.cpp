@@ -36,7 +36,7 @@ bool add_name(NameTable& names, std::string_view noun, std::string_view name, Pl
 
 bool report_double(std::string_view noun, std::string_view name, Place place, Place earlier, Report& report)
 {
-    return report.error(place, "there is " + std::string{noun} + ' ' + quoted(name) + " already, on " +
+    return report.error(place, "there is " + std::string{noun} + ' ' + in_quotes(name) + " already, on " +
                                    report.line(earlier));
 }
 

@@ -79,7 +79,7 @@ void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
     const auto rule = std::ranges::find(part_rules, node.name, &PartRule::name);
     if (rule != part_rules.end())
         return rule->take(parts, node, reading);
-    reading.report.error(node.name_place, "a scene has no node " + quoted(node.name),
+    reading.report.error(node.name_place, "a scene has no node " + in_quotes(node.name),
                          suggestion(node.name, word_names<part_rules>));
 }
 

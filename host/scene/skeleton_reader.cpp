@@ -27,7 +27,7 @@ bool report_inside(const kdl::Node& node, Reading& reading)
     if (is_side(node.name))
         return reading.report.error(node.name_place, "this " + node.name + " has no backbone in front of it",
                                     "write it behind the backbone that it belongs to");
-    return reading.report.error(node.name_place, "a skeleton has no node " + quoted(node.name),
+    return reading.report.error(node.name_place, "a skeleton has no node " + in_quotes(node.name),
                                 suggestion(node.name, names_inside));
 }
 

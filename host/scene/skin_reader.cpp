@@ -31,7 +31,7 @@ std::optional<std::size_t> find_skeleton(const kdl::Value& value, Reading& readi
     const auto skeleton = reading.skeletons.find(*name);
     const auto known = reading.skeletons.names();
     if (!skeleton)
-        reading.report.error(value.place, "unknown skeleton " + quoted(*name),
+        reading.report.error(value.place, "unknown skeleton " + in_quotes(*name),
                              known.empty() ? "write it on the outermost level: bones NAME { … }"
                                            : suggestion(*name, known));
     else

@@ -28,7 +28,7 @@ void report_no_item(const kdl::Node& node, Reading& reading)
     if (node.name == key_name || is_drawn(node.name))
         report_mixed_kinds(node, reading);
     else
-        reading.report.error(node.name_place, "a symbol has no node " + quoted(node.name),
+        reading.report.error(node.name_place, "a symbol has no node " + in_quotes(node.name),
                              suggestion(node.name, item_names()));
 }
 
@@ -108,7 +108,7 @@ bool report_chain(Place use, Reading& reading)
 bool make_ready(SymbolEntry& symbol, Place use, Reading& reading)
 {
     if (symbol.state == SymbolEntry::State::in_progress)
-        return reading.report.error(use, "the symbol " + quoted(symbol.name) + " uses itself",
+        return reading.report.error(use, "the symbol " + in_quotes(symbol.name) + " uses itself",
                                     chain(symbol, reading.symbols));
     if (symbol.state == SymbolEntry::State::unread) {
         if (reading.symbols.in_progress.size() > std::size_t{deepest_item})
@@ -176,7 +176,7 @@ const SymbolEntry* find_symbol(const kdl::Value& name, Reading& reading)
     SymbolEntry* const symbol = reading.symbols.find(*text);
     if (symbol == nullptr) {
         const auto known = reading.symbols.names();
-        reading.report.error(name.place, "unknown symbol " + quoted(*text),
+        reading.report.error(name.place, "unknown symbol " + in_quotes(*text),
                              known.empty() ? "write it on the outermost level: symbol NAME { … }"
                                            : suggestion(*text, known));
         return nullptr;
@@ -192,7 +192,7 @@ void check_unused_symbols(Reading& reading)
             read_symbol(symbol, reading);
     for (const SymbolEntry& symbol : reading.symbols.entries)
         if (!symbol.is_used && !reading.report.full())
-            reading.report.warning(symbol.place, "the symbol " + quoted(symbol.name) + " is not used",
+            reading.report.warning(symbol.place, "the symbol " + in_quotes(symbol.name) + " is not used",
                                    "use it, or remove it");
 }
 

@@ -56,9 +56,10 @@ bool is_of_kind(SymbolEntry::Kind kind, const SymbolUse& use, const kdl::Value& 
     if (symbol.kind == kind)
         return true;
     if (kind == SymbolEntry::Kind::items)
-        return reading.report.error(name.place, "the symbol " + quoted(symbol.name) + " is a drawing",
+        return reading.report.error(name.place, "the symbol " + in_quotes(symbol.name) + " is a drawing",
                                     "put its use into an object, which gives it a colour");
-    return reading.report.error(name.place, "the symbol " + quoted(symbol.name) + " holds items, no drawing",
+    return reading.report.error(name.place,
+                                "the symbol " + in_quotes(symbol.name) + " holds items, no drawing",
                                 "use it beside objects, not inside one");
 }
 

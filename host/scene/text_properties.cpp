@@ -94,7 +94,7 @@ std::string in_words(std::string_view character)
     std::array<char, 16> code{};
     std::snprintf(code.data(), code.size(), " (U+%04X)",
                   static_cast<unsigned>(code_point_at(character, 0).value));
-    return quoted(character) + code.data();
+    return in_quotes(character) + code.data();
 }
 
 std::string other_font(const TextProperties& properties)

@@ -34,7 +34,7 @@ bool has_letters(const kdl::Value& value, std::string_view text, const TextPrope
         return true;
     const std::string character = in_words(text.substr(missing->offset, missing->length));
     return reading.report.error(place_in_text(value, *missing),
-                                "the font " + quoted(properties.font) + " has no " + character,
+                                "the font " + in_quotes(properties.font) + " has no " + character,
                                 other_font(properties));
 }
 

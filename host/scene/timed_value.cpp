@@ -31,7 +31,7 @@ std::optional<TimedValue> read_at(const kdl::Node& node, Property property, cons
                                   Reading& reading)
 {
     if (node.name != at_name) {
-        reading.report.error(node.name_place, "a track has no node " + quoted(node.name),
+        reading.report.error(node.name_place, "a track has no node " + in_quotes(node.name),
                              suggestion(node.name, std::array{at_name}));
         return std::nullopt;
     }

@@ -65,7 +65,7 @@ void report_unknown_quantity(const kdl::Value& value, std::string_view name, Key
     else {
         const std::size_t hidden = holder == KeyHolder::object ? 0 : 1;
         const std::span known{word_names<quantities>};
-        reading.report.error(value.place, "unknown quantity " + quoted(name),
+        reading.report.error(value.place, "unknown quantity " + in_quotes(name),
                              suggestion(name, known.first(known.size() - hidden)));
     }
 }

@@ -37,7 +37,7 @@ Changes read_changes(const kdl::Node& node, const KeyClock& clock, Reading& read
             if (auto quantity = read_track(child, KeyHolder::group, reading))
                 changes.timed.push_back(std::move(*quantity));
         } else {
-            reading.report.error(child.name_place, "a use has no node " + quoted(child.name),
+            reading.report.error(child.name_place, "a use has no node " + in_quotes(child.name),
                                  suggestion(child.name, names_inside));
         }
     }

@@ -179,7 +179,7 @@ private:
         if (!bone || !weight)
             return false;
         if (std::ranges::find(weights, *bone, &WeightedBone::bone) != weights.end())
-            return reading_.report.error(node.name_place, quoted(node.name) + " has a weight already",
+            return reading_.report.error(node.name_place, in_quotes(node.name) + " has a weight already",
                                          "remove one of them");
         weights.push_back({*bone, *weight});
         return true;

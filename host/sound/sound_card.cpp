@@ -44,7 +44,7 @@ public:
         wanted.userdata = this;
         device_ = SDL_OpenAudioDevice(name.empty() ? nullptr : name.c_str(), 0, &wanted, nullptr, 0);
         if (device_ == 0)
-            throw Failure("cannot play on " + (name.empty() ? "the sound card" : kfast::quoted(name)) + ": " +
+            throw Failure("cannot play on " + (name.empty() ? "the sound card" : in_quotes(name)) + ": " +
                           SDL_GetError() + ": --audio-devices lists the ones there are");
         SDL_PauseAudioDevice(device_, 0);
     }

@@ -3,7 +3,6 @@
 #include "host/art/degree.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 
 namespace kfast::synfig {

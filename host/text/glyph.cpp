@@ -68,7 +68,7 @@ std::string visible(std::string_view text)
     return shown;
 }
 
-std::string quoted(std::string_view text)
+std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t longest = 40;
     std::size_t end = 0;

@@ -21,6 +21,6 @@ Glyph glyph(CodePoint point);
 std::string visible(std::string_view text);
 
 /// `text` for a message: visible, in quotes, and cut with … when it is long.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }
