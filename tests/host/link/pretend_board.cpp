@@ -7,8 +7,10 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -118,6 +120,9 @@ private:
             constexpr int looks_every = 10; // milliseconds
             if (::poll(&source, 1, looks_every) > 0) {
                 const ssize_t count = ::recv(program, bytes.data(), bytes.size(), 0);
+                const bool left_answers_unread = count < 0 && errno == ECONNRESET;
+                if (left_answers_unread) // what it sent is still to be had
+                    continue;
                 if (count <= 0)
                     break;
                 take(std::span{bytes}.first(static_cast<std::size_t>(count)));
@@ -170,7 +175,7 @@ private:
 }
 
 int main(int count, char** arguments)
-{
+try {
     kfast::test::Options options;
     CLI::App app{"A board behind a socket, for tests."};
     app.add_option("SOCKET", options.socket)->required();
@@ -182,4 +187,9 @@ int main(int count, char** arguments)
     app.add_option("--microseconds", options.microseconds);
     CLI11_PARSE(app, count, arguments);
     kfast::test::Server{options}.serve_for_ever();
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+} catch (...) { // clang-tidy does not see that errors of CLI11 are exceptions of the standard library
+    return 1;
 }
