@@ -54,6 +54,7 @@ function(kfast_device_objects OUT CPU)
         COMPILE_OPTIONS "-fno-tree-loop-distribute-patterns;-fno-lto")
     target_compile_options(${NAME} PRIVATE ${CPU_OPTIONS} ${KFAST_DEVICE_OPTIONS})
     target_link_libraries(${NAME} PRIVATE kfast_firmware)
+    kfast_compile_core_together(${NAME})
 endfunction()
 
 # kfast_device_image(<name> CPU <cpu> LINKER_SCRIPT <file> SOURCES <file>...): the core and what else is no board's own,

@@ -16,7 +16,7 @@ def options(arguments):
     parser.add_argument("--scene", action="append", metavar="NAME", help="only this one; may be repeated")
     parser.add_argument("--all", action="store_true", help="every example, not the references alone")
     parser.add_argument("--profile", action="store_true", help="which functions and lines take the instructions")
-    parser.add_argument("--build", default=str(ROOT / "build" / "bench"), help=argparse.SUPPRESS)
+    parser.add_argument("--build", default=str(ROOT / "build" / "lm3s6965evb"), help=argparse.SUPPRESS)
     parser.add_argument("--kfast", default=str(ROOT / "build" / "host" / "bin" / "kfast"), help=argparse.SUPPRESS)
     return parser.parse_args(arguments)
 

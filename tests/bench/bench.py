@@ -35,8 +35,8 @@ def options(arguments):
     parser.add_argument("--profile", metavar="SCENE", help="only tell where its instructions go")
     parser.add_argument("--instructions-only", action="store_true", help="neither boards nor this computer")
     parser.add_argument("--host", type=pathlib.Path, default=ROOT / "build/host/bin", help="kfast and bench_player")
-    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "build/bench", help="the images to be measured")
-    parser.add_argument("--board", type=pathlib.Path, default=ROOT / "build/lm3s6965evb", help="the board's images")
+    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "build/lm3s6965evb",
+                        help="the images to be measured, and those of that board")
     parser.add_argument("--pico", type=pathlib.Path, default=ROOT / "build/pico", help="the Pico's images")
     parser.add_argument("--recorded", type=pathlib.Path, default=RECORDED, help="what --compare and --record use")
     parser.add_argument("--check-options", action="store_true", help="measure nothing")
@@ -114,7 +114,7 @@ class Bench:
     def _measure_boards(self, pool, found):
         for cpu in images.BOARD_CPUS:
             name = f"lm3s6965evb-{cpu}"
-            image = self._chosen.board / f"{name}.elf"
+            image = self._chosen.images / f"{name}.elf"
             found["flash_bytes"][name] = images.flash_bytes(image)
             found["ram_bytes"][name] = images.static_bytes(image)
             depths = pool.map(lambda scene, image=image, cpu=cpu: board_stack.stack_used(

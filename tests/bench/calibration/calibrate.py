@@ -151,7 +151,7 @@ def print_errors(cpu, costs, plays):
 def options():
     parser = argparse.ArgumentParser(prog="scripts/calibrate", description=__doc__)
     parser.add_argument("--host", type=pathlib.Path, default=ROOT / "build/host/bin")
-    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "build/bench")
+    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "build/lm3s6965evb")
     parser.add_argument("--bands", type=int, default=8192, help="bytes of the bands in the images")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "host/fit/cost_table.cpp")
     return parser.parse_args()

@@ -28,7 +28,7 @@ TEST_CASE("a glyph knows its columns")
 
 TEST_CASE("a long text is cut for a message")
 {
-    CHECK(quoted("blu") == "\"blu\"");
-    CHECK(quoted(std::string(40, 'x')) == '"' + std::string(40, 'x') + '"');
-    CHECK(quoted(std::string(41, 'x')) == '"' + std::string(40, 'x') + "…\"");
+    CHECK(in_quotes("blu") == "\"blu\"");
+    CHECK(in_quotes(std::string(40, 'x')) == '"' + std::string(40, 'x') + '"');
+    CHECK(in_quotes(std::string(41, 'x')) == '"' + std::string(40, 'x') + "…\"");
 }
