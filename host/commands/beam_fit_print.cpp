@@ -4,6 +4,7 @@
 #include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
 #include "host/fit/wording.hpp"
+#include "host/in_frames.hpp"
 #include "host/text/glyph.hpp"
 
 #include <cmath>
@@ -19,7 +20,7 @@ double fields(std::uint64_t length) { return static_cast<double>(length) / field
 Json picture_facts(const BeamMoment& picture, const BeamProfile& profile)
 {
     const BeamReport& report = picture.report;
-    return {{"frame", static_cast<double>(picture.moment.ticks) / Time::ticks_per_frame},
+    return {{"frame", in_frames(picture.moment)},
             {"points", report.points},
             {"lit_points", report.lit_points},
             {"refresh", refresh(picture, profile)},

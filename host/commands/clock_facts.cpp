@@ -1,5 +1,7 @@
 #include "host/commands/clock_facts.hpp"
 
+#include "host/in_frames.hpp"
+
 namespace kfast {
 namespace {
 
@@ -17,7 +19,7 @@ InputView input_of(const SceneView& scene, Clock clock)
 double written_moment(const SceneView& scene, Clock clock, Time moment)
 {
     if (clock.is_time())
-        return static_cast<double>(moment.ticks) / Time::ticks_per_frame;
+        return in_frames(moment);
     const InputView input = input_of(scene, clock);
     const double share = static_cast<double>(moment.ticks) / whole_input.ticks;
     return (input.least + share * (static_cast<double>(input.most) - input.least)) / 1000;

@@ -1,6 +1,7 @@
 #include "host/commands/contact_prints.hpp"
 
 #include "host/commands/rounded_text.hpp"
+#include "host/in_frames.hpp"
 #include "host/preview/key_times.hpp"
 
 #include <cmath>
@@ -20,7 +21,7 @@ std::vector<Time> played_keys(const SceneView& scene, const Stretch& stretch)
 /// "12  0.4 s"
 std::string label(Time time, const Timeline& timeline)
 {
-    const double frame = static_cast<double>(time.ticks) / Time::ticks_per_frame;
+    const double frame = in_frames(time);
     const double seconds = std::round(timeline.seconds(time.ticks) * 1000) / 1000;
     return rounded_text(std::round(frame * 100) / 100) + "  " + rounded_text(seconds) + " s";
 }

@@ -4,6 +4,7 @@
 #include "host/commands/json_text.hpp"
 #include "host/counted.hpp"
 #include "host/fit/wording.hpp"
+#include "host/in_frames.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/text/glyph.hpp"
 
@@ -13,8 +14,6 @@ namespace kfast {
 namespace {
 
 using namespace fit;
-
-double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
 
 Json panel_facts(const Display& display)
 {
@@ -26,7 +25,7 @@ Json panel_facts(const Display& display)
 
 Json frame_facts(const FrameCost& frame)
 {
-    return {{"frame", frames(frame.moment)},
+    return {{"frame", in_frames(frame.moment)},
             {"instructions", std::llround(frame.instructions)},
             {"cpu_ms", frame.cpu_seconds * 1000},
             {"bus_ms", frame.bus_seconds * 1000},
@@ -45,7 +44,7 @@ Json worst_facts(const FitReport& report)
 Json outline_facts(const FitReport& report)
 {
     const LargestOutlines& outlines = report.speed.outlines;
-    return {{"frame", frames(outlines.moment)},
+    return {{"frame", in_frames(outlines.moment)},
             {"bytes", outlines.bytes},
             {"object", report.largest_object},
             {"object_bytes", outlines.item_bytes}};

@@ -69,7 +69,7 @@ std::string range_text(const Json& facts, const char* axis)
 
 std::string percent_text(const Json& length) { return rounded_text(percent(length.get<double>())) + " %"; }
 
-void print_text(const Json& facts)
+void print_ilda_facts(const Json& facts)
 {
     const auto rate = facts["rate"].get<std::uint32_t>();
     const auto most = facts["most_points"].get<std::size_t>();
@@ -106,7 +106,7 @@ void print_ilda_info(const std::string& path, std::uint32_t rate, bool as_json)
     if (as_json)
         std::cout << json_text(facts);
     else
-        print_text(facts);
+        print_ilda_facts(facts);
 }
 
 }

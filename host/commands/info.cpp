@@ -10,6 +10,7 @@
 #include "host/commands/picture_options.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
+#include "host/in_frames.hpp"
 #include "host/input_text.hpp"
 #include "host/loop_name.hpp"
 #include "host/picture/timeline.hpp"
@@ -33,8 +34,6 @@ struct InfoOptions {
     std::uint32_t rate = galvo_profile.rate;
     PictureOptions picture;
 };
-
-double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
 
 /// As an author writes them.
 Json keys_of(const SceneView& scene, Clock clock = {})
@@ -100,7 +99,7 @@ Json input_facts(const SceneView& scene, const InputView& input, Clock clock)
     return {};
 }
 
-Json inputs_of(const SceneView& scene)
+Json input_facts(const SceneView& scene)
 {
     Json inputs = Json::array();
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
@@ -117,8 +116,8 @@ Json clips_of(const SceneView& scene)
     for (ClipCursor cursor = scene.clips(); !cursor.at_end();) {
         const ClipView clip = cursor.next();
         clips.push_back({{"name", clip.name},
-                         {"from", frames(clip.begin)},
-                         {"to", frames(clip.end)},
+                         {"from", in_frames(clip.begin)},
+                         {"to", in_frames(clip.end)},
                          {"loop", loop_name(clip.loop)}});
     }
     return clips;
@@ -129,7 +128,7 @@ Json events_of(const SceneView& scene)
     Json events = Json::array();
     for (EventCursor cursor = scene.events(); !cursor.at_end();) {
         const EventView event = cursor.next();
-        events.push_back({{"name", event.name}, {"at", frames(event.time)}});
+        events.push_back({{"name", event.name}, {"at", in_frames(event.time)}});
     }
     return events;
 }
@@ -144,7 +143,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"bytes", scene.bytes.size()},
         {"canvas", {{"width", canvas.width}, {"height", canvas.height}}},
         {"fps", timeline.frame_rate / 1000.0},
-        {"frames", frames(timeline.stretch.end)},
+        {"frames", in_frames(timeline.stretch.end)},
         {"seconds", timeline.seconds(timeline.stretch.end.ticks)},
         {"loop", loop_name(timeline.stretch.loop)},
         {"objects", object_count(scene.view)},
@@ -152,7 +151,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"items", item_count(scene.view)},
         {"symbols", scene.view.symbol_count()},
         {"keys", keys_of(scene.view)},
-        {"inputs", inputs_of(scene.view)},
+        {"inputs", input_facts(scene.view)},
         {"clips", clips_of(scene.view)},
         {"events", events_of(scene.view)},
         {"memory",
@@ -230,7 +229,7 @@ std::string wire_text(std::size_t wire_frames)
     return wire_frames == 0 ? "" : ", " + counted(wire_frames, "wire frame") + " among them";
 }
 
-void print_text(const Json& facts)
+void print_scene_facts(const Json& facts)
 {
     std::cout << facts["file"].get<std::string>() << '\n'
               << "  size        " << facts["bytes"] << " bytes\n"
@@ -268,7 +267,7 @@ void print_info(const InfoOptions& options)
     if (options.json)
         std::cout << json_text(known);
     else
-        print_text(known);
+        print_scene_facts(known);
 }
 
 void declare_info(CLI::App& app)

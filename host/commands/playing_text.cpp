@@ -2,6 +2,7 @@
 
 #include "core/playhead.hpp"
 #include "host/commands/json_text.hpp"
+#include "host/in_frames.hpp"
 #include "host/link/on_each.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -25,8 +26,6 @@ std::string home_text(const link::Playing& playing)
         return "RAM";
     }
 }
-
-double frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
 
 double factor(std::int32_t speed) { return static_cast<double>(speed) / Playhead::as_authored; }
 
@@ -78,8 +77,8 @@ Json playing_json(const link::Playing& playing)
         {"slot", playing.home == link::Home::slot ? Json(playing.slot) : Json()},
         {"clip", playing.clip.view().empty() ? Json() : Json(playing.clip.view())},
         {"paused", playing.is_paused},
-        {"frame", frames(playing.moment)},
-        {"frames", frames(playing.length)},
+        {"frame", in_frames(playing.moment)},
+        {"frames", in_frames(playing.length)},
         {"fps", playing.frame_rate / 1000.0},
         {"speed", factor(playing.speed)},
         {"brightness", playing.brightness},

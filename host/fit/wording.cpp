@@ -1,6 +1,7 @@
 #include "host/fit/wording.hpp"
 
 #include "host/counted.hpp"
+#include "host/in_frames.hpp"
 
 #include <array>
 #include <cmath>
@@ -37,10 +38,7 @@ std::string list_of(const std::array<Part, count>& parts)
 
 std::string bytes_text(std::size_t bytes) { return counted(bytes, "byte"); }
 
-std::string frame_text(Time moment)
-{
-    return digits(static_cast<double>(moment.ticks) / Time::ticks_per_frame, 12);
-}
+std::string frame_text(Time moment) { return digits(in_frames(moment), 12); }
 
 std::string milliseconds_text(double seconds) { return digits(seconds * 1000, 3) + " ms"; }
 

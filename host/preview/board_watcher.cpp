@@ -1,5 +1,6 @@
 #include "host/preview/board_watcher.hpp"
 
+#include "host/in_frames.hpp"
 #include "host/preview/picture_pane.hpp"
 #include "host/preview/status_line.hpp"
 #include "host/preview/window_layout.hpp"
@@ -12,8 +13,6 @@
 
 namespace kfast {
 namespace {
-
-double frames(Time moment) { return static_cast<double>(moment.ticks) / Time::ticks_per_frame; }
 
 std::string place_text(const link::Playing& playing)
 {
@@ -31,7 +30,7 @@ std::string place_text(const link::Playing& playing)
 std::string status_text(Time moment, const link::Playing& playing)
 {
     std::ostringstream text;
-    text << place_text(playing) << "  frame " << std::fixed << std::setprecision(1) << frames(moment);
+    text << place_text(playing) << "  frame " << std::fixed << std::setprecision(1) << in_frames(moment);
     if (playing.is_paused)
         text << "  paused";
     if (!playing.clip.view().empty())
@@ -53,7 +52,7 @@ void BoardWatcher::see(const Frame& picture, Time moment, const link::Playing& p
     if (out_ == nullptr)
         return;
     std::ostringstream line;
-    line << "frame " << frames(moment) << ' ' << std::hex << std::setw(8) << std::setfill('0')
+    line << "frame " << in_frames(moment) << ' ' << std::hex << std::setw(8) << std::setfill('0')
          << hash(picture) << '\n';
     *out_ << line.str() << std::flush;
 }

@@ -3,6 +3,7 @@
 #include "core/crc32.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
+#include "host/in_frames.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -50,8 +51,7 @@ Seconds clock_at(const Timeline& timeline, int frame)
 PreviewPlayback::OnEvent writing_to(std::ostream& out)
 {
     return [&out](const EventView& event) {
-        out << "event " << static_cast<double>(event.time.ticks) / Time::ticks_per_frame << ' '
-            << visible(event.name) << '\n';
+        out << "event " << in_frames(event.time) << ' ' << visible(event.name) << '\n';
     };
 }
 

@@ -1,5 +1,6 @@
 #include "host/preview/time_line_pane.hpp"
 
+#include "host/in_frames.hpp"
 #include "host/preview/area.hpp"
 #include "host/preview/shapes.hpp"
 #include "host/preview/text_columns.hpp"
@@ -122,7 +123,7 @@ private:
         draw_play_head();
     }
 
-    double frames() const { return static_cast<double>(table_.end.ticks) / Time::ticks_per_frame; }
+    double frames() const { return in_frames(table_.end); }
 
     double pixels_per_frame() const { return line_.x_of(Time::frame(1)) - line_.x_of(Time::frame(0)); }
 

@@ -1,5 +1,6 @@
 #include "host/scene/value_reader.hpp"
 
+#include "host/in_frames.hpp"
 #include "host/kdl/identifier.hpp"
 #include "host/kdl/number.hpp"
 #include "host/scene/limits.hpp"
@@ -178,7 +179,7 @@ std::optional<Time> read_time(const kdl::Value& value, Reading& reading)
     return std::nullopt;
 }
 
-std::string text_of(Time time) { return text_of(static_cast<double>(time.ticks) / Time::ticks_per_frame); }
+std::string text_of(Time time) { return text_of(in_frames(time)); }
 
 std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading)
 {
