@@ -8,6 +8,7 @@
 #include "host/reported_compile.hpp"
 #include "host/reported_diagnostics.hpp"
 #include "host/scene/font_files.hpp"
+#include "host/text/utf16.hpp"
 
 #include <algorithm>
 #include <span>
@@ -58,16 +59,14 @@ SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)
     return {std::move(bytes), *view};
 }
 
-bool is_utf_16(std::string_view text)
+SceneFile from_bytes(const fs::path& path, std::span<const std::byte> bytes)
 {
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        return true;
-    return text.size() > 1 && std::min(text[0], text[1]) == '\0' && std::max(text[0], text[1]) >= '\t';
+    return checked(path, {bytes.begin(), bytes.end()});
 }
 
 SceneFile from_text(const fs::path& path, std::string text, const Reporter& reporter)
 {
-    if (is_utf_16(text))
+    if (seems_utf16(text))
         refuse(path, "the text is in UTF-16: save it as UTF-8");
     if (text.find('\0') != std::string::npos)
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
@@ -113,14 +112,13 @@ SceneFile read_scene(const fs::path& path, std::string content, const ImportChoi
 {
     if (importing::can_import(content))
         return from_other_program(path, std::move(content), choice, out);
+    SceneFile scene = content.starts_with(magic) ? from_bytes(path, std::as_bytes(std::span{content}))
+                                                 : from_text(path, std::move(content), reporter);
     if (!choice.only_for_imports.empty())
         throw Failure(path.string() + ": " + choice.only_for_imports +
                           " is for files of other programs, and this is a scene of kfast: leave it out",
                       ExitStatus::wrong_usage);
-    if (!content.starts_with(magic))
-        return from_text(path, std::move(content), reporter);
-    const auto bytes = std::as_bytes(std::span{content});
-    return checked(path, {bytes.begin(), bytes.end()});
+    return scene;
 }
 
 }

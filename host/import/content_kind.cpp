@@ -2,6 +2,7 @@
 
 #include "host/archive/gzip.hpp"
 #include "host/archive/zip_file.hpp"
+#include "host/text/utf16.hpp"
 
 #include <algorithm>
 
@@ -21,13 +22,6 @@ std::string_view without_mark(std::string_view text)
 std::string_view without_space(std::string_view text)
 {
     return text.substr(std::min(text.find_first_not_of(space), text.size()));
-}
-
-bool is_utf_16(std::string_view content)
-{
-    return content.starts_with("\xFF\xFE<\0"sv) || content.starts_with("\xFF\xFE{\0"sv) ||
-           content.starts_with("\xFE\xFF\0<"sv) || content.starts_with("\xFE\xFF\0{"sv) ||
-           content.starts_with("<\0"sv) || content.starts_with("\0<"sv);
 }
 
 std::string_view behind(std::string_view text, std::string_view end)
@@ -65,7 +59,7 @@ std::optional<ContentKind> kind_of(std::string_view content)
         return ContentKind::gzip;
     if (archive::is_zip(content))
         return ContentKind::zip;
-    if (is_utf_16(content))
+    if (const char first = first_of_utf16(content); first == '<' || first == '{')
         return ContentKind::utf_16;
     const std::string_view text = without_space(without_mark(content));
     if (text.starts_with('{'))

@@ -32,10 +32,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return row[b.size()];
 }
 
-/// A third of the letters may be wrong, but never all of them.
+/// A third of the letters may be wrong, but never all of them. Dashes before them are none.
 std::size_t tolerance(std::string_view name)
 {
-    return name.size() < 2 ? 0 : std::max<std::size_t>(1, name.size() / 3);
+    const std::size_t letters = name.size() - std::min(name.find_first_not_of('-'), name.size());
+    return letters < 2 ? 0 : std::max<std::size_t>(1, letters / 3);
 }
 
 std::string_view closest(std::string_view name, std::span<const std::string_view> known)

@@ -21,6 +21,8 @@ TEST_CASE("a name is suggested when a third of the letters or less is wrong")
     CHECK(suggestion("kye", known) == "did you mean \"key\"?");
     CHECK(suggestion("disc", known) == "allowed: circle, rect, line, key");
     CHECK(suggestion("x", known) == "allowed: circle, rect, line, key");
+    CHECK(suggestion("-f", std::array<std::string_view, 2>{"-h", "-o"}) == "allowed: -h, -o");
+    CHECK(suggestion("--ab", std::array<std::string_view, 1>{"--a"}) == "did you mean \"--a\"?");
     CHECK(suggestion("", known) == "allowed: circle, rect, line, key");
 }
 
