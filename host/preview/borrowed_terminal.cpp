@@ -33,24 +33,19 @@ void write_to_terminal(std::string_view text)
     }
 }
 
-BorrowedTerminal::BorrowedTerminal(Keyboard& keyboard) : keyboard_{keyboard}
-{
-    for (const int number : ending_signals)
-        std::signal(number, remember_end);
-    take();
-}
+BorrowedTerminal::BorrowedTerminal(Keyboard& keyboard) : keyboard_{keyboard} { take(); }
 
 BorrowedTerminal::~BorrowedTerminal()
 {
     give_back();
-    for (const int number : ending_signals)
-        std::signal(number, SIG_DFL);
     if (ending_signal != 0)
         std::raise(ending_signal);
 }
 
 void BorrowedTerminal::take()
 {
+    for (const int number : ending_signals)
+        std::signal(number, remember_end);
     std::signal(SIGTSTP, remember_stop);
     keyboard_.take();
     write_to_terminal("\x1b[?25l");
@@ -61,6 +56,8 @@ void BorrowedTerminal::give_back()
     constexpr std::string_view as_usual = "\x1b[0m\x1b[?25h";
     [[maybe_unused]] const ssize_t count = ::write(STDOUT_FILENO, as_usual.data(), as_usual.size());
     keyboard_.give_back();
+    for (const int number : ending_signals) // one that comes while the program is stopped ends it, as ever
+        std::signal(number, SIG_DFL);
     std::signal(SIGTSTP, SIG_DFL);
 }
 

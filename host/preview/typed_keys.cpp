@@ -17,14 +17,22 @@ constexpr std::array sent{
     Sent{" ", "space"},   Sent{"\x1b[Z", "shift-tab"}, Sent{"\t", "tab"},
 };
 
+/// A key by itself; else it begins another one, or says that Alt is held with it.
+bool is_escape(std::string_view bytes)
+{
+    const std::string_view behind = bytes.substr(1);
+    return bytes.front() == '\x1b' &&
+           (behind.empty() ||
+            (behind.starts_with('\x1b') && !behind.starts_with("\x1b[") && !behind.starts_with("\x1bO")));
+}
+
 Sent first_key(std::string_view bytes)
 {
     for (const Sent& key : sent)
         if (bytes.starts_with(key.bytes))
             return key;
     const std::string_view letter = bytes.substr(0, 1);
-    const bool is_escape = bytes == "\x1b" || bytes.starts_with("\x1b\x1b"); // else it begins another key
-    return {letter, is_escape ? "escape" : letter};
+    return {letter, is_escape(bytes) ? "escape" : letter};
 }
 
 }

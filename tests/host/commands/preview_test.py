@@ -2,6 +2,7 @@
 
 import fcntl
 import os
+import pathlib
 import pty
 import re
 import select
@@ -116,6 +117,31 @@ class TerminalTest(CommandTest):
         shell.wait_for(r"(?s)\x1b\[\?25h.*Quit")
         shell.type("stty -a\n")
         shell.wait_for(r"(?s)[^-]icanon.*[^-]echo ")
+        self.assertEqual(shell.end("exit 3\n"), 3)
+
+    @staticmethod
+    def state(process):
+        """A letter: T of one that is stopped, Z of one that its parent has not missed yet, X of none."""
+        try:
+            return pathlib.Path("/proc", process, "stat").read_text().rpartition(")")[2].split()[0]
+        except FileNotFoundError:
+            return "X"
+
+    def test_a_signal_ends_it_while_it_is_stopped(self):
+        shell = Preview(self.folder, "lamp.kfast", shell=True)
+        self.addCleanup(shell.process.kill)
+        shell.wait_for("next key frame")
+        shell.type("\x1a")
+        shell.wait_for("Stopped")
+        shell.type("jobs -l\n")
+        process = re.search(r"\d+(?= Stopped)", shell.wait_for(r"\d+ Stopped"))[0]
+        for number in (signal.SIGTERM, signal.SIGCONT):  # as kill of a shell does
+            os.kill(int(process), number)
+        deadline = time.monotonic() + 60
+        while self.state(process) not in ("X", "Z") and time.monotonic() < deadline:
+            time.sleep(0.01)
+        shell.type("wait %1; echo status $?\n")
+        shell.wait_for("status 143")
         self.assertEqual(shell.end("exit 3\n"), 3)
 
     def test_a_signal_leaves_the_terminal_as_it_was(self):

@@ -20,7 +20,8 @@ TEST_CASE("an escape alone is a key, other keys are passed over")
 {
     CHECK(typed_keys("\x1b") == std::vector{PreviewKey::leave});
     CHECK(typed_keys("\x1b\x1b") == std::vector{PreviewKey::leave, PreviewKey::leave});
-    CHECK(typed_keys("\x1b\x1b[A") == std::vector{PreviewKey::leave, PreviewKey::faster});
+    CHECK(typed_keys("\x1b\x1b[A") == std::vector{PreviewKey::faster}); // with Alt
+    CHECK(typed_keys("\x1b\x1bOA") == std::vector{PreviewKey::faster});
     CHECK(typed_keys("7\x1b[5~c").size() == 1);
     CHECK(typed_keys("").empty());
 }
