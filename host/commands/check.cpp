@@ -28,7 +28,7 @@ struct ReportForm {
     bool is_json;
 };
 
-constexpr std::array forms{ReportForm{"text", false}, ReportForm{"json", true}};
+constexpr std::array report_forms{ReportForm{"text", false}, ReportForm{"json", true}};
 
 struct CheckOptions {
     std::vector<std::string> paths;
@@ -56,7 +56,7 @@ void warn_of_unseen(const SceneFile& scene, Diagnostics& diagnostics)
     if (scene.item_places.empty())
         return;
     for (const UnseenObject& object : unseen_objects(scene.view))
-        diagnostics.warning(scene.item_places[object.number], "no frame shows anything of this",
+        diagnostics.warning(scene.item_places[object.number], "on a panel, no frame shows anything of this",
                             object.is_hidden ? "it is hidden or transparent all the time"
                                              : "it is outside of the canvas all the time, or has no area");
 }
@@ -152,10 +152,12 @@ void declare_check(CLI::App& app)
     CLI::Option* const format =
         app.add_option_function<std::string>(
                "--format",
-               [options](const std::string& name) { options->json = named(forms, "--format", name).is_json; },
-               "How it is told: " + names_of(forms) + ", for editors (default: text)")
+               [options](const std::string& name) {
+                   options->json = named(report_forms, "--format", name).is_json;
+               },
+               "How it is told: " + names_of(report_forms) + ", for editors (default: text)")
             ->type_name("NAME");
-    offer_names(format, forms);
+    offer_names(format, report_forms);
     declare_import_options(app, options->import_choice);
     app.callback([options] {
         require_one_input(*options);

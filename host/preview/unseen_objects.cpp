@@ -4,12 +4,16 @@
 #include "core/sweep.hpp"
 #include "host/every_item.hpp"
 #include "host/picture/timeline.hpp"
+#include "host/preview/key_times.hpp"
 #include "host/preview/posed_scene.hpp"
 #include "host/preview/told_player.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numeric>
+#include <span>
+#include <vector>
 
 namespace kfast {
 namespace {
@@ -100,48 +104,99 @@ private:
     std::map<std::size_t, Shown> shown_; ///< by the place in SceneFile::item_names
 };
 
-void look_at_frames(Watch& watch, const Timeline& timeline, int step)
+void look_at(Watch& watch, std::span<const Time> moments)
 {
-    for (int frame = 0; frame < timeline.frame_count() && !watch.has_seen_all(); frame += step)
-        watch.look(timeline.frame_time(frame));
+    for (const Time moment : moments) {
+        if (watch.has_seen_all())
+            return;
+        watch.look(moment);
+    }
+}
+
+std::vector<Time> frames_of(const SceneView& scene)
+{
+    Timeline timeline = timeline_of(scene);
+    timeline.stretch.loop = Loop::once; // with the last moment
+    std::vector<Time> moments;
+    for (int frame = 0; frame < timeline.frame_count(); ++frame)
+        moments.push_back(timeline.frame_time(frame));
+    return moments;
+}
+
+/// From 0 to `end`: evenly spaced ones, those of all keys that go by `clock`, and halfway between them.
+std::vector<Time> telling_moments(const SceneView& scene, Clock clock, Time end)
+{
+    constexpr int spaces = 16;
+    std::vector<Time> moments = key_times(scene, clock);
+    for (int space = 0; space <= spaces; ++space)
+        moments.push_back({static_cast<std::int32_t>(std::int64_t{end.ticks} * space / spaces)});
+    std::ranges::sort(moments);
+    const std::size_t count = moments.size();
+    for (std::size_t before = 0; before + 1 < count; ++before)
+        moments.push_back({std::midpoint(moments[before].ticks, moments[before + 1].ticks)});
+    std::erase_if(moments, [end](Time moment) { return moment < Time{} || moment > end; });
+    std::ranges::sort(moments);
+    moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
+    return moments;
+}
+
+/// What is to be looked at: moments with the inputs as they usually are, and with one of them at each of its
+/// places.
+struct TurnedInput {
+    std::uint32_t number = 0;
+    Time usual{};
+    std::vector<Time> places;
+};
+
+struct Plan {
+    std::vector<Time> frames;
+    std::vector<Time> moments; ///< at each place of an input
+    std::vector<TurnedInput> inputs;
+};
+
+Plan plan_of(const SceneView& scene)
+{
+    Plan plan{frames_of(scene), telling_moments(scene, {}, scene.length()), {}};
+    for (std::uint32_t number = 0; number < scene.input_count(); ++number)
+        if (const InputView input = scene.input(number); input.type == InputType::number)
+            plan.inputs.push_back(
+                {number, input.place_of(input.usual),
+                 telling_moments(scene, {static_cast<std::uint8_t>(number + 1)}, whole_input)});
+    return plan;
 }
 
 /// Whether it could take much more than a second.
-bool takes_long(const SceneView& scene, const Timeline& timeline)
+bool takes_long(const SceneView& scene, const Plan& plan)
 {
     constexpr std::size_t most_bytes = 50'000'000;
     constexpr std::size_t least_of_a_frame = 10'000;
-    return static_cast<std::size_t>(timeline.frame_count()) *
-               std::max(scene.drawings().size(), least_of_a_frame) >
-           most_bytes;
+    std::size_t looks = plan.frames.size();
+    for (const TurnedInput& input : plan.inputs)
+        looks += input.places.size() * plan.moments.size();
+    return looks * std::max(scene.drawings().size(), least_of_a_frame) > most_bytes;
 }
 
-/// Through the range of a number; a few frames each, for it may move what time alone does not.
-void turn_input(Watch& watch, const Timeline& timeline, std::uint32_t number, const InputView& input)
+/// Through the range of a number: it may show what time alone does not.
+void turn(Watch& watch, const TurnedInput& input, std::span<const Time> moments)
 {
-    constexpr int places = 32;
-    constexpr int frames = 16;
-    const int step = std::max(1, timeline.frame_count() / frames);
-    for (int place = 0; place <= places && !watch.has_seen_all(); ++place) {
-        watch.set_input(number, {whole_input.ticks / places * place});
-        look_at_frames(watch, timeline, step);
+    for (const Time place : input.places) {
+        watch.set_input(input.number, place);
+        look_at(watch, moments);
     }
-    watch.set_input(number, input.place_of(input.usual));
+    watch.set_input(input.number, input.usual);
 }
 
 }
 
 std::vector<UnseenObject> unseen_objects(const SceneView& scene)
 {
-    Timeline timeline = timeline_of(scene);
-    timeline.stretch.loop = Loop::once; // with the last moment
-    if (takes_long(scene, timeline))
+    const Plan plan = plan_of(scene);
+    if (takes_long(scene, plan))
         return {};
     Watch watch{scene};
-    look_at_frames(watch, timeline, 1);
-    for (std::uint32_t number = 0; number < scene.input_count() && !watch.has_seen_all(); ++number)
-        if (const InputView input = scene.input(number); input.type == InputType::number)
-            turn_input(watch, timeline, number, input);
+    look_at(watch, plan.frames);
+    for (const TurnedInput& input : plan.inputs)
+        turn(watch, input, plan.moments);
     return watch.unseen();
 }
 

@@ -13,10 +13,11 @@ struct UnseenObject {
     bool is_hidden = false; ///< or transparent, all the time; else outside of the canvas, or without area
 };
 
-/// Those of a scene on a panel of the size of its canvas, in each frame of it: with its inputs as they
-/// usually are, and with one after the other of them through its range. What shows a text or a drawing from
-/// outside is none, for it may be told one. Nothing is found in a scene of more than 5,000 frames, or in
-/// fewer of one with many drawings: that would take too long.
+/// Those of a scene on a panel of the size of its canvas, in each frame of it with its inputs as they usually
+/// are; and, with one after the other of them at all of its keys and halfway between them, at the moments of
+/// all keys and halfway between those. What shows a text or a drawing from outside is none, for it may be
+/// told one. Nothing is found where that takes too long: in scenes with more than 5,000 frames, or fewer if
+/// they have many drawings or inputs.
 std::vector<UnseenObject> unseen_objects(const SceneView& scene);
 
 }

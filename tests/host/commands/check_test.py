@@ -81,7 +81,7 @@ object outside fill=white { rect 60 0 9 9 }
         self.assertEqual((warning["severity"], warning["begin"]["line"]), ("warning", 4))
         self.assertIn("outside of the canvas", warning["remedy"])
         result = self.run_kfast("check", "half.kfast")
-        self.assertIn("half.kfast:4:1: warning: no frame shows anything of this\n", result.stderr)
+        self.assertIn("half.kfast:4:1: warning: on a panel, no frame shows anything of this\n", result.stderr)
         self.assertTrue(result.stdout.endswith(", 1 warning\n"), result.stdout)
 
     def test_several_files(self):

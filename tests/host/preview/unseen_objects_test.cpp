@@ -62,9 +62,24 @@ TEST_CASE("an input may bring it")
     CHECK(unseen("input pen kind=drawing points=4\nobject a stroke=red live=pen").empty());
 }
 
-TEST_CASE("a scene that is very long is not looked at")
+TEST_CASE("an input may bring it for the shortest way, and together with time")
 {
-    CHECK(unseen("object a fill=red { rect 200 0 9 9 }", 4000) == "a: not there\n");
+    CHECK(
+        unseen(
+            "input mood min=0 max=120\nobject a fill=red input=mood { key 0 visible=#false { rect 0 0 9 9 }; "
+            "key 118.3 visible=#true { rect 0 0 9 9 }; key 118.6 visible=#false { rect 0 0 9 9 } }")
+            .empty());
+    const std::string lamp =
+        "input mood min=0 max=120\ngroup lamp { key 0 visible=#false; key 611 visible=#true; "
+        "key 614 visible=#false; object a fill=red { rect 0 0 9 9; track x input=mood { at 0 -99; ";
+    CHECK(unseen(lamp + "at 110 -99; at 111 0; at 112 -99 } } }", 1000).empty());
+    CHECK(unseen(lamp + "at 120 -99 } } }", 1000) == "a: not there\n");
+}
+
+TEST_CASE("a scene of more than five thousand frames is not looked at")
+{
+    CHECK(unseen("object a fill=red { rect 200 0 9 9 }", 4999) == "a: not there\n");
+    CHECK(unseen("object a fill=red { rect 200 0 9 9 }", 5001).empty());
     CHECK(unseen("object a fill=red { rect 200 0 9 9 }", 1'000'000).empty());
 }
 
