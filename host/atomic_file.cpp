@@ -182,7 +182,7 @@ void AtomicFile::write(std::span<const std::byte> bytes)
 
 void AtomicFile::commit()
 {
-    close();
+    finish();
     if (!temporary_)
         return;
     if (std::rename(temporary_->c_str(), target_.c_str()) != 0)
@@ -191,10 +191,10 @@ void AtomicFile::commit()
     temporary_.reset();
 }
 
-void AtomicFile::close()
+void AtomicFile::finish()
 {
     const int descriptor = std::exchange(descriptor_, -1);
-    if (::close(descriptor) != 0)
+    if (descriptor >= 0 && ::close(descriptor) != 0)
         fail(errno);
 }
 

@@ -21,6 +21,9 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::span<const std::byte> bytes);
+    /// All has been written: what can still go wrong with that is told. For files that belong together,
+    /// before the first of them is committed.
+    void finish();
     void commit();
 
     /// For a program that writes the file instead; until commit().
@@ -29,7 +32,6 @@ public:
 private:
     void open_special();
     void open_temporary();
-    void close();
     [[noreturn]] void fail(int error_number) const;
 
     std::filesystem::path target_;

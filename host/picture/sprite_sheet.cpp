@@ -91,6 +91,8 @@ void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source
     AtomicFile image{target};
     list.write(std::as_bytes(std::span{json}));
     image.write(encoded_png(sheet));
+    list.finish();
+    image.finish();
     list.commit();
     image.commit();
 }

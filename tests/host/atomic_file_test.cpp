@@ -127,16 +127,27 @@ TEST_CASE("a signal removes the temporaries of all files that are not committed"
 TEST_CASE("once the last file is committed a signal ends the program as ever")
 {
     const TemporaryFolder folder;
-    {
-        AtomicFile first{folder / "a"};
-        AtomicFile{folder / "b"}.commit();
-        struct sigaction current = {};
-        ::sigaction(SIGTERM, nullptr, &current);
-        CHECK((current.sa_handler != SIG_DFL));
-        first.commit();
-        ::sigaction(SIGTERM, nullptr, &current);
-        CHECK((current.sa_handler == SIG_DFL));
-    }
+    AtomicFile first{folder / "a"};
+    AtomicFile{folder / "b"}.commit();
+    struct sigaction current = {};
+    ::sigaction(SIGTERM, nullptr, &current);
+    CHECK((current.sa_handler != SIG_DFL));
+    first.commit();
+    ::sigaction(SIGTERM, nullptr, &current);
+    CHECK((current.sa_handler == SIG_DFL));
+}
+
+TEST_CASE("four files at once are the most, and one that is committed makes room")
+{
+    const TemporaryFolder folder;
+    std::array<AtomicFile, 3> files{AtomicFile{folder / "a"}, AtomicFile{folder / "b"},
+                                    AtomicFile{folder / "c"}};
+    AtomicFile{folder / "d"}.commit();
+    const AtomicFile fourth{folder / "e"};
+    CHECK_THROWS_AS(AtomicFile{folder / "f"}, std::logic_error);
+    files.front().finish();
+    files.front().commit();
+    CHECK_NOTHROW(AtomicFile{folder / "f"});
 }
 
 TEST_CASE("a link stays a link, what it points to is replaced")
