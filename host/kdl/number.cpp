@@ -106,6 +106,8 @@ std::string remedy_of(std::string_view word)
     const std::string number{word.substr(0, word.size() - behind.size())};
     if (behind == "s" || behind == "ms")
         return "write (" + std::string{behind} + ')' + number + ": a unit stands before its number";
+    if (behind == "%")
+        return "write the share, like 0.5 for 50%";
     if (!take(behind, ","))
         return (behind.find_first_of(".0123456789") == behind.npos ? "write " + number + " alone, or " : "") +
                "put a text that begins with a digit in quotes";

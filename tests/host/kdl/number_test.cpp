@@ -103,6 +103,7 @@ TEST_CASE("a unit stands before its number, if there is one")
 {
     CHECK(remedy("n 10px") == "write 10 alone, or put a text that begins with a digit in quotes");
     CHECK(remedy("n -4.5°") == "write -4.5 alone, or put a text that begins with a digit in quotes");
+    CHECK(remedy("n 50%") == "write the share, like 0.5 for 50%");
     CHECK(remedy("n 500ms") == "write (ms)500: a unit stands before its number");
     CHECK(remedy("n 1.5s") == "write (s)1.5: a unit stands before its number");
 }
