@@ -60,11 +60,13 @@ OptionWords words_of(const CLI::Option& option)
     return words;
 }
 
-/// Those of groups too, which the parser takes for commands without a name.
+/// Those of groups too, which the parser takes for commands without a name, and gives a help of their own.
 void add_options(const CLI::App& app, CommandWords& words)
 {
+    const bool is_group = app.get_parent() != nullptr && app.get_name().empty();
     for (const CLI::Option* option : app.get_options())
-        words.options.push_back(words_of(*option));
+        if (!is_group || option != app.get_help_ptr())
+            words.options.push_back(words_of(*option));
     for (const CLI::App* inner : app.get_subcommands([](const CLI::App*) { return true; }))
         if (inner->get_name().empty())
             add_options(*inner, words);

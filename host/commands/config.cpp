@@ -27,16 +27,16 @@ struct ConfigOptions {
     bool list = false;
 };
 
-using Bytes = std::vector<std::byte>;
+using SettingsBytes = std::vector<std::byte>;
 
-Bytes as_text(const BoardSettings& settings)
+SettingsBytes as_text(const BoardSettings& settings)
 {
     const std::string text = config::config_text(settings);
     const auto bytes = std::as_bytes(std::span{text});
     return {bytes.begin(), bytes.end()};
 }
 
-Bytes as_uf2(const BoardSettings& settings)
+SettingsBytes as_uf2(const BoardSettings& settings)
 {
     const std::array regions{FlashRegion{pico_flash::settings, config::settings_sector(settings)}};
     return uf2_of(regions);
@@ -46,10 +46,10 @@ Bytes as_uf2(const BoardSettings& settings)
 struct OutputForm {
     const char* suffix;
     const char* noun;
-    Bytes (*bytes)(const BoardSettings& settings);
+    SettingsBytes (*bytes)(const BoardSettings& settings);
 };
 
-constexpr std::array forms{
+constexpr std::array output_forms{
     OutputForm{".kdl", "a text to edit", as_text},
     OutputForm{".bin", "the sector for 0x1003F000", config::settings_sector},
     OutputForm{".uf2", "for the drive RPI-RP2", as_uf2},
@@ -57,7 +57,7 @@ constexpr std::array forms{
 
 const OutputForm& form_of(const fs::path& output)
 {
-    for (const OutputForm& form : forms)
+    for (const OutputForm& form : output_forms)
         if (output.extension() == form.suffix)
             return form;
     throw CLI::ValidationError(
@@ -93,10 +93,11 @@ void run(const ConfigOptions& options)
         return list_configurations();
     if (options.input.empty())
         throw CLI::RequiredError("INPUT (kfast config --list tells what there is ready)");
-    if (!options.output.empty())
+    const bool is_printed = options.output.empty() || options.output == "-";
+    if (!is_printed)
         static_cast<void>(form_of(options.output)); // before anything is said about the input
     const BoardSettings settings = config::chosen_settings(options.input);
-    if (options.output.empty())
+    if (is_printed)
         std::cout << config::config_text(settings);
     else
         write_settings(options, settings);
@@ -108,8 +109,9 @@ void declare_config(CLI::App& app)
     CLI::Option* const input =
         app.add_option("INPUT", options->input,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)");
-    CLI::Option* const output =
-        declare_output(app, options->output, "A .kdl, .bin or .uf2 file (default: the text is printed)");
+    CLI::Option* const output = declare_output(
+        app, options->output, "A .kdl, .bin or .uf2 file (default, and -: the text is printed)",
+        StandardOutput::is_meant);
     offer_names(input, config::configurations());
     app.add_flag("--list", options->list, "Name the ready configurations")->excludes(input)->excludes(output);
     app.callback([options] { run(*options); });

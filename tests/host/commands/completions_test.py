@@ -146,6 +146,7 @@ class ManTest(CommandTest):
         self.run_kfast("man", "pages")
         text = (self.folder / "pages/man1/kfast-render.1").read_text().replace("\\-", "-").replace("\\fB", "").replace("\\fR", "")
         self.assertIn("--panel", text)
+        self.assertEqual(text.count("--help"), 1)
         self.assertIn("A known panel: st7789", text)
         self.assertIn("kfast render eyes.kfast --time 1.5s -o eyes.png", text)
         scene = (self.folder / "pages/man5/kfast-scene.5").read_text()

@@ -55,6 +55,10 @@ class ConfigTest(CommandTest):
             self.assertEqual(told.stderr, "", "nothing to worry about")
             self.assertTrue(told.stdout.startswith("board pico {\n"))
 
+    def test_standard_output_is_where_a_text_goes_unless_a_file_is_named(self):
+        self.assertEqual(self.run_kfast("config", "gadget.kdl", "-o", "-").stdout, self.text("gadget.kdl"))
+        self.assertFalse(self.file("-").exists())
+
     def test_a_text_is_completed(self):
         told = self.text("gadget.kdl")
         for part in ("panel st7789 135 240 column=52 row=40 rotation=90 colours=rgb inverted=#true brightness=1",

@@ -38,6 +38,8 @@ class UsageTest(CommandTest):
         self.refuse("render", "nothing.kfast", "--scal", "3", status=2, says='no option --scal: did you mean "--scale"?')
         self.refuse("render", "repeat.kfast", "--frme=3", status=2, says='did you mean "--frame"?')
         self.refuse("hash", "repeat.kfast", "--size", "3", "--qqq", status=2, says="no option --qqq: allowed: --")
+        self.refuse("render", "repeat.kfast", "--all", "-f", "gif", status=2, says="no option -f: allowed: -h, -o\n")
+        self.refuse("render", "repeat.kfast", "--frame", "-1", status=2, says="--output is required")
         self.refuse("--vesion", status=2, says='did you mean "--version"?')
         self.refuse("uf2", "pack", "--firmwear", "a.bin", status=2, says='did you mean "--firmware"?')
         self.refuse("info", "--", "--no-file", status=1, says="--no-file: there is no such file")
@@ -45,10 +47,13 @@ class UsageTest(CommandTest):
     def test_whole_numbers(self):
         for arguments in (["render", "repeat.kfast", "--frame", "1e3", "-o", "a.png"],
                           ["render", "repeat.kfast", "--all", "--scale", "1.5", "-o", "a.gif"]):
-            self.refuse(*arguments, status=2, says=f"{arguments[-4]}: '{arguments[-3]}' is no whole number: write digits")
+            self.refuse(*arguments, status=2, says=f'{arguments[-4]}: "{arguments[-3]}" is no whole number: write digits')
+        self.refuse("erase", "1", "x", status=2, says='"x" is no whole number')
+        for slot in ("300", "-1"):
+            self.refuse("play", f"--slot={slot}", status=2, says=f"--slot: {slot} is out of range")
 
     def test_outputs_have_names(self):
-        for command in (["compile", "repeat.kfast"], ["render", "repeat.kfast", "--all"], ["config", "pico-st7789"],
+        for command in (["compile", "repeat.kfast"], ["render", "repeat.kfast", "--all"],
                         ["export", "--header", "repeat.kfast"], ["uf2", "unpack", "repeat.kfast"]):
             self.refuse(*command, "-o", "", status=2, says="--output: the name is empty: say where to write")
             self.refuse(*command, "-o", "-", status=2, says="standard output is not written to: say where to write")
