@@ -58,4 +58,5 @@ using Acknowledgement = Progress<Kind::data>;
 
 using Commit = Plain<Kind::commit>;
 using Cancel = Plain<Kind::cancel>;
+
 }
