@@ -30,7 +30,7 @@ std::string value_call(const OptionWords& option)
     return call;
 }
 
-std::string options_of(const CommandWords& command)
+std::string offered_options(const CommandWords& command)
 {
     std::string names;
     for (const OptionWords& option : command.options)
@@ -50,7 +50,7 @@ std::string case_of(const CommandWords& command)
             text += "        " + joined(option.names, "|") + ") " + value_call(option) + "; return ;;\n";
     }
     text += "        esac\n        if [[ $current == -* ]]; then\n            _kfast_words '" +
-            options_of(command) + "'\n        else\n            :" + positional +
+            offered_options(command) + "'\n        else\n            :" + positional +
             "\n        fi\n        ;;\n";
     return text;
 }
@@ -60,7 +60,7 @@ std::string cases_of(const CommandWords& command)
     if (command.subcommands.empty())
         return case_of(command);
     std::string text = "    '" + command.name + "') _kfast_words '" + names_of_commands(command) + ' ' +
-                       options_of(command) + "' ;;\n";
+                       offered_options(command) + "' ;;\n";
     for (const CommandWords& inner : command.subcommands)
         text += cases_of(inner);
     return text;

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t widest_name = 8; ///< of a quantity, and a space
+constexpr std::size_t widest_quantity = 8; ///< of a quantity, and a space
 
 constexpr std::array<const char*, bone_quantity_count> names{"angle", "x", "y", "length"};
 
@@ -95,7 +95,7 @@ void print_bone(const Json& bone, std::ostream& out)
         out << " of bone " << bone["parent"].get<int>();
     out << '\n';
     for (const Json& track : bone["tracks"])
-        out << "      " << std::left << std::setw(widest_name) << track["property"].get<std::string>()
+        out << "      " << std::left << std::setw(widest_quantity) << track["property"].get<std::string>()
             << track_text(track) << '\n';
 }
 

@@ -13,7 +13,7 @@
 namespace kfast {
 namespace {
 
-constexpr double fastest = 1e9;
+constexpr double fastest_clock = 1e9;
 
 }
 
@@ -25,7 +25,7 @@ std::uint32_t read_clock(const std::string& option, const std::string& text)
     const auto unit =
         std::ranges::find(scene::frequency_units, std::string_view{rest, end}, &scene::QuantityUnit::name);
     const double hz = unit == scene::frequency_units.end() ? 0 : number * unit->factor;
-    if (error != std::errc{} || !(hz >= 1 && hz <= fastest))
+    if (error != std::errc{} || !(hz >= 1 && hz <= fastest_clock))
         throw CLI::ValidationError(option, "'" + visible(text) +
                                                "' is no clock: write it like 40MHz, 400kHz or 9600Hz");
     return static_cast<std::uint32_t>(std::lround(hz));

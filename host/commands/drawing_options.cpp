@@ -15,16 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr InputKind drawing_file{"drawing", "a text with points",
-                                 "a drawing begins with a point, like 10,20"};
+constexpr InputKind drawing_text_file{"drawing", "a text with points",
+                                      "a drawing begins with a point, like 10,20"};
 
-[[noreturn]] void refuse(const std::string& message) { throw CLI::ValidationError("--drawing", message); }
+[[noreturn]] void refuse_drawing(const std::string& message)
+{
+    throw CLI::ValidationError("--drawing", message);
+}
 
 std::size_t sign_in(const std::string& text, const SceneView& scene)
 {
     const std::size_t sign = end_of_input_name(text, scene);
     if (sign == std::string::npos)
-        refuse("'" + text + "' has no file: write it like plot=points.txt");
+        refuse_drawing("'" + text + "' has no file: write it like plot=points.txt");
     return sign;
 }
 
@@ -34,22 +37,23 @@ std::uint32_t drawing_input(std::string_view name, const SceneView& scene)
     if (number && scene.input(*number).type == InputType::drawing)
         return *number;
     const auto known = input_names(scene, InputType::drawing);
-    refuse("there is no drawing '" + std::string{name} + "' among the inputs: " +
-           (known.empty() ? "the scene has none: leave out --drawing" : suggestion(name, known)));
+    refuse_drawing("there is no drawing '" + std::string{name} + "' among the inputs: " +
+                   (known.empty() ? "the scene has none: leave out --drawing" : suggestion(name, known)));
 }
 
 ToldDrawing drawing_in(const std::string& file)
 {
-    auto read = read_drawing(read_input(file, drawing_file));
+    auto read = read_drawing(read_input(file, drawing_text_file));
     if (const auto* const mistake = std::get_if<std::string>(&read))
-        refuse(file + ": " + *mistake);
+        refuse_drawing(file + ": " + *mistake);
     return std::get<ToldDrawing>(std::move(read));
 }
 
 [[noreturn]] void refuse_size(const std::string& file, const InputView& input)
 {
-    refuse(file + ": the input '" + std::string{input.name} + "' takes at most " +
-           counted(input.drawing.points, "point") + " in " + counted(input.drawing.strokes, "stroke"));
+    refuse_drawing(file + ": the input '" + std::string{input.name} + "' takes at most " +
+                   counted(input.drawing.points, "point") + " in " +
+                   counted(input.drawing.strokes, "stroke"));
 }
 
 }

@@ -12,7 +12,7 @@
 namespace kfast {
 namespace {
 
-constexpr double fastest = 1000;
+constexpr double most_fps = 1000;
 
 fit::Display panel_named(const std::string& name)
 {
@@ -41,7 +41,7 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
     app.add_option("--fps", options.frames_per_second,
                    "Frames per second to be reached (default: the scene's)")
         ->type_name("NUMBER")
-        ->check(number_within(1, fastest))
+        ->check(number_within(1, most_fps))
         ->needs(board);
     return board;
 }

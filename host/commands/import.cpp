@@ -43,12 +43,6 @@ struct ImportOptions {
     bool to_standard_output() const { return output == "-"; }
 };
 
-template <class T>
-struct Named {
-    std::string_view name;
-    T value;
-};
-
 constexpr std::array endings{
     Named<svg::Ending>{"auto", svg::Ending::automatic},
     Named<svg::Ending>{"once", svg::Ending::once},

@@ -20,7 +20,7 @@ std::vector<InputView> inputs_of(const SceneView& scene)
     return inputs;
 }
 
-[[noreturn]] void refuse(const std::string& message) { throw CLI::ValidationError("--input", message); }
+[[noreturn]] void refuse_input(const std::string& message) { throw CLI::ValidationError("--input", message); }
 
 [[noreturn]] void refuse_name(std::string_view name, const std::vector<InputView>& inputs)
 {
@@ -28,15 +28,15 @@ std::vector<InputView> inputs_of(const SceneView& scene)
     for (const InputView& input : inputs)
         if (input.type != InputType::drawing)
             names.push_back(input.name);
-    refuse("there is no input '" + std::string{name} +
-           "': " + (names.empty() ? "the scene has none: leave out --input" : suggestion(name, names)));
+    refuse_input("there is no input '" + std::string{name} +
+                 "': " + (names.empty() ? "the scene has none: leave out --input" : suggestion(name, names)));
 }
 
 std::size_t sign_in(std::string_view text, const SceneView& scene)
 {
     const std::size_t sign = end_of_input_name(text, scene);
     if (sign == std::string_view::npos)
-        refuse("'" + std::string{text} + "' has no value: write it like gaze=0.5");
+        refuse_input("'" + std::string{text} + "' has no value: write it like gaze=0.5");
     return sign;
 }
 
@@ -53,14 +53,14 @@ std::int32_t read_number(std::string_view text, const InputView& input)
 {
     const auto value = read_input_value(text, input);
     if (!value)
-        refuse(input_value_mistake(text, input));
+        refuse_input(input_value_mistake(text, input));
     return *value;
 }
 
 std::string read_text(std::string_view text, const InputView& input)
 {
     if (const auto mistake = input_text_mistake(text, input.name, input.text.most, input.text.glyphs))
-        refuse(*mistake);
+        refuse_input(*mistake);
     return std::string{text};
 }
 
@@ -74,8 +74,8 @@ InputValue read_value(std::string_view text, const InputView& input)
     case InputType::drawing:
         break;
     }
-    refuse("'" + std::string{input.name} + "' is a drawing: write --drawing " + std::string{input.name} +
-           "=FILE");
+    refuse_input("'" + std::string{input.name} + "' is a drawing: write --drawing " +
+                 std::string{input.name} + "=FILE");
 }
 
 InputValue usual_value(const InputView& input)

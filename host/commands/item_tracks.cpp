@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t widest_name = 11; ///< of a property, and a space
+constexpr std::size_t widest_property = 11; ///< of a property, and a space
 
 const char* name_of(ItemKind kind)
 {
@@ -87,7 +87,7 @@ Json items_of(const SceneView& scene, ItemCursor cursor, const std::string& path
 
 void print_track(const Json& track, const std::string& indent, std::ostream& out)
 {
-    out << indent << std::left << std::setw(widest_name) << track["property"].get<std::string>()
+    out << indent << std::left << std::setw(widest_property) << track["property"].get<std::string>()
         << track_text(track);
     if (track.contains("length"))
         out << "; the path is " << rounded_text(track["length"].get<double>()) << " px long"
@@ -97,7 +97,7 @@ void print_track(const Json& track, const std::string& indent, std::ostream& out
 
 void print_beam(const Json& beam, const std::string& indent, std::ostream& out)
 {
-    out << indent << std::left << std::setw(widest_name) << "beam" << beam["draws"].get<std::string>();
+    out << indent << std::left << std::setw(widest_property) << "beam" << beam["draws"].get<std::string>();
     if (beam.contains("hatch"))
         out << ": lines " << rounded_text(beam["hatch"].get<double>()) << " px apart, at "
             << rounded_text(beam["hatch-angle"].get<double>()) << "°";

@@ -61,7 +61,7 @@ LiveInput live_input(const InputView& input)
     return live;
 }
 
-std::vector<LiveInput> inputs_of(const SceneView& scene)
+std::vector<LiveInput> live_inputs(const SceneView& scene)
 {
     std::vector<LiveInput> inputs;
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
@@ -72,7 +72,7 @@ std::vector<LiveInput> inputs_of(const SceneView& scene)
 }
 
 /// Of what it plays. It is asked, so values that make no sense are possible.
-std::vector<LiveInput> inputs_of(RemoteDevice& device)
+std::vector<LiveInput> live_inputs(RemoteDevice& device)
 {
     Session& session = device.session();
     const std::uint8_t count = session.ask<link::Playing>(link::AskPlaying{}).inputs;
@@ -91,7 +91,7 @@ std::vector<LiveInput> inputs_of(RemoteDevice& device)
 std::vector<LiveInput> common_inputs(std::span<RemoteDevice> devices)
 {
     std::vector<std::vector<LiveInput>> inputs(devices.size());
-    on_each(devices, [&](RemoteDevice& device, std::size_t index) { inputs[index] = inputs_of(device); });
+    on_each(devices, [&](RemoteDevice& device, std::size_t index) { inputs[index] = live_inputs(device); });
     for (const auto& others : inputs)
         if (!std::ranges::equal(others, inputs.front(), std::mem_fn(&LiveInput::is_like)))
             throw Failure{
@@ -108,7 +108,7 @@ std::vector<LiveInput> begin(const LiveOptions& options, std::span<RemoteDevice>
         return common_inputs(devices);
     const SentScene in_ram{*scene, devices, options.device};
     on_each(devices, [&](RemoteDevice&, std::size_t index) { in_ram.play(index, {}); });
-    return inputs_of(scene->view);
+    return live_inputs(scene->view);
 }
 
 void require_inputs(std::span<const LiveInput> inputs)
@@ -132,7 +132,7 @@ void live(const LiveOptions& options)
     std::optional<SceneFile> scene;
     if (!options.file.empty()) {
         scene.emplace(load_scene(options.file));
-        require_inputs(inputs_of(scene->view));
+        require_inputs(live_inputs(scene->view));
     }
     OpenDevices devices{options.device};
     const auto inputs = begin(options, devices.all(), scene);

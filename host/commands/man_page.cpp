@@ -113,7 +113,7 @@ std::string terms_of(const CommandWords& command, const std::string& group, bool
     return terms;
 }
 
-std::string options_of(const CommandWords& command)
+std::string options_section(const CommandWords& command)
 {
     std::string text;
     std::set<std::string> groups;
@@ -172,7 +172,7 @@ ManPage page_of(const CommandWords& command)
 {
     const std::string name = page_name(command.name);
     std::string text = head(name, "1", command.summary) + synopsis(command) + commands_of(command) +
-                       options_of(command) + examples_of(command);
+                       options_section(command) + examples_of(command);
     text += command.name.empty() ? exit_status() : "";
     text += ".SH SEE ALSO\n" + (command.name.empty() ? "" : reference("kfast", "1") + ", ") +
             reference("kfast-scene", "5") + '\n';

@@ -9,6 +9,13 @@
 
 namespace kfast {
 
+/// A row for what has nothing but its name.
+template <class T>
+struct Named {
+    std::string_view name;
+    T value;
+};
+
 /// The names of rows that have one, for the help: "rgb565, mono1".
 template <class Rows>
 std::string names_of(const Rows& rows)

@@ -14,12 +14,6 @@
 namespace kfast {
 namespace {
 
-template <class T>
-struct Named {
-    std::string_view name;
-    T value;
-};
-
 constexpr std::array fits{
     Named<Fit>{"contain", Fit::contain},
     Named<Fit>{"cover", Fit::cover},

@@ -20,13 +20,14 @@ struct Uf2InfoOptions {
     bool json = false;
 };
 
-struct Flag {
+struct BlockFlag {
     std::uint32_t bit;
     const char* name;
 };
 
-constexpr std::array flags{Flag{0x0001, "not-for-flash"}, Flag{0x1000, "stored-file"}, Flag{0x2000, "family"},
-                           Flag{0x4000, "checksum"}, Flag{0x8000, "tags"}};
+constexpr std::array flags{BlockFlag{0x0001, "not-for-flash"}, BlockFlag{0x1000, "stored-file"},
+                           BlockFlag{0x2000, "family"}, BlockFlag{0x4000, "checksum"},
+                           BlockFlag{0x8000, "tags"}};
 
 std::vector<std::string> flag_names(std::uint32_t set)
 {

@@ -104,7 +104,7 @@ std::string description(const ValueKind& kind)
     }
 }
 
-std::string described(std::string head, const std::string& description)
+std::string with_description(std::string head, const std::string& description)
 {
     return description.empty() ? head : head + " description=" + string_of(description);
 }
@@ -167,7 +167,7 @@ void add_values(const NodeWords& node, Lines& lines)
     for (std::size_t i = 0; i < node.values.size(); ++i) {
         const bool is_last = i + 1 == node.values.size();
         const std::size_t rest = node.form.least_values > i ? node.form.least_values - i : 0;
-        lines.open(described("value", description(node.values[i])));
+        lines.open(with_description("value", description(node.values[i])));
         lines.add("min " + std::to_string(is_last ? rest : std::min<std::size_t>(rest, 1)));
         if (!is_last)
             lines.add("max 1");
@@ -181,7 +181,7 @@ void add_values(const NodeWords& node, Lines& lines)
 
 void add_property(const PropertyWords& property, Lines& lines)
 {
-    lines.open(described("prop " + string_of(property.name), description(property.kind)));
+    lines.open(with_description("prop " + string_of(property.name), description(property.kind)));
     if (property.required)
         lines.add("required #true");
     if (property.kind.type != ValueType::none)
