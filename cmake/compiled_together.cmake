@@ -1,8 +1,8 @@
 option(KFAST_TOGETHER "Compile sources of a library together, dozens at a time, which is quicker" ${KFAST_SANITIZE})
 set(KFAST_TOGETHER_AT_MOST 40)
 
-# kfast_compile_together(<target> [APART <file>...] [ALONE <file>...]): for a library of many small sources, if KFAST_TOGETHER
-# is on. Those apart have names in their anonymous namespaces that others have as well, and are compiled together without
+# kfast_compile_together(<target> [APART <file>...] [ALONE <file>...]): for what has many small sources, if KFAST_TOGETHER is on.
+# Those apart have names in their anonymous namespaces that others have as well, and are compiled together without
 # these; those alone have names of some that are apart, too. Where it is off (scripts/tidy, and devices) an include that is
 # missing is told, and a name that hides another one.
 function(kfast_compile_together TARGET)
@@ -11,7 +11,12 @@ function(kfast_compile_together TARGET)
     endif()
     cmake_parse_arguments(PARSE_ARGV 1 TOGETHER "" "" "APART;ALONE")
     get_target_property(SOURCES ${TARGET} SOURCES)
-    list(REMOVE_ITEM SOURCES ${TOGETHER_APART} ${TOGETHER_ALONE})
+    foreach(SOURCE ${TOGETHER_APART} ${TOGETHER_ALONE})
+        if(NOT SOURCE IN_LIST SOURCES)
+            message(FATAL_ERROR "${SOURCE} is none of ${TARGET}'s sources: take it out of APART and ALONE")
+        endif()
+        list(REMOVE_ITEM SOURCES ${SOURCE})
+    endforeach()
     list(LENGTH SOURCES COUNT)
     math(EXPR GROUPS "(${COUNT} + ${KFAST_TOGETHER_AT_MOST} - 1) / ${KFAST_TOGETHER_AT_MOST}")
     set(INDEX 0)

@@ -6,6 +6,6 @@ function(kfast_precompile_standard_headers TARGET)
     if(KFAST_PRECOMPILE)
         target_precompile_headers(${TARGET} PRIVATE
             <algorithm> <array> <cmath> <cstdint> <optional> <span> <string> <string_view> <utility> <vector>)
-        target_compile_options(${TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
+        target_compile_options(${TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-stringop-overflow>")
     endif()
 endfunction()
