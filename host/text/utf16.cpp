@@ -3,14 +3,12 @@
 namespace kfast {
 namespace {
 
-bool has_mark(std::string_view text)
-{
-    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
-}
+bool has_mark(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }
 
 bool begins_a_text(char character)
 {
-    return (character >= ' ' && character <= '~') || character == '\t' || character == '\n' || character == '\r';
+    return (character >= ' ' && character <= '~') || character == '\t' || character == '\n' ||
+           character == '\r';
 }
 
 }

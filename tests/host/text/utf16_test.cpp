@@ -18,8 +18,8 @@ TEST_CASE("texts in UTF-16 are known by their mark, or by the zero beside their 
 
 TEST_CASE("other bytes are no text in UTF-16")
 {
-    for (const std::string_view bytes : {""sv, "k"sv, "kfast 1"sv, "\0"sv, "\0asm"sv.substr(0, 1), "\0\0"sv, "\0\x01"sv,
-                                         "\xFF\0"sv, "\0\x80"sv, "\x7F\0"sv}) {
+    for (const std::string_view bytes : {""sv, "k"sv, "kfast 1"sv, "\0"sv, "\0asm"sv.substr(0, 1), "\0\0"sv,
+                                         "\0\x01"sv, "\xFF\0"sv, "\0\x80"sv, "\x7F\0"sv}) {
         CHECK(first_of_utf16(bytes) == '\0');
         CHECK_FALSE(seems_utf16(bytes));
     }
