@@ -37,7 +37,7 @@ struct RenderOptions {
     std::string file;
     std::string output;
     std::optional<int> frame;
-    std::string time;
+    std::optional<std::string> time;
     bool all = false;
     bool contact = false;
     std::optional<int> columns; ///< of a sprite sheet
@@ -59,13 +59,15 @@ struct Rendering {
     TellWork tell;
 };
 
-RenderSubject subject_of(const RenderOptions& options)
+RenderSubject subject_of(const RenderOptions& options, const fs::path& output)
 {
     if (options.columns)
         return RenderSubject::sprite_sheet;
     if (options.contact)
         return RenderSubject::contact_sheet;
-    return options.all ? RenderSubject::film : RenderSubject::moment;
+    if (options.all)
+        return RenderSubject::film;
+    return options.frame || options.time ? RenderSubject::moment : usual_subject(output);
 }
 
 Time frame_time(int frame, const Timeline& timeline)
@@ -80,11 +82,11 @@ Time frame_time(int frame, const Timeline& timeline)
 
 Time chosen_time(const RenderOptions& options, const Timeline& timeline)
 {
-    if (options.frame)
-        return frame_time(*options.frame, timeline);
-    const std::optional<Time> time = read_time(options.time, timeline.frame_rate);
+    if (!options.time)
+        return frame_time(options.frame.value_or(0), timeline);
+    const std::optional<Time> time = read_time(*options.time, timeline.frame_rate);
     if (!time)
-        throw CLI::ValidationError("--time", "'" + options.time +
+        throw CLI::ValidationError("--time", "'" + *options.time +
                                                  "' is no time: write it like 1.5s, 500ms or 12.5 (frames)");
     return timeline.shown_at(time->ticks);
 }
@@ -218,7 +220,7 @@ void render_contact_sheet(const Rendering& job)
 void render_scene(const RenderOptions& options)
 {
     const fs::path output = output_path(options.output, options.file);
-    const RenderSubject subject = subject_of(options);
+    const RenderSubject subject = subject_of(options, output);
     const RenderKind kind = render_kind(output, subject);
     require_fitting_options(options, kind);
     const SceneFile scene = load_scene(options.file);
@@ -236,7 +238,8 @@ void render_scene(const RenderOptions& options)
 
 void declare_subject(CLI::App& app, RenderOptions& options)
 {
-    CLI::Option_group* subject = app.add_option_group("What to draw (one of these)");
+    CLI::Option_group* subject = app.add_option_group(
+        "What to draw (one of these; without: frame 0, or all of an animation or a video)");
     subject->add_option("--frame", options.frame, "The frame with this number, from 0")->type_name("N");
     subject
         ->add_option("--time", options.time,
@@ -250,7 +253,7 @@ void declare_subject(CLI::App& app, RenderOptions& options)
         ->check(number_within(1, most_columns));
     subject->add_flag("--contact", options.contact,
                       "The key frames on one PNG, each with its number and its seconds");
-    subject->require_option(1);
+    subject->require_option(0, 1);
 }
 
 void declare_files(CLI::App& app, RenderOptions& options)

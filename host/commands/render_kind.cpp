@@ -56,6 +56,19 @@ void require_png(const std::string& ending, const char* what)
         refuse(std::string{what} + " is a .png: choose such a name");
 }
 
+const NamedKind* kind_named(const std::string& ending)
+{
+    const auto kind = std::ranges::find(kinds, ending, &NamedKind::ending);
+    return kind == kinds.end() ? nullptr : &*kind;
+}
+
+}
+
+RenderSubject usual_subject(const fs::path& output)
+{
+    const NamedKind* const kind = kind_named(lower(output.extension().string()));
+    return kind != nullptr && kind->of_moment == RenderKind::folder ? RenderSubject::film
+                                                                    : RenderSubject::moment;
 }
 
 RenderKind render_kind(const fs::path& output, RenderSubject subject)
@@ -69,8 +82,8 @@ RenderKind render_kind(const fs::path& output, RenderSubject subject)
     const bool is_film = subject == RenderSubject::film;
     if (ending.empty() || (is_film && fs::is_directory(output, unknown)))
         return is_film ? RenderKind::folder : RenderKind::png;
-    const auto kind = std::ranges::find(kinds, ending, &NamedKind::ending);
-    if (kind == kinds.end())
+    const NamedKind* const kind = kind_named(ending);
+    if (kind == nullptr)
         refuse_ending(ending);
     return is_film ? kind->of_film : kind_of_moment(*kind);
 }

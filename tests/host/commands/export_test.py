@@ -44,7 +44,7 @@ class ExportTest(CommandTest):
         def block(*arguments):
             told = self.run_kfast("export", "--header", "repeat.kfast", "-o", "a.h", *arguments).stdout
             figures = figures_of_header()
-            self.assertIn("{2} bytes of memory at {0}x{1}".format(*figures), told)
+            self.assertIn("{2} bytes to be lent at {0}x{1}, the player included".format(*figures), told)
             return figures
 
         def figures_of_header():

@@ -19,6 +19,19 @@ class UsageTest(RenderTest):
         self.refuse(*render, "--all", "--scale", "0", "-o", "a.gif", status=2, says="--scale")
         self.refuse(*render, "--contact", "--all", "-o", "a.png", status=2, says="--contact")
 
+    def test_without_a_subject_the_ending_decides(self):
+        for name in ("a.png", "a.svg", "a"):
+            self.run_kfast("render", "repeat.kfast", "-o", name)
+            self.run_kfast("render", "repeat.kfast", "--frame", "0", "-o", f"one-{name}")
+            self.assertEqual((self.folder / name).read_bytes(), (self.folder / f"one-{name}").read_bytes())
+        for name in ("a.gif", "a.apng"):
+            self.run_kfast("render", "repeat.kfast", "-o", name)
+            self.run_kfast("render", "repeat.kfast", "--all", "-o", f"all-{name}")
+            self.assertEqual((self.folder / name).read_bytes(), (self.folder / f"all-{name}").read_bytes())
+        self.refuse("render", "repeat.kfast", "--frame", "0", "-o", "b.gif", status=2, says="add --all for a .gif")
+        self.refuse("render", "repeat.kfast", "--time", "", "-o", "b.png", status=2, says="'' is no time")
+        self.refuse("render", "repeat.kfast", "--all", "--frame", "1", "-o", "b.png", status=2, says="--frame")
+
     def test_endings_in_capitals_and_folders_with_a_dot(self):
         self.render("repeat.kfast", "--all", "-o", "A.GIF")
         self.assertEqual((self.folder / "A.GIF").read_bytes()[:3], b"GIF")
