@@ -82,6 +82,13 @@ public:
     {
         return succeeds(kfast_set_text(player_, name, text));
     }
+    /// To `strokes` strokes, of stroke_points[0], stroke_points[1], ... points in 1/16 pixel; all is copied.
+    /// False also if the drawing takes less: then nothing changes.
+    bool set_drawing(const char* name, const kfast_point* points, const uint16_t* stroke_points,
+                     size_t strokes)
+    {
+        return succeeds(kfast_set_drawing(player_, name, points, stroke_points, strokes));
+    }
 
     /// Calls draw_rectangle(int x, int y, int width, int height, Pixel* pixels) for each rectangle that has
     /// changed; the pixels lie in `buffer`, which holds a row of the panel or more, and are gone after the

@@ -1,4 +1,5 @@
-"""Every command of README.md and docs/*.md does what the page says, in a folder with the files that the page makes.
+"""Every command of README.md, docs/*.md and the READMEs of examples/ does what the page says, in a folder with the files that the
+page makes.
 
 Called like commands_test.py <kfast>. CONTRIBUTING.md, "Documentation", has the rules by which pages are written.
 """
@@ -29,7 +30,7 @@ FILES = {
     "eyes.json": "tests/accuracy/lottie/eyes.json",
     "scene.kfast": "examples/robot-eyes.kfast",
     **{f"{name}.kfast": f"examples/{name}.kfast" for name in ("clock-face", "logo", "robot-eyes")},
-    **{f"wink-{number}.svg": f"examples/import/wink-{number}.svg" for number in range(3)},
+    **{f"wink-{number}.svg": f"examples/import/wink-{number}.svg" for number in range(5)},
     **{path.name: path.relative_to(ROOT) for path in (HERE / "readers_files").iterdir()},
 }
 FIRMWARE_BYTES = 134504
@@ -137,7 +138,8 @@ def one_page(path):
 
 
 for document in pages():
-    setattr(PageTest, "test_" + document.stem.replace("-", "_").lower(), one_page(document))
+    name = re.sub(r"\W", "_", str(document.relative_to(ROOT).with_suffix("")).removeprefix("docs/")).lower()
+    setattr(PageTest, f"test_{name}", one_page(document))
 
 
 class SpanTest(unittest.TestCase):

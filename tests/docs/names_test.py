@@ -109,6 +109,14 @@ class Project(unittest.TestCase):
                 with self.subTest(place=place, name=name):
                     self.assertTrue(MADE.match(name) or (ROOT / name).exists() or list(ROOT.glob(name + "*")))
 
+    def test_folders_of_the_design_are_those_that_there_are(self):
+        rows = [cells(line)[0] for line in section("design.md", "The way of the data").splitlines() if is_row(line)]
+        named = {name for row in rows for name in re.findall(r"`([\w./]+)`", row)}
+        whole = {name.rstrip("/") for name in named if name.endswith("/")}
+        of_the_host = {path.parent.name for path in (ROOT / "host").glob("*/CMakeLists.txt")}
+        self.assertEqual(whole - {".ci"}, set(FOLDERS.split("|")))
+        self.assertEqual(named - {f"{name}/" for name in whole}, of_the_host)
+
     def test_scripts_have_the_options_that_are_given(self):
         presets = {preset["name"] for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
         for path, place, line in each_text():

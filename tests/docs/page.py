@@ -104,7 +104,7 @@ def prose(text):
 
 def pages():
     """The documents whose commands and scenes a reader would try."""
-    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "examples").rglob("README.md"))]
 
 
 def all_pages():

@@ -35,7 +35,7 @@ HIDDEN = {
 PARTS = {"SDL": 2, "FreeType": 3}
 
 # Libraries that stay in a few folders.
-WITHIN = {"pugixml": (r"pugi(xml|config)\.hpp", {"host/svg", "host/synfig", "host/xml"})}
+WITHIN = {"pugixml": (r"pugi(xml|config)\.hpp", {"host/svg", "host/synfig"})}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 

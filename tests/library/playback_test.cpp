@@ -56,14 +56,25 @@ public:
     {
         Stage stage{scene_, {width, height}};
         stage.player.set_input(0, size);
-        const Bytes wanted = stage.picture<PixelFormat::rgb565>(moment);
-        const auto shown = std::as_bytes(std::span{display_});
-        return std::ranges::equal(wanted, shown);
+        return shows_picture(stage, moment);
+    }
+
+    /// Whether it looks as the beginning of this scene.
+    bool looks_like(std::string_view scene) const
+    {
+        Stage stage{scene, {width, height}};
+        return shows_picture(stage, Time{});
     }
 
     KfastPlayer<20'000> player;
 
 private:
+    bool shows_picture(Stage& stage, Time moment) const
+    {
+        const Bytes wanted = stage.picture<PixelFormat::rgb565>(moment);
+        return std::ranges::equal(wanted, std::as_bytes(std::span{display_}));
+    }
+
     Bytes scene_;
     std::vector<std::uint16_t> display_;
 };
@@ -149,6 +160,30 @@ TEST_CASE("what is set is drawn with the next update, between two frames as well
     CHECK(std::string_view{sketch.player.error()} == "ok");
 }
 
+TEST_CASE("a drawing that is set is drawn with the next update")
+{
+    Sketch sketch{"kfast 1\ncanvas 30 20\ninput curve kind=drawing points=5 strokes=2 { line 1 1 9 9 }\n"
+                  "object o stroke=lime live=curve"};
+    sketch.at(0);
+    const kfast_point points[] = {{16, 16}, {160, 32}, {24, 80}, {16, 240}, {320, 240}, {0, 0}};
+    const std::uint16_t counts[] = {3, 2, 1};
+    const auto shows_two_strokes = [&] {
+        return sketch.looks_like("kfast 1\ncanvas 30 20\n"
+                                 "object o stroke=lime { line 1 1 10 2 1.5 5; line 1 15 20 15 }");
+    };
+    CHECK(sketch.player.set_drawing("curve", points, counts, 2));
+    CHECK(sketch.at(1) == "");
+    CHECK(shows_two_strokes());
+    CHECK_FALSE(sketch.player.set_drawing("curve", points, counts, 3));
+    CHECK(std::string_view{sketch.player.error()}.starts_with("drawing_too_large"));
+    CHECK_FALSE(sketch.player.set_drawing("curse", points, counts, 2));
+    sketch.at(2);
+    CHECK(shows_two_strokes());
+    CHECK(sketch.player.set_drawing("curve", nullptr, nullptr, 0));
+    sketch.at(3);
+    CHECK(sketch.looks_like("kfast 1\ncanvas 30 20\nobject o stroke=lime { empty }"));
+}
+
 TEST_CASE("a player that could not begin draws nothing and says why")
 {
     KfastPlayer<100> player;
@@ -156,6 +191,7 @@ TEST_CASE("a player that could not begin draws nothing and says why")
     const auto take = [](int, int, int, int, std::uint16_t*) { FAIL("drawn"); };
     CHECK_FALSE(player.update(0));
     CHECK_FALSE(player.play());
+    CHECK_FALSE(player.set_drawing("curve", nullptr, nullptr, 0));
     CHECK_FALSE(player.finished());
     CHECK_FALSE(player.draw(buffer, take));
     CHECK(std::string_view{player.error()}.starts_with("null_pointer"));
