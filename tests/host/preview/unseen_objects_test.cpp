@@ -69,6 +69,10 @@ TEST_CASE("an input may bring it for the shortest way, and together with time")
             "input mood min=0 max=120\nobject a fill=red input=mood { key 0 visible=#false { rect 0 0 9 9 }; "
             "key 118.3 visible=#true { rect 0 0 9 9 }; key 118.6 visible=#false { rect 0 0 9 9 } }")
             .empty());
+    CHECK(unseen("input mood min=0 max=120\nobject a fill=red { rect 0 0 9 9; track x input=mood { at 50 "
+                 "-200; at 51 "
+                 "200 } }")
+              .empty());
     const std::string lamp =
         "input mood min=0 max=120\ngroup lamp { key 0 visible=#false; key 611 visible=#true; "
         "key 614 visible=#false; object a fill=red { rect 0 0 9 9; track x input=mood { at 0 -99; ";
