@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/clock.hpp"
 #include "core/input_view.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_drawing.hpp"
@@ -7,10 +8,12 @@
 #include "firmware/link/message_kind.hpp"
 #include "firmware/link/report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string_view>
 
 /// The messages about the inputs of the scene that plays (message.hpp).
@@ -69,6 +72,16 @@ struct Inputs {
     static constexpr std::size_t most = 12;
     std::uint8_t count = 0;
     std::array<InputPlace, most> places{};
+
+    /// Whether there are no more than `most`, and each has a place that an input can have. Their numbers may
+    /// still be none of the scene's.
+    constexpr bool is_sound() const
+    {
+        const auto is_place = [](const InputPlace& each) {
+            return each.place >= Time{0} && each.place <= whole_input;
+        };
+        return count <= most && std::ranges::all_of(std::span{places}.first(count), is_place);
+    }
 
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
 };

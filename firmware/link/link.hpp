@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/clock.hpp"
 #include "core/playhead.hpp"
 #include "core/scene_view.hpp"
 #include "firmware/link/answer_queue.hpp"
@@ -338,14 +337,9 @@ private:
     /// All of them, or none.
     Deed<Kind::inputs> carry_out(const Inputs& inputs, Asked)
     {
-        if (inputs.count > Inputs::most)
+        if (!inputs.is_sound())
             return Status::bad_value;
         const auto places = std::span{inputs.places}.first(inputs.count);
-        const auto is_place = [](const InputPlace& each) {
-            return each.place >= Time{0} && each.place <= whole_input;
-        };
-        if (!std::ranges::all_of(places, is_place))
-            return Status::bad_value;
         for (const InputPlace& each : places)
             if (const Verdict verdict = look_for_input(each.input); !verdict.is_ok())
                 return verdict;

@@ -35,6 +35,7 @@ void merge_curves(Figure& figure, double tolerance)
     auto& keys = figure.drawing.keys;
     for (std::size_t i = 0; i < keys.front().value.outlines.size(); ++i) {
         std::vector<scene::Outline*> outlines;
+        outlines.reserve(keys.size());
         for (auto& key : keys)
             outlines.push_back(&key.value.outlines[i]);
         // What corners and ends of a line show of turns comes on top of what points move.

@@ -189,7 +189,7 @@ std::optional<Uf2Drive> FlashJob::drive_instead(const Failure& failure)
         failure.status() == ExitStatus::no_permission || dynamic_cast<const NoPicoboot*>(&failure) != nullptr;
     if (!is_shut || order_.purpose == FlashPurpose::verify_only || bench_.boards_in_boot_loader().size() != 1)
         return std::nullopt;
-    const auto drive = only_drive(bench_);
+    auto drive = only_drive(bench_);
     if (drive && plan_.depends_on_board())
         throw with_advice(failure, "Its drive at " + visible(drive->folder.string()) +
                                        " does not tell which display it has: with --panel or --config, the "

@@ -91,7 +91,7 @@ void boot(const SteerOptions& options)
 
 std::shared_ptr<SteerOptions> with_devices(CLI::App& app)
 {
-    const auto options = std::make_shared<SteerOptions>();
+    auto options = std::make_shared<SteerOptions>();
     declare_device_options(app, options->device);
     return options;
 }

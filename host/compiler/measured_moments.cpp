@@ -158,6 +158,7 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
     const std::vector<Time> times = times_of(scene);
     InputPlaces places{scene};
     std::vector<MeasuredMoment> moments;
+    moments.reserve(times.size());
     for (const Time time : times)
         moments.push_back({time, places.usual()});
     if (scene.number_inputs() != 0)

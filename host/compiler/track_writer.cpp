@@ -96,6 +96,7 @@ ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, boo
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys)
 {
     std::vector<std::int32_t> values;
+    values.reserve(keys.size());
     for (const scene::TrackKey& key : keys)
         values.push_back(key.value);
     return values;

@@ -118,6 +118,7 @@ std::vector<Time> frames_of(const SceneView& scene)
     Timeline timeline = timeline_of(scene);
     timeline.stretch.loop = Loop::once; // with the last moment
     std::vector<Time> moments;
+    moments.reserve(static_cast<std::size_t>(timeline.frame_count()));
     for (int frame = 0; frame < timeline.frame_count(); ++frame)
         moments.push_back(timeline.frame_time(frame));
     return moments;

@@ -31,6 +31,7 @@ std::vector<std::filesystem::path> font_files(const SourceText& source)
     for (const std::string_view bundled : FontShelf::bundled_names())
         names.erase(std::string{bundled});
     std::vector<std::filesystem::path> files;
+    files.reserve(names.size());
     for (const std::string& name : names)
         files.push_back(std::filesystem::path{*source.folder} / name);
     return files;

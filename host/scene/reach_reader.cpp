@@ -131,6 +131,7 @@ std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, Read
         reading.report.warning(property_place(*written.back().node, "law"), "this law governs nothing",
                                "remove it, or add a later target");
     std::vector<ReachTarget> targets;
+    targets.reserve(written.size());
     for (const WrittenTarget& at : written)
         targets.push_back(at.target);
     return targets;

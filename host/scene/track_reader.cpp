@@ -156,6 +156,7 @@ private:
             return {};
         look_at_laws(values);
         std::vector<TrackKey> keys;
+        keys.reserve(values.size());
         for (const TimedValue& timed : values)
             keys.push_back({timed.time, laws_of(timed), timed.value, timed.place});
         keys.back().laws = {};
@@ -232,6 +233,7 @@ std::vector<NodeWords> track_words()
 std::vector<PropertyWords> quantity_words()
 {
     std::vector<PropertyWords> words;
+    words.reserve(std::size(quantities));
     for (const Quantity& quantity : quantities)
         words.push_back({quantity.name, kind_of(quantity.property)});
     return words;

@@ -53,7 +53,7 @@ std::string clean_name(std::string_view name, std::string_view usual)
 
 std::string Names::unique(std::string_view name, std::string_view usual)
 {
-    const std::string clean = clean_name(name, usual);
+    std::string clean = clean_name(name, usual);
     if (taken_.insert(clean).second)
         return clean;
     std::size_t& count = counts_.try_emplace(clean, 1).first->second;

@@ -73,6 +73,7 @@ auto stored_keys(const art::Animated<Value>& animated, std::int32_t length, Roun
     using Stored = std::decay_t<decltype(round(animated.keys.front().value))>;
     const std::vector<art::Key<Value>> keys = with_laws(animated);
     std::vector<std::int32_t> ticks;
+    ticks.reserve(keys.size());
     for (const art::Key<Value>& key : keys)
         ticks.push_back(on_grid(key.time, times));
     check_count(ticks.size());

@@ -75,6 +75,7 @@ std::vector<std::string> SoundCard::names()
 {
     const Audio audio;
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(SDL_GetNumAudioDevices(0)));
     for (int number = 0; number < SDL_GetNumAudioDevices(0); ++number)
         names.emplace_back(SDL_GetAudioDeviceName(number, 0));
     return names;

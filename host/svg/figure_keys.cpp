@@ -221,6 +221,7 @@ private:
     art::Animated<art::Rgb> colours(const std::vector<Ink>& inks)
     {
         std::vector<art::Rgb> values;
+        values.reserve(inks.size());
         for (const Ink& ink : inks)
             values.push_back(ink.colour);
         return keyed(instants_, values, std::equal_to<>{}, budget_);
@@ -229,6 +230,7 @@ private:
     art::Channel opacities(const std::vector<Ink>& inks)
     {
         std::vector<double> values;
+        values.reserve(inks.size());
         for (const Ink& ink : inks)
             values.push_back(ink.opacity);
         return channel(values);

@@ -86,6 +86,7 @@ std::optional<Motion> motion_of(const Moments& moments)
     if (!back || !box)
         return std::nullopt;
     std::vector<Affine> from_there;
+    from_there.reserve(all.size());
     for (const Affine& way : all)
         from_there.push_back(way * *back);
     return motion_of(all[rest], std::move(from_there), *box);

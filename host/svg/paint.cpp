@@ -50,7 +50,7 @@ std::vector<Stop> stops_of(pugi::xml_node gradient, const Painter& painter)
 {
     constexpr int longest_chain = 32;
     for (int link = 0; gradient && link < longest_chain; ++link) {
-        const auto stops = own_stops(gradient, painter);
+        auto stops = own_stops(gradient, painter);
         if (!stops.empty())
             return stops;
         gradient = painter.index.find(referred_id(gradient));

@@ -34,6 +34,7 @@ art::Document document_of(const pugi::xml_document& text, const KeyOptions& opti
     art::Budget budget;
     const auto layers = key_layers(drawing_of(text), options);
     std::vector<pugi::xml_node> shown;
+    shown.reserve(layers.size());
     for (const KeyLayer& layer : layers)
         shown.push_back(layer.element);
     if (!layers.empty() && options.layers == LayerKeys::automatic)

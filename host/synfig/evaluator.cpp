@@ -49,7 +49,7 @@ Value animated(Evaluator& evaluator, const ValueNode& node, double time)
     if (next == points.end())
         return evaluator.at(*from.value, time);
     const bool plain = from.value->kind == "constant" && next->value->kind == "constant";
-    const Value here = evaluator.at(*from.value, time);
+    Value here = evaluator.at(*from.value, time);
     if (!goes_smoothly(here) || from.after == Interpolation::constant ||
         next->before == Interpolation::constant)
         return here;

@@ -148,6 +148,7 @@ private:
     {
         const auto pairs_at = [this, tree](double frame) {
             std::vector<BonePair> pairs;
+            pairs.reserve(tree.size());
             for (const std::string& guid : tree)
                 pairs.push_back({at(guid, 0), at(guid, frame)});
             return pairs;

@@ -34,7 +34,7 @@ Value timed_swap(Evaluator& evaluator, const ValueNode& node, double time)
     const double length = evaluator.number(node, "length", time);
     if (time > moment)
         return evaluator.link(node, "after", time);
-    const Value before = evaluator.link(node, "before", time);
+    Value before = evaluator.link(node, "before", time);
     if (time <= moment - length || length <= 0)
         return before;
     const Value after = evaluator.link(node, "after", time);

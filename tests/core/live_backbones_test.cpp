@@ -31,6 +31,7 @@ scene::Drawing random_backbones(const std::vector<int>& segments, std::mt19937& 
         drawing.strokes.push_back(polyline_of(nodes));
         for (int side = 0; side < 2; ++side) {
             std::vector<scene::Point> outline;
+            outline.reserve(nodes.size());
             for (const scene::Point node : nodes)
                 outline.push_back(near(node, random, 16 * 70));
             drawing.strokes.push_back(polyline_of(outline));

@@ -67,6 +67,7 @@ bool has_vertex(const Seen& seen, Spot exact)
 std::vector<Place> corners_of(Place least, Place size)
 {
     std::vector<Place> corners;
+    corners.reserve(8);
     for (int i = 0; i < 8; ++i)
         corners.push_back(
             {least.x + (i & 1) * size.x, least.y + (i >> 1 & 1) * size.y, least.z + (i >> 2) * size.z});

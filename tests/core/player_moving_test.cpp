@@ -27,6 +27,7 @@ std::vector<Time> some_times()
 std::vector<Bytes> pictures_of(const RawScene& scene, const std::vector<Time>& times)
 {
     std::vector<Bytes> pictures;
+    pictures.reserve(times.size());
     for (const Time time : times)
         pictures.push_back(Stage{scene.file(), canvas}.picture(time));
     return pictures;

@@ -1,3 +1,4 @@
+#include "core/crc32.hpp"
 #include "firmware/board_record.hpp"
 #include "firmware/board_rules.hpp"
 #include "host/config/config_reader.hpp"
@@ -5,7 +6,9 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <string>
+#include <vector>
 
 using namespace kfast;
 
@@ -17,13 +20,30 @@ void demand(bool condition)
         std::abort();
 }
 
+/// With the checksum of a record behind them.
+std::vector<std::byte> sealed(std::span<const std::byte> bytes)
+{
+    Crc32 crc;
+    crc.add(bytes);
+    std::vector<std::byte> record(bytes.begin(), bytes.end());
+    for (int shift = 0; shift < 32; shift += 8)
+        record.push_back(static_cast<std::byte>(crc.value() >> shift));
+    return record;
 }
 
-/// Any bytes at all: they are refused with messages that can be shown, or are settings that keep all rules
-/// and come back from their text and their record.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+/// It is refused, or holds settings that may break rules and come back from a record of their own.
+void check_record(std::span<const std::byte> bytes)
 {
-    const SourceText source{.name = "fuzz", .text = std::string(data, data + size)};
+    const auto settings = read_board_record(bytes);
+    if (!settings)
+        return;
+    demand(read_board_record(board_record(*settings)) == settings);
+    demand(!config::config_text(*settings).empty());
+    static_cast<void>(first_mistake(*settings));
+}
+
+void check_text(const SourceText& source)
+{
     Diagnostics diagnostics;
     const auto settings = config::read_config(source, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.sorted()) {
@@ -32,11 +52,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     demand(settings.has_value() == !diagnostics.has_errors());
     if (!settings)
-        return 0;
+        return;
 
     demand(!first_mistake(*settings));
     Diagnostics again;
     demand(config::read_config({.name = "text", .text = config::config_text(*settings)}, again) == settings);
     demand(read_board_record(board_record(*settings)) == settings);
+}
+
+}
+
+/// Any bytes at all, as a record, as one without its checksum, and as a text. A text is refused with messages
+/// that can be shown, or has settings that keep all rules and come back from their text and their record.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const auto bytes = std::as_bytes(std::span{data, size});
+    check_record(bytes);
+    check_record(sealed(bytes));
+    check_text({.name = "fuzz", .text = std::string(data, data + size)});
     return 0;
 }

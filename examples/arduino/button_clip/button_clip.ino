@@ -1,4 +1,5 @@
-// Eyes that blink when a button is pressed, which connects its pin to ground; then they go on with all of the scene.
+// Eyes that blink when a button is pressed, which connects its pin to ground; then they go on with all of
+// the scene.
 #include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
 
 #include <SPI.h>

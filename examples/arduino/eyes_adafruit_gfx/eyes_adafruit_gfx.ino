@@ -1,4 +1,5 @@
-// Robot eyes on a display that a library on Adafruit_GFX drives: an ST7789 of 240 x 240 pixels. An event of the scene is told.
+// Robot eyes on a display that a library on Adafruit_GFX drives: an ST7789 of 240 x 240 pixels. An event of
+// the scene is told.
 #include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
 
 #include <Adafruit_GFX.h>

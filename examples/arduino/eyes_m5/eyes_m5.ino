@@ -1,4 +1,5 @@
-// Robot eyes on a board of M5Stack, in the left upper corner of its display. LovyanGFX takes pixels in the same way.
+// Robot eyes on a board of M5Stack, in the left upper corner of its display. LovyanGFX takes pixels in the
+// same way.
 #include "robot_eyes.h" // kfast export --header robot-eyes.kfast -o robot_eyes.h
 
 #include <M5Unified.h>

@@ -22,7 +22,8 @@ void setup()
 {
     Serial.begin(115200);
     tft.init();
-    tft.setSwapBytes(true); // pixels lie in memory as this processor has them; the display wants the high byte first
+    // Pixels lie in memory as this processor has them; the display wants the high byte first.
+    tft.setSwapBytes(true);
     if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
         Serial.println(player.error());
 }

@@ -83,11 +83,13 @@ TEST_CASE("many sharp and many short pieces keep the beam on its way")
 {
     LineStore store{400'000};
     std::vector<FieldPoint> zigzag;
+    zigzag.reserve(20'000);
     for (int i = 0; i < 20'000; ++i)
         zigzag.push_back(
             {static_cast<std::int16_t>(i % 2 == 0 ? -32768 : 32767), static_cast<std::int16_t>(i - 10'000)});
     store.add(zigzag);
     std::vector<FieldPoint> fine;
+    fine.reserve(20'000);
     for (int i = 0; i < 20'000; ++i)
         fine.push_back({static_cast<std::int16_t>(i % 3), static_cast<std::int16_t>(i - 10'000)});
     store.add(fine);
@@ -106,6 +108,7 @@ TEST_CASE("lines that are longer than 32 bits hold are drawn from end to end")
 {
     LineStore store{400'000};
     std::vector<FieldPoint> zigzag;
+    zigzag.reserve(60'000);
     for (int i = 0; i < 60'000; ++i)
         zigzag.push_back(i % 2 == 0 ? FieldPoint{-32768, -32768} : FieldPoint{32767, 32767});
     zigzag.push_back({0, 5});

@@ -231,6 +231,7 @@ TEST_CASE("there is room for all of a live drawing")
                          patient, 1'000'000};
         for (int round = 0; round < rounds(20); ++round) {
             std::vector<LivePoint> stroke;
+            stroke.reserve(4096);
             for (int i = 0; i < 4096; ++i)
                 stroke.push_back(
                     {static_cast<std::int16_t>(random() >> 16), static_cast<std::int16_t>(random() >> 16)});

@@ -143,7 +143,7 @@ public:
     /// Nothing if the device has none.
     std::optional<Bytes> take_packet(Endpoint endpoint)
     {
-        const auto packet = std::exchange(controller.of(endpoint).given, {});
+        auto packet = std::exchange(controller.of(endpoint).given, {});
         if (packet)
             device.sent(endpoint);
         return packet;

@@ -80,6 +80,7 @@ TEST_CASE("backwards goes from the end to the beginning; repeat begins at what l
     const auto frames = [](Loop loop) {
         const Timeline timeline{30000, {Time::frame(2), Time::frame(5), loop}, -Playhead::as_authored};
         std::vector<int> list;
+        list.reserve(static_cast<std::size_t>(timeline.frame_count()));
         for (int frame = 0; frame < timeline.frame_count(); ++frame)
             list.push_back(timeline.frame_time(frame).ticks / Time::ticks_per_frame);
         return list;

@@ -302,6 +302,7 @@ TEST_CASE("what turns in space has a camera, that of the document or a far one")
 TEST_CASE("more colours than a palette holds become the nearest of them")
 {
     std::vector<Node> nodes;
+    nodes.reserve(300);
     for (int i = 0; i < 300; ++i)
         nodes.push_back(node("box", filled(box(0, 0, 10, 10), art::Rgb{i / 299.0, 0.5, i % 2 / 2.0})));
     CHECK(loss_of(document(std::move(nodes))) == "more than 255 colours");
@@ -363,6 +364,7 @@ TEST_CASE("huge numbers are held, and that is told")
 TEST_CASE("thousands of nodes are written")
 {
     std::vector<Node> nodes;
+    nodes.reserve(5000);
     for (int i = 0; i < 5000; ++i)
         nodes.push_back(red_box("box"));
     CHECK(written_items({node("all", Group{std::move(nodes)})}).find("object box-5000 ") !=

@@ -34,6 +34,7 @@ Part group(const std::vector<Named>& parts)
 std::string lanes(const std::vector<Part>& groups)
 {
     std::vector<const Part*> pointers;
+    pointers.reserve(groups.size());
     for (const Part& each : groups)
         pointers.push_back(&each);
     std::string result;

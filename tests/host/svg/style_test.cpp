@@ -117,7 +117,7 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
         <linearGradient id="self" href="#self"/>
         </defs>)";
     const auto painted = [&](const std::string& id) {
-        const auto found =
+        auto found =
             gradients + "<rect id='it' width='9' height='9' stroke='red' fill='url(#" + id + ") lime'/>";
         CHECK(losses_of(found).size() == (id == "self" || id == "nothing" ? 0 : 1));
         return found;
