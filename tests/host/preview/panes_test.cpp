@@ -88,6 +88,16 @@ TEST_CASE("no line of the side leaves it, and one that has no room is told")
     CHECK(painter.texts.back().text != "…");
 }
 
+TEST_CASE("a line of the side that goes on does so below its words")
+{
+    SidePanel panel;
+    panel.add("speed: every second frame takes longer");
+    RecordingPainter painter{{200, 300}};
+    panel.draw(painter, {0, 0, 28 + 20 * Painter::letter.width, 300});
+    CHECK(painter.find("speed: every second") != nullptr);
+    CHECK(painter.find("  frame takes longer") != nullptr);
+}
+
 TEST_CASE("a bar of the side is filled as far as its value")
 {
     SidePanel panel;
