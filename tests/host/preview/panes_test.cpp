@@ -150,6 +150,26 @@ TEST_CASE("notices are wrapped to their room, and the status is cut to it")
         CHECK_MESSAGE(lies_within(written.place, room), written.text);
 }
 
+TEST_CASE("an edge lies around the picture, not over it")
+{
+    RasterPainter painter;
+    painter.begin({40, 40});
+    const PicturePlace place{{16, 16}, {0, 0, 40, 40}, 1};
+    draw_picture(painter, picture_of({16, 16}), place, {});
+    const Rect edge = {place.rect().x - 1, place.rect().y - 1, 18, 18};
+    int edges = 0;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const Colour seen = painter.drawn().pixels[static_cast<std::size_t>(y * 40 + x)];
+            CHECK((seen == Colour{9, 9, 9}) == contains(place.rect(), x, y));
+            if (seen == theme::border) {
+                CHECK(contains(edge, x, y));
+                ++edges;
+            }
+        }
+    CHECK(edges == 4 * 17);
+}
+
 TEST_CASE("a grid tells pixels apart once they are large")
 {
     const auto lines = [](int zoom) {
