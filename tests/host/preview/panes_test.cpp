@@ -50,7 +50,7 @@ void draw_everything(Painter& painter, Rect pane)
     }
     panel_of(50).draw(painter, pane);
     draw_status(painter, pane, "frame 1  0.033 s  playing");
-    draw_help(painter, pane, help_pages(preview_key_help(PreviewFront::window), help_cells(pane)).front());
+    draw_help(painter, pane, help_pages(preview_help(PreviewFront::window), help_cells(pane)).front());
     draw_errors(painter, pane, errors);
     draw_notice(painter, pane, "eyes.png is written");
     draw_progress(painter, pane, "writing", 0.5);
@@ -114,7 +114,7 @@ TEST_CASE("a bar of the side is filled as far as its value")
 
 TEST_CASE("the help lies over the middle of its room")
 {
-    const std::vector<std::string> help = preview_key_help(PreviewFront::window);
+    const std::vector<std::string> help = preview_help(PreviewFront::window);
     for (const Rect room : {Rect{0, 0, 900, 576}, Rect{0, 0, 640, 1000}, Rect{0, 0, 320, 216}}) {
         RecordingPainter painter{{room.width, room.height}};
         const HelpPage page = help_pages(help, help_cells(room)).front();
