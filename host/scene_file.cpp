@@ -125,13 +125,13 @@ SceneFile read_scene(const fs::path& path, std::string content, const ImportChoi
 
 SceneFile load_scene(const fs::path& path, const ImportChoice& choice, std::ostream& out)
 {
-    return read_scene(path, read_input(path, scene_input), choice, printing_to(out), out);
+    return scene_of(path, read_input(path, scene_input), choice, printing_to(out), out);
 }
 
 SceneFile scene_of(const fs::path& path, std::string content, const ImportChoice& choice,
-                   const Reporter& reporter)
+                   const Reporter& reporter, std::ostream& out)
 {
-    return read_scene(path, std::move(content), choice, reporter, std::cerr);
+    return read_scene(path, std::move(content), choice, reporter, out);
 }
 
 }

@@ -56,8 +56,8 @@ SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choi
                      std::ostream& out = std::cerr);
 
 /// The same of what stands in a file, or would stand there: `path` is its name, and fonts lie beside it. What
-/// the compiler finds is told to `reporter`.
+/// the compiler finds is told to `reporter`, and only that an import lost something is printed to `out`.
 SceneFile scene_of(const std::filesystem::path& path, std::string content, const ImportChoice& choice,
-                   const Reporter& reporter);
+                   const Reporter& reporter, std::ostream& out = std::cerr);
 
 }

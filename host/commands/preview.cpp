@@ -82,10 +82,19 @@ void preview_in_terminal(const PreviewOptions& options, PreviewOpener& opener,
     play_in_terminal(viewer, keyboard);
 }
 
+/// By somebody who may mend the scene meanwhile.
+bool is_watched(const PreviewOptions& options)
+{
+    if (options.headless || options.loops)
+        return false;
+    const bool has_window = !options.terminal && PictureWindow::can_open();
+    return has_window || (can_play_in_terminal() && Keyboard{}.works());
+}
+
 void preview(const PreviewOptions& options)
 {
     PreviewOpener opener{options.choice};
-    auto scene = opener.open_first(options.file);
+    auto scene = opener.open_first(options.file, [&options] { return is_watched(options); });
     if (options.headless)
         return preview_headless(options, opener, std::move(scene));
     if (options.terminal)

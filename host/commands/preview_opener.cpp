@@ -2,8 +2,10 @@
 
 #include "host/failure.hpp"
 #include "host/fit/board_choice.hpp"
+#include "host/input_file.hpp"
 #include "host/preview/previewed_board.hpp"
 #include "host/preview/programme.hpp"
+#include "host/reported_diagnostics.hpp"
 #include "host/sound/beam_sound.hpp"
 
 #include <algorithm>
@@ -94,18 +96,25 @@ PreviewChoice without_unknown_names(PreviewChoice choice, const SceneView& scene
     return choice;
 }
 
+SceneFile empty_scene(const fs::path& file)
+{
+    std::ostringstream untold;
+    return scene_of(file, "kfast 1\ncanvas 240 240\n", {}, printing_to(untold), untold);
+}
+
 }
 
 /// Of one scene and of what belongs to it.
 struct PreviewOpener::Reading {
     fs::path file;
     std::ostream& out;
+    Reporter reporter = printing_to(out);
     FileWatch read = {};
 
     SceneFile scene()
     {
         read.add(file);
-        SceneFile scene = load_scene(file, {}, out);
+        SceneFile scene = scene_of(file, read_input(file, scene_input), {}, reporter, out);
         for (const fs::path& font : scene.fonts) // known only now
             read.add(font);
         return scene;
@@ -139,11 +148,33 @@ struct PreviewOpener::Reading {
 
 PreviewOpener::PreviewOpener(PreviewChoice choice) : choice_{std::move(choice)} {}
 
-std::unique_ptr<OpenedScene> PreviewOpener::open_first(const fs::path& file)
+std::unique_ptr<OpenedScene> PreviewOpener::open_first(const fs::path& file,
+                                                       const std::function<bool()>& is_watched)
 {
-    Reading reading{file, std::cerr};
-    SceneFile scene = reading.scene();
-    return opened(choice_, std::move(scene), reading);
+    std::ostringstream mistakes;
+    Reading reading{file, std::cerr, [&](const Diagnostics& found, const SourceText& source) {
+                        const bool is_wrong = count(found).errors > 0;
+                        return report(found, source, is_wrong && is_watched() ? mistakes : std::cerr);
+                    }};
+    try {
+        SceneFile scene = reading.scene();
+        return opened(choice_, std::move(scene), reading);
+    } catch (const Failure& failure) {
+        if (mistakes.view().empty())
+            throw;
+        mistakes << failure.what();
+        return empty(mistakes.str(), reading);
+    }
+}
+
+std::unique_ptr<OpenedScene> PreviewOpener::empty(std::string mistakes, Reading& reading)
+{
+    SceneFile scene = empty_scene(reading.file);
+    std::ostringstream untold;
+    const PreviewChoice choice = without_unknown_names(choice_, scene.view, untold);
+    auto empty = opened(choice, std::move(scene), reading);
+    empty->mistakes = std::move(mistakes);
+    return empty;
 }
 
 std::unique_ptr<OpenedScene> PreviewOpener::open_next(const fs::path& file)

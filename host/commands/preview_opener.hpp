@@ -7,6 +7,7 @@
 #include "host/preview/opened_scene.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -30,7 +31,11 @@ public:
 
     /// The file that the command names: what is found is printed to standard error. Throws Failure, and
     /// CLI::ValidationError if the scene has not what the options name.
-    std::unique_ptr<OpenedScene> open_first(const std::filesystem::path& file);
+    ///
+    /// If its text has mistakes, it is asked whether somebody watches who may mend them: for that one an
+    /// empty scene is opened, of which OpenedScene::mistakes tells them.
+    std::unique_ptr<OpenedScene> open_first(
+        const std::filesystem::path& file, const std::function<bool()>& is_watched = [] { return false; });
     /// Any file after it, as Opener. What --clip, --input and --drawing name, which are about that one, is
     /// left out where the scene has no such name; its warnings say so.
     std::unique_ptr<OpenedScene> open_next(const std::filesystem::path& file);
@@ -39,6 +44,7 @@ private:
     struct Reading;
 
     std::unique_ptr<OpenedScene> opened(const PreviewChoice& choice, SceneFile scene, Reading& reading);
+    std::unique_ptr<OpenedScene> empty(std::string mistakes, Reading& reading);
     std::unique_ptr<FrameSource> heard(std::unique_ptr<FrameSource> picture, const PictureOptions& options,
                                        const InputValues& inputs, const SceneView& scene);
 

@@ -144,6 +144,8 @@ void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& 
     painter.fill(place.pane(), theme::backdrop);
     if (look.has_module && !look.is_round)
         draw_module(painter, place.rect(), margin);
+    else if (!look.is_round)
+        draw_frame(painter, grown(place.rect(), 1), theme::border);
     painter.picture(picture, place.rect());
     draw_grid(painter, place);
     if (look.has_module && look.is_round)

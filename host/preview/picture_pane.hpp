@@ -14,7 +14,8 @@ struct PictureLook {
 /// Pixels of the window that the edge of a module takes on each side of a picture that fits a pane.
 int module_margin(Rect pane);
 
-/// Fills the pane. From 8 pixels for each pixel of the panel on a grid tells them apart.
+/// Fills the pane, with an edge around the picture. From 8 pixels for each pixel of the panel on a grid tells
+/// them apart.
 void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& place,
                   const PictureLook& look);
 

@@ -216,6 +216,8 @@ std::unique_ptr<PictureWindow> PictureWindow::open(const std::string& title, Siz
     return std::make_unique<SdlWindow>(std::move(video), title, window);
 }
 
+bool PictureWindow::can_open() { return Video{}.works(); }
+
 const char* PictureWindow::no_window() { return "there is no display for a window"; }
 
 }

@@ -19,7 +19,9 @@ public:
     /// `size` is what is wanted; it gets smaller where the screen is. Null where there can be no window:
     /// no_window() says why. Throws Failure if a window cannot be opened all the same.
     static std::unique_ptr<PictureWindow> open(const std::string& title, Size size);
-    /// Why open() is null, as a part of a sentence.
+    /// Whether open() is not null.
+    static bool can_open();
+    /// Why it is null, as a part of a sentence.
     static const char* no_window();
     virtual ~PictureWindow() = default;
 

@@ -53,6 +53,13 @@ constexpr std::array names{
 
 constexpr std::size_t name_width = 11;
 
+std::string line_of(std::string_view name, std::string_view help)
+{
+    std::string line{name};
+    line.resize(name_width, ' ');
+    return line.append(help);
+}
+
 std::string_view help_of(const Named& row, PreviewFront front)
 {
     return front == PreviewFront::terminal ? row.in_terminal : row.help;
@@ -75,12 +82,17 @@ bool works_in(PreviewFront front, PreviewKey key)
 std::vector<std::string> preview_key_help(PreviewFront front)
 {
     std::vector<std::string> lines;
-    for (const Named& row : names) {
-        std::string line{row.name};
-        line.resize(name_width, ' ');
+    for (const Named& row : names)
         if (works_in(front, row.key))
-            lines.push_back(line.append(help_of(row, front)));
-    }
+            lines.push_back(line_of(row.name, help_of(row, front)));
+    return lines;
+}
+
+std::vector<std::string> preview_help(PreviewFront front)
+{
+    std::vector<std::string> lines = preview_key_help(front);
+    if (front == PreviewFront::window)
+        lines.push_back(line_of("mouse", "click an object, drag the time line, wheel, drop a file"));
     return lines;
 }
 

@@ -59,4 +59,7 @@ bool works_in(PreviewFront front, PreviewKey key);
 /// One line for each key that works there: its name, spaces, and what it does.
 std::vector<std::string> preview_key_help(PreviewFront front);
 
+/// The same, and in a window a last line of that kind about its mouse.
+std::vector<std::string> preview_help(PreviewFront front);
+
 }

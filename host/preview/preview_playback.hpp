@@ -23,7 +23,7 @@ enum class LoopChoice : std::uint8_t {
 };
 
 /// Where a preview stands, apart from how it is shown. Starts playing, at the beginning (backwards: at the
-/// end), with the help open.
+/// end), with the help open unless it ends by itself.
 ///
 /// The caller brings the clock: `now` is any steady time. Playing follows it without adding up small steps,
 /// so a slow front drops pictures instead of falling behind; it passes the events all the same.
@@ -106,7 +106,7 @@ private:
     std::string latest_event_;         // its name
     std::optional<std::size_t> input_; ///< that keys turn
     bool playing_ = true;
-    bool help_open_ = true;
+    bool help_open_;
     bool reveals_travel_ = false;
     bool wants_to_quit_ = false;
 };

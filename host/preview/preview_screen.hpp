@@ -54,7 +54,7 @@ private:
     PointerEvent pressed_; ///< where the drag began
     WindowSpot pan_at_press_;
     bool is_click_ = false; ///< not moved since it was pressed
-    OpenHelp help_{preview_key_help(PreviewFront::window)};
+    OpenHelp help_{preview_help(PreviewFront::window)};
     std::uint64_t notice_number_ = 0; ///< of the one that was seen last
     Seconds notice_since_{};
     bool shows_notice_ = false;

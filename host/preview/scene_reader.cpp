@@ -21,8 +21,14 @@ std::vector<std::string> lines_of(const std::string& text)
 }
 
 SceneReader::SceneReader(Opener opener, const OpenedScene& first)
-    : opener_{std::move(opener)}, file_{first.file}, watch_{first.read}
+    : opener_{std::move(opener)}, errors_{lines_of(first.mistakes)}
 {
+    if (!errors_.empty()) {
+        failed_ = Failed{first.file, first.read};
+        return;
+    }
+    file_ = first.file;
+    watch_ = first.read;
 }
 
 ReadScene SceneReader::open(const fs::path& file)

@@ -25,7 +25,7 @@ class SceneReader {
 public:
     using Seconds = FileWatch::Seconds;
 
-    /// `first` has been opened already.
+    /// `first` has been opened already; with mistakes it counts as a file that open() failed for.
     SceneReader(Opener opener, const OpenedScene& first);
 
     /// Another file, or the same. If that fails, changed() names it once it, or what belongs to it, has

@@ -16,6 +16,7 @@ constexpr int line_height = letter.height + 1;
 constexpr int margin = 14;
 constexpr int heading_gap = 12;
 constexpr int bar_height = 4;
+constexpr int hang = 2; // columns: what is below a line is its end, or the next one
 
 void draw_bar(Painter& painter, Rect room, double share)
 {
@@ -70,7 +71,7 @@ std::vector<SidePanel::Line> SidePanel::wrapped_lines(int columns) const
             lines.push_back(line);
             continue;
         }
-        for (std::string& part : wrapped(line.text, columns)) {
+        for (std::string& part : wrapped(line.text, columns, hang)) {
             lines.push_back(line);
             lines.back().text = std::move(part);
         }

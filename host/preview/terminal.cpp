@@ -72,7 +72,7 @@ private:
     }
 
     TerminalColours colours_ = these_colours();
-    OpenHelp help_{preview_key_help(PreviewFront::terminal)};
+    OpenHelp help_{preview_help(PreviewFront::terminal)};
     Size size_{}; ///< of the terminal when it was drawn last
     int lines_ = 0;
 };

@@ -51,17 +51,18 @@ std::string cut(std::string_view text, int columns)
     return std::string{first_columns(text, columns - 1)} + "…";
 }
 
-std::vector<std::string> wrapped(std::string_view text, int columns)
+std::vector<std::string> wrapped(std::string_view text, int columns, int hang)
 {
-    const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-    const std::string indent(begin < static_cast<std::size_t>(columns) ? begin : 0, ' ');
-    const int space = columns - static_cast<int>(indent.size());
-    text.remove_prefix(begin);
+    const auto begin = static_cast<int>(std::min(text.find_first_not_of(' '), text.size()));
+    int indent = begin < columns ? begin : 0;
+    text.remove_prefix(static_cast<std::size_t>(begin));
     std::vector<std::string> lines;
     do {
-        const std::size_t end = line_end(text, bytes_of(text, space));
-        lines.push_back(indent + std::string{text.substr(0, end)});
+        const std::size_t end = line_end(text, bytes_of(text, columns - indent));
+        lines.push_back(std::string(static_cast<std::size_t>(indent), ' ').append(text.substr(0, end)));
         text.remove_prefix(std::min(text.find_first_not_of(' ', end), text.size()));
+        if (lines.size() == 1 && indent + hang < columns)
+            indent += hang;
     } while (!text.empty());
     return lines;
 }

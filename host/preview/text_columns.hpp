@@ -17,7 +17,8 @@ std::string_view first_columns(std::string_view text, int columns);
 std::string cut(std::string_view text, int columns);
 
 /// Lines of at most so many columns, at least 1, broken at spaces where that is possible. The lines after
-/// the first begin with as many spaces as the text does.
-std::vector<std::string> wrapped(std::string_view text, int columns);
+/// the first begin with as many spaces as the text does, and with `hang` more where that leaves room for
+/// words.
+std::vector<std::string> wrapped(std::string_view text, int columns, int hang = 0);
 
 }

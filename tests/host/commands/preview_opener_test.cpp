@@ -107,6 +107,40 @@ TEST_CASE("what was not opened for a mistake in a drawing may be once the drawin
     }
 }
 
+TEST_CASE("for somebody who watches, a first text with mistakes is an empty scene that tells them")
+{
+    Folder folder;
+    folder.write("plot.kfast", "kfast 1\ncanvas 64 32\nobjekt o\n");
+    PreviewOpener opener{folder.all_named()};
+    const auto somebody = [] { return true; };
+    const auto empty = opener.open_first(folder.path("plot.kfast"), somebody);
+    CHECK(empty->mistakes.find("plot.kfast:3:") != std::string::npos);
+    CHECK(empty->mistakes.ends_with("plot.kfast: 1 error"));
+    CHECK(empty->file == folder.path("plot.kfast"));
+    CHECK(empty->panel == Size{240, 240});
+    CHECK(lit(empty->source->show(Time{0})) == 0);
+    folder.write("plot.kfast", plotting);
+    CHECK(has_changed(empty->read));
+    const auto mended = opener.open_next(folder.path("plot.kfast"));
+    CHECK(mended->mistakes.empty());
+    CHECK(mended->programme.first == 1); // that --clip names
+}
+
+TEST_CASE("a first text with mistakes is refused where nobody watches, and what is no text always")
+{
+    Folder folder;
+    folder.write("bad.kfast", "kfast 1\ncanvas 64 32\nobjekt o\n");
+    folder.write("rubbish.kfb", "KFB rubbish");
+    PreviewOpener opener{{}};
+    CHECK_THROWS_AS(opener.open_first(folder.path("bad.kfast")), Failure);
+    const auto somebody = [] { return true; };
+    CHECK_THROWS_AS(opener.open_first(folder.path("rubbish.kfb"), somebody), Failure);
+    CHECK_THROWS_AS(opener.open_first(folder.path("nowhere.kfast"), somebody), Failure);
+    PreviewChoice wrong;
+    wrong.board = "nothing";
+    CHECK_THROWS_AS(PreviewOpener{wrong}.open_first(folder.path("bad.kfast"), somebody), Failure);
+}
+
 TEST_CASE("only the names that a scene has not are left out")
 {
     Folder folder;

@@ -186,6 +186,24 @@ class TerminalTest(CommandTest):
         self.assertEqual(preview.end(), 0)
         self.assertTrue((self.folder / "lamp-0005.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_a_mistake_at_the_start_is_shown_until_it_is_mended(self):
+        self.scene.write_text(BAD)
+        preview = Preview(self.folder, "lamp.kfast")
+        preview.wait_for("lamp.kfast:3:.*error: .*rectangle")
+        self.replace(GOOD)
+        preview.wait_for(r"(?s)frame 9.*frame 0")
+        self.assertEqual(preview.end(), 0)
+        self.assertNotIn("error", preview.written.rsplit("frame 9", 1)[1])
+
+    def test_a_mistake_at_the_start_is_refused_where_nobody_can_mend_it(self):
+        self.scene.write_text(BAD)
+        for arguments in (["--loops", "1"], ["--terminal"], ["--headless"], ["--terminal", "--board", "nothing"]):
+            said = self.run_kfast("preview", "lamp.kfast", *arguments, status=1).stderr
+            self.assertRegex(said, r"(?s)^lamp.kfast:3:.*rectangle.*kfast: lamp.kfast: 1 error\n$")
+        preview = Preview(self.folder, "lamp.kfast", "--board", "nothing")
+        preview.wait_for("nothing")
+        self.assertEqual(preview.end(""), 1)
+
     @staticmethod
     def beginning(heard):
         """Of what is heard: the scene as it was when the device was opened."""

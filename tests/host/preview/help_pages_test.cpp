@@ -32,7 +32,7 @@ std::string words_of(const std::vector<std::string>& rows)
     return words;
 }
 
-const std::vector<std::string> rows = preview_key_help(PreviewFront::window);
+const std::vector<std::string> rows = preview_help(PreviewFront::window);
 
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("there are as few columns and pages as the rows fit in")
     CHECK(columns({60, 100}) == 1);
     CHECK(columns({124, 30}) == 2);
     CHECK(help_pages(rows, {124, 30}).size() == 1);
-    CHECK(help_pages(rows, {79, 21}).size() == 1);
+    CHECK(help_pages(preview_help(PreviewFront::terminal), {79, 21}).size() == 1);
     CHECK(help_pages(rows, {41, 11}).size() > 1);
 }
 

@@ -50,7 +50,7 @@ void draw_everything(Painter& painter, Rect pane)
     }
     panel_of(50).draw(painter, pane);
     draw_status(painter, pane, "frame 1  0.033 s  playing");
-    draw_help(painter, pane, help_pages(preview_key_help(PreviewFront::window), help_cells(pane)).front());
+    draw_help(painter, pane, help_pages(preview_help(PreviewFront::window), help_cells(pane)).front());
     draw_errors(painter, pane, errors);
     draw_notice(painter, pane, "eyes.png is written");
     draw_progress(painter, pane, "writing", 0.5);
@@ -88,6 +88,16 @@ TEST_CASE("no line of the side leaves it, and one that has no room is told")
     CHECK(painter.texts.back().text != "…");
 }
 
+TEST_CASE("a line of the side that goes on does so below its words")
+{
+    SidePanel panel;
+    panel.add("speed: every second frame takes longer");
+    RecordingPainter painter{{200, 300}};
+    panel.draw(painter, {0, 0, 28 + 20 * Painter::letter.width, 300});
+    CHECK(painter.find("speed: every second") != nullptr);
+    CHECK(painter.find("  frame takes longer") != nullptr);
+}
+
 TEST_CASE("a bar of the side is filled as far as its value")
 {
     SidePanel panel;
@@ -104,7 +114,7 @@ TEST_CASE("a bar of the side is filled as far as its value")
 
 TEST_CASE("the help lies over the middle of its room")
 {
-    const std::vector<std::string> help = preview_key_help(PreviewFront::window);
+    const std::vector<std::string> help = preview_help(PreviewFront::window);
     for (const Rect room : {Rect{0, 0, 900, 576}, Rect{0, 0, 640, 1000}, Rect{0, 0, 320, 216}}) {
         RecordingPainter painter{{room.width, room.height}};
         const HelpPage page = help_pages(help, help_cells(room)).front();
@@ -138,6 +148,26 @@ TEST_CASE("notices are wrapped to their room, and the status is cut to it")
     CHECK(painter.texts[1].text == "written");
     for (const auto& written : painter.texts)
         CHECK_MESSAGE(lies_within(written.place, room), written.text);
+}
+
+TEST_CASE("an edge lies around the picture, not over it")
+{
+    RasterPainter painter;
+    painter.begin({40, 40});
+    const PicturePlace place{{16, 16}, {0, 0, 40, 40}, 1};
+    draw_picture(painter, picture_of({16, 16}), place, {});
+    const Rect edge = {place.rect().x - 1, place.rect().y - 1, 18, 18};
+    int edges = 0;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const Colour seen = painter.drawn().pixels[static_cast<std::size_t>(y * 40 + x)];
+            CHECK((seen == Colour{9, 9, 9}) == contains(place.rect(), x, y));
+            if (seen == theme::border) {
+                CHECK(contains(edge, x, y));
+                ++edges;
+            }
+        }
+    CHECK(edges == 4 * 17);
 }
 
 TEST_CASE("a grid tells pixels apart once they are large")

@@ -24,6 +24,13 @@ TEST_CASE("keys have names")
           "space      play, pause; after 'a' the next frame");
 }
 
+TEST_CASE("the help of a window ends with its mouse, which is no key, and a terminal has none")
+{
+    CHECK(preview_help(PreviewFront::window).back().starts_with("mouse      click an object"));
+    CHECK_FALSE(is_listed(PreviewFront::window, "mouse"));
+    CHECK(preview_help(PreviewFront::terminal) == preview_key_help(PreviewFront::terminal));
+}
+
 TEST_CASE("the help of a terminal has no keys of which nothing is seen there")
 {
     for (const char* const name : {"k", "m", "d", "f", "e", "y", "z", "x"}) {

@@ -37,6 +37,9 @@ TEST_CASE("wrapped lines are indented like the first")
 {
     using Lines = std::vector<std::string>;
     CHECK(wrapped("  one two", 5) == Lines{"  one", "  two"});
+    CHECK(wrapped("one two six", 5, 2) == Lines{"one", "  two", "  six"});
+    CHECK(wrapped("  one two", 7, 2) == Lines{"  one", "    two"});
+    CHECK(wrapped("a b c", 2, 2) == Lines{"a", "b", "c"});
     CHECK(wrapped("     a b", 3) == Lines{"a b"}); // no room for it
     CHECK(wrapped("   ", 2) == Lines{""});
 }

@@ -190,6 +190,39 @@ TEST_CASE("a file that cannot be opened leaves what is open, and is opened once 
     CHECK(preview.viewer.frame().size == Size{8, 8});
 }
 
+TEST_CASE("mistakes in the first text are shown until they are mended, and then it begins")
+{
+    Preview preview;
+    const fs::path file = preview.folder / "bad.kfast";
+    write(file, "kfast 1\ncanvas 240 240\n");
+    auto empty = open_scene(file);
+    empty->mistakes = "bad.kfast:3:1: error: what?\nbad.kfast: 1 error";
+    Viewer viewer{open_scene, std::move(empty), preview.now};
+    const auto wait = [&] {
+        const Seconds end = preview.now + Seconds{1};
+        for (; preview.now < end; preview.now += Seconds{0.1})
+            viewer.attend(preview.now);
+    };
+    wait();
+    CHECK(viewer.errors().size() == 2);
+    CHECK(viewer.notice().empty());
+    write(file, "kfast 1\nnonsense\n");
+    wait();
+    CHECK(says(viewer.errors(), "nonsense"));
+    CHECK(viewer.frame().size == Size{240, 240});
+    write(file, moving);
+    wait();
+    CHECK(viewer.errors().empty());
+    CHECK(viewer.scene().file == file);
+    CHECK(viewer.frame().size == Size{16, 16});
+    CHECK(viewer.playback().playing());
+    viewer.press(PreviewKey::next_frame, preview.now);
+    write(file, replaced(moving, "rect 12", "rect 11"));
+    wait();
+    CHECK(viewer.notice() == "bad.kfast is read again");
+    CHECK_FALSE(viewer.playback().playing());
+}
+
 TEST_CASE("folders and rubbish are refused")
 {
     Preview preview;
