@@ -120,7 +120,7 @@ class HeardTest(Sounds):
     def test_another_profile_is_heard_and_seen(self):
         heard = [(x / 65536, y / 65536) for x, y in self.heard("scene", "--beam", "crt")]
         self.assertLess(longest_step(heard), 2048 * 2 + 2)  # in haste, for there are fewer points in a second
-        self.assertGreater(len(set(heard)), 1000)
+        self.assertGreater(len(set(heard)), 300)  # one picture at least, on however busy a computer
 
     def test_nothing_clicks_while_pictures_change(self):
         heard = [(x / 65536, y / 65536) for x, y in self.heard("scene")]
