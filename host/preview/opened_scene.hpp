@@ -36,8 +36,8 @@ struct OpenedScene {
     /// empty.
     std::function<void(ToldInputs&)> tell_drawings = {};
     std::string warnings = {}; ///< what was found, line by line, if it was not printed
-    std::string mistakes =
-        {}; ///< likewise, of a text that cannot be shown: this is an empty scene in its place
+    /// Likewise, of a text that cannot be shown: this is an empty scene in its place.
+    std::string mistakes = {};
 };
 
 /// Why a scene was not opened, in a text that has all that was found.

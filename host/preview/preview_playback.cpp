@@ -18,9 +18,9 @@ constexpr std::int32_t slowest = Playhead::as_authored / 16;
 
 PreviewPlayback::PreviewPlayback(Programme programme, Pace pace, Seconds now, std::optional<int> loops)
     : programme_{std::move(programme)}, pace_{pace}, loops_{loops}, part_{programme_.first},
-      speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now}, help_open_{
-                                                                                                     !loops}
+      speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now}
 {
+    help_open_ = !loops;
     start_part(part_, now);
 }
 

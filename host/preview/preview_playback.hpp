@@ -106,7 +106,7 @@ private:
     std::string latest_event_;         // its name
     std::optional<std::size_t> input_; ///< that keys turn
     bool playing_ = true;
-    bool help_open_;
+    bool help_open_ = false;
     bool reveals_travel_ = false;
     bool wants_to_quit_ = false;
 };

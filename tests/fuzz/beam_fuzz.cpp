@@ -1,21 +1,11 @@
 #include "host/beam/beam_reader.hpp"
 #include "host/beam/beam_text.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 using namespace kfast;
-
-namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
-
-}
 
 /// Any bytes at all: they are refused with messages that can be shown, or are a profile within its ranges,
 /// which comes back from its text.

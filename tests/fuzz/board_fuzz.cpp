@@ -1,19 +1,13 @@
 #include "core/player.hpp"
 #include "host/fit/board_reader.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 bool is_panel(const fit::Display& display)
 {

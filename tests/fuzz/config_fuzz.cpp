@@ -3,9 +3,9 @@
 #include "firmware/board_rules.hpp"
 #include "host/config/config_reader.hpp"
 #include "host/config/config_text.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,12 +13,6 @@
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// With the checksum of a record behind them.
 std::vector<std::byte> sealed(std::span<const std::byte> bytes)

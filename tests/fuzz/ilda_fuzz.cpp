@@ -1,20 +1,14 @@
 #include "host/beam/ilda_facts.hpp"
 #include "host/beam/ilda_writer.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 std::vector<BeamPoints> points_of(const IldaContents& contents)
 {

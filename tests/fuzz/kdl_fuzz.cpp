@@ -1,20 +1,14 @@
 #include "host/kdl/canonical.hpp"
 #include "host/kdl/parser.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// Every message can be shown, and its place lies inside the text.
 void show(const Diagnostics& diagnostics, const SourceText& source)

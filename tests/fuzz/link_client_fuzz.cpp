@@ -8,10 +8,10 @@
 #include "host/link/scene_upload.hpp"
 #include "host/link/slot_choice.hpp"
 #include "host/link/unplugged.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <vector>
@@ -19,12 +19,6 @@
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// A device that says what the fuzzer wants; time passes by a millisecond for each report, and as long as
 /// somebody waits. When there is nothing more to say it is silent for ever.

@@ -2,19 +2,13 @@
 #include "tests/firmware/link/pretend_device.hpp"
 #include "tests/firmware/slots/pretend_flash.hpp"
 #include "tests/firmware/slots/small_places.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// A device, and what must hold whatever comes over its link.
 class Device {

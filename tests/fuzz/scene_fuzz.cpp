@@ -1,6 +1,7 @@
 #include "core/kfb_limits.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,12 +16,6 @@
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// What is missing at the end of the text is marked behind it.
 void check_messages(const Diagnostics& diagnostics, const SourceText& source)

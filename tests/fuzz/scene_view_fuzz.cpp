@@ -3,9 +3,9 @@
 #include "core/player.hpp"
 #include "host/every_item.hpp"
 #include "host/text/utf8.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -17,12 +17,6 @@ using Bytes = std::vector<std::byte>;
 constexpr Size panel{24, 17};
 constexpr std::size_t checked_at = 8;           ///< what the checksum covers
 constexpr std::size_t most_drawn_bytes = 20000; ///< of outlines; more take too long for a fuzzer
-
-void demand(bool holds)
-{
-    if (!holds)
-        std::abort();
-}
 
 /// Names and times of marks are what parse() promises.
 void read_marks(const SceneView& scene)

@@ -3,6 +3,7 @@
 #include "host/commands/live_line.hpp"
 #include "host/drawing_text.hpp"
 #include "host/failure.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +18,6 @@
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// The space, and the digits with what follows them, up to the ":".
 GlyphSet digits()

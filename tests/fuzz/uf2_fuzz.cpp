@@ -1,20 +1,14 @@
 #include "host/flash/uf2.hpp"
 #include "host/flash/uf2_contents.hpp"
+#include "tests/fuzz/demand.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
 using namespace kfast;
 
 namespace {
-
-void demand(bool condition)
-{
-    if (!condition)
-        std::abort();
-}
 
 /// Regions in order, apart from each other, and no more bytes than the blocks have room for.
 void demand_sense(const Uf2Contents& contents, std::size_t file_bytes)
