@@ -5,6 +5,7 @@
 #include "host/commands/size_text.hpp"
 #include "host/fit/board_texts.hpp"
 #include "host/picture/png.hpp"
+#include "host/preview/borrowed_terminal.hpp"
 #include "host/preview/file_dialogue.hpp"
 #include "host/preview/headless.hpp"
 #include "host/preview/picture_window.hpp"

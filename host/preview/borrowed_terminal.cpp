@@ -6,8 +6,10 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace kfast {
@@ -72,6 +74,20 @@ bool BorrowedTerminal::stop_if_asked()
     is_to_stop = 0;
     take();
     return true;
+}
+
+Size terminal_size()
+{
+    winsize size{};
+    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
+        return {80, 24};
+    return {size.ws_col, size.ws_row};
+}
+
+bool can_play_in_terminal()
+{
+    const char* const type = std::getenv("TERM");
+    return ::isatty(STDOUT_FILENO) != 0 && std::string_view{type == nullptr ? "" : type} != "dumb";
 }
 
 }

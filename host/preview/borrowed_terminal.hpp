@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/size.hpp"
 #include "host/preview/keyboard.hpp"
 
 #include <string_view>
@@ -29,6 +30,12 @@ private:
 
     Keyboard& keyboard_;
 };
+
+/// How many characters the terminal that standard output is has; 80x24 where it does not say.
+Size terminal_size();
+
+/// Whether standard output is a terminal that pictures can be drawn on one above the other.
+bool can_play_in_terminal();
 
 /// All of `text` to standard output. Throws Failure.
 void write_to_terminal(std::string_view text);

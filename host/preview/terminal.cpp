@@ -6,30 +6,13 @@
 #include "host/preview/terminal_text.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
-#include <string_view>
-#include <sys/ioctl.h>
-#include <unistd.h>
 #include <vector>
 
 namespace kfast {
 namespace {
 
 using Seconds = PreviewPlayback::Seconds;
-
-Size terminal_size()
-{
-    winsize size{};
-    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
-        return {80, 24};
-    return {size.ws_col, size.ws_row};
-}
-
-TerminalColours these_colours()
-{
-    return terminal_colours(std::getenv("COLORTERM"), std::getenv("TERM"), std::getenv("NO_COLOR"));
-}
 
 /// Draws one picture above the other.
 class TerminalScreen {
@@ -71,7 +54,7 @@ private:
         return size_ == size ? "\x1b[" + std::to_string(lines_) + 'A' : "\x1b[2J\x1b[H";
     }
 
-    TerminalColours colours_ = these_colours();
+    TerminalColours colours_ = terminal_colours();
     OpenHelp help_{preview_help(PreviewFront::terminal)};
     Size size_{}; ///< of the terminal when it was drawn last
     int lines_ = 0;
@@ -160,16 +143,11 @@ private:
 
 void play_in_terminal(Viewer& viewer, Keyboard& keyboard) { TerminalPreview{viewer, keyboard}.play(); }
 
-bool can_play_in_terminal()
-{
-    const char* const type = std::getenv("TERM");
-    return ::isatty(STDOUT_FILENO) != 0 && std::string_view{type == nullptr ? "" : type} != "dumb";
-}
-
 void write_as_text(const Frame& frame)
 {
     const Size size = terminal_size();
-    write_to_terminal(half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, these_colours()));
+    write_to_terminal(
+        half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, terminal_colours()));
 }
 
 }

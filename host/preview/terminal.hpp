@@ -9,9 +9,6 @@ namespace kfast {
 /// signal that ends the program leaves the terminal as it was. Throws Failure when that cannot be written.
 void play_in_terminal(Viewer& viewer, Keyboard& keyboard);
 
-/// Whether standard output is a terminal that pictures can be drawn on one above the other.
-bool can_play_in_terminal();
-
 /// Writes one picture as text to standard output, whatever that is. Throws Failure.
 void write_as_text(const Frame& frame);
 

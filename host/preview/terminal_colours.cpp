@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string_view>
 
 namespace kfast {
@@ -27,6 +28,11 @@ TerminalColours terminal_colours(const char* colorterm, const char* term, const 
         type.ends_with("-16color"))
         return TerminalColours::palette_16;
     return TerminalColours::palette_256;
+}
+
+TerminalColours terminal_colours()
+{
+    return terminal_colours(std::getenv("COLORTERM"), std::getenv("TERM"), std::getenv("NO_COLOR"));
 }
 
 }

@@ -17,4 +17,7 @@ enum class TerminalColours : std::uint8_t {
 /// (no-color.org); else 256.
 TerminalColours terminal_colours(const char* colorterm, const char* term, const char* no_color);
 
+/// By the environment of this process.
+TerminalColours terminal_colours();
+
 }
