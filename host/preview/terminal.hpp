@@ -13,6 +13,6 @@ void play_in_terminal(Viewer& viewer, Keyboard& keyboard);
 bool can_play_in_terminal();
 
 /// Writes one picture as text to standard output, whatever that is. Throws Failure.
-void write_as_text(const Frame& frame);
+void write_as_text(const Picture& picture);
 
 }
