@@ -5,6 +5,7 @@
 #include "host/commands/size_text.hpp"
 #include "host/fit/board_texts.hpp"
 #include "host/picture/png.hpp"
+#include "host/preview/beside.hpp"
 #include "host/preview/borrowed_terminal.hpp"
 #include "host/preview/file_dialogue.hpp"
 #include "host/preview/headless.hpp"
@@ -75,8 +76,10 @@ void preview_in_window(const PreviewOptions& options, PictureWindow& window, Pre
 void preview_in_terminal(const PreviewOptions& options, PreviewOpener& opener,
                          std::unique_ptr<OpenedScene> scene)
 {
-    if (!can_play_in_terminal())
-        return write_as_text(scene->source->show(Time{0}));
+    if (!can_play_in_terminal()) {
+        const Picture first = widen(scene->source->show(Time{0}));
+        return write_as_text(scene->beside ? joined(first, scene->beside->at(0)) : first);
+    }
     Keyboard keyboard;
     const auto loops = keyboard.works() ? options.loops : options.loops.value_or(1);
     Viewer viewer{opener_of(opener), std::move(scene), steady_now(), loops};
@@ -94,6 +97,9 @@ bool is_watched(const PreviewOptions& options)
 
 void preview(const PreviewOptions& options)
 {
+    if (options.choice.beside && options.headless && options.snapshot.empty())
+        throw CLI::ValidationError("--beside",
+                                   "--headless shows no pictures: leave one out, or add --snapshot");
     PreviewOpener opener{options.choice};
     auto scene = opener.open_first(options.file, [&options] { return is_watched(options); });
     if (options.headless)
@@ -147,6 +153,11 @@ void declare_preview(CLI::App& app)
            "Size of the window of --snapshot (default: 960x720)")
         ->type_name("WxH")
         ->needs(snapshot);
+    app.add_option(
+           "--beside", options->choice.beside,
+           "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
+           "... by frames, as render --all writes it")
+        ->type_name("FOLDER");
     declare_play_options(app, options->choice.play);
     declare_seen_options(app, options->choice.picture);
     app.add_option(

@@ -213,6 +213,8 @@ std::unique_ptr<OpenedScene> PreviewOpener::opened(const PreviewChoice& choice, 
     auto source = open_at_rest(picture, opened->scene);
     put_values(inputs, view, *source);
     opened->panel = source->show(Time{0}).size;
+    if (choice.beside)
+        opened->beside = std::make_shared<PanelPictures>(*choice.beside, opened->panel);
     opened->source = heard(std::move(source), picture, inputs, view);
     opened->board = previewed_board(shown_display(picture, opened->panel), board);
     opened->is_round = !opened->is_beam && is_round_glass(opened->board->display);

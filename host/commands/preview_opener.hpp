@@ -20,6 +20,7 @@ struct PreviewChoice {
     PlayOptions play;
     PictureOptions picture;
     AudioOptions audio;
+    std::optional<std::filesystem::path> beside; ///< a folder, as PanelPictures
     std::optional<std::string> board; ///< with the display that is shown, where no other one is named
 };
 

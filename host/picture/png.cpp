@@ -4,6 +4,8 @@
 #include "host/failure.hpp"
 #include "host/picture/channel_bytes.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <png.h>
 #include <string>
 
@@ -23,6 +25,28 @@ std::vector<std::byte> encoded_png(const Picture& picture)
         throw Failure(std::string("cannot make a PNG: ") + image.message);
     bytes.resize(size);
     return bytes;
+}
+
+Picture decoded_png(std::string_view bytes)
+{
+    constexpr png_uint_32 most_side = 4096;
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
+        throw Failure(std::string("is no PNG: ") + image.message);
+    const std::unique_ptr<png_image, void (*)(png_image*)> reading{&image, &png_image_free};
+    if (image.width > most_side || image.height > most_side)
+        throw Failure("is a PNG of more than " + std::to_string(most_side) + " pixels at a side");
+    image.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> channels(PNG_IMAGE_SIZE(image));
+    const png_color below{0, 0, 0};
+    if (png_image_finish_read(&image, &below, channels.data(), 0, nullptr) == 0)
+        throw Failure(std::string("is a damaged PNG: ") + image.message);
+    Picture picture{{static_cast<int>(image.width), static_cast<int>(image.height)}, {}};
+    picture.pixels.reserve(channels.size() / 3);
+    for (std::size_t at = 0; at < channels.size(); at += 3)
+        picture.pixels.push_back({channels[at], channels[at + 1], channels[at + 2]});
+    return picture;
 }
 
 void write_png(const std::filesystem::path& target, const Picture& picture)

@@ -5,6 +5,7 @@
 #include "host/fit/target.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/preview/file_watch.hpp"
+#include "host/preview/panel_pictures.hpp"
 #include "host/preview/programme.hpp"
 #include "host/scene_file.hpp"
 
@@ -32,6 +33,7 @@ struct OpenedScene {
     /// previewed_board() of the panel.
     std::optional<fit::Target> board = {};
     FileWatch read = {}; ///< of all files that what is shown depends on, as they were before they were read
+    std::shared_ptr<const PanelPictures> beside = {}; ///< shown at the right of this one; or none
     /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
     /// empty.
     std::function<void(ToldInputs&)> tell_drawings = {};

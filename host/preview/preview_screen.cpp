@@ -1,6 +1,7 @@
 #include "host/preview/preview_screen.hpp"
 
 #include "host/preview/area.hpp"
+#include "host/preview/beside.hpp"
 #include "host/preview/picture_pane.hpp"
 #include "host/preview/side_contents.hpp"
 #include "host/preview/status_line.hpp"
@@ -42,8 +43,10 @@ WindowLayout PreviewScreen::layout(Viewer& viewer) const
 {
     const ViewOptions& view = viewer.view();
     const TimeTable& table = viewer.time_table();
-    return window_layout(window_, {.side = true,
+    const bool has_beside = viewer.scene().beside != nullptr;
+    return window_layout(window_, {.side = !has_beside,
                                    .side_at_any_width = view.fit_report,
+                                   .beside = has_beside,
                                    .time_line_height = view.time_line ? TimeLine::wanted_height(table) : 0,
                                    .spare_time_line_height = TimeLine::spare_height(table),
                                    .panel = viewer.scene().panel,
@@ -68,6 +71,7 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
     window_ = painter.size();
     const WindowLayout parts = layout(viewer);
     const std::string facts = draw_picture_pane(painter, viewer, parts.picture);
+    draw_beside(painter, viewer, parts);
     side_contents(viewer, place(viewer, parts.picture).scale()).draw(painter, parts.side);
     draw_time_line(painter, time_line(viewer, parts.time_line),
                    {.now = viewer.playback().time(),
@@ -102,6 +106,17 @@ std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, R
     const Overlay& overlay = viewer.overlay(shown.scale());
     draw_overlay(painter, overlay, shown);
     return overlay.facts;
+}
+
+void PreviewScreen::draw_beside(Painter& painter, Viewer& viewer, const WindowLayout& parts) const
+{
+    const auto other = beside(viewer);
+    if (!other)
+        return;
+    draw_picture(painter, other->picture, place(viewer, parts.beside),
+                 {.has_module = viewer.view().panel_frame});
+    draw_caption(painter, parts.picture, this_computer);
+    draw_caption(painter, parts.beside, other->caption);
 }
 
 void PreviewScreen::draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now)

@@ -37,6 +37,7 @@ private:
 
     /// The facts of its overlay.
     std::string draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const;
+    void draw_beside(Painter& painter, Viewer& viewer, const WindowLayout& parts) const;
     void draw_help_and_errors(Painter& painter, const Viewer& viewer, const WindowLayout& parts);
     void draw_messages(Painter& painter, Viewer& viewer, Rect room, Seconds now);
 

@@ -1,5 +1,6 @@
 #include "host/preview/terminal.hpp"
 
+#include "host/preview/beside.hpp"
 #include "host/preview/borrowed_terminal.hpp"
 #include "host/preview/half_blocks.hpp"
 #include "host/preview/steady_now.hpp"
@@ -25,8 +26,14 @@ public:
     void draw(Viewer& viewer, bool with_help)
     {
         const Size size = terminal_size();
-        const TerminalContent content{viewer.picture(), viewer.status(), viewer.notice(), viewer.errors(),
-                                      with_help ? &help_ : nullptr};
+        const auto other = beside(viewer);
+        const TerminalContent content{viewer.picture(),
+                                      viewer.status(),
+                                      viewer.notice(),
+                                      viewer.errors(),
+                                      with_help ? &help_ : nullptr,
+                                      other ? &other->picture : nullptr,
+                                      other ? other->caption : ""};
         const TerminalText drawn = terminal_text(content, size, colours_);
         write_to_terminal(way_back(size) + drawn.text);
         size_ = size;
@@ -143,11 +150,10 @@ private:
 
 void play_in_terminal(Viewer& viewer, Keyboard& keyboard) { TerminalPreview{viewer, keyboard}.play(); }
 
-void write_as_text(const Frame& frame)
+void write_as_text(const Picture& picture)
 {
     const Size size = terminal_size();
-    write_to_terminal(
-        half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, terminal_colours()));
+    write_to_terminal(half_blocks(picture, {size.width, std::max(1, size.height - 2)}, terminal_colours()));
 }
 
 }

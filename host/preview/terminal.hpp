@@ -10,6 +10,6 @@ namespace kfast {
 void play_in_terminal(Viewer& viewer, Keyboard& keyboard);
 
 /// Writes one picture as text to standard output, whatever that is. Throws Failure.
-void write_as_text(const Frame& frame);
+void write_as_text(const Picture& picture);
 
 }

@@ -1,6 +1,8 @@
 #include "host/preview/terminal_text.hpp"
 
+#include "host/preview/beside.hpp"
 #include "host/preview/half_blocks.hpp"
+#include "host/preview/placement.hpp"
 #include "host/preview/text_columns.hpp"
 #include "host/text/glyph.hpp"
 
@@ -49,6 +51,26 @@ std::vector<std::string> lines_below(const TerminalContent& content, Size cells)
     return lines;
 }
 
+/// Both pictures with their captions, each line with its end.
+std::string pictures_beside(const TerminalContent& content, Size space, TerminalColours colours)
+{
+    const Picture both = joined(content.picture, *content.beside);
+    const Size room{space.width, std::max(1, space.height - 1)};
+    const Size pixels{room.width, room.height * 2};
+    const bool fits = both.size.width <= pixels.width && both.size.height <= pixels.height;
+    const int columns = fits ? both.size.width : placement(both.size, pixels).width;
+    const int right = right_column(content.picture, *content.beside, columns);
+    std::string captions = line_within(this_computer, right);
+    captions.append(static_cast<std::size_t>(std::max(0, right - columns_of(captions))), ' ');
+    return half_blocks(both, room, colours) + line_within(captions + content.caption, space.width) + '\n';
+}
+
+std::string picture_lines(const TerminalContent& content, Size space, TerminalColours colours)
+{
+    return content.beside == nullptr ? half_blocks(content.picture, space, colours)
+                                     : pictures_beside(content, space, colours);
+}
+
 /// Lines of one length, for colours behind them.
 std::vector<std::string> block_of(const HelpPage& page)
 {
@@ -78,7 +100,7 @@ TerminalText terminal_text(const TerminalContent& content, Size cells, TerminalC
 {
     const std::vector<std::string> below = lines_below(content, cells);
     const int space = std::max(1, cells.height - 1 - static_cast<int>(below.size()));
-    const std::string picture = half_blocks(content.picture, {cells.width, space}, colours);
+    const std::string picture = picture_lines(content, {cells.width, space}, colours);
     std::string text;
     for (const char letter : picture)
         if (letter == '\n')

@@ -16,6 +16,8 @@ struct TerminalContent {
     std::string notice;
     std::span<const std::string> errors; ///< below the picture, with as many lines as there is space for
     OpenHelp* help = nullptr;            ///< over the picture; null where it is closed
+    const Picture* beside = nullptr;     ///< of another panel, right of the picture; or null
+    std::string caption = {};            ///< of that one
 };
 
 struct TerminalText {

@@ -43,9 +43,12 @@ WindowLayout window_layout(Size window, const WindowWishes& wishes)
     const int status = std::min(status_height, window.height);
     const int above = window.height - status;
     const int side = side_width(window, wishes);
-    const int time_line = time_line_height({window.width - side, above}, wishes);
+    const int pictures = window.width - side;
+    const int across = wishes.beside ? pictures / 2 : pictures;
+    const int time_line = time_line_height({across, above}, wishes);
     const int upper = above - time_line;
-    return {.picture = {0, 0, window.width - side, upper},
+    return {.picture = {0, 0, across, upper},
+            .beside = {across, 0, pictures - across, upper},
             .side = {window.width - side, 0, side, upper},
             .time_line = {0, upper, window.width, time_line},
             .status = {0, above, window.width, status}};

@@ -8,7 +8,8 @@ namespace kfast {
 /// size.
 struct WindowLayout {
     Rect picture;
-    Rect side; ///< right of the picture
+    Rect beside; ///< right of it, for the picture of another panel: as large
+    Rect side;   ///< right of the picture
     Rect time_line;
     Rect status;
 };
@@ -17,6 +18,7 @@ struct WindowLayout {
 struct WindowWishes {
     bool side = false; ///< if there is room beside the picture
     bool side_at_any_width = false;
+    bool beside = false;
     int time_line_height = 0;       ///< it gets two fifths of the height at most
     int spare_time_line_height = 0; ///< of that: what it gives up if the picture is seen larger then
     Size panel{1, 1};               ///< whose picture is shown

@@ -1,12 +1,15 @@
 """Runs a firmware image in QEMU and compares it with the preview:
 
-    board_test.py <lm3s6965evb-cortex-….elf or vexpress-a9-….elf> <scene.kfb> <kfast> [--linked]
+    board_test.py <lm3s6965evb-cortex-….elf or vexpress-a9-….elf> <scene.kfb> <kfast> [--linked] [--keep <folder>]
 
-The scene is put into the board's memory; with --linked it is part of the image already (KFAST_SCENE).
+The scene is put into the board's memory; with --linked it is part of the image already (KFAST_SCENE). With --keep, all
+frames are compared, and the folder holds what the display showed at each of them: 0000.png, 0001.png …, of the panel's own
+pixels, for `kfast preview --beside`.
 Every frame must have the hash that `kfast hash` gives, the events must be those that `kfast preview --headless` tells,
 each with the frame that it was passed before, and screenshots of the emulated display must equal the
 pictures of `kfast render` in every pixel. What is no scene must be refused, with the error's number on the display."""
 
+import argparse
 import pathlib
 import re
 import subprocess
@@ -98,10 +101,23 @@ def compare_picture(machine, shown, expected, index):
     expect(difference is None, f"frame {index}: screenshot and preview differ within {difference}")
 
 
-def check_frames(machine, qemu, hashes, events, pictures, folder):
+def keep_picture(machine, shown, target):
+    """Whole or not at all, for whoever looks into the folder meanwhile."""
+    picture = Image.open(shown).convert("RGB").resize(machine.size, Image.Resampling.NEAREST)
+    picture.save(target.with_suffix(".part"), format="png")
+    target.with_suffix(".part").replace(target)
+
+
+def begin_keeping(keep):
+    keep.mkdir(parents=True, exist_ok=True)
+    for old in keep.glob("*.png"):
+        old.unlink()
+
+
+def check_frames(machine, qemu, hashes, events, pictures, folder, keep):
     """Steps through the scene, of which the last frame is asked for whole; returns the number of screenshots."""
     last = len(hashes) - 1
-    moments = {round(i * last / (SCREENSHOTS - 1)) for i in range(SCREENSHOTS)}
+    moments = range(len(hashes)) if keep else {round(i * last / (SCREENSHOTS - 1)) for i in range(SCREENSHOTS)}
     before = -1
     for index, expected in enumerate(hashes):
         ticks, shown, sent, told = frame(qemu)
@@ -114,13 +130,15 @@ def check_frames(machine, qemu, hashes, events, pictures, folder):
         if index in moments:
             qemu.screenshot(folder / "shown.png")
             compare_picture(machine, folder / "shown.png", pictures / f"{index:04d}.png", index)
+            if keep:
+                keep_picture(machine, folder / "shown.png", keep / f"{index:04d}.png")
         qemu.send(b"q" if index == last else b"r" if index == last - 1 else b"n")
     expect(qemu.line() == "END", "the board was to end")
     expect_quiet(qemu)
     return len(moments)
 
 
-def check_stepped(machine, qemu_board, scene, hashes, events, pictures, folder):
+def check_stepped(machine, qemu_board, scene, hashes, events, pictures, folder, keep):
     with qemu_board as qemu:
         banner = qemu.line()
         expect(re.fullmatch(rf"KFAST \S+ {machine.name} {machine.panel}", banner), f"banner: {banner!r}")
@@ -129,7 +147,7 @@ def check_stepped(machine, qemu_board, scene, hashes, events, pictures, folder):
         data = pathlib.Path(scene).read_bytes()
         announced = qemu.line()
         expect(announced == f"SCENE {len(data)} {zlib.crc32(data):08x}", f"the board plays another scene: {announced}")
-        return check_frames(machine, qemu, hashes, events, pictures, folder)
+        return check_frames(machine, qemu, hashes, events, pictures, folder, keep)
 
 
 def rising(times):
@@ -184,8 +202,18 @@ def check_damaged(machine, scene, folder):
     check_error(machine, folder / "damaged.kfb", "bad_checksum", folder)
 
 
-def main(image, scene, program, *options):
-    is_linked = options == ("--linked",)
+def arguments():
+    parser = argparse.ArgumentParser(usage=__doc__.splitlines()[2].strip())
+    for name in ("image", "scene", "program"):
+        parser.add_argument(name)
+    parser.add_argument("--linked", action="store_true", dest="is_linked")
+    parser.add_argument("--keep", type=pathlib.Path)
+    return parser.parse_args()
+
+
+def main(image, scene, program, is_linked, keep):
+    if keep:
+        begin_keeping(keep)
     expect(pathlib.Path(image).is_file(), f"{image} is missing: build the board first")
     machine = machine_for(image)
     with tempfile.TemporaryDirectory(prefix="kfast") as name:
@@ -195,7 +223,8 @@ def main(image, scene, program, *options):
         events = expected_events(program, scene)
         kfast(program, "render", scene, *machine.options, "--all", "-o", pictures)
         in_memory = None if is_linked else scene
-        screenshots = check_stepped(machine, board(machine, folder, in_memory), scene, hashes, events, pictures, folder)
+        screenshots = check_stepped(machine, board(machine, folder, in_memory), scene, hashes, events, pictures, folder,
+                                    keep)
         check_free_running(board(machine, folder, in_memory), hashes, events)
         check_damaged(machine, scene, folder)
         if not is_linked:
@@ -205,6 +234,8 @@ def main(image, scene, program, *options):
 
 if __name__ == "__main__":
     try:
-        main(*sys.argv[1:])
+        main(**vars(arguments()))
     except AssertionError as failure:
         sys.exit(f"board and preview differ: {failure}")
+    except KeyboardInterrupt:
+        sys.exit(130)

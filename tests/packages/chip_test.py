@@ -12,6 +12,7 @@ from assembled import ROOT, STUBS, assembled, output_of, temporary_folder
 
 CHIP = sys.argv.pop(2) if len(sys.argv) > 2 else "-mcpu=cortex-m0plus"
 CXX = sys.argv.pop(1)
+CC = CXX.replace("g++", "gcc")  # links without the C++ library, of which nothing is needed
 FLAGS = [CHIP, "-mthumb", "-Os", "-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti",
          "-fno-threadsafe-statics"]
 
@@ -37,7 +38,7 @@ class Chip(unittest.TestCase):
                               "-x", "c++", "-include", "Arduino.h")
         rest = self.compile(STUBS / "arduino/chip.cpp", self.folder / "rest.o", "gnu++11")
         program = self.folder / "program"
-        output_of(CXX, *FLAGS, "-specs=nano.specs", "-specs=nosys.specs", "-Wl,--gc-sections", sketch, rest, *self.objects(), "-o",
+        output_of(CC, *FLAGS, "-specs=nano.specs", "-specs=nosys.specs", "-Wl,--gc-sections", sketch, rest, *self.objects(), "-o",
                   program)
         code, data, zeroed = map(int, output_of("arm-none-eabi-size", program, text=True).splitlines()[1].split()[:3])
         print(f"{CHIP}: {code + data} bytes of flash, {data + zeroed} of RAM")

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 #include <png.h>
+#include <string>
 
 namespace kfast::test {
 namespace {
@@ -44,6 +45,26 @@ TEST_CASE("a PNG gives every pixel back")
         CHECK(read.pixels == picture.pixels);
     }
     CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("what was encoded is decoded, and what is no PNG is a failure")
+{
+    const Picture picture = gradient({37, 41});
+    const std::vector<std::byte> encoded = encoded_png(picture);
+    std::string bytes;
+    for (const std::byte byte : encoded)
+        bytes += static_cast<char>(byte);
+    const Picture decoded = decoded_png(bytes);
+    CHECK(decoded.size == picture.size);
+    CHECK(decoded.pixels == picture.pixels);
+    for (std::size_t length = 0; length < bytes.size(); length += 13)
+        CHECK_THROWS_AS(decoded_png(bytes.substr(0, length)), Failure);
+    CHECK_THROWS_AS(decoded_png("kfast 1\ncanvas 20 20"), Failure);
+    const std::vector<std::byte> wide = encoded_png(gradient({4097, 1}));
+    std::string too_wide;
+    for (const std::byte byte : wide)
+        too_wide += static_cast<char>(byte);
+    CHECK_THROWS_WITH_AS(decoded_png(too_wide), "is a PNG of more than 4096 pixels at a side", Failure);
 }
 
 TEST_CASE("a PNG that cannot be written is a failure and leaves nothing")
