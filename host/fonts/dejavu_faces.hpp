@@ -2,9 +2,11 @@
 
 #include <string_view>
 
+/// The DejaVu fonts that are part of this program, each a TrueType file.
 namespace kfast {
 
-/// DejaVu Sans Mono, a TrueType file.
-std::string_view screen_font_bytes();
+std::string_view dejavu_sans();
+std::string_view dejavu_sans_bold();
+std::string_view dejavu_sans_mono();
 
 }
