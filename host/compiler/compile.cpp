@@ -1,5 +1,6 @@
 #include "host/compiler/compile.hpp"
 
+#include "host/compiler/drifting_arcs.hpp"
 #include "host/compiler/item_origins.hpp"
 #include "host/compiler/stroke_order.hpp"
 #include "host/compiler/write_scene.hpp"
@@ -25,6 +26,7 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
     std::optional<scene::Scene> scene = scene::read_scene(document, source, diagnostics);
     if (!scene)
         return std::nullopt;
+    warn_of_drifting_arcs(*scene, diagnostics);
     if (scene->has_routes)
         order_strokes(*scene);
     auto bytes = write_scene(*scene, diagnostics, tell);

@@ -1,7 +1,7 @@
 #include "host/preview/screen_font.hpp"
 
 #include "host/failure.hpp"
-#include "host/preview/screen_font_bytes.hpp"
+#include "host/fonts/dejavu_faces.hpp"
 
 #include <freetype/freetype.h>
 #include <map>
@@ -32,7 +32,7 @@ class ScreenFont::Face {
 public:
     Face()
     {
-        const auto bytes = screen_font_bytes();
+        const auto bytes = dejavu_sans_mono();
         if (FT_Init_FreeType(&library_) != 0)
             throw Failure("FreeType cannot be started");
         if (FT_New_Memory_Face(library_, reinterpret_cast<const FT_Byte*>(bytes.data()),

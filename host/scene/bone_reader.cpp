@@ -5,6 +5,7 @@
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/spot_reader.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/scene/weights_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -80,7 +81,7 @@ void BoneReader::read(const kdl::Node& node, std::optional<std::size_t> parent)
             read(child, index);
         else
             is_good_ = reading_.report.error(child.name_place, "a bone has no node " + in_quotes(child.name),
-                                             suggestion(child.name, std::array{bone_name}));
+                                             word_remedy(child.name, std::array{bone_name}));
 }
 
 WrittenBone BoneReader::read_bone(const kdl::Node& node, std::optional<std::size_t> parent)

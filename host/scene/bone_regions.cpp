@@ -34,9 +34,7 @@ std::size_t BoneRegions::nearest(Spot spot) const
 
 double BoneRegions::distance_to(const Region& region, Spot spot)
 {
-    const Spot along = region.to - region.from;
-    const double share = std::clamp(dot(spot - region.from, along) / dot(along, along), 0.0, 1.0);
-    return distance(spot, region.from + share * along);
+    return distance_to_line(spot, region.from, region.to);
 }
 
 }

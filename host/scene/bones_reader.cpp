@@ -10,9 +10,9 @@
 #include "host/scene/property_rule.hpp"
 #include "host/scene/reach_keys.hpp"
 #include "host/scene/reach_reader.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <string>
@@ -44,7 +44,7 @@ void refuse_unknown_nodes(const kdl::Node& node, Reading& reading)
     for (const kdl::Node& child : node.children)
         if (std::ranges::find(known_nodes, child.name) == known_nodes.end() && !reading.report.full())
             reading.report.error(child.name_place, "a skeleton has no node " + in_quotes(child.name),
-                                 suggestion(child.name, known_nodes));
+                                 word_remedy(child.name, known_nodes));
 }
 
 bool has_room(const Skeleton& skeleton, Reading& reading)

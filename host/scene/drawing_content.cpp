@@ -4,10 +4,10 @@
 #include "host/scene/item_reader.hpp"
 #include "host/scene/key_list.hpp"
 #include "host/scene/symbol_kind.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/track_reader.hpp"
 #include "host/scene/weights_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <string>
 #include <string_view>
@@ -92,7 +92,7 @@ private:
             return report_skeleton(node);
         content_.is_good = reading_.report.error(node.name_place,
                                                  std::string{noun_} + " has no node " + in_quotes(node.name),
-                                                 suggestion(node.name, names_in_drawing(holder_)));
+                                                 word_remedy(node.name, names_in_drawing(holder_)));
     }
 
     void report_skeleton(const kdl::Node& node)

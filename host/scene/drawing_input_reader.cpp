@@ -7,9 +7,9 @@
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/shape_reader.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +52,7 @@ Drawing read_shape(const kdl::Node& node, Reading& reading)
 void report_unknown(const kdl::Node& node, Reading& reading)
 {
     reading.report.error(node.name_place, "the drawing of an input has no node " + in_quotes(node.name),
-                         suggestion(node.name, shape_names()));
+                         word_remedy(node.name, shape_names()));
 }
 
 Drawing read_shapes(const kdl::Node& node, Reading& reading)

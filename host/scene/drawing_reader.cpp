@@ -159,6 +159,8 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
     Stroke stroke = quantized(outline);
     if (!has_room(stroke.segments.size() + 1, node))
         return false;
+    if (outline.sector)
+        sectors_.push_back({drawing_.strokes.size(), *outline.sector});
     drawing_.strokes.push_back(std::move(stroke));
     outlines_.push_back(std::move(outline));
     return true;

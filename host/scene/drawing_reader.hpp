@@ -35,6 +35,8 @@ public:
     Drawing take() { return std::move(drawing_); }
     /// See Key::depths.
     Drawing take_depths() { return std::move(depths_); }
+    /// See Key::sectors.
+    std::vector<SectorStroke> take_sectors() { return std::move(sectors_); }
     /// What take() gives, before rounding.
     std::vector<Outline> take_outlines() { return std::move(outlines_); }
     /// How deep symbols that have been copied lie in each other.
@@ -53,6 +55,7 @@ private:
     Drawing drawing_;
     Drawing depths_;
     std::vector<Outline> outlines_;
+    std::vector<SectorStroke> sectors_;
     std::size_t points_ = 0;
     int depth_ = 0;
     bool has_strokes_ = false;       ///< nodes, at least

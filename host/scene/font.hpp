@@ -24,6 +24,8 @@ public:
     virtual const Letter* letter(char32_t character) = 0;
     /// What is added between these two letters, in units; most often less than 0.
     virtual double kerning(char32_t left, char32_t right) const = 0;
+    /// Whether letters are lines, which a stroke makes visible, instead of outlines to fill.
+    virtual bool has_lines() const = 0;
 };
 
 }

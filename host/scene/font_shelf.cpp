@@ -1,17 +1,31 @@
 #include "host/scene/font_shelf.hpp"
 
 #include "host/failure.hpp"
+#include "host/fonts/dejavu_faces.hpp"
 #include "host/input_file.hpp"
 #include "host/scene/hershey_faces.hpp"
 #include "host/scene/hershey_font.hpp"
 #include "host/scene/outline_font.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <iterator>
 #include <vector>
 
 namespace kfast::scene {
 namespace {
+
+struct FilledFace {
+    std::string_view name;
+    std::string_view (*file)();
+};
+
+constexpr std::array filled_faces{
+    FilledFace{"dejavu-sans", dejavu_sans},
+    FilledFace{"dejavu-sans-bold", dejavu_sans_bold},
+    FilledFace{"dejavu-sans-mono", dejavu_sans_mono},
+};
 
 std::unique_ptr<Font> font_file(const std::filesystem::path& path)
 {
@@ -29,6 +43,8 @@ std::span<const std::string_view> FontShelf::bundled_names()
 {
     static const auto names = [] {
         std::vector<std::string_view> list;
+        for (const FilledFace& face : filled_faces)
+            list.push_back(face.name);
         for (const HersheyFace& face : hershey_faces())
             list.push_back(face.name);
         return list;
@@ -44,8 +60,20 @@ Font& FontShelf::font(const std::string& name)
     return *known->second;
 }
 
+std::vector<std::string_view> FontShelf::bundled_with(char32_t character)
+{
+    std::vector<std::string_view> names;
+    std::ranges::copy_if(bundled_names(), std::back_inserter(names), [&](std::string_view name) {
+        return font(std::string{name}).letter(character) != nullptr;
+    });
+    return names;
+}
+
 std::unique_ptr<Font> FontShelf::load(const std::string& name) const
 {
+    const auto filled = std::ranges::find(filled_faces, name, &FilledFace::name);
+    if (filled != filled_faces.end())
+        return std::make_unique<OutlineFont>(std::string{filled->file()});
     const auto face = std::ranges::find(hershey_faces(), name, &HersheyFace::name);
     if (face != hershey_faces().end())
         return std::make_unique<HersheyFont>(face->jhf);

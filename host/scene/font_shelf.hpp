@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace kfast::scene {
 
@@ -18,8 +19,10 @@ public:
     /// Font files are looked for in `folder`. Nothing: there are only the fonts of bundled_names().
     explicit FontShelf(std::optional<std::string> folder) : folder_{std::move(folder)} {}
 
-    /// The fonts that are part of this program.
+    /// The fonts that are part of this program, the default of texts first.
     static std::span<const std::string_view> bundled_names();
+    /// Those of them that have `character`.
+    std::vector<std::string_view> bundled_with(char32_t character);
 
     bool has_folder() const { return folder_.has_value(); }
     /// A bundled font, or a file whose path begins in the folder, which there must be. Lives as long as the

@@ -8,11 +8,11 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/track_builder.hpp"
 #include "host/scene/track_reader.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <string>
@@ -51,7 +51,7 @@ std::vector<std::string_view> names_inside()
 void report_unknown(const kdl::Node& node, Reading& reading)
 {
     reading.report.error(node.name_place, "a group has no node " + in_quotes(node.name),
-                         suggestion(node.name, names_inside()));
+                         word_remedy(node.name, names_inside()));
 }
 
 /// What stands inside of a group.

@@ -22,6 +22,7 @@ public:
     double units_per_em() const override { return 32; }
     const Letter* letter(char32_t character) override;
     double kerning(char32_t, char32_t) const override { return 0; }
+    bool has_lines() const override { return true; }
 
 private:
     std::vector<Letter> letters_;

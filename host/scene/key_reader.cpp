@@ -4,9 +4,9 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -83,7 +83,7 @@ std::vector<std::string_view> names_inside(KeyHolder holder)
 void report_unknown(const kdl::Node& node, KeyHolder holder, Reading& reading)
 {
     reading.report.error(node.name_place, "a key has no node " + in_quotes(node.name),
-                         suggestion(node.name, names_inside(holder)));
+                         word_remedy(node.name, names_inside(holder)));
 }
 
 void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, Reading& reading)
@@ -100,6 +100,7 @@ void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, Reading
     take_points(1, node.name_place, reading);
     key.drawing = drawing.take();
     key.depths = drawing.take_depths();
+    key.sectors = drawing.take_sectors();
 }
 
 const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, Reading& reading)

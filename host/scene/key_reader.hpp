@@ -37,7 +37,8 @@ struct ItemKey {
     KeyLaws laws;
     std::optional<Match> match;
     std::optional<Drawing> drawing;
-    Drawing depths = {};                 ///< see Key::depths
+    Drawing depths = {}; ///< see Key::depths
+    std::vector<SectorStroke> sectors = {};
     const kdl::Node* skeleton = nullptr; ///< not yet read
 };
 

@@ -48,7 +48,7 @@ public:
         std::string text;
         append_utf8(text, character);
         if (letter == nullptr) {
-            report_missing(text, input);
+            report_missing(character, text, input);
             return std::nullopt;
         }
         LabelGlyph glyph{.drawing = {}, .advance = in_advance_units(scale() * letter->advance)};
@@ -78,12 +78,12 @@ public:
 private:
     double scale() const { return style_.size / style_.font->units_per_em(); }
 
-    void report_missing(const std::string& character, std::string_view input)
+    void report_missing(char32_t character, const std::string& text, std::string_view input)
     {
         reading_.report.error(property_place(node_, "font"),
-                              "the font " + in_quotes(properties_.font) + " has no " + in_words(character) +
+                              "the font " + in_quotes(properties_.font) + " has no " + in_words(text) +
                                   ", which the input " + in_quotes(input) + " may have",
-                              other_font(properties_));
+                              other_font(character, reading_));
     }
 
     bool add(const Outline& outline, Drawing& drawing)
@@ -145,6 +145,7 @@ std::optional<Label> read_label(const kdl::Node& node, Reading& reading)
     const auto input = use_input(*properties->input, InputType::text, reading);
     if (!input)
         return std::nullopt;
+    note_lines(*properties, node.name_place, reading);
     const Input& shown = reading.inputs.entries[*input].input;
     const TextStyle& style = properties->style;
     Label label{.input = *input,

@@ -1,6 +1,7 @@
 #include "host/scene/law_reader.hpp"
 
 #include "host/scene/path_scanner.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
@@ -123,7 +124,7 @@ std::optional<VelocityLaw> LawReader::read()
         return read_call(*call);
     const auto law = std::ranges::find(plain_laws, name, &Word<VelocityLaw>::name);
     if (law == plain_laws.end())
-        fail(begin, "unknown law " + in_quotes(name), suggestion(name, law_names));
+        fail(begin, "unknown law " + in_quotes(name), word_remedy(name, law_names));
     else if (expect_end(name))
         return law->meaning;
     return std::nullopt;

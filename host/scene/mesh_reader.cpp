@@ -3,9 +3,9 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,7 +77,7 @@ private:
             read_face(node);
         else
             fail(node.name_place, "a mesh has no node " + in_quotes(node.name),
-                 suggestion(node.name, names_inside));
+                 word_remedy(node.name, names_inside));
     }
 
     void read_pairs(const kdl::Node& node)

@@ -12,6 +12,7 @@
 #include "core/size.hpp"
 #include "core/stroke_style.hpp"
 #include "core/time.hpp"
+#include "host/scene/spot.hpp"
 #include "host/text/source.hpp"
 
 #include <array>
@@ -70,6 +71,22 @@ enum class Match : std::uint8_t {
     length, ///< added points are placed by arc length, closed strokes begin where it fits best
 };
 
+/// What lies between two directions from the centre of an ellipse whose axes lie along x and y. Degrees, from
+/// three o'clock, clockwise on the screen; where `to` is less than `from` it runs the other way round.
+struct Sector {
+    Spot centre;
+    double radius_x = 0; ///< pixels
+    double radius_y = 0;
+    double from = 0;
+    double to = 0;
+};
+
+/// A stroke of a drawing that is written as an arc or a pie.
+struct SectorStroke {
+    std::size_t stroke = 0;
+    Sector sector;
+};
+
 /// A drawing at a moment; laws and match govern the way to the next key.
 struct Key {
     Time time;
@@ -80,6 +97,7 @@ struct Key {
     /// towards the viewer, and y 0. Else empty.
     Drawing depths = {};
     Place place;
+    std::vector<SectorStroke> sectors = {}; ///< of the drawing; only for warnings
 };
 
 /// A value at a moment, in the unit of its property; the laws govern the way to the next key.

@@ -80,6 +80,7 @@ public:
 
     Item read(std::string_view name)
     {
+        reading_.line_letters.reset();
         DrawingContent content = read_drawing_content(node_, KeyHolder::object, properties_.clock, reading_);
         warn_of_idle_input(node_, !content.keys.empty(), reading_);
         refuse_paint_of_nothing(node_, content, reading_);
@@ -92,6 +93,8 @@ public:
             set_label(content, object);
         else
             draw(content, object);
+        if (!object.stroke)
+            warn_of_filled_lines();
         auto tracks = build_tracks(node_, properties_.values,
                                    {content.keys, properties_.clock.clock(), object.has_depths},
                                    content.timed, reading_);
@@ -102,6 +105,16 @@ private:
     bool is_placed_label(const DrawingContent& content) const
     {
         return properties_.live == nullptr && content.drawn.size() == 1 && is_label(*content.drawn.front());
+    }
+
+    void warn_of_filled_lines()
+    {
+        if (const auto& letters = reading_.line_letters)
+            reading_.report.warning(letters->place,
+                                    "the letters of " + letters->font +
+                                        " are lines, which a fill does not show, and there is no stroke",
+                                    "give the object a stroke=COLOUR, or the text font=" +
+                                        std::string{FontShelf::bundled_names().front()});
     }
 
     void draw(DrawingContent& content, Object& object)

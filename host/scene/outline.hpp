@@ -1,26 +1,12 @@
 #pragma once
 
 #include "host/scene/model.hpp"
+#include "host/scene/spot.hpp"
 
-#include <cmath>
+#include <optional>
 #include <vector>
 
 namespace kfast::scene {
-
-/// A place on the canvas before rounding, in pixels.
-struct Spot {
-    double x = 0;
-    double y = 0;
-    friend constexpr Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
-    friend constexpr Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
-    friend constexpr Spot operator*(double factor, Spot a) { return {factor * a.x, factor * a.y}; }
-};
-
-constexpr double dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y; }
-/// Positive if `b` is to the right of `a` on a canvas, where y points down.
-constexpr double cross(Spot a, Spot b) { return a.x * b.y - a.y * b.x; }
-// Not std::hypot, which platforms round differently.
-inline double distance(Spot a, Spot b) { return std::sqrt(dot(b - a, b - a)); }
 
 /// A line or a cubic Bézier from wherever the one before it ended; lines ignore c1 and c2.
 struct Curve {
@@ -44,7 +30,8 @@ constexpr Curve quadratic_to(Spot from, Spot control, Spot to)
 struct Outline {
     Spot from;
     std::vector<Curve> curves;
-    bool closed = false; ///< ends where it began, by a line of its own if need be
+    bool closed = false;               ///< ends where it began, by a line of its own if need be
+    std::optional<Sector> sector = {}; ///< that it goes around, or along
 };
 
 bool in_range(Spot spot);

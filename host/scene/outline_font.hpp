@@ -20,6 +20,7 @@ public:
     double units_per_em() const override;
     const Letter* letter(char32_t character) override;
     double kerning(char32_t left, char32_t right) const override;
+    bool has_lines() const override { return false; }
 
 private:
     class Face;

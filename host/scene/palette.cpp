@@ -1,5 +1,6 @@
 #include "host/scene/palette.hpp"
 
+#include "host/scene/colour_names.hpp"
 #include "host/scene/limits.hpp"
 
 #include <algorithm>
@@ -11,22 +12,10 @@
 namespace kfast::scene {
 namespace {
 
-struct BasicColour {
-    std::string_view name;
-    Colour colour;
-};
-
-constexpr std::array basic_colours{
-    BasicColour{"black", {0, 0, 0}},       BasicColour{"silver", {192, 192, 192}},
-    BasicColour{"gray", {128, 128, 128}},  BasicColour{"grey", {128, 128, 128}},
-    BasicColour{"white", {255, 255, 255}}, BasicColour{"maroon", {128, 0, 0}},
-    BasicColour{"red", {255, 0, 0}},       BasicColour{"purple", {128, 0, 128}},
-    BasicColour{"fuchsia", {255, 0, 255}}, BasicColour{"green", {0, 128, 0}},
-    BasicColour{"lime", {0, 255, 0}},      BasicColour{"olive", {128, 128, 0}},
-    BasicColour{"yellow", {255, 255, 0}},  BasicColour{"navy", {0, 0, 128}},
-    BasicColour{"blue", {0, 0, 255}},      BasicColour{"teal", {0, 128, 128}},
-    BasicColour{"aqua", {0, 255, 255}},
-};
+/// Those of the known names that CSS has had from the start.
+constexpr std::array<std::string_view, 16> first_names{
+    "black", "silver", "gray",  "white",  "maroon", "red",  "purple", "fuchsia",
+    "green", "lime",   "olive", "yellow", "navy",   "blue", "teal",   "aqua"};
 
 constexpr std::uint8_t byte(std::uint32_t value) { return static_cast<std::uint8_t>(value & 0xFF); }
 
@@ -35,12 +24,12 @@ constexpr std::uint8_t doubled(std::uint32_t value) { return byte((value & 15) *
 
 }
 
-std::optional<Colour> basic_colour(std::string_view name)
+std::optional<Colour> known_colour(std::string_view name)
 {
-    const auto basic = std::ranges::find(basic_colours, name, &BasicColour::name);
-    if (basic == basic_colours.end())
+    const auto known = std::ranges::lower_bound(colour_names, name, {}, &NamedColour::name);
+    if (known == colour_names.end() || known->name != name)
         return std::nullopt;
-    return basic->colour;
+    return Colour{byte(known->rgb >> 16), byte(known->rgb >> 8), byte(known->rgb)};
 }
 
 std::optional<Colour> hex_colour(std::string_view text)
@@ -71,8 +60,8 @@ std::optional<Colour> Palette::find(const std::string& text) const
 {
     if (const auto entry = named_.find(text); entry != named_.end())
         return entry->second.colour;
-    const auto basic = basic_colour(text);
-    return basic ? basic : hex_colour(text);
+    const auto known = known_colour(text);
+    return known ? known : hex_colour(text);
 }
 
 std::optional<std::size_t> Palette::use(Colour colour)
@@ -87,20 +76,32 @@ std::optional<std::size_t> Palette::use(Colour colour)
     return index;
 }
 
-std::vector<std::string_view> Palette::names() const
+std::vector<std::string_view> Palette::declared_names() const
 {
     std::vector<std::string_view> names;
     for (const auto& [name, named] : named_)
         names.push_back(name);
-    for (const BasicColour& basic : basic_colours)
-        names.push_back(basic.name);
     return names;
 }
 
-std::vector<std::string_view> basic_colour_names()
+std::vector<std::string_view> Palette::names() const
+{
+    std::vector<std::string_view> names = declared_names();
+    std::ranges::transform(colour_names, std::back_inserter(names), &NamedColour::name);
+    return names;
+}
+
+std::vector<std::string_view> Palette::common_names() const
+{
+    std::vector<std::string_view> names = declared_names();
+    std::ranges::copy(first_names, std::back_inserter(names));
+    return names;
+}
+
+std::vector<std::string_view> known_colour_names()
 {
     std::vector<std::string_view> names;
-    std::ranges::transform(basic_colours, std::back_inserter(names), &BasicColour::name);
+    std::ranges::transform(colour_names, std::back_inserter(names), &NamedColour::name);
     return names;
 }
 

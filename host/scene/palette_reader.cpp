@@ -21,7 +21,7 @@ std::optional<Colour> read_plain_colour(const kdl::Value& value, Reading& readin
     const auto text = read_text(value, reading);
     const auto colour = text ? plain.find(std::string{*text}) : std::nullopt;
     if (text && !colour)
-        report_unknown_colour(value, *text, plain.names(), reading);
+        report_unknown_colour(value, *text, plain, reading);
     return colour;
 }
 

@@ -8,10 +8,10 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/timed_value.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ std::optional<WrittenTarget> read_target(const kdl::Node& node, Reading& reading
 {
     if (node.name != at_form.name) {
         reading.report.error(node.name_place, "a reach has no node " + in_quotes(node.name),
-                             suggestion(node.name, std::array{at_form.name}));
+                             word_remedy(node.name, std::array{at_form.name}));
         return std::nullopt;
     }
     if (!fits(node, at_form, reading))

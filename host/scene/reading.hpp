@@ -43,6 +43,12 @@ private:
     std::size_t warnings_ = 0;
 };
 
+/// A text whose letters are lines, which a fill does not show.
+struct LineLetters {
+    std::string font;
+    Place place;
+};
+
 /// What is known of a scene while its nodes are read.
 struct Reading {
     Report report;
@@ -56,7 +62,8 @@ struct Reading {
     SymbolTable symbols = {};
     NameTable object_names = {};
     PointBudget points = {};
-    std::size_t posed_bones = 0; ///< that the poses so far set
+    std::size_t posed_bones = 0;                  ///< that the poses so far set
+    std::optional<LineLetters> line_letters = {}; ///< the first in the drawings of the object or symbol
 };
 
 /// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is what to mark.

@@ -17,6 +17,7 @@
 #include "host/scene/reading.hpp"
 #include "host/scene/symbol_reader.hpp"
 #include "host/scene/symbol_use.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
@@ -80,7 +81,7 @@ void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
     if (rule != part_rules.end())
         return rule->take(parts, node, reading);
     reading.report.error(node.name_place, "a scene has no node " + in_quotes(node.name),
-                         suggestion(node.name, word_names<part_rules>));
+                         word_remedy(node.name, word_names<part_rules>));
 }
 
 Parts sort_out(const kdl::Document& document, Reading& reading)

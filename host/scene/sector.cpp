@@ -35,14 +35,15 @@ void append_arc(Outline& outline, const Sector& sector)
 
 Outline arc(const Sector& sector)
 {
-    Outline outline{.from = begin(sector), .curves = {}, .closed = false};
+    Outline outline{.from = begin(sector), .curves = {}, .closed = false, .sector = sector};
     append_arc(outline, sector);
     return outline;
 }
 
 Outline pie(const Sector& sector)
 {
-    Outline outline{.from = sector.centre, .curves = {line_to(begin(sector))}, .closed = true};
+    Outline outline{
+        .from = sector.centre, .curves = {line_to(begin(sector))}, .closed = true, .sector = sector};
     append_arc(outline, sector);
     return outline;
 }

@@ -7,8 +7,8 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <array>
 #include <optional>
@@ -28,7 +28,7 @@ bool report_inside(const kdl::Node& node, Reading& reading)
         return reading.report.error(node.name_place, "this " + node.name + " has no backbone in front of it",
                                     "write it behind the backbone that it belongs to");
     return reading.report.error(node.name_place, "a skeleton has no node " + in_quotes(node.name),
-                                suggestion(node.name, names_inside));
+                                word_remedy(node.name, names_inside));
 }
 
 /// What belongs to each backbone. Nothing if something belongs to none.

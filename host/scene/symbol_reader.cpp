@@ -9,6 +9,7 @@
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/symbol_kind.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/track_builder.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -29,7 +30,7 @@ void report_no_item(const kdl::Node& node, Reading& reading)
         report_mixed_kinds(node, reading);
     else
         reading.report.error(node.name_place, "a symbol has no node " + in_quotes(node.name),
-                             suggestion(node.name, item_names()));
+                             word_remedy(node.name, item_names()));
 }
 
 void read_items(SymbolEntry& symbol, Reading& reading)
@@ -62,11 +63,14 @@ void read_still(const std::vector<const kdl::Node*>& nodes, SymbolEntry& symbol,
 
 void read_drawing(SymbolEntry& symbol, Reading& reading)
 {
+    const auto outer_letters = std::exchange(reading.line_letters, std::nullopt); // of what uses it first
     DrawingContent content = read_drawing_content(*symbol.node, KeyHolder::symbol, {}, reading);
     if (content.drawn.empty())
         symbol.keys = take_drawings(content.keys);
     else
         read_still(content.drawn, symbol, reading);
+    if (const auto letters = std::exchange(reading.line_letters, outer_letters))
+        symbol.line_font = letters->font;
 }
 
 void read_symbol(SymbolEntry& symbol, Reading& reading)

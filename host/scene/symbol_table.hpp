@@ -32,6 +32,7 @@ struct SymbolEntry {
     std::vector<Key> keys;   ///< of a drawing: at least one
     /// Of a drawing without keys: what its only key has, before rounding.
     std::optional<std::vector<Outline>> still;
+    std::string line_font; ///< that of a text in the drawing whose letters are lines; empty: there is none
 
     std::optional<std::size_t> scene_index; ///< in Scene::symbols
 };

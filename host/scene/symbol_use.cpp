@@ -88,7 +88,10 @@ std::optional<SymbolUse> read_items_use(const kdl::Node& node, Reading& reading)
 
 std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, Reading& reading)
 {
-    return read_use(node, SymbolEntry::Kind::drawing, drawing_form, drawing_rules, reading);
+    auto use = read_use(node, SymbolEntry::Kind::drawing, drawing_form, drawing_rules, reading);
+    if (use && !use->symbol->line_font.empty() && !reading.line_letters)
+        reading.line_letters = LineLetters{use->symbol->line_font, node.arguments.front().place};
+    return use;
 }
 
 std::vector<NodeWords> use_words()

@@ -19,8 +19,7 @@ constexpr std::array alignments{Word<Align>{"left", Align::left}, Word<Align>{"c
                                 Word<Align>{"right", Align::right}};
 constexpr Range sizes{1.0 / 16, extents.high};
 constexpr Range spacings{-extents.high, extents.high};
-constexpr double usual_leading = 1.2; ///< sizes
-constexpr std::string_view usual_font = "hershey-sans";
+constexpr double default_leading = 1.2; ///< sizes
 
 bool read_at(const kdl::Value& value, Properties& properties, Reading& reading)
 {
@@ -77,7 +76,8 @@ constexpr auto label_rules =
 
 std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKind kind, Reading& reading)
 {
-    Properties properties{.style = {}, .font = std::string{usual_font}, .leading = {}};
+    Properties properties{
+        .style = {}, .font = std::string{FontShelf::bundled_names().front()}, .leading = {}};
     const bool good = kind == TextKind::fixed ? read_properties(node, fixed_rules, properties, reading)
                                               : read_properties(node, label_rules, properties, reading);
     if (!good)
@@ -85,7 +85,7 @@ std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKi
     TextStyle& style = properties.style;
     if (style.font == nullptr)
         style.font = &reading.fonts.font(properties.font);
-    style.leading = properties.leading.value_or(usual_leading * style.size);
+    style.leading = properties.leading.value_or(default_leading * style.size);
     return properties;
 }
 
@@ -97,10 +97,21 @@ std::string in_words(std::string_view character)
     return in_quotes(character) + code.data();
 }
 
-std::string other_font(const TextProperties& properties)
+std::string other_font(char32_t character, Reading& reading)
 {
-    return properties.font.starts_with("hershey-") ? "it has those of ASCII; name a font file for others"
-                                                   : "name another font";
+    const std::vector<std::string_view> fonts = reading.fonts.bundled_with(character);
+    if (fonts.empty())
+        return "no bundled font has it: name a font file beside the scene";
+    std::string remedy = "write font=";
+    for (const std::string_view& font : fonts)
+        remedy.append(&font == &fonts.front() ? "" : &font == &fonts.back() ? " or " : ", ").append(font);
+    return remedy;
+}
+
+void note_lines(const TextProperties& properties, Place place, Reading& reading)
+{
+    if (properties.style.font->has_lines() && !reading.line_letters)
+        reading.line_letters = LineLetters{properties.font, place};
 }
 
 std::vector<PropertyWords> text_property_words(TextKind kind)

@@ -31,8 +31,11 @@ std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKi
 /// A character as a reader and as Unicode names it, for it may be one that is not seen: "\"ß\" (U+00DF)".
 std::string in_words(std::string_view character);
 
-/// What to do when the font lacks a character.
-std::string other_font(const TextProperties& properties);
+/// What to do when a font lacks `character`: names the bundled fonts that have it.
+std::string other_font(char32_t character, Reading& reading);
+
+/// Remembers a text whose letters are lines: the object that draws it may have no stroke.
+void note_lines(const TextProperties& properties, Place place, Reading& reading);
 
 std::vector<PropertyWords> text_property_words(TextKind kind);
 

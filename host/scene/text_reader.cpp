@@ -32,10 +32,10 @@ bool has_letters(const kdl::Value& value, std::string_view text, const TextPrope
     const auto missing = first_missing(text, *properties.style.font);
     if (!missing)
         return true;
-    const std::string character = in_words(text.substr(missing->offset, missing->length));
+    const std::string_view letter = text.substr(missing->offset, missing->length);
     return reading.report.error(place_in_text(value, *missing),
-                                "the font " + in_quotes(properties.font) + " has no " + character,
-                                other_font(properties));
+                                "the font " + in_quotes(properties.font) + " has no " + in_words(letter),
+                                other_font(code_point_at(letter, 0).value, reading));
 }
 
 }
@@ -53,6 +53,7 @@ std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_l
     const auto text = read_text(value, reading);
     if (!properties || !text || !has_letters(value, *text, *properties, reading))
         return {};
+    note_lines(*properties, value.place, reading);
     auto outlines = set_text(*text, properties->style, points_left);
     if (!outlines)
         reading.report.error(value.place, too_many_points());

@@ -7,9 +7,9 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ std::optional<TimedValue> read_at(const kdl::Node& node, Property property, cons
 {
     if (node.name != at_name) {
         reading.report.error(node.name_place, "a track has no node " + in_quotes(node.name),
-                             suggestion(node.name, std::array{at_name}));
+                             word_remedy(node.name, std::array{at_name}));
         return std::nullopt;
     }
     if (!fits(node, at_form, reading))

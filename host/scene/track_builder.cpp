@@ -109,7 +109,8 @@ std::vector<Key> take_drawings(std::span<ItemKey> keys)
                                 .match = key.match.value_or(Match::count),
                                 .drawing = std::move(*key.drawing),
                                 .depths = std::move(key.depths),
-                                .place = key.place});
+                                .place = key.place,
+                                .sectors = std::move(key.sectors)});
     if (!drawings.empty())
         drawings.back().laws = {};
     return drawings;

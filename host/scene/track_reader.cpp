@@ -6,11 +6,11 @@
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/timed_value.hpp"
 #include "host/scene/unseen_keys.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ void report_unknown_quantity(const kdl::Value& value, std::string_view name, Key
         const std::size_t hidden = holder == KeyHolder::object ? 0 : 1;
         const std::span known{word_names<quantities>};
         reading.report.error(value.place, "unknown quantity " + in_quotes(name),
-                             suggestion(name, known.first(known.size() - hidden)));
+                             word_remedy(name, known.first(known.size() - hidden)));
     }
 }
 

@@ -5,10 +5,10 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/mirror.hpp"
 #include "host/scene/symbol_use.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/scene/track_builder.hpp"
 #include "host/scene/track_reader.hpp"
 #include "host/text/glyph.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <array>
 #include <utility>
@@ -38,7 +38,7 @@ Changes read_changes(const kdl::Node& node, const KeyClock& clock, Reading& read
                 changes.timed.push_back(std::move(*quantity));
         } else {
             reading.report.error(child.name_place, "a use has no node " + in_quotes(child.name),
-                                 suggestion(child.name, names_inside));
+                                 word_remedy(child.name, names_inside));
         }
     }
     changes.keys = keys.take();

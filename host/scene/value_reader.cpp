@@ -4,6 +4,7 @@
 #include "host/kdl/identifier.hpp"
 #include "host/kdl/number.hpp"
 #include "host/scene/limits.hpp"
+#include "host/scene/synonyms.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
@@ -62,6 +63,19 @@ std::optional<double> ticks_per(const kdl::Value& value, Reading& reading)
     reading.report.error(value.place, "unknown unit " + in_quotes(*value.type),
                          suggestion(*value.type, known) + " (frames have no unit)");
     return std::nullopt;
+}
+
+/// Of an unknown colour: "orangered", "linear-gradient(red, blue)", "rgb(1,2,3)".
+std::string remedy_of(std::string_view colour, const Palette& palette)
+{
+    const std::string_view function = colour.substr(0, std::min(colour.find('('), colour.size()));
+    if (const std::string absent = remedy_of_absent(function); !absent.empty())
+        return absent;
+    if (function != colour)
+        return "write \"#rrggbb\"";
+    if (const std::string close = did_you_mean(colour, palette.names()); !close.empty())
+        return close;
+    return suggestion("", palette.common_names()) + ", another colour of CSS, or \"#rrggbb\"";
 }
 
 bool is_control(char letter)
@@ -192,7 +206,7 @@ std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading
         return std::nullopt;
     const auto colour = reading.palette.find(std::string{*text});
     if (!colour) {
-        report_unknown_colour(value, *text, reading.palette.names(), reading);
+        report_unknown_colour(value, *text, reading.palette, reading);
         return std::nullopt;
     }
     const auto index = reading.palette.use(*colour);
@@ -203,28 +217,28 @@ std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading
     return index;
 }
 
-void report_unknown_colour(const kdl::Value& value, std::string_view text,
-                           std::span<const std::string_view> known, Reading& reading)
+void report_unknown_colour(const kdl::Value& value, std::string_view text, const Palette& palette,
+                           Reading& reading)
 {
     std::string hexadecimal{'#'};
     hexadecimal += text;
-    std::string remedy = suggestion(text, known);
-    if (!remedy.ends_with('?'))
-        remedy += ", or \"#rrggbb\"";
     if (text.starts_with('#'))
         reading.report.error(value.place, in_quotes(text) + " is no colour",
                              "write \"#rgb\", \"#rrggbb\" or, with opacity, \"#rgba\", \"#rrggbbaa\"");
     else if (text.size() >= 6 && hex_colour(hexadecimal))
         reading.report.error(value.place, in_quotes(text) + " is no colour",
                              "write " + in_quotes(hexadecimal) + ", with the quotes");
+    else if (text == "none" || text == "transparent")
+        reading.report.error(value.place, in_quotes(text) + " is no colour",
+                             "leave the property out; a colour that is not seen is \"#0000\"");
     else
-        reading.report.error(value.place, "unknown colour " + in_quotes(text), remedy);
+        reading.report.error(value.place, "unknown colour " + in_quotes(text), remedy_of(text, palette));
 }
 
 void report_unknown_word(const kdl::Value& value, std::string_view name,
                          std::span<const std::string_view> known, Reading& reading)
 {
-    reading.report.error(value.place, "unknown value " + in_quotes(name), suggestion(name, known));
+    reading.report.error(value.place, "unknown value " + in_quotes(name), word_remedy(name, known));
 }
 
 std::optional<Loop> read_loop(const kdl::Value& value, Reading& reading)

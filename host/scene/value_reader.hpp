@@ -72,8 +72,9 @@ std::string text_of(Time time);
 
 /// The index among the colours in use.
 std::optional<std::size_t> read_colour(const kdl::Value& value, Reading& reading);
-void report_unknown_colour(const kdl::Value& value, std::string_view text,
-                           std::span<const std::string_view> known, Reading& reading);
+/// `palette` has the colours that there are.
+void report_unknown_colour(const kdl::Value& value, std::string_view text, const Palette& palette,
+                           Reading& reading);
 
 void report_unknown_word(const kdl::Value& value, std::string_view name,
                          std::span<const std::string_view> known, Reading& reading);

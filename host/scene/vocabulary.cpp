@@ -72,7 +72,7 @@ Vocabulary vocabulary()
             all_nodes(),
             quantity_words(),
             law_forms(),
-            basic_colour_names(),
+            known_colour_names(),
             {fonts.begin(), fonts.end()}};
 }
 

@@ -5,6 +5,7 @@
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
+#include "host/scene/overlapping_bones.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
@@ -213,8 +214,11 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
                                                  const std::vector<Spot>& spots, Place place,
                                                  Reading& reading)
 {
-    if (weights == nullptr)
-        return weights_of_regions(skeleton, spots, Spread::by_distance, place, reading);
+    if (weights == nullptr) {
+        auto bindings = weights_of_regions(skeleton, spots, Spread::by_distance, place, reading);
+        warn_of_overlapping_bones(skeleton.bones.bones, bindings, place, reading);
+        return bindings;
+    }
     if (!fits(*weights, weights_form, reading) || !refuse_properties(*weights, reading))
         return std::nullopt;
     if (weights->arguments.empty() == weights->children.empty()) {

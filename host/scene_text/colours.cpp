@@ -1,19 +1,14 @@
 #include "host/scene_text/colours.hpp"
 
 #include "host/scene/limits.hpp"
+#include "host/scene/palette.hpp"
 #include "host/scene_text/nodes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace kfast::scene_text {
 namespace {
-
-/// The basic colours of CSS: a palette that calls something else by such a name would mislead.
-constexpr std::array<std::string_view, 17> basic_names{
-    "black", "silver", "gray",  "grey", "white",  "maroon", "red",  "purple", "fuchsia",
-    "green", "lime",   "olive", "navy", "yellow", "blue",   "teal", "aqua"};
 
 std::uint8_t channel(double share)
 {
@@ -45,7 +40,8 @@ Colour stored_colour(const art::Rgb& colour, double opacity)
 
 Colours::Colours(art::Losses& losses) : losses_{losses}
 {
-    for (const std::string_view name : basic_names)
+    // A palette that calls something else by the name of a known colour would mislead.
+    for (const std::string_view name : scene::known_colour_names())
         names_.reserve(name);
 }
 

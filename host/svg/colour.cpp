@@ -2,7 +2,6 @@
 
 #include "host/scene/palette.hpp"
 #include "host/scene/path_scanner.hpp"
-#include "host/svg/colour_names.hpp"
 #include "host/svg/length.hpp"
 
 #include <algorithm>
@@ -105,10 +104,8 @@ std::optional<Ink> named(std::string_view name)
 {
     if (name == "transparent")
         return Ink{{}, 0};
-    const auto found = std::ranges::lower_bound(colour_names, name, {}, &NamedColour::name);
-    if (found == colour_names.end() || found->name != name)
-        return std::nullopt;
-    return of_bytes(found->rgb >> 16, found->rgb >> 8 & 0xFF, found->rgb & 0xFF, 255);
+    const auto known = scene::known_colour(name);
+    return known ? std::optional{of_bytes(known->red, known->green, known->blue, 255)} : std::nullopt;
 }
 
 }

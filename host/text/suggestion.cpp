@@ -8,7 +8,7 @@ namespace kfast {
 namespace {
 
 constexpr std::size_t longest_name = 40;
-constexpr std::size_t longest_list = 20;
+constexpr std::size_t longest_list = 40;
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`, in bytes (the optimal
 /// string alignment distance). Row by row; a swap looks back two rows.
@@ -65,10 +65,16 @@ std::string list(std::span<const std::string_view> known)
 
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string_view> known)
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> known)
 {
     const std::string_view best = name.size() > longest_name ? std::string_view{} : closest(name, known);
-    return best.empty() ? list(known) : "did you mean \"" + std::string{best} + "\"?";
+    return best.empty() ? std::string{} : "did you mean \"" + std::string{best} + "\"?";
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string_view> known)
+{
+    const std::string close = did_you_mean(name, known);
+    return close.empty() ? list(known) : close;
 }
 
 }

@@ -28,19 +28,22 @@ struct Frame {
     std::string after;
 };
 
-/// In the bundled fonts in even sizes, all points lie on 1/16 px.
+/// In the fonts of Hershey in even sizes, all points lie on 1/16 px.
 const std::vector<Frame> frames{
-    {"object o fill=red stroke=white width=1.5 { text ", " at=\"3,40\" size=32 }"},
-    {"object o stroke=white width=2 cap=round { text ", " at=\"60,40\" size=14 align=center }"},
-    {"object o stroke=white { text ", " at=\"117,40\" size=22 align=right spacing=-1.25 }"},
+    {"object o fill=red stroke=white width=1.5 { text ", " at=\"3,40\" size=32 font=hershey-sans }"},
+    {"object o stroke=white width=2 cap=round { text ",
+     " at=\"60,40\" size=14 font=hershey-sans align=center }"},
+    {"object o stroke=white { text ", " at=\"117,40\" size=22 font=hershey-sans align=right spacing=-1.25 }"},
     {"object o fill=red rule=even-odd { text ", " at=\"5,40\" size=18 font=hershey-gothic }"},
-    {"object o fill=red stroke=white width=2 opacity=0.6 { text ", " at=\"6,40\" size=18 }"}, // blended
+    {"object o fill=red stroke=white width=2 opacity=0.6 { text ",
+     " at=\"6,40\" size=18 font=hershey-sans }"}, // blended
     {"group rotate=-20 opacity=0.5 { object o stroke=aqua width=3 scale=0.7 rotate=11 pivot-x=40 "
      "pivot-y=30 { text ",
-     " at=\"10,50\" size=24; key 0 x=0; key 20 x=9 } }"},
+     " at=\"10,50\" size=24 font=hershey-sans; key 0 x=0; key 20 x=9 } }"},
     {"object o stroke=lime width=2 rotate-y=40 rotate-x=20 pivot-x=60 pivot-y=30 { text ",
-     " at=\"60,44\" size=30 align=center }"},
-    {"symbol s { object o stroke=red { text ", " at=\"4,9\" size=10 } }\nuse s 9 20 { key 0 scale=2 }"},
+     " at=\"60,44\" size=30 font=hershey-sans align=center }"},
+    {"symbol s { object o stroke=red { text ",
+     " at=\"4,9\" size=10 font=hershey-sans } }\nuse s 9 20 { key 0 scale=2 }"},
 };
 
 }
@@ -62,7 +65,7 @@ TEST_CASE("a label has the same bits as a text that is written")
 
 TEST_CASE("a label shows its usual text until another is told")
 {
-    const std::string object = "object o stroke=red { text input=t at=\"9,40\" size=32 }";
+    const std::string object = "object o stroke=red { text input=t at=\"9,40\" size=32 font=hershey-sans }";
     Stage usual{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\n" + object, canvas};
     Stage empty{with_text("ab", 3, object), canvas};
     CHECK(usual.picture({}) != empty.picture({}));
@@ -75,7 +78,8 @@ TEST_CASE("a label shows its usual text until another is told")
 
 TEST_CASE("what has no glyph and what is too long is left out")
 {
-    const std::string text = with_text("ab", 3, "object o stroke=red { text input=t at=\"9,40\" size=20 }");
+    const std::string text =
+        with_text("ab", 3, "object o stroke=red { text input=t at=\"9,40\" size=20 font=hershey-sans }");
     Stage stage{text, canvas};
     Stage clean{text, canvas};
     const auto shows = [&](std::string_view told, std::string_view seen) {
@@ -98,7 +102,7 @@ TEST_CASE("a text that stays costs nothing, and one that changes sends what chan
 {
     Stage stage{with_text("0-9", 8,
                           "object still fill=blue { rect 0 0 20 9 }\n"
-                          "object o stroke=white { text input=t at=\"4,40\" size=20 }"),
+                          "object o stroke=white { text input=t at=\"4,40\" size=20 font=hershey-sans }"),
                 canvas};
     PanelMemory<PixelFormat::rgb565> memory{canvas};
     stage.player.set_text(0, "12345678");
@@ -120,10 +124,12 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
         "kfast 1\ncanvas 120 60 frames=20\n"
         "input a kind=text glyphs=\"0-9\" max=4 default=\"17\"\ninput n\n"
         "input b kind=text glyphs=\"a-z\" max=9\n"
-        "object one stroke=white width=2 { text input=a at=\"60,30\" size=20 align=center }\n"
+        "object one stroke=white width=2 { text input=a at=\"60,30\" size=20 font=hershey-sans align=center "
+        "}\n"
         "group { track x input=n { at 0 0; at 1 30 }\n"
-        "object two fill=\"#00ff0080\" stroke=red { text input=b at=\"4,50\" size=12 } }\n"
-        "object three stroke=aqua { text input=a at=\"4,20\" size=9; key 0 y=0; key 20 y=30 }";
+        "object two fill=\"#00ff0080\" stroke=red { text input=b at=\"4,50\" size=12 font=hershey-sans } }\n"
+        "object three stroke=aqua { text input=a at=\"4,20\" size=9 font=hershey-sans; key 0 y=0; key 20 "
+        "y=30 }";
     for (int seed = 0; seed < rounds(8); ++seed) {
         std::mt19937 random{static_cast<unsigned>(seed)};
         Stage stage{scene, canvas};
@@ -154,10 +160,10 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
 
 TEST_CASE("an input that is no text stays what it is, and so does a text that a place is told")
 {
-    Stage stage{
-        "kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\ninput n default=1\n"
-        "object o stroke=red { text input=t at=\"9,40\" size=32; track x input=n { at 0 0; at 1 9 } }",
-        canvas};
+    Stage stage{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\ninput n default=1\n"
+                "object o stroke=red { text input=t at=\"9,40\" size=32 font=hershey-sans; track x input=n { "
+                "at 0 0; at 1 9 } }",
+                canvas};
     const Bytes picture = stage.picture({});
     stage.player.set_text(1, "a");
     stage.player.set_input(0, whole_input);
@@ -168,13 +174,15 @@ TEST_CASE("an input that is no text stays what it is, and so does a text that a 
 TEST_CASE("outlines have room for any text")
 {
     const std::vector<std::string> objects{
-        "object o stroke=white width=1 { text input=t at=\"2,20\" size=9 }",
+        "object o stroke=white width=1 { text input=t at=\"2,20\" size=9 font=hershey-sans }",
         "object o fill=red stroke=white width=3 cap=round join=round { text input=t at=\"60,40\" size=30 "
         "align=center font=hershey-gothic; key 0 scale=0.1; key 20 scale=3 }",
-        "object o stroke=white rotate-y=60 { text input=t at=\"60,40\" size=12 align=right; key 0 "
+        "object o stroke=white rotate-y=60 { text input=t at=\"60,40\" size=12 font=hershey-sans "
+        "align=right; key 0 "
         "visible=#false; "
         "key 19.9 visible=#true }",
-        "object a stroke=red { text input=t at=\"2,20\" size=9 }\nobject b stroke=red width=2 { text input=t "
+        "object a stroke=red { text input=t at=\"2,20\" size=9 font=hershey-sans }\nobject b stroke=red "
+        "width=2 { text input=t "
         "at=\"2,40\" size=11 font=hershey-script }",
     };
     std::mt19937 random{7};

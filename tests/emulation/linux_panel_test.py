@@ -111,7 +111,7 @@ class PanelTest(unittest.TestCase):
                          "object eye fill=white { key 0 { circle 10 10 r=5 }; key 10 { circle 40 10 r=5 };"
                          " track y input=gaze { at -1 0; at 1 20 } }\n"
                          "object line stroke=white width=2 live=plot\n"
-                         'object text stroke=white width=1 { text input=note at="5,38" size=10 }\n'
+                         'object text stroke=white width=1 { text input=note at="5,38" size=10 font=hershey-sans }\n'
                          "clip sway from=2 to=6 loop=ping-pong\n")
         (self.folder / "points.txt").write_text("5,5 50,30\n")
         told = ("--clip", "sway", "--speed", "0.5", "--input", "gaze=0.5", "--input", "note=42",

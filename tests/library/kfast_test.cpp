@@ -284,7 +284,8 @@ TEST_CASE("a text is what was told last")
 {
     const std::string label =
         "kfast 1\ncanvas 24 16\ninput t kind=text glyphs=\"0-9\" max=2 default=\"7\"\ninput n\n"
-        "object o fill=red stroke=white { text input=t at=\"1,14\" size=16; track x input=n { at 0 0; at 1 3 "
+        "object o fill=red stroke=white { text input=t at=\"1,14\" size=16 font=hershey-sans; track x "
+        "input=n { at 0 0; at 1 3 "
         "} }";
     const auto seen = [&label](std::string_view text) {
         Stage stage{label, {width, height}};

@@ -14,9 +14,10 @@ using namespace link;
 TEST_CASE("a text is what the computer told last, until another scene plays")
 {
     StagedBench bench;
-    bench.board.built_in = compiled(
-        "kfast 1\ncanvas 64 48\ninput gaze\ninput t kind=text glyphs=\"0-9\" max=3 default=\"7\"\n"
-        "object o stroke=white { text input=t at=\"4,40\" size=32; track x input=gaze { at 0 0; at 1 9 } }");
+    bench.board.built_in =
+        compiled("kfast 1\ncanvas 64 48\ninput gaze\ninput t kind=text glyphs=\"0-9\" max=3 default=\"7\"\n"
+                 "object o stroke=white { text input=t at=\"4,40\" size=32 font=hershey-sans; track x "
+                 "input=gaze { at 0 0; at 1 9 } }");
     bench.board.run_for(200);
     const auto state = bench.ask<InputState>(AskInput{.input = 1});
     CHECK(state.takes == InputKind::text);

@@ -9,7 +9,7 @@ LABEL = """kfast 1
 canvas 64 32 frames=3
 input t kind=text glyphs="0-9:=A-Z-" max=5 default="12:30"
 input n
-object o stroke=white { text input=t at="2,24" size=16; track x input=n { at 0 0; at 1 9 } }
+object o stroke=white { text input=t at="2,24" size=16 font=hershey-sans; track x input=n { at 0 0; at 1 9 } }
 """
 
 SCENE = """kfast 1
@@ -101,7 +101,7 @@ class InputTest(CommandTest):
     def test_a_text_is_told_on_the_command_line(self):
         self.write_labels()
         (self.folder / "written.kfast").write_text(
-            'kfast 1\ncanvas 64 32 frames=3\nobject o stroke=white { text "A=B-7" at="2,24" size=16 }\n')
+            'kfast 1\ncanvas 64 32 frames=3\nobject o stroke=white { text "A=B-7" at="2,24" size=16 font=hershey-sans }\n')
         self.assertEqual(self.hashes("label.kfast", "--input", "t=A=B-7"), self.hashes("written.kfast"))
         self.assertNotEqual(self.hashes("label.kfast"), self.hashes("written.kfast"))
         self.assertEqual(self.hashes("label.kfast"), self.hashes("label.kfast", "--input", "t=12:30"))

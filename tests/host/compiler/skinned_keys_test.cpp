@@ -125,6 +125,12 @@ TEST_CASE("what drawings change stays as it is on the canvas, or turns with the 
     CHECK(eye(" change=bones", closing) == eye("", narrow));
     CHECK(eye("", closing) != eye("", narrow));
     CHECK(eye("", closing) == eye(" change=canvas", closing));
+    // It leans instead of closing, as docs/scene-language.md says: what is shorn keeps its area.
+    const auto lit = [](const auto& picture) {
+        return std::ranges::count_if(picture, [](auto value) { return value != decltype(value){}; });
+    };
+    CHECK(lit(eye("", closing)) > lit(eye("", wide)) * 9 / 10);
+    CHECK(lit(eye(" change=bones", closing)) < lit(eye("", wide)) / 2);
 }
 
 }

@@ -76,9 +76,10 @@ TEST_CASE("a scene is looked at with its inputs moving, too")
 TEST_CASE("texts are looked at full of the letters that cost most, all of them changing")
 {
     const auto frames_of = [](const std::string& glyphs, int most) {
-        const auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput t kind=text glyphs=\"" +
-                                          glyphs + "\" max=" + std::to_string(most) +
-                                          "\nobject a stroke=red { text input=t at=\"2,30\" size=20 }\n");
+        const auto bytes =
+            test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput t kind=text glyphs=\"" + glyphs +
+                           "\" max=" + std::to_string(most) +
+                           "\nobject a stroke=red { text input=t at=\"2,30\" size=20 font=hershey-sans }\n");
         return report_of(bytes).speed;
     };
     const Speed few = frames_of("18", 1);

@@ -77,7 +77,8 @@ TEST_CASE("a character that a font file lacks is named at its place")
 {
     const FontFolder folder;
     CHECK(folder.drawn("\"a日\" font=\"Sans.ttf\"") ==
-          "1:8 error: the font \"Sans.ttf\" has no \"日\" (U+65E5) (name another font)");
+          "1:8 error: the font \"Sans.ttf\" has no \"日\" (U+65E5) (no bundled font has it: name a font file "
+          "beside the scene)");
 }
 
 TEST_CASE("a file that cannot be read as a font is named with its path")
@@ -126,8 +127,8 @@ TEST_CASE("a scene that is no file has no files beside it")
 {
     CHECK(drawn("text I at=\"1,2\" size=3 font=\"Sans.ttf\"") ==
           "1:29 error: this scene is no file, so there are no files beside it "
-          "(allowed: hershey-sans, hershey-sans-medium, hershey-serif, hershey-serif-italic, hershey-script, "
-          "hershey-gothic)");
+          "(allowed: dejavu-sans, dejavu-sans-bold, dejavu-sans-mono, hershey-sans, hershey-sans-medium, "
+          "hershey-serif, hershey-serif-italic, hershey-script, hershey-gothic)");
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "core/crc32.hpp"
 #include "host/failure.hpp"
+#include "host/fonts/dejavu_faces.hpp"
 #include "host/scene/hershey_faces.hpp"
 
 #include <doctest/doctest.h>
@@ -70,7 +71,20 @@ TEST_CASE("the bundled letters are those that scenes were made with")
     }
 }
 
-TEST_CASE("all bundled fonts have the characters of ASCII")
+TEST_CASE("the filled letters are those that scenes were made with")
+{
+    const auto same = [](std::string_view file, std::uint32_t expected) {
+        return checksum(file) == expected;
+    };
+    const auto changed =
+        "the package fonts-dejavu-core has other letters now: texts of scenes will look different. If "
+        "that is wanted, write the new checksum here and say so in CHANGELOG.md";
+    CHECK_MESSAGE(same(dejavu_sans(), 0xD74C30B5), changed);
+    CHECK_MESSAGE(same(dejavu_sans_bold(), 0xFD8FF11C), changed);
+    CHECK_MESSAGE(same(dejavu_sans_mono(), 0xAF544837), changed);
+}
+
+TEST_CASE("all Hershey fonts have the characters of ASCII")
 {
     for (const scene::HersheyFace& bundled : scene::hershey_faces()) {
         CAPTURE(bundled.name);

@@ -8,7 +8,8 @@ namespace kfast::test {
 namespace {
 
 /// What is found in a scene with this input, on line 3, that an object shows.
-std::string findings(const std::string& input, const std::string& text = "text input=t at=\"9,9\" size=32",
+std::string findings(const std::string& input,
+                     const std::string& text = "text input=t at=\"9,9\" size=32 font=hershey-sans",
                      const std::string& object = "")
 {
     return read_on_canvas(input + "\nobject o stroke=red " + object + " {\n" + text + "\n}").findings;
@@ -16,8 +17,9 @@ std::string findings(const std::string& input, const std::string& text = "text i
 
 scene::TextInput text_input(const std::string& properties)
 {
-    const SceneText read = read_on_canvas("input t kind=text " + properties +
-                                          "\nobject o stroke=red { text input=t at=\"9,9\" size=32 }");
+    const SceneText read =
+        read_on_canvas("input t kind=text " + properties +
+                       "\nobject o stroke=red { text input=t at=\"9,9\" size=32 font=hershey-sans }");
     CAPTURE(read.findings);
     REQUIRE(read.scene);
     CHECK(read.findings.empty());
@@ -102,56 +104,60 @@ TEST_CASE("a label has the letters of its font, in their size")
 
 TEST_CASE("a label turns about its place")
 {
-    CHECK(
-        items_read(std::string{plain} + "\nobject o stroke=red rotate=90 { text input=t at=\"9,7\" size=20 }")
-            .find("pivot_x[144] pivot_y[112]") != std::string::npos);
     CHECK(items_read(std::string{plain} +
-                     "\nobject o stroke=red rotate=90 pivot-x=1 { text input=t at=\"9,7\" size=20 }")
-              .find("pivot_x[16] pivot_y[112]") != std::string::npos);
+                     "\nobject o stroke=red rotate=90 { text input=t at=\"9,7\" size=20 font=hershey-sans }")
+              .find("pivot_x[144] pivot_y[112]") != std::string::npos);
+    CHECK(
+        items_read(
+            std::string{plain} +
+            "\nobject o stroke=red rotate=90 pivot-x=1 { text input=t at=\"9,7\" size=20 font=hershey-sans }")
+            .find("pivot_x[16] pivot_y[112]") != std::string::npos);
 }
 
 TEST_CASE("a label stands alone in an object, without carriers")
 {
     CHECK(findings(plain).empty());
-    CHECK(findings(plain, "text input=t at=\"9,9\" size=32; key 0 x=1; key 9 x=2; track y { at 0 1; at 2 3 }")
+    CHECK(findings(plain, "text input=t at=\"9,9\" size=32 font=hershey-sans; key 0 x=1; key 9 x=2; track y "
+                          "{ at 0 1; at 2 3 }")
               .empty());
     const std::string alone = "error: the text of an input is all that an object draws, and not in a key";
-    for (const char* text :
-         {"circle 1 1 r=2; text input=t at=\"9,9\" size=32", "key 0 { text input=t at=\"9,9\" size=32 }",
-          "text input=t at=\"9,9\" size=32; text input=t at=\"9,30\" size=32"})
+    for (const char* text : {"circle 1 1 r=2; text input=t at=\"9,9\" size=32 font=hershey-sans",
+                             "key 0 { text input=t at=\"9,9\" size=32 font=hershey-sans }",
+                             "text input=t at=\"9,9\" size=32 font=hershey-sans; text input=t at=\"9,30\" "
+                             "size=32 font=hershey-sans"})
         CHECK(findings(plain, text).find(alone) != std::string::npos);
-    CHECK(read_on_canvas(std::string{plain} +
-                         "\nsymbol s { text input=t at=\"9,9\" size=32 }\nobject o stroke=red { use s 1 2 }")
+    CHECK(read_on_canvas(std::string{plain} + "\nsymbol s { text input=t at=\"9,9\" size=32 "
+                                              "font=hershey-sans }\nobject o stroke=red { use s 1 2 }")
               .findings.find(alone) != std::string::npos);
-    CHECK(findings(plain, "text input=t at=\"9,9\" size=32", "bone=x")
+    CHECK(findings(plain, "text input=t at=\"9,9\" size=32 font=hershey-sans", "bone=x")
               .find("the text of an input has no bone") != std::string::npos);
-    CHECK(findings(plain, "text input=t at=\"9,9\" size=32; weights auto")
+    CHECK(findings(plain, "text input=t at=\"9,9\" size=32 font=hershey-sans; weights auto")
               .find("the text of an input has no weights") != std::string::npos);
-    CHECK(findings(plain, "text input=t at=\"9,9\" size=32; key 0 { skeleton { backbone 1 1 2 2; width 3 } }")
+    CHECK(findings(plain, "text input=t at=\"9,9\" size=32 font=hershey-sans; key 0 { skeleton { backbone 1 "
+                          "1 2 2; width 3 } }")
               .find("the text of an input has no skeleton") != std::string::npos);
 }
 
 TEST_CASE("what is wrong with a label is told at its place")
 {
-    CHECK(findings(plain, "text input=q at=\"9,9\" size=32").find("5:12 error: unknown input \"q\"") !=
-          std::string::npos);
-    CHECK(findings("", "text input=q at=\"9,9\" size=32") ==
+    CHECK(findings(plain, "text input=q at=\"9,9\" size=32 font=hershey-sans")
+              .find("5:12 error: unknown input \"q\"") != std::string::npos);
+    CHECK(findings("", "text input=q at=\"9,9\" size=32 font=hershey-sans") ==
           "5:12 error: unknown input \"q\" (add \"input q kind=text glyphs=A-Z max=8\" to the scene)");
-    CHECK(findings("input n", "text input=n at=\"9,9\" size=32")
+    CHECK(findings("input n", "text input=n at=\"9,9\" size=32 font=hershey-sans")
               .starts_with("5:12 error: the input \"n\" is a number, not a text"));
-    CHECK(
-        findings(plain, "text words input=t at=\"9,9\" size=32").find("5:6 error: this value is too many") !=
-        std::string::npos);
+    CHECK(findings(plain, "text words input=t at=\"9,9\" size=32 font=hershey-sans")
+              .find("5:6 error: this value is too many") != std::string::npos);
     CHECK(findings(plain, "text input=t size=32").find("5:1 error: text needs the property \"at\"") !=
           std::string::npos);
-    CHECK(findings(plain, "text input=t at=\"9,9\" size=32 leading=3")
+    CHECK(findings(plain, "text input=t at=\"9,9\" size=32 font=hershey-sans leading=3")
               .find("5:31 error: text has no property \"leading\"") != std::string::npos);
     CHECK(findings("input t kind=text glyphs=\"aé\" max=3")
               .starts_with("5:1 error: the font \"hershey-sans\" has no \"é\" (U+00E9), which the input "
                            "\"t\" may have"));
-    CHECK(findings("input t kind=text glyphs=W max=60", "text input=t at=\"9,9\" size=200")
+    CHECK(findings("input t kind=text glyphs=W max=60", "text input=t at=\"9,9\" size=200 font=hershey-sans")
               .starts_with("5:1 error: a text of 60 characters may be more than 4095 px wide here"));
-    CHECK(findings(plain, "text input=t at=\"9,9\" size=4094")
+    CHECK(findings(plain, "text input=t at=\"9,9\" size=4094 font=hershey-sans")
               .find("a letter of this text is more than 2047 px large") != std::string::npos);
     CHECK(findings(plain, "track x input=t { at 0 1 }; rect 1 1 2 2")
               .find("the input \"t\" is a text, not a number") != std::string::npos);

@@ -1,3 +1,4 @@
+#include "host/scene/palette.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>
@@ -26,7 +27,7 @@ TEST_CASE("colours are hexadecimal in four lengths and either case")
     CHECK(filled("\"#4cf8\"") == Colour{0x44, 0xCC, 0xFF, 0x88});
 }
 
-TEST_CASE("the basic colours of CSS need no palette")
+TEST_CASE("the colours of CSS need no palette")
 {
     CHECK(filled("black") == Colour{0, 0, 0});
     CHECK(filled("silver") == Colour{192, 192, 192});
@@ -45,6 +46,12 @@ TEST_CASE("the basic colours of CSS need no palette")
     CHECK(filled("blue") == Colour{0, 0, 255});
     CHECK(filled("teal") == Colour{0, 128, 128});
     CHECK(filled("aqua") == Colour{0, 255, 255});
+    CHECK(filled("orange") == Colour{255, 165, 0});
+    CHECK(filled("aliceblue") == Colour{240, 248, 255});
+    CHECK(filled("yellowgreen") == Colour{154, 205, 50});
+    CHECK(filled("rebeccapurple") == Colour{102, 51, 153});
+    CHECK(filled("darkslategrey") == filled("darkslategray"));
+    CHECK(scene::known_colour_names().size() == 148);
 }
 
 TEST_CASE("the scene holds the colours in use, each once, the background first")
@@ -70,9 +77,19 @@ TEST_CASE("a wrong colour is told from an unknown one")
           "4:15 error: unknown colour \"inc\" (did you mean \"ink\"?)");
     CHECK(read_on_canvas("object o fill=ff0000 { key 0 { empty } }").findings ==
           "3:15 error: \"ff0000\" is no colour (write \"#ff0000\", with the quotes)");
-    CHECK(read_on_canvas("object o fill=magenta { key 0 { empty } }").findings ==
-          "3:15 error: unknown colour \"magenta\" (allowed: black, silver, gray, grey, white, maroon, red, "
-          "purple, fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua, or \"#rrggbb\")");
+    CHECK(read_on_canvas("object o fill=mauve { key 0 { empty } }").findings ==
+          "3:15 error: unknown colour \"mauve\" (allowed: black, silver, gray, white, maroon, red, purple, "
+          "fuchsia, green, lime, olive, yellow, navy, blue, teal, aqua, another colour of CSS, or "
+          "\"#rrggbb\")");
+    for (const std::string word : {"none", "transparent"})
+        CHECK(read_on_canvas("object o stroke=red fill=" + word + " { key 0 { empty } }").findings ==
+              "3:26 error: \"" + word +
+                  "\" is no colour (leave the property out; a colour that is not seen is \"#0000\")");
+    CHECK(read_on_canvas("object o fill=\"rgb(1, 2, 3)\" { key 0 { empty } }").findings ==
+          "3:15 error: unknown colour \"rgb(1, 2, 3)\" (write \"#rrggbb\")");
+    CHECK(read_on_canvas("object o fill=\"linear-gradient(red, blue)\" { key 0 { empty } }").findings ==
+          "3:15 error: unknown colour \"linear-gradient(red, blue)\" (there are no gradients: "
+          "docs/scene-language.md#not-there has what to write instead)");
     for (const std::string wrong : {"#12345", "#", "#12345g", "#123456789", "#-12", "#1234567", "#+12"})
         CHECK(read_on_canvas("object o fill=\"" + wrong + "\" { key 0 { empty } }").findings ==
               "3:15 error: \"" + wrong +

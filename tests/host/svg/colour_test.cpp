@@ -1,5 +1,5 @@
+#include "host/scene/colour_names.hpp"
 #include "host/svg/colour.hpp"
-#include "host/svg/colour_names.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ TEST_CASE("what is no colour")
 
 TEST_CASE("names of colours can be searched by halves")
 {
-    CHECK(std::ranges::is_sorted(svg::colour_names, {}, &svg::NamedColour::name));
-    for (const auto& named : svg::colour_names)
+    CHECK(std::ranges::is_sorted(scene::colour_names, {}, &scene::NamedColour::name));
+    for (const auto& named : scene::colour_names)
         CHECK_MESSAGE(ink(named.name) != "none", named.name);
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace kfast::svg {
+namespace kfast::scene {
 
 struct NamedColour {
     std::string_view name;

@@ -1,0 +1,217 @@
+#include "host/compiler/drifting_arcs.hpp"
+
+#include "core/key_interval.hpp"
+#include "host/compiler/backbone_cell.hpp"
+#include "host/compiler/match_by_count.hpp"
+#include "host/compiler/match_by_length.hpp"
+#include "host/in_frames.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+using scene::Sector;
+
+constexpr double arc_tolerance = 0.5;    ///< px
+constexpr double advised_drift = 0.4;    ///< px; the rest is for rounding
+constexpr double chord_error = 0.02;     ///< px by which a chord strays from what is drawn
+constexpr std::int32_t most_moments = 16; ///< of a way that are looked at
+constexpr double degrees_apart = 5;      ///< of places on the arc that are looked at
+
+double between(double a, double b, double share) { return a + share * (b - a); }
+
+double share_of(Way way) { return static_cast<double>(way.raw) / Way::one; }
+
+/// As it would be if its angles went evenly.
+Sector between(const Sector& a, const Sector& b, const Progress& progress)
+{
+    const double x = share_of(progress.x);
+    const double y = share_of(progress.y);
+    return {.centre = {between(a.centre.x, b.centre.x, x), between(a.centre.y, b.centre.y, y)},
+            .radius_x = between(a.radius_x, b.radius_x, x),
+            .radius_y = between(a.radius_y, b.radius_y, y),
+            .from = between(a.from, b.from, x),
+            .to = between(a.to, b.to, x)};
+}
+
+std::vector<Spot> arc_spots(const Sector& sector)
+{
+    const int count = 1 + static_cast<int>(std::abs(sector.to - sector.from) / degrees_apart);
+    std::vector<Spot> spots;
+    for (int i = 0; i <= count; ++i) {
+        const double angle = between(sector.from, sector.to, static_cast<double>(i) / count);
+        const double turn = angle * std::numbers::pi / 180;
+        spots.push_back(sector.centre +
+                        Spot{sector.radius_x * std::cos(turn), sector.radius_y * std::sin(turn)});
+    }
+    return spots;
+}
+
+/// Of a segment, which is at most a quarter of an ellipse.
+std::uint32_t chords_of(double radius)
+{
+    return 1 + static_cast<std::uint32_t>(std::numbers::pi / 4 * std::sqrt(radius / chord_error / 2));
+}
+
+std::vector<Spot> stroke_spots(const SegmentPairs& stroke, const Progress& progress, std::uint32_t chords)
+{
+    std::vector<Spot> spots;
+    for (const Pair<Segment>& pair : stroke) {
+        const Segment segment = tween(pair.a, pair.b, progress.x, progress.y);
+        for (std::uint32_t i = spots.empty() ? 0 : 1; i <= chords; ++i)
+            spots.push_back(in_pixels(point_at(segment, Share::ratio(i, chords))));
+    }
+    return spots;
+}
+
+double distance_to(const std::vector<Spot>& line, Spot spot)
+{
+    double least = distance(spot, line.front());
+    for (std::size_t i = 1; i < line.size(); ++i)
+        least = std::min(least, distance_to_line(spot, line[i - 1], line[i]));
+    return least;
+}
+
+/// How far the places of an arc are from what stands in its stead, in pixels.
+double drift(const Sector& sector, const std::vector<Spot>& drawn)
+{
+    double most = 0;
+    for (const Spot spot : arc_spots(sector))
+        most = std::max(most, distance_to(drawn, spot));
+    return most;
+}
+
+/// Where an arc is furthest from its circle.
+struct Drift {
+    double by = 0; ///< px
+    Time time;
+    Place place;       ///< of the key that it leaves
+    double radius = 0; ///< px
+};
+
+/// The moments between two keys that are looked at: whole frames, or evenly over the range of an input.
+std::vector<Time> moments_between(Time from, Time to, bool is_time)
+{
+    const std::int32_t unit = is_time ? Time::ticks_per_frame : 1;
+    const std::int32_t first = from.ticks / unit + 1;
+    const std::int32_t last = (to.ticks - 1) / unit;
+    const std::int32_t count = std::min(last - first + 1, most_moments);
+    std::vector<Time> moments;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const std::int64_t offset = std::int64_t{last - first} * i / std::max(count - 1, 1);
+        moments.push_back({(first + static_cast<std::int32_t>(offset)) * unit});
+    }
+    return moments;
+}
+
+class DriftingArcs {
+public:
+    explicit DriftingArcs(const scene::Object& object) : object_{object} {}
+
+    Drift worst()
+    {
+        for (std::size_t i = 0; i + 1 < object_.keys.size(); ++i)
+            look_at(object_.keys[i], object_.keys[i + 1]);
+        return worst_;
+    }
+
+private:
+    void look_at(const scene::Key& key, const scene::Key& next)
+    {
+        if (key.sectors.empty() || key.drawing.strokes.size() != next.drawing.strokes.size())
+            return;
+        const auto by_length = key.match == scene::Match::length
+                                   ? match_by_length(key.drawing, next.drawing)
+                                   : std::nullopt;
+        const MatchedSegments matched = by_length ? match_by_count(by_length->from, by_length->to)
+                                                  : match_by_count(key.drawing, next.drawing);
+        for (const scene::SectorStroke& from : key.sectors) {
+            const auto to = std::ranges::find(next.sectors, from.stroke, &scene::SectorStroke::stroke);
+            if (to != next.sectors.end() &&
+                (from.sector.from != to->sector.from || from.sector.to != to->sector.to))
+                look_at(key, next, {from.sector, to->sector}, matched.strokes[from.stroke].front());
+        }
+    }
+
+    void look_at(const scene::Key& key, const scene::Key& next, const Pair<Sector>& sectors,
+                 const SegmentPairs& stroke)
+    {
+        for (const Time time : moments_between(key.time, next.time, object_.clock.is_time())) {
+            const Progress progress = progress_between(key.time, next.time, time, key.laws);
+            const Sector sector = between(sectors.a, sectors.b, progress);
+            const double radius = std::max(sector.radius_x, sector.radius_y);
+            const double by = drift(sector, stroke_spots(stroke, progress, chords_of(radius)));
+            if (by > worst_.by)
+                worst_ = {by, time, key.place, radius};
+        }
+    }
+
+    const scene::Object& object_;
+    Drift worst_;
+};
+
+std::string text_of(double number)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", number);
+    return text.data();
+}
+
+std::string moment_text(const scene::Scene& scene, Clock clock, Time time)
+{
+    if (clock.is_time())
+        return "frame " + text_of(in_frames(time));
+    const scene::Input& input = scene.inputs[clock.input - 1U];
+    const double share = static_cast<double>(time.ticks) / whole_input.ticks;
+    return input.name + '=' + text_of(between(input.least, input.most, share) / 1000);
+}
+
+/// How many degrees an end may go from key to key so that a chord stays near its circle.
+int step_of(double radius)
+{
+    const double half = std::acos(1 - std::min(advised_drift / radius, 1.0));
+    return std::max(1, static_cast<int>(2 * half * 180 / std::numbers::pi));
+}
+
+void warn_of_drift(const scene::Scene& scene, const scene::Object& object, Diagnostics& diagnostics)
+{
+    const bool is_bent = object.skin || !object.backbone_keys.empty() || object.keys.empty();
+    const Drift worst = is_bent ? Drift{} : DriftingArcs{object}.worst();
+    if (worst.by < arc_tolerance)
+        return;
+    diagnostics.warning(worst.place,
+                        "the arc leaves its circle on the way to the next key, by " + text_of(worst.by) +
+                            " px at " + moment_text(scene, object.clock, worst.time) +
+                            ": points go straight",
+                        "add a key for every " + std::to_string(step_of(worst.radius)) +
+                            " degrees or so, with match=length, or turn an arc that keeps its length");
+}
+
+void warn_of_drifts(const scene::Scene& scene, const std::vector<scene::Item>& items,
+                    Diagnostics& diagnostics)
+{
+    for (const scene::Item& item : items)
+        if (const auto* const group = std::get_if<scene::Group>(&item.content))
+            warn_of_drifts(scene, group->items, diagnostics);
+        else if (const auto* const object = std::get_if<scene::Object>(&item.content))
+            warn_of_drift(scene, *object, diagnostics);
+}
+
+}
+
+void warn_of_drifting_arcs(const scene::Scene& scene, Diagnostics& diagnostics)
+{
+    for (const scene::Symbol& symbol : scene.symbols)
+        warn_of_drifts(scene, symbol.items, diagnostics);
+    warn_of_drifts(scene, scene.items, diagnostics);
+}
+
+}

@@ -1,0 +1,90 @@
+#include "host/scene/synonyms.hpp"
+
+#include "host/scene/vocabulary.hpp"
+#include "tests/host/scene/scene_text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+std::string in_object(const std::string& properties, const std::string& inside = "circle 9 9 r=3")
+{
+    return read_on_canvas("object o stroke=red " + properties + " { " + inside + " }").findings;
+}
+
+bool calls(const std::string& findings, const std::string& word)
+{
+    return findings.find("(KFAST calls it \"" + word + "\")") != std::string::npos;
+}
+
+bool refers_to_absent(const std::string& findings, const std::string& things)
+{
+    return findings.find("(there are no " + things + ": docs/scene-language.md#not-there has") !=
+           std::string::npos;
+}
+
+}
+
+TEST_CASE("words of CSS and SVG are translated")
+{
+    CHECK(in_object("rotation=9") == "3:21 error: object has no property \"rotation\" (KFAST calls it \"rotate\")");
+    CHECK(calls(in_object("stroke-width=2"), "width"));
+    CHECK(calls(in_object("color=red"), "fill"));
+    CHECK(calls(in_object("colour=red"), "fill"));
+    CHECK(calls(in_object("", "rect 1 1 9 9 radius=2"), "corner"));
+    CHECK(calls(in_object("", "rect 1 1 9 9 rx=2"), "corner"));
+    CHECK(calls(in_object("", "circle 9 9 r=1 radius=2"), "r"));
+    CHECK(calls(in_object("", "triangle 1 1 9 9 9 1"), "polygon"));
+    CHECK(calls(in_object("", "key 0 ease=hold { circle 9 9 r=1 }; key 9 x=1"), "law"));
+    CHECK(calls(in_object("", "key 0 law=easeInOut { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "ease-in-out"));
+    CHECK(calls(in_object("", "key 0 law=linear { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "constant"));
+    CHECK(calls(in_object("strokeWidth=2"), "width"));
+    CHECK(calls(in_object("scale_x=2"), "scale-x"));
+    CHECK(calls(in_object("", "circle 9 9 r=1; track rotation { at 0 0; at 9 1 }"), "rotate"));
+    CHECK(calls(read_on_canvas("layer { object o fill=red { circle 9 9 r=1 } }").findings, "group"));
+    CHECK(calls(read("kfast 1\ncanvas 9 9 loop=forever\n").findings, "repeat"));
+}
+
+TEST_CASE("a property of objects at a shape is sent there")
+{
+    CHECK(in_object("", "circle 9 9 r=3 fill=red") ==
+          "3:38 error: circle has no property \"fill\" (objects have it: object NAME fill=…)");
+    CHECK(in_object("", "circle 9 9 r=3 stroke-width=2") ==
+          "3:38 error: circle has no property \"stroke-width\" (objects have it: object NAME width=…)");
+    CHECK(calls(in_object("", "star 9 9 r=3 rotate=9"), "turn"));
+}
+
+TEST_CASE("what there is not is said with the page that has another way")
+{
+    CHECK(refers_to_absent(in_object("gradient=red"), "gradients"));
+    CHECK(refers_to_absent(in_object("stroke-dasharray=\"4 2\""), "dashes"));
+    CHECK(refers_to_absent(in_object("mask=m"), "masks"));
+    CHECK(refers_to_absent(in_object("", "key 0 law=spring { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "springs"));
+    CHECK(refers_to_absent(in_object("", "key 0 law=\"bounce(2)\" { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
+                           "springs"));
+    CHECK(refers_to_absent(read_on_canvas("image \"a.png\"").findings, "images"));
+    CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
+    CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));
+    CHECK(refers_to_absent(read_on_canvas("state idle { }").findings, "states"));
+    CHECK(scene::remedy_of_absent("circle") == "");
+}
+
+TEST_CASE("a word of the language is nowhere taken for another one of the same place")
+{
+    const auto words = scene::vocabulary();
+    for (const scene::NodeWords& node : words.nodes) {
+        std::vector<std::string_view> names;
+        for (const scene::PropertyWords& property : node.properties)
+            names.push_back(property.name);
+        for (const std::string_view name : names)
+            CHECK(scene::meaning_among(names, name) == name);
+    }
+    CHECK(scene::word_remedy("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
+          "did you mean \"circle\"?");
+    CHECK(scene::word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) == "allowed: rect");
+}
+
+}
