@@ -32,10 +32,7 @@ std::optional<fs::path> program_file(const std::optional<fs::path>& executable, 
     return invocation.is_absolute() ? std::optional{invocation} : std::nullopt;
 }
 
-std::optional<fs::path> program_file()
-{
-    return program_file(executable_file(), program_invocation_name);
-}
+std::optional<fs::path> program_file() { return program_file(executable_file(), program_invocation_name); }
 
 bool has_own_libraries()
 {

@@ -53,7 +53,8 @@ public:
     bool works() const { return works_; }
 
 private:
-    /// Drivers of the computer's graphics card are loaded by SDL where the libraries are the computer's as well.
+    /// Drivers of the computer's graphics card are loaded by SDL where the libraries are the computer's as
+    /// well.
     static bool start()
     {
         if (has_own_libraries()) {
