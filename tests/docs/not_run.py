@@ -70,7 +70,6 @@ OTHERS = (
     (r"^(ssh|scp) ", "needs another computer"),
     (r"^export ", "only prepares what follows it"),
     (r"build/editors", "needs what scripts/make_editor_files.py makes: tests/host/commands/editor_test.py"),
-    (r"^(sha256sum|tar -xf|ln -s|kfast-0\.\S+/kfast) ", "needs a release: tests/packages/portable_command_test.py"),
     (r"^while :", "runs until somebody stops it"),
     (r"^build/library/", "is built by others: the test library_example"),
     (r"^(find_package|target_link|c\+\+ |lib_deps|compiler\.)", "belongs into the reader's project: tests/packages"),

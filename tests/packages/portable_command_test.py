@@ -59,11 +59,11 @@ class PortableCommand(unittest.TestCase):
         self.assertIn("150 frames", self.kfast("info", "/work/eyes.kfb"))
         self.kfast("render", "/work/eyes.kfast", "-o", "/work/eyes.png")
         self.assertEqual(b"\x89PNG", (self.root / "work/eyes.png").read_bytes()[:4])
-        self.assertIn("fits", self.kfast("fit", "/work/eyes.kfast"))
+        self.assertIn("fits", self.kfast("fit", "/work/eyes.kfast", "--board", "pico"))
 
     def test_previews_in_the_terminal_and_without_a_display(self):
         self.assertIn("\x1b[", self.kfast("preview", "/work/eyes.kfast", "--terminal", "--loops", "1", TERM="xterm", COLUMNS="80"))
-        self.kfast("preview", "/work/eyes.kfast", "--headless", "--loops", "1")
+        self.kfast("preview", "/work/eyes.kfast", "--headless", "--keys", "n q")
 
     def test_draws_in_a_window_without_drivers_of_graphics_cards(self):
         said = self.kfast("preview", "/work/eyes.kfast", "--loops", "1", SDL_VIDEODRIVER="dummy", XDG_RUNTIME_DIR="/work")

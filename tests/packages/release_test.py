@@ -1,6 +1,7 @@
 """scripts/release, with parts that take little time: what it makes is whole, or nothing changes. release_test.py"""
 
 import pathlib
+import re
 import shutil
 import subprocess
 import unittest
@@ -101,6 +102,49 @@ class Release(unittest.TestCase):
     def test_a_part_that_there_is_not(self):
         result = self.call("portabel", status=2)
         self.assertIn("there is no part 'portabel': they are debian, portable, uf2", result.stderr)
+
+
+class Arm64(unittest.TestCase):
+    """What is made for another processor than this one, and cannot be started here."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = temporary_folder(cls)
+        result = release("debian", "portable", "--architecture", "arm64", "--no-build", "--folder", cls.folder / "made")
+        if result.returncode != 0:
+            raise AssertionError(result.stderr)
+        (cls.package,) = (cls.folder / "made").glob("*.deb")
+        (tar,) = (cls.folder / "made").glob("*.tar.gz")
+        subprocess.run(["tar", "-xf", tar, "-C", cls.folder], check=True, timeout=60)
+        (cls.unpacked,) = cls.folder.glob("kfast-*")
+
+    def output_of(self, *command):
+        return subprocess.run([*map(str, command)], capture_output=True, text=True, check=True, timeout=60).stdout
+
+    def test_the_package_is_for_it_and_depends_on_its_libraries(self):
+        self.assertEqual("arm64\n", self.output_of("dpkg-deb", "--field", self.package, "Architecture"))
+        depends = self.output_of("dpkg-deb", "--field", self.package, "Depends").strip().split(", ")
+        named = {dependency.split()[0]: dependency for dependency in depends}
+        self.assertGreaterEqual(set(named), {"libc6", "libstdc++6", "libpng16-16", "libusb-1.0-0", "libgpiod2"})
+        self.assertFalse([name for name in named if "sdl" in name or ":" in name])
+        self.assertRegex(named["libc6"], r"\(>= 2\.36\)")
+        self.assertRegex(named["libstdc++6"], r"\(>= 12")
+
+    def test_the_package_has_what_that_for_this_processor_has(self):
+        files = self.output_of("dpkg-deb", "--contents", self.package)
+        for name in ("usr/bin/kfast", "usr/share/kfast/firmware/pico-spi.bin", "usr/share/man/man1/kfast.1.gz",
+                     "usr/share/bash-completion/completions/kfast", "usr/lib/udev/rules.d/70-kfast.rules"):
+            self.assertIn(f"./{name}\n", files)
+
+    def test_the_tar_has_all_libraries_and_all_are_for_it(self):
+        libraries = self.unpacked / "lib/kfast"
+        for file in [*libraries.iterdir(), self.unpacked / "bin/kfast"]:
+            self.assertIn("AArch64", self.output_of("readelf", "--file-header", file), file.name)
+            needed = set(re.findall(r"NEEDED.*\[(.*)\]", self.output_of("readelf", "--dynamic", file)))
+            missing = {name for name in needed if not (libraries / name).is_file()}
+            self.assertLessEqual(missing, {"ld-linux-aarch64.so.1"}, file.name)  # which is ld.so there
+        self.assertTrue((libraries / "ld.so").is_file())
+        self.assertIn("glibc=", (self.unpacked / "share/doc/kfast/libraries/packages.txt").read_text())
 
 
 if __name__ == "__main__":
