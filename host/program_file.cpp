@@ -27,7 +27,7 @@ bool is_loader(const fs::path& file)
 
 std::optional<fs::path> program_file(const std::optional<fs::path>& executable, const fs::path& invocation)
 {
-    if (!executable || !is_loader(*executable))
+    if (executable && !is_loader(*executable))
         return executable;
     return invocation.is_absolute() ? std::optional{invocation} : std::nullopt;
 }

@@ -5,10 +5,10 @@
 
 namespace kfast {
 
-/// The file by which this program was started: `executable`, what /proc/self/exe leads to. If that is a
-/// dynamic loader that was given a program to load, as the launcher of the portable tar does
+/// The file by which this program was started: `executable`, what /proc/self/exe leads to. If that is not
+/// known, or is a dynamic loader that was given a program to load, as the launcher of the portable tar does
 /// (packages/portable/launcher.c), it is `invocation`, argv[0] of the program, which the launcher sets to its
-/// own path. Nothing if it is not known.
+/// own path. Nothing if that is not a whole path.
 std::optional<std::filesystem::path> program_file(const std::optional<std::filesystem::path>& executable,
                                                   const std::filesystem::path& invocation);
 

@@ -75,7 +75,7 @@ def pack(folder, target, seconds):
         entry.mode = 0o755 if entry.mode & 0o100 else 0o644
         return entry
 
-    with (target.open("wb") as file, gzip.GzipFile(filename="", fileobj=file, mode="wb", mtime=seconds) as packed,
+    with (target.open("wb") as file, gzip.GzipFile(filename="", fileobj=file, mode="wb", compresslevel=6, mtime=seconds) as packed,
           tarfile.open(fileobj=packed, mode="w", format=tarfile.GNU_FORMAT) as tar):
         for path in sorted(folder.rglob("*")):
             tar.add(path, path.relative_to(folder.parent), recursive=False, filter=plain)
