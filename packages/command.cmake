@@ -7,11 +7,16 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     DESTINATION ${TEXTS} COMPONENT kfast)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DESTINATION ${TEXTS} COMPONENT kfast)
 
-# It has to run on the computer that builds it.
+# They are written by a command that runs on the computer that builds it: for another one, by the one that is built beside
+# it, if it is.
+set(KFAST_WRITER $<TARGET_FILE:kfast>)
+if(CMAKE_CROSSCOMPILING)
+    set(KFAST_WRITER ${KFAST_BOARD_BUILDS}/host/bin/kfast)
+endif()
 find_program(KFAST_PYTHON3 python3)
-if(NOT CMAKE_CROSSCOMPILING AND KFAST_PYTHON3)
+if(KFAST_PYTHON3)
     file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/install_written_files.cmake CONTENT
-"set(KFAST $<TARGET_FILE:kfast>)
+"set(KFAST ${KFAST_WRITER})
 set(PYTHON ${KFAST_PYTHON3})
 set(DATA ${CMAKE_INSTALL_DATADIR})
 set(MANUAL ${CMAKE_INSTALL_MANDIR})

@@ -2,6 +2,11 @@
 # command, PYTHON runs scripts, BUILD is a folder to write to; DATA and MANUAL are where the files go, within the prefix.
 cmake_minimum_required(VERSION 3.25)
 
+if(NOT EXISTS ${KFAST})
+    message(STATUS "Without manual pages, completions and files for editors: there is no ${KFAST} to write them")
+    return()
+endif()
+
 function(kfast_written_by FILE)
     execute_process(COMMAND ${KFAST} ${ARGN} OUTPUT_FILE ${FILE} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -6,12 +6,15 @@
 ARCHITECTURE is one of Debian's, as arm64. Nothing is done when the folder is there; no rights are needed, and nothing
 is installed. Programs of it run on such a computer with FOLDER as their root."""
 
+import io
 import os
 import pathlib
+import re
 import shutil
 import sys
+import tarfile
 
-from debian_packages import DebianPackages, Failure, unpack
+from debian_packages import DebianPackages, Failure, call, unpack
 
 LIBRARIES = ("libcli11-dev", "libpng-dev", "libgif-dev", "libsndfile1-dev", "nlohmann-json3-dev", "libhidapi-dev",
              "libfreetype-dev", "libusb-1.0-0-dev", "libgpiod-dev", "libpugixml-dev", "libzip-dev",
@@ -30,6 +33,25 @@ def make_links_relative(root):
                 path.symlink_to(os.path.relpath(target, folder))
 
 
+def note(package, root):
+    """What dpkg would note of a package that is installed: scripts/shared_libraries.py asks for it."""
+    noted = root / "var/lib/dpkg/info"
+    noted.mkdir(parents=True, exist_ok=True)
+    control = call("dpkg-deb", "--field", package).decode().strip()
+    name = re.search(r"^Package: (.*)", control, re.MULTILINE)[1]
+    with (noted.parent / "status").open("a", encoding="utf-8") as status:
+        status.write(f"{control}\nStatus: install ok installed\n\n")
+    with archive(package, "--fsys-tarfile") as files:
+        (noted / f"{name}.list").write_text("".join(f"{path[1:]}\n" for path in files.getnames()), encoding="utf-8")
+    with archive(package, "--ctrl-tarfile") as scripts:
+        if "./shlibs" in scripts.getnames():
+            (noted / f"{name}.shlibs").write_bytes(scripts.extractfile("./shlibs").read())
+
+
+def archive(package, which):
+    return tarfile.open(fileobj=io.BytesIO(call("dpkg-deb", which, package)))
+
+
 def made_of():
     here = pathlib.Path(__file__).resolve().parent
     return "\n".join((here / name).read_text(encoding="utf-8") for name in ("make_sysroot.py", "debian_packages.py"))
@@ -41,6 +63,7 @@ def make(architecture, folder):
     debian = DebianPackages(work / "apt", architecture)
     for package in debian.download(work / "packages", *debian.with_dependencies(*LIBRARIES, *FOR_TESTS)):
         unpack(package, work / "root")
+        note(package, work / "root")
     make_links_relative(work / "root")
     for name in MOUNT_POINTS:
         (work / "root" / name).mkdir(exist_ok=True)

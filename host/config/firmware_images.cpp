@@ -2,6 +2,7 @@
 
 #include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
+#include "host/program_file.hpp"
 
 #include <cstdlib>
 #include <string>
@@ -11,13 +12,6 @@ namespace kfast::config {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<fs::path> this_program()
-{
-    std::error_code unknown;
-    fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-    return unknown ? std::nullopt : std::optional{std::move(program)};
-}
 
 bool has_image(const fs::path& folder, BusKind bus)
 {
@@ -45,7 +39,7 @@ std::vector<fs::path> image_folders(const char* told, const std::optional<fs::pa
     return {above / "share/kfast/firmware", above.parent_path() / "pico"};
 }
 
-std::vector<fs::path> image_folders() { return image_folders(std::getenv("KFAST_FIRMWARE"), this_program()); }
+std::vector<fs::path> image_folders() { return image_folders(std::getenv("KFAST_FIRMWARE"), program_file()); }
 
 fs::path image_for(BusKind bus, std::span<const fs::path> folders)
 {

@@ -2,6 +2,7 @@
 
 #include "host/failure.hpp"
 #include "host/preview/raster_painter.hpp"
+#include "host/program_file.hpp"
 
 #include <SDL.h>
 #include <algorithm>
@@ -44,7 +45,7 @@ bool is_seen(std::string_view driver)
 /// The video part of SDL, which alone knows whether there is a display.
 class Video {
 public:
-    Video() : works_{SDL_Init(SDL_INIT_VIDEO) == 0 && is_seen(SDL_GetCurrentVideoDriver())} {}
+    Video() : works_{start() && is_seen(SDL_GetCurrentVideoDriver())} {}
     ~Video() { SDL_Quit(); }
     Video(const Video&) = delete;
     Video& operator=(const Video&) = delete;
@@ -52,6 +53,17 @@ public:
     bool works() const { return works_; }
 
 private:
+    /// Drivers of the computer's graphics card are loaded by SDL where the libraries are the computer's as
+    /// well.
+    static bool start()
+    {
+        if (has_own_libraries()) {
+            SDL_SetHint(SDL_HINT_RENDER_DRIVER, "software");
+            SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+        }
+        return SDL_Init(SDL_INIT_VIDEO) == 0;
+    }
+
     bool works_;
 };
 

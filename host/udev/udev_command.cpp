@@ -1,5 +1,7 @@
 #include "host/udev/udev_rule.hpp"
 
+#include "host/program_file.hpp"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -17,11 +19,10 @@ constexpr std::array root_folders{"/usr/local/sbin", "/usr/local/bin", "/usr/sbi
 
 std::string udev_command()
 {
-    std::error_code unknown;
-    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    const std::optional<fs::path> program = program_file();
     const bool is_found =
-        unknown || std::ranges::find(root_folders, program.parent_path()) != root_folders.end();
-    return "sudo " + (is_found ? "kfast" : program.string()) + " install-udev";
+        !program || std::ranges::find(root_folders, program->parent_path()) != root_folders.end();
+    return "sudo " + (is_found ? "kfast" : program->string()) + " install-udev";
 }
 
 }

@@ -1,6 +1,7 @@
 """scripts/assemble: manifests and sources are whole, and agree with the project."""
 
 import json
+import pathlib
 import re
 import shutil
 import subprocess
@@ -9,11 +10,13 @@ import zipfile
 
 from assembled import ROOT, assembled, output_of, temporary_folder
 
-VERSION = re.search(r"project\(kfast VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+PROJECT = json.loads((ROOT / "packages/project.json").read_text(encoding="utf-8"))
+VERSION = PROJECT["version"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 # https://arduino.github.io/arduino-cli/latest/library-specification/#library-metadata
 ARDUINO_FIELDS = {"name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url", "architectures"}
+ADDRESSES = {"mail": "lamp@example.org", "url": "https://example.org/lamp"}
 # https://docs.platformio.org/en/latest/manifests/library-json: the fields, and those that there must be.
 PLATFORMIO_FIELDS = {"$schema", "name", "version", "description", "keywords", "homepage", "repository", "authors", "license",
                      "frameworks", "platforms", "headers", "examples", "dependencies", "export", "scripts", "build"}
@@ -45,7 +48,7 @@ class Assemble(unittest.TestCase):
     def test_arduino_has_all_fields(self):
         lines = (self.made["arduino"] / "library.properties").read_text().splitlines()
         fields = dict(line.split("=", 1) for line in lines)
-        self.assertEqual(set(), ARDUINO_FIELDS - set(fields))
+        self.assertLessEqual(ARDUINO_FIELDS - set(fields), {"url"} if PROJECT["url"] is None else set())
         self.assertTrue(all(fields.values()))
         self.assertEqual(VERSION, fields["version"])
         self.assertTrue((self.made["arduino"] / "src" / fields["includes"]).is_file())
@@ -106,11 +109,49 @@ class Assemble(unittest.TestCase):
         self.assertEqual(1, again.returncode)
         self.assertIn("exists already", again.stderr)
 
+    def project_with(self, name, *files, **facts):
+        """A copy of what scripts/assemble needs, with other facts in packages/project.json."""
+        project = self.folder / name
+        for folder in ("core", "library", "packages", "examples", "scripts"):
+            shutil.copytree(ROOT / folder, project / folder)
+        for file in files:
+            shutil.copy(ROOT / file, project)
+        (project / "packages/project.json").write_text(json.dumps(PROJECT | facts), encoding="utf-8")
+        return project
+
+    def manifests(self, project):
+        texts = {}
+        for kind, name in ("arduino", "library.properties"), ("platformio", "library.json"), ("esp-idf", "idf_component.yml"):
+            made = output_of(project / "scripts/assemble", kind, project / "made" / kind, text=True).strip()
+            texts[name] = (pathlib.Path(made) / name).read_text(encoding="utf-8")
+        return texts
+
+    def test_addresses_of_the_project_are_those_of_one_file(self):
+        texts = self.manifests(self.project_with("addressed", "LICENSE", **ADDRESSES))
+        self.assertIn("\nurl=https://example.org/lamp\n", texts["library.properties"])
+        self.assertIn("\nmaintainer=The KFAST authors <lamp@example.org>\n", texts["library.properties"])
+        manifest = json.loads(texts["library.json"])
+        self.assertEqual(ADDRESSES["url"], manifest["homepage"])
+        self.assertEqual(ADDRESSES["mail"], manifest["authors"][0]["email"])
+        self.assertIn('\nurl: "https://example.org/lamp"\n', texts["idf_component.yml"])
+        self.assertIn('\n  - "The KFAST authors <lamp@example.org>"\n', texts["idf_component.yml"])
+
+    def test_addresses_that_are_not_set_are_left_out(self):
+        texts = self.manifests(self.project_with("without", "LICENSE", mail=None, url=None))
+        self.assertNotRegex("".join(texts.values()), r"(?m)^ *\W?(url|homepage|email)\b|@|None|invalid")
+        self.assertIn("\nmaintainer=The KFAST authors\n", texts["library.properties"])
+        self.assertEqual([{"name": "The KFAST authors", "maintainer": True}], json.loads(texts["library.json"])["authors"])
+
+    def test_an_address_that_is_none_is_refused(self):
+        for number, (name, value) in enumerate([("url", "example.org"), ("mail", "lamp"), ("version", None), ("lamp", "lit")]):
+            project = self.project_with(f"refused-{number}", "LICENSE", **{name: value})
+            result = subprocess.run([project / "scripts/assemble", "arduino", project / "made"], capture_output=True, text=True)
+            self.assertEqual(1, result.returncode)
+            self.assertIn("packages/project.json: ", result.stderr)
+            self.assertIn(name, result.stderr)
+
     def test_nothing_is_left_of_what_fails(self):
-        project = self.folder / "project"
-        for name in ("core", "library", "packages", "examples", "scripts"):
-            shutil.copytree(ROOT / name, project / name)
-        shutil.copy(ROOT / "CMakeLists.txt", project)  # and no LICENSE
+        project = self.project_with("project")  # and no LICENSE
         for kind in self.made:
             result = subprocess.run([project / "scripts/assemble", kind, project / "made", "--zip"], capture_output=True, text=True)
             self.assertNotEqual(0, result.returncode)

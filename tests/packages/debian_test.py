@@ -67,6 +67,14 @@ class Debian(unittest.TestCase):
         for library in "libc6", "libstdc++6", "libpng16-16", "libusb-1.0-0", "libhidapi-hidraw0":
             self.assertIn(library, depends)
 
+    def test_depends_on_what_is_said_for_other_processors(self):
+        """dpkg-shlibdeps says it here, scripts/shared_libraries.py where that cannot."""
+        script = pathlib.Path(__file__).resolve().parents[2] / "scripts/shared_libraries.py"
+        program = self.unpacked("kfast") / "usr/bin/kfast"
+        said = output_of(sys.executable, script, "depends", program, "/").strip()
+        packages = [{each.split()[0] for each in depends.split(", ")} for depends in (self.field("kfast", "Depends"), said)]
+        self.assertEqual(*packages)
+
     def test_the_library_needs_nothing_and_brings_no_command(self):
         self.assertEqual("", self.field("libkfast-dev", "Depends"))
         root = self.unpacked("libkfast-dev")

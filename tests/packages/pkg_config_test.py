@@ -1,6 +1,7 @@
 """Builds examples of examples/library by what pkg-config says, which draw what those built by find_package draw:
 pkg_config_test.py <installed> <folder of those> <c++ compiler>."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -40,8 +41,8 @@ class PkgConfig(unittest.TestCase):
         self.check([CXX, "-std=c++20"], "morph.cpp")
 
     def test_tells_the_version_of_the_project(self):
-        project = (ROOT / "CMakeLists.txt").read_text()
-        self.assertIn(f"VERSION {told('--modversion')[0]} ", project)
+        project = json.loads((ROOT / "packages/project.json").read_text(encoding="utf-8"))
+        self.assertEqual([project["version"]], told("--modversion"))
 
 
 if __name__ == "__main__":
