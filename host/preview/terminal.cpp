@@ -14,9 +14,6 @@
 #include <vector>
 
 namespace kfast {
-namespace {
-
-using Seconds = PreviewPlayback::Seconds;
 
 Size terminal_size()
 {
@@ -26,10 +23,14 @@ Size terminal_size()
     return {size.ws_col, size.ws_row};
 }
 
-TerminalColours these_colours()
+TerminalColours colours_of_terminal()
 {
     return terminal_colours(std::getenv("COLORTERM"), std::getenv("TERM"), std::getenv("NO_COLOR"));
 }
+
+namespace {
+
+using Seconds = PreviewPlayback::Seconds;
 
 /// Draws one picture above the other.
 class TerminalScreen {
@@ -71,7 +72,7 @@ private:
         return size_ == size ? "\x1b[" + std::to_string(lines_) + 'A' : "\x1b[2J\x1b[H";
     }
 
-    TerminalColours colours_ = these_colours();
+    TerminalColours colours_ = colours_of_terminal();
     OpenHelp help_{preview_help(PreviewFront::terminal)};
     Size size_{}; ///< of the terminal when it was drawn last
     int lines_ = 0;
@@ -169,7 +170,8 @@ bool can_play_in_terminal()
 void write_as_text(const Frame& frame)
 {
     const Size size = terminal_size();
-    write_to_terminal(half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, these_colours()));
+    write_to_terminal(
+        half_blocks(widen(frame), {size.width, std::max(1, size.height - 2)}, colours_of_terminal()));
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/preview/keyboard.hpp"
+#include "host/preview/terminal_colours.hpp"
 #include "host/preview/viewer.hpp"
 
 namespace kfast {
@@ -11,6 +12,12 @@ void play_in_terminal(Viewer& viewer, Keyboard& keyboard);
 
 /// Whether standard output is a terminal that pictures can be drawn on one above the other.
 bool can_play_in_terminal();
+
+/// Of the terminal that standard output is, in characters; 80 x 24 where it is none.
+Size terminal_size();
+
+/// What that terminal shows, by the environment.
+TerminalColours colours_of_terminal();
 
 /// Writes one picture as text to standard output, whatever that is. Throws Failure.
 void write_as_text(const Frame& frame);
