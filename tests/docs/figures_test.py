@@ -54,6 +54,15 @@ SENTENCES = {
     r"with bands \(([\d,]+)\)": [(IMAGES, KFAST_CODE, STATIC)],
 }
 
+# And those of the first screen, above the commands.
+EYES = "eyes"
+FIRST_SCREEN = {
+    r"seconds are ([\d,]+) bytes; as a GIF, ([\d,]+)\.": [(FILES, "**KFAST**, `.kfb`", EYES), (FILES, "GIF", EYES)],
+    r"takes ([\d,]+) bytes, besides stack and bands of pixels; with ThorVG, ([\d,]+)\.":
+        [(RAM, "**KFAST**, the block that is lent", EYES), (RAM, "ThorVG, software engine and Lottie, -Os, heap and canvas", EYES)],
+    r"at ([\d.]+) frames a second": [(ON_A_PICO, EYES, "frames a second")],
+}
+
 
 def section_of_sizes():
     return README.split("\n## Sizes and speeds\n")[1].split("\n## ")[0]
@@ -76,11 +85,19 @@ class FirstPage(unittest.TestCase):
         text = re.sub(r"\s+", " ", "\n".join(lines))
         self.assertIn("ST7789 240 x 240 on SPI at 62.5 MHz), asked for 60 frames a second", BENCHMARKS)
         text = re.sub("ST7789 on SPI at 62.5 MHz|of 60 that are asked for|for 30 frames a second", "", text)
-        for pattern, sources in SENTENCES.items():
+        self.look_at(SENTENCES, text)
+
+    def test_each_figure_of_the_first_screen_is_that_of_the_benchmarks(self):
+        reasons = re.sub(r"\s+", " ", README.split("![")[1].split("\n    scripts/demo")[0])
+        self.assertEqual(reasons.count(" - **"), 3)
+        self.look_at(FIRST_SCREEN, reasons.replace("On a fresh Debian 12", ""))
+
+    def look_at(self, sentences, text):
+        for pattern, sources in sentences.items():
             [told] = re.finditer(pattern, text)
             self.assertEqual(list(told.groups()), [figure(*source) for source in sources])
             text = text.replace(told.group(), "")
-        self.assertEqual(FIGURE.findall(text), [], "no row of SENTENCES says where these come from")
+        self.assertEqual(FIGURE.findall(text), [], "no sentence above says where these come from")
 
     def test_scenes_of_the_first_picture_are_as_short_as_it_says(self):
         tutorial = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")

@@ -56,6 +56,7 @@ class CompletionsTest(CommandTest):
         self.assertEqual(self.offered("check", "--format", ""), {"text", "json"})
         self.assertIn("pico-xy", self.offered("fit", "--board", "pi"))
         self.assertIn("pico-st7789", self.offered("wiring", ""))
+        self.assertEqual(self.offered("new", "a.kfast", "--like", "wea"), {"weather"})
         self.assertEqual(self.offered("panel", "--rotation", ""), {"0", "90", "180", "270"})
         self.assertEqual(self.offered("completions", ""), {"bash", "zsh", "fish"})
         self.assertIn("galvo", self.offered("export", "--beam", ""))
