@@ -1,8 +1,8 @@
 #include "host/commands/bone_tracks.hpp"
 
 #include "host/commands/clock_facts.hpp"
-#include "host/commands/law_text.hpp"
 #include "host/commands/track_facts.hpp"
+#include "host/law_text.hpp"
 
 #include <array>
 #include <iomanip>

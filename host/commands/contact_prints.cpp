@@ -1,8 +1,8 @@
 #include "host/commands/contact_prints.hpp"
 
-#include "host/commands/rounded_text.hpp"
 #include "host/in_frames.hpp"
 #include "host/preview/key_times.hpp"
+#include "host/rounded_text.hpp"
 
 #include <cmath>
 

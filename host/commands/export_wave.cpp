@@ -1,10 +1,10 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/export_kinds.hpp"
-#include "host/commands/rounded_text.hpp"
 #include "host/commands/sound_beam.hpp"
 #include "host/commands/work_bar.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
+#include "host/rounded_text.hpp"
 #include "host/sound/sound_loop.hpp"
 #include "host/sound/wave_file.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "host/beam/ilda_facts.hpp"
 #include "host/commands/json_text.hpp"
-#include "host/commands/rounded_text.hpp"
 #include "host/failure.hpp"
 #include "host/input_file.hpp"
+#include "host/rounded_text.hpp"
 #include "host/text/glyph.hpp"
 
 #include <cmath>

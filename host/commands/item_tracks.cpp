@@ -1,7 +1,7 @@
 #include "host/commands/item_tracks.hpp"
 
-#include "host/commands/rounded_text.hpp"
 #include "host/commands/track_facts.hpp"
+#include "host/rounded_text.hpp"
 
 #include <array>
 #include <cstddef>

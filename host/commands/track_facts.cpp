@@ -1,44 +1,22 @@
 #include "host/commands/track_facts.hpp"
 
 #include "host/commands/clock_facts.hpp"
-#include "host/commands/law_text.hpp"
-#include "host/commands/rounded_text.hpp"
+#include "host/law_text.hpp"
 #include "host/property_name.hpp"
+#include "host/property_value.hpp"
+#include "host/rounded_text.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace kfast {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "#rrggbb", with the opacity behind it unless the colour is opaque.
-std::string colour_text(Colour colour)
-{
-    std::array<char, 10> text{};
-    std::snprintf(text.data(), text.size(), colour.opacity == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x",
-                  static_cast<unsigned>(colour.red), static_cast<unsigned>(colour.green),
-                  static_cast<unsigned>(colour.blue), static_cast<unsigned>(colour.opacity));
-    return text.data();
-}
-
 Json value_of(const SceneView& scene, Property property, std::int32_t value)
 {
     switch (property) {
-    case Property::rotation_x:
-    case Property::rotation_y:
-    case Property::rotation:
-        return value * 360.0 / 65536;
-    case Property::scale_x:
-    case Property::scale_y:
-        return value / static_cast<double>(scale_one);
-    case Property::along:
-        return value / static_cast<double>(path_whole);
-    case Property::opacity:
-        return value / 255.0;
     case Property::order:
         return value;
     case Property::visible:
@@ -47,7 +25,7 @@ Json value_of(const SceneView& scene, Property property, std::int32_t value)
     case Property::stroke:
         return colour_text(scene.colour(static_cast<std::size_t>(value)));
     default:
-        return value / 16.0;
+        return written_amount(property, value);
     }
 }
 

@@ -11,8 +11,7 @@ namespace {
 class SpeedMeter {
 public:
     SpeedMeter(const Target& target, const std::stop_token& stop, Speed& speed)
-        : target_{target}, stop_{stop}, costs_{costs_of(target.processor)},
-          cycles_{target.cycles != 0 ? target.cycles : costs_.cycles}, speed_{speed}
+        : target_{target}, stop_{stop}, costs_{costs_of(target.processor)}, speed_{speed}
     {
     }
 
@@ -36,13 +35,7 @@ public:
 private:
     FrameCost cost_of(const FrameWork& frame) const
     {
-        const double count = instructions(frame.work(), frame.areas, costs_);
-        return {.moment = frame.moment,
-                .instructions = count,
-                .cpu_seconds = count * cycles_ / target_.clock,
-                .bus_seconds = static_cast<double>(frame.bytes) / target_.bus.bytes_per_second(),
-                .areas = frame.areas,
-                .bytes = frame.bytes};
+        return cost_on(target_, {frame.moment, frame.work(), frame.areas, frame.bytes});
     }
 
     HeaviestItem heaviest_of(const FrameWork& frame, const FrameCost& cost) const
@@ -59,7 +52,6 @@ private:
     const Target& target_;
     const std::stop_token& stop_;
     const ProcessorCosts& costs_;
-    double cycles_;
     Speed& speed_;
     double worst_seconds_ = 0;
 };

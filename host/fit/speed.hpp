@@ -4,6 +4,7 @@
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
 #include "host/fit/fit_stop.hpp"
+#include "host/fit/frame_cost.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 #include "host/tell_work.hpp"
@@ -14,19 +15,6 @@
 #include <vector>
 
 namespace kfast::fit {
-
-/// What a picture costs.
-struct FrameCost {
-    Time moment;
-    double instructions = 0;
-    double cpu_seconds = 0;
-    double bus_seconds = 0;
-    std::size_t areas = 0;
-    std::size_t bytes = 0; ///< over the bus
-
-    /// One band is drawn while the other is sent.
-    double seconds() const { return cpu_seconds > bus_seconds ? cpu_seconds : bus_seconds; }
-};
 
 /// The object that costs most in a picture, by its path (core/item_path.hpp); and its part of the work.
 struct HeaviestItem {

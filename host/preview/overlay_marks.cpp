@@ -67,7 +67,7 @@ void OverlayMarks::add_outline(const std::vector<SeenStroke>& strokes)
 
 void OverlayMarks::add_numbers(const SeenLeaf& leaf)
 {
-    const std::vector<SeenStroke> strokes = seen_strokes(scene_, leaf);
+    const std::vector<SeenStroke> strokes = matched_strokes(scene_, leaf);
     add_outline(strokes);
     for (std::size_t i = 0; i < strokes.size(); ++i)
         add_number(strokes[i], i + 1);

@@ -25,4 +25,9 @@ struct SeenStroke {
 /// Those of a leaf, in its order. `scene` visits the leaf just now.
 std::vector<SeenStroke> seen_strokes(const PosedScene& scene, const SeenLeaf& leaf);
 
+/// The same, but at a key of an object, where it is seen as it was drawn, they are those of the way that
+/// begins there, of the last key those of the way that ends there: the same number is the same point in both
+/// keys. They lie within 1/65536 of the way from where they are seen.
+std::vector<SeenStroke> matched_strokes(const PosedScene& scene, const SeenLeaf& leaf);
+
 }

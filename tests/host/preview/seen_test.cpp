@@ -141,6 +141,59 @@ TEST_CASE("strokes and points are those that are tweened: as many as the partner
     CHECK(segments == 8);
 }
 
+TEST_CASE(
+    "at a key, points are numbered as on the way that begins there, and at the last one as on the way there")
+{
+    const NamedScene scene{"kfast 1\ncanvas 60 40 frames=20\nobject shape stroke=red width=1 {\n"
+                           "    key 0 { path \"M 0 0 L 20 0 L 20 20\" \"M 30 0 L 50 0\" }\n"
+                           "    key 10 law=hold { path \"M 0 20 L 12 20 L 24 20 L 36 20\" }\n"
+                           "    key 20 { path \"M 4 4 L 9 4\" \"M 4 9 L 9 9\" \"M 4 14 L 9 14\" }\n}\n"};
+    std::vector<std::vector<SeenStroke>> at;
+    for (const int frame : {0, 5, 10, 15, 20})
+        look(scene, Time::frame(frame), {60, 40},
+             [&](const PosedScene& posed, const SeenLeaf& leaf, const std::string&) {
+                 at.push_back(matched_strokes(posed, leaf));
+             });
+    REQUIRE(at.size() == 5);
+    CHECK(at[0].size() == 2);
+    CHECK(at[1].size() == 2);
+    for (const std::size_t i : {2, 3, 4})
+        CHECK(at[i].size() == 3);
+    REQUIRE(at[0][0].points.size() == at[1][0].points.size());
+    for (std::size_t i = 0; i < at[0][0].points.size(); ++i) // half of the way from their places at the key
+        CHECK(distance(at[0][0].points[i], at[1][0].points[i]) < 25);
+    CHECK(distance(at[0][1].points.front(), {Fixed::pixels(30), {}}) < 0.01);
+    CHECK(distance(at[2][2].points.back(), {Fixed::pixels(36), Fixed::pixels(20)}) < 0.01);
+    CHECK(distance(at[4][2].points.back(), {Fixed::pixels(9), Fixed::pixels(14)}) < 0.01);
+    CHECK(strokes_at(scene, Time::frame(10)).size() == 1);
+}
+
+TEST_CASE("skins, backbones and wire frames are numbered so, too, and a single key as it is drawn")
+{
+    const NamedScene scene{
+        "kfast 1\ncanvas 60 40 frames=20\n"
+        "bones arm { bone upper 10 10 30 10 }\n"
+        "object skinned stroke=red width=1 skin=arm bone=upper {\n"
+        "    key 0 { path \"M 10 10 L 30 10\" }\n"
+        "    key 20 { path \"M 10 10 L 20 10\" \"M 20 10 L 30 10\" }\n}\n"
+        "object worm stroke=red width=1 {\n"
+        "    key 0 { path \"M 10 20 L 50 20\"; skeleton { backbone 10 20 30 20 50 20; width 8 } }\n"
+        "    key 20 { path \"M 10 20 L 30 20\" \"M 30 20 L 50 20\"; skeleton { backbone 10 20 30 8 50 14 } "
+        "}\n}\n"
+        "object cage stroke=red width=1 {\n"
+        "    key 0 { wire 10 10 0 20 10 0 }\n"
+        "    key 20 { wire 10 10 0 20 10 0; wire 10 20 5 20 20 5 }\n}\n"
+        "object still stroke=red width=1 { key 0 { path \"M 0 0 L 9 9\" } }\n"};
+    for (const int frame : {0, 20})
+        look(scene, Time::frame(frame), {60, 40},
+             [&](const PosedScene& posed, const SeenLeaf& leaf, const std::string& name) {
+                 CAPTURE(name);
+                 const bool is_still = name == "still";
+                 CHECK(matched_strokes(posed, leaf).size() == (is_still ? 1 : 2));
+                 CHECK(seen_strokes(posed, leaf).size() == (is_still || frame == 0 ? 1 : 2));
+             });
+}
+
 TEST_CASE("points tween, each with its own number")
 {
     const NamedScene scene{"kfast 1\ncanvas 60 40 frames=20\nobject line stroke=red width=1 {\n"

@@ -1,6 +1,6 @@
-#include "host/commands/law_text.hpp"
+#include "host/law_text.hpp"
 
-#include "host/commands/rounded_text.hpp"
+#include "host/rounded_text.hpp"
 
 namespace kfast {
 namespace {
