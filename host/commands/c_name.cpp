@@ -54,7 +54,7 @@ const std::string& checked_c_name(const std::string& name)
 {
     const std::string wrong = fault(name);
     if (!wrong.empty())
-        throw CLI::ValidationError("--name", in_quotes(name) + " cannot be the name of an array: " + wrong);
+        throw CLI::ValidationError("--array-name", in_quotes(name) + " cannot be the name of an array: " + wrong);
     return name;
 }
 
@@ -72,7 +72,7 @@ std::string c_name_for(const std::string& file)
     const std::string wrong = fault(name);
     if (!wrong.empty())
         throw Failure(file + ": this name makes none for an array (" + in_quotes(name) + ": " + wrong +
-                      "): choose one with --name");
+                      "): choose one with --array-name");
     return name;
 }
 

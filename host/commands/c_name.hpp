@@ -6,7 +6,7 @@
 namespace kfast {
 
 /// `name`, if it can be the name of an array in C and in C++, with a few letters behind it too; else throws
-/// CLI::ValidationError for the option --name.
+/// CLI::ValidationError for the option --array-name.
 const std::string& checked_c_name(const std::string& name);
 
 /// The name of an array made from that of a file: "robot_eyes" from "art/robot-eyes.kfast".

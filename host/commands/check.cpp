@@ -1,8 +1,7 @@
 #include "host/commands/check_json.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/import_options.hpp"
-#include "host/commands/named_choice.hpp"
-#include "host/commands/offered_names.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/summary.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
@@ -12,7 +11,6 @@
 #include "host/reported_diagnostics.hpp"
 #include "host/scene_file.hpp"
 
-#include <array>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -22,13 +20,6 @@ namespace kfast {
 namespace {
 
 constexpr const char* standard_input = "-";
-
-struct ReportForm {
-    std::string_view name;
-    bool is_json;
-};
-
-constexpr std::array report_forms{ReportForm{"text", false}, ReportForm{"json", true}};
 
 struct CheckOptions {
     std::vector<std::string> paths;
@@ -138,7 +129,7 @@ void require_one_input(const CheckOptions& options)
     if (inputs > 1)
         throw CLI::ValidationError("SCENE", "standard input, -, can be read once");
     if (inputs == 0 && options.name != CheckOptions{}.name)
-        throw CLI::ValidationError("--name", "names what comes from standard input: write - as SCENE");
+        throw CLI::ValidationError("--stdin-filename", "names what comes from standard input: write - as SCENE");
 }
 
 void declare_check(CLI::App& app)
@@ -146,18 +137,10 @@ void declare_check(CLI::App& app)
     const auto options = std::make_shared<CheckOptions>();
     app.add_option("SCENE", options->paths, std::string{loaded_scene} + "; several, or - for standard input")
         ->required();
-    app.add_option("--name", options->name,
+    app.add_option("--stdin-filename", options->name,
                    "With -: the file that the text belongs to, for messages and for fonts beside it")
         ->type_name("FILE");
-    CLI::Option* const format =
-        app.add_option_function<std::string>(
-               "--format",
-               [options](const std::string& name) {
-                   options->json = named(report_forms, "--format", name).is_json;
-               },
-               "How it is told: " + names_of(report_forms) + ", for editors (default: text)")
-            ->type_name("NAME");
-    offer_names(format, report_forms);
+    declare_json(app, options->json);
     declare_import_options(app, options->import_choice);
     app.callback([options] {
         require_one_input(*options);
@@ -170,7 +153,7 @@ void declare_check(CLI::App& app)
 const Command check_command{"check", "Say what is wrong with a scene, without writing anything",
                             "kfast check eyes.kfast\n"
                             "  kfast check eyes.json --strict\n"
-                            "  kfast check - --name eyes.kfast --format json < eyes.kfast",
+                            "  kfast check - --stdin-filename eyes.kfast --json < eyes.kfast",
                             declare_check};
 
 }

@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 
 #include "firmware/version.hpp"
+#include "host/commands/old_names.hpp"
 #include "host/commands/usage_mistake.hpp"
 #include "host/failure.hpp"
 #include "host/text/suggestion.hpp"
@@ -10,6 +11,7 @@
 #include <iostream>
 #include <new>
 #include <string_view>
+#include <vector>
 
 namespace kfast {
 namespace {
@@ -43,19 +45,6 @@ std::string usage_message(const CLI::App* kfast, const CLI::Error& error,
         name += command->get_name() + ' ';
     }
     return "kfast: " + usage_mistake(*command, error, arguments) + "\nTry 'kfast " + name + "--help'.\n";
-}
-
-void declare_commands(CLI::App& kfast)
-{
-    kfast.set_version_flag("--version", std::string("kfast ") + version);
-    kfast.footer(
-        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.\n\n" +
-        exit_status_list());
-    for (const Command* command : commands) {
-        CLI::App* app = kfast.add_subcommand(command->name, command->summary)->group(command->group);
-        app->footer(std::string("Example:\n  ") + command->example);
-        command->declare(*app);
-    }
 }
 
 /// CLI11 alone would name neither the word nor the commands there are.
@@ -105,11 +94,27 @@ int parse_and_run(CLI::App& kfast, std::span<const char* const> arguments)
 
 }
 
+void declare_commands(CLI::App& kfast)
+{
+    kfast.set_version_flag("--version", std::string("kfast ") + version);
+    kfast.footer(
+        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.\n\n" +
+        exit_status_list());
+    for (const Command* command : commands) {
+        CLI::App* app = kfast.add_subcommand(command->name, command->summary)->group(command->group);
+        app->footer(std::string("Example:\n  ") + command->example);
+        command->declare(*app);
+    }
+}
+
 int run_command_line(int count, const char* const* arguments)
 {
     CLI::App kfast{"Vector key-frame animation for microcontroller-driven displays.", "kfast"};
     declare_commands(kfast);
-    const int status = parse_and_run(kfast, {arguments, static_cast<std::size_t>(count)});
+    const auto words = with_names_of_now({arguments, static_cast<std::size_t>(count)}, std::cerr);
+    std::vector<const char*> present(words.size());
+    std::ranges::transform(words, present.begin(), &std::string::c_str);
+    const int status = parse_and_run(kfast, present);
     std::cout.flush();
     return std::cout ? status : fail("cannot write to standard output");
 }

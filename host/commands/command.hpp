@@ -60,6 +60,9 @@ extern const Command schema_command;
 extern const Command completions_command;
 extern const Command man_command;
 
+/// Adds all of them to `kfast`.
+void declare_commands(CLI::App& kfast);
+
 /// The whole program. Returns its exit status (exit_status.hpp).
 int run_command_line(int count, const char* const* arguments);
 

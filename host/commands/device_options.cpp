@@ -1,6 +1,7 @@
 #include "host/commands/device_options.hpp"
 
 #include "host/commands/number_range.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/link/device_choice.hpp"
 #include "host/link/hid_pipe.hpp"
 
@@ -28,8 +29,7 @@ void declare_talk_options(CLI::App& app, DeviceOptions& options)
     app.add_option("--timeout", options.timeout, "Seconds to wait for a device that is silent (default: 10)")
         ->type_name("SECONDS")
         ->check(number_within(shortest_timeout, longest_timeout));
-    CLI::Option* const json = app.add_flag("--json", options.json, "For programs: JSON");
-    app.add_flag("--quiet", options.quiet, "Print nothing but errors")->excludes(json);
+    declare_quiet(app, options.quiet)->excludes(declare_json(app, options.json));
 }
 
 std::vector<DeviceAddress> attached_for(const std::vector<std::string>& names)

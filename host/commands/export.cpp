@@ -39,7 +39,7 @@ Options declare_header_options(CLI::App& app, ExportOptions& options)
 {
     CLI::Option* name =
         app.add_option_function<std::string>(
-               "--name", [&options](const std::string& text) { options.name = checked_c_name(text); },
+               "--array-name", [&options](const std::string& text) { options.name = checked_c_name(text); },
                "With --header: what the array is called (default: FILE's name)")
             ->type_name("NAME");
     declare_size_options(app, options.picture);
@@ -115,7 +115,7 @@ const Command export_command{"export",
                              "Turn a scene into source for programs, an ILDA file or a sound for a scope",
                              "kfast export --header eyes.kfast -o eyes.h\n"
                              "  kfast export --ild eyes.kfast --beam galvo\n"
-                             "  kfast export --wav eyes.kfast --rate 96000 --seconds 60",
+                             "  kfast export --wav eyes.kfast --sample-rate 96000 --seconds 60",
                              declare_export};
 
 }

@@ -28,7 +28,7 @@ std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeli
     if (length > most_samples)
         throw Failure("this takes " + std::to_string(length) + " samples, more than the " +
                       std::to_string(most_samples) +
-                      " that kfast writes: choose a lower --rate, less --seconds or a --clip");
+                      " that kfast writes: choose a lower --sample-rate, less --seconds or a --clip");
     if (length < least_samples)
         throw Failure("one play is too short for a sound: make it longer with --seconds");
     return length;
@@ -53,10 +53,10 @@ void tell(const SoundLoop& loop, std::uint32_t rate)
               << " a second, middle at " << percent(mean.x) << " % " << percent(mean.y) << " %\n";
     if (loop.hasty_tours > 0)
         std::cerr << "kfast: " << counted(loop.hasty_tours, "tour")
-                  << " had to be drawn faster and coarser: a higher --rate draws finer\n";
+                  << " had to be drawn faster and coarser: a higher --sample-rate draws finer\n";
     if (loop.incomplete_tours > 0)
         std::cerr << "kfast: " << counted(loop.incomplete_tours, "tour")
-                  << " had no time for all lines: a higher --rate gives more\n";
+                  << " had no time for all lines: a higher --sample-rate gives more\n";
 }
 
 }

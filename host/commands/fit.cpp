@@ -3,6 +3,7 @@
 #include "host/commands/fit_options.hpp"
 #include "host/commands/fit_print.hpp"
 #include "host/commands/import_options.hpp"
+#include "host/commands/report_options.hpp"
 
 #include <iostream>
 
@@ -44,7 +45,7 @@ void declare_fit(CLI::App& app)
     app.add_option("FILE", options->file, loaded_scene)->required();
     declare_fit_options(app, options->fit)->required();
     declare_import_options(app, options->import_choice);
-    app.add_flag("--json", options->json, "For programs: a JSON object");
+    declare_json(app, options->json);
     app.callback([options] { print_fit(*options); });
 }
 

@@ -144,7 +144,7 @@ void declare_place(CLI::App& app, FlashOptions& options)
     CLI::Option* const port =
         app.add_option("--port", options.place.port, "The board in its boot loader at this port, like 1-2.3")
             ->type_name("PORT");
-    CLI::Option* const serial = app.add_option("--serial", options.place.serial,
+    CLI::Option* const serial = app.add_option("--device", options.place.serial,
                                                "The board that runs KFAST and has this serial number")
                                     ->type_name("SERIAL")
                                     ->excludes(port);
@@ -164,7 +164,8 @@ void declare_place(CLI::App& app, FlashOptions& options)
             ->type_name("LINE")
             ->needs(reset);
     reset->needs(boot);
-    app.add_option("--gpio-chip", options.lines.chip, "The chip of these lines: a path, name or label")
+    app.add_option("--gpio-chip", options.lines.chip, 
+        "The chip of the GPIO lines: its path, name or label (default: the one with the first line)")
         ->type_name("CHIP")
         ->needs(reset);
 }
@@ -175,7 +176,7 @@ void declare_flash(CLI::App& app)
     declare_contents(app, *options);
     declare_place(app, *options);
     CLI::Option* const dry_run =
-        app.add_flag("--dry-run", options->dry_run, "Tell what would be written, and touch nothing");
+        app.add_flag("--dry-run", options->dry_run, "Print what would be done, and touch nothing");
     app.add_flag("--verify-only", options->verify_only, "Compare, and write nothing: status 10 if it differs")
         ->excludes(dry_run);
     app.add_flag("--no-wait", options->no_wait, "Do not wait until the board plays");

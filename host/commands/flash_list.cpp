@@ -41,7 +41,7 @@ std::string text_of(const Found& found)
     for (const BootBoard& board : found.boards)
         text += "in its boot loader, " + chip_name(board.chip) + ": --port " + visible(board.port) + '\n';
     for (const DeviceAddress& device : found.devices)
-        text += "runs KFAST: --serial " + visible(name_of(device)) + '\n';
+        text += "runs KFAST: --device " + visible(name_of(device)) + '\n';
     for (const Uf2Drive& drive : found.drives)
         text += "drive of a boot loader, " + visible(drive.board) + ": --drive " +
                 visible(drive.folder.string()) + '\n';

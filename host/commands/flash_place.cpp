@@ -111,7 +111,7 @@ FlashPlace only_place(Workbench& bench)
         return *board;
     const auto devices = bench.attached_devices();
     if (devices.size() > 1)
-        refuse_several("run KFAST", "--serial", serials_of(devices));
+        refuse_several("run KFAST", "--device", serials_of(devices));
     if (!devices.empty())
         return devices.front();
     const auto drives = rp2040_drives(bench);

@@ -61,7 +61,7 @@ void declare_hash(CLI::App& app)
     declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
     CLI::Option* beam = declare_beam_option(app, options->beam);
-    for (const char* const other : {"--size", "--panel", "--fit", "--format"})
+    for (const char* const other : {"--size", "--panel", "--scaling", "--format"})
         beam->excludes(app.get_option(other));
     app.callback([options] { print_hashes(*options); });
 }

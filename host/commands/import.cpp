@@ -9,6 +9,7 @@
 #include "host/commands/offered_names.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/commands/work_bar.hpp"
 #include "host/failure.hpp"
@@ -209,7 +210,7 @@ void declare_import(CLI::App& app)
                    StandardOutput::is_meant);
     app.add_flag("--all-losses", options->whole_list,
                  "All that is not carried over, however long the list is");
-    app.add_flag("--json", options->json, "For programs: the report as a JSON object");
+    declare_json(app, options->json);
     declare_import_options(app, options->choice);
     declare_key_options(app, *options);
     app.callback([options] {

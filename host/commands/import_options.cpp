@@ -18,9 +18,9 @@ constexpr double widest_tolerance = 64;
 
 Size canvas_size(const std::string& text)
 {
-    const Size size = read_size("--size", text);
+    const Size size = read_size("--canvas", text);
     if (std::max(size.width, size.height) > importing::longest_side)
-        throw CLI::ValidationError("--size", "'" + text + "' is too large: a canvas has sides of at most " +
+        throw CLI::ValidationError("--canvas", "'" + text + "' is too large: a canvas has sides of at most " +
                                                  std::to_string(importing::longest_side) + " pixels");
     return size;
 }
@@ -48,7 +48,7 @@ void declare_import_options(CLI::App& app, ImportChoice& choice)
             ->type_name("PX")
             ->check(number_within(0, widest_tolerance)),
         app.add_option_function<std::string>(
-               "--size", [&options](const std::string& text) { options.size = canvas_size(text); },
+               "--canvas", [&options](const std::string& text) { options.size = canvas_size(text); },
                "Scale it so that its canvas just lies within this (default: as it is)")
             ->type_name("WxH"),
         app.add_option_function<std::string>(

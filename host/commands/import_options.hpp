@@ -10,7 +10,7 @@ namespace kfast {
 inline constexpr const char* loaded_scene =
     "A scene text (.kfast), a compiled scene (.kfb), or a file to import (.json, .lottie, .svg, .sif)";
 
-/// --tolerance, --size, --background, --animation and --strict, for commands that may load a file of another
+/// --tolerance, --canvas, --background, --animation and --strict, for commands that may load a file of another
 /// program.
 void declare_import_options(CLI::App& app, ImportChoice& choice);
 

@@ -30,7 +30,7 @@ std::string advice(const ImportReport& report)
 {
     if (report.is_size_chosen || std::max(report.canvas.width, report.canvas.height) > coarse_canvas)
         return "";
-    return "the canvas is small, and places are rounded to 1/16 px: --size 240x240 keeps more of its "
+    return "the canvas is small, and places are rounded to 1/16 px: --canvas 240x240 keeps more of its "
            "shapes\n";
 }
 

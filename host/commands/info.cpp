@@ -8,6 +8,7 @@
 #include "host/commands/json_text.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
 #include "host/in_frames.hpp"
@@ -275,9 +276,9 @@ void declare_info(CLI::App& app)
     const auto options = std::make_shared<InfoOptions>();
     app.add_option("FILE", options->file, "A scene text (.kfast), a compiled scene (.kfb) or an ILDA file")
         ->required();
-    app.add_flag("--json", options->json, "For programs: a JSON object");
+    declare_json(app, options->json);
     app.add_flag("--tracks", options->tracks, "All that moves and turns items and bones, and when");
-    app.add_option("--rate", options->rate,
+    app.add_option("--point-rate", options->rate,
                    "How many points of an ILDA file are played in a second (default: 30000)")
         ->type_name("HZ")
         ->check(number_within(1'000, 1'000'000));
@@ -290,7 +291,7 @@ void declare_info(CLI::App& app)
 const Command info_command{
     "info", "Tell size, length, loop, objects, keys, inputs, clips, events and memory of a scene",
     "kfast info eyes.kfb --panel ssd0323\n"
-    "  kfast info eyes.ild --rate 40000",
+    "  kfast info eyes.ild --point-rate 40000",
     declare_info};
 
 }

@@ -61,7 +61,7 @@ void install(const InstallUdevOptions& options)
 void declare_install_udev(CLI::App& app)
 {
     const auto options = std::make_shared<InstallUdevOptions>();
-    app.add_flag("--dry-run", options->dry_run, "Print what would be written and run");
+    app.add_flag("--dry-run", options->dry_run, "Print what would be done, and touch nothing");
     app.add_option("--folder", options->folder, "Where the rules go")
         ->type_name("FOLDER")
         ->capture_default_str();

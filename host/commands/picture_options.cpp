@@ -44,11 +44,11 @@ CLI::Option* add_format(CLI::App& app, PictureOptions& options)
     return offer_names(format, format_names());
 }
 
-CLI::Option* add_fit(CLI::App& app, PictureOptions& options)
+CLI::Option* add_scaling(CLI::App& app, PictureOptions& options)
 {
     CLI::Option* const fit =
-        add(app, "--fit", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
-            [&options](const std::string& name) { options.fit = named(fits, "--fit", name).value; });
+        add(app, "--scaling", "HOW", "Canvas on panel: " + names_of(fits) + " (default: contain)",
+            [&options](const std::string& name) { options.fit = named(fits, "--scaling", name).value; });
     return offer_names(fit, fits);
 }
 
@@ -70,7 +70,7 @@ void declare_size_options(CLI::App& app, PictureOptions& options)
 void declare_picture_options(CLI::App& app, PictureOptions& options)
 {
     declare_size_options(app, options);
-    add_fit(app, options)->excludes(app.get_option("--panel"));
+    add_scaling(app, options)->excludes(app.get_option("--panel"));
     add_format(app, options)->excludes(app.get_option("--panel"));
     declare_input_options(app, options.inputs);
     declare_drawing_options(app, options.drawings);
@@ -80,7 +80,7 @@ void declare_seen_options(CLI::App& app, PictureOptions& options)
 {
     declare_picture_options(app, options);
     CLI::Option* beam = declare_screen_options(app, options.screen);
-    for (const char* const other : {"--panel", "--fit", "--format"})
+    for (const char* const other : {"--panel", "--scaling", "--format"})
         beam->excludes(app.get_option(other));
 }
 

@@ -14,7 +14,7 @@
 
 namespace kfast {
 
-/// What a scene is drawn on, as chosen by --size, --fit, --format, --panel and --beam, and what its inputs
+/// What a scene is drawn on, as chosen by --size, --scaling, --format, --panel and --beam, and what its inputs
 /// are told.
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene

@@ -40,7 +40,7 @@ std::vector<ScriptStep> read_script(const std::string& text)
     for (std::string word; words >> word;) {
         const std::optional<ScriptStep> step = script_step(word);
         if (!step)
-            throw CLI::ValidationError("--keys", "'" + word +
+            throw CLI::ValidationError("--press", "'" + word +
                                                      "' is no key: write them like \"n p space right "
                                                      "frame=12 select=lamp\"");
         script.push_back(*step);
@@ -114,7 +114,7 @@ void preview(const PreviewOptions& options)
 
 std::string key_list()
 {
-    std::string text = "Keys of the window and --keys; a terminal has those that mean something there:";
+    std::string text = "Keys of the window and --press; a terminal has those that mean something there:";
     for (const std::string& line : preview_key_help(PreviewFront::window))
         text += "\n  " + line;
     return text;
@@ -138,7 +138,7 @@ void declare_preview(CLI::App& app)
     headless->excludes(terminal)->excludes(loops)->excludes(
         declare_audio_options(app, options->choice.audio));
     app.add_option_function<std::string>(
-           "--keys", [options](const std::string& text) { options->script = read_script(text); },
+           "--press", [options](const std::string& text) { options->script = read_script(text); },
            "With --headless: press these keys, print what each shows; frame=N touches the time line, "
            "select=NAME an object, open=FILE drops a file, wait=S lets seconds pass")
         ->type_name("LIST")
@@ -173,7 +173,7 @@ void declare_preview(CLI::App& app)
 
 const Command preview_command{"preview", "Play a scene in a window, in the terminal, or unseen",
                               "kfast preview eyes.kfast --size 128x64 --format mono1\n"
-                              "  kfast preview eyes.kfast --headless --keys \"n n p right\"",
+                              "  kfast preview eyes.kfast --headless --press \"n n p right\"",
                               declare_preview};
 
 }

@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/vocabulary_json.hpp"
 #include "host/commands/vocabulary_kdl.hpp"
 #include "host/commands/vocabulary_markdown.hpp"
@@ -28,7 +29,7 @@ void print_schema(const SchemaOptions& options)
 void declare_schema(CLI::App& app)
 {
     const auto options = std::make_shared<SchemaOptions>();
-    CLI::Option* const json = app.add_flag("--json", options->json, "For tools: the same as a JSON object");
+    CLI::Option* const json = declare_json(app, options->json);
     app.add_flag("--markdown", options->markdown, "The tables of docs/scene-language.md")->excludes(json);
     app.callback([options] { print_schema(*options); });
 }

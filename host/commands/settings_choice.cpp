@@ -137,7 +137,7 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
 {
     CLI::Option* const config =
         app.add_option("--config", options.config,
-                       "Settings to write: a ready configuration or a file, as for 'kfast config'")
+                       "Settings: a ready configuration or a file, as for 'kfast config'")
             ->type_name("INPUT");
     offer_names(config, config::configurations());
     CLI::Option* const panel =
@@ -148,7 +148,7 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
     offer(panel, known_panels());
     CLI::Option* const beam =
         app.add_option("--beam", options.beam,
-                       "For a vector display: scope, galvo, crt, or a file of its profile (docs/beam.md)")
+                       "For a vector display: scope, crt, galvo, or a file that describes one, FILE.kdl")
             ->type_name("PROFILE")
             ->excludes(config)
             ->excludes(panel);

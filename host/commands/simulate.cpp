@@ -41,7 +41,7 @@ fs::path state_folder()
         return state;
     if (const char* const home = std::getenv("HOME"); home != nullptr && *home != '\0')
         return fs::path{home} / ".local/state";
-    throw Failure("there is no home folder for the flash of the simulated board: name a file with --flash");
+    throw Failure("there is no home folder for the flash of the simulated board: name a file with --flash-file");
 }
 
 fs::path default_flash()
@@ -50,7 +50,7 @@ fs::path default_flash()
     std::error_code why;
     fs::create_directories(folder, why);
     if (why)
-        throw Failure(folder.string() + ": " + why.message() + ": name a file with --flash");
+        throw Failure(folder.string() + ": " + why.message() + ": name a file with --flash-file");
     return folder / "sim-flash.bin";
 }
 
@@ -74,7 +74,7 @@ std::unique_ptr<PictureWindow> open_window(const SimulateOptions& options, Size 
     if (!window)
         std::cerr << "kfast: " << PictureWindow::no_window()
                   << ", so the board is not to be seen: "
-                     "--frames tells what it shows\n";
+                     "--print-frames tells what it shows\n";
     return window;
 }
 
@@ -120,13 +120,13 @@ void declare_simulate(CLI::App& app)
                    "The built-in scene (.kfast, .kfb or a file to import): plays if no slot is chosen. "
                    "Without it there is a test card");
     CLI::Option* panel = declare_panel_option(app, options->panel);
-    app.add_option("--config", options->config, "The display and the clip of a configuration (kfast config)")
-        ->type_name("NAME|FILE")
+    app.add_option("--config", options->config, "Settings: a ready configuration or a file, as for 'kfast config'")
+        ->type_name("INPUT")
         ->excludes(panel);
     app.add_option("--socket", options->socket, "Where programs reach the board, as --device sim:PATH")
         ->type_name("PATH")
         ->capture_default_str();
-    app.add_option("--flash", options->flash,
+    app.add_option("--flash-file", options->flash,
                    "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)")
         ->type_name("FILE");
     app.add_option("--serial", options->serial, "The serial number, of at most 24 letters")
@@ -136,7 +136,7 @@ void declare_simulate(CLI::App& app)
     app.add_option("--picture", options->picture, "At the end, write what was shown last as PNG")
         ->type_name("FILE");
     app.add_flag("--headless", options->headless, "Open no window");
-    app.add_flag("--frames", options->frames,
+    app.add_flag("--print-frames", options->frames,
                  "Print the events, and each frame shown with the CRC-32 of its pixels");
     app.callback([options] { simulate(*options); });
 }

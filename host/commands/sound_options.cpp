@@ -11,7 +11,7 @@ CLI::Option* add_invert(CLI::App& app, Deflection& deflection)
 {
     return app
         .add_option_function<std::string>(
-            "--invert",
+            "--mirror",
             [&deflection](const std::string& which) {
                 deflection.inverts_x = which != "y";
                 deflection.inverts_y = which != "x";
@@ -25,7 +25,7 @@ CLI::Option* add_invert(CLI::App& app, Deflection& deflection)
 
 std::vector<CLI::Option*> declare_sound_options(CLI::App& app, SoundOptions& options)
 {
-    CLI::Option* rate = app.add_option("--rate", options.rate, "Samples in a second (default: 48000)")
+    CLI::Option* rate = app.add_option("--sample-rate", options.rate, "Samples in a second (default: 48000)")
                             ->type_name("HZ")
                             ->check(number_within(8'000, 768'000));
     CLI::Option* swap =

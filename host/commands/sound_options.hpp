@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// How a sound card leads a beam, as chosen by --rate, --swap, --invert and --gain.
+/// How a sound card leads a beam, as chosen by --sample-rate, --swap, --mirror and --gain.
 struct SoundOptions {
     std::uint32_t rate = 48'000; ///< samples in a second
     Deflection deflection;

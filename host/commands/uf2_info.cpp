@@ -1,4 +1,5 @@
 #include "host/commands/json_text.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/commands/uf2_input.hpp"
 #include "host/counted.hpp"
@@ -96,7 +97,7 @@ void declare_uf2_info(CLI::App& app)
 {
     const auto options = std::make_shared<Uf2InfoOptions>();
     app.add_option("FILE", options->file, "A UF2 file")->required();
-    app.add_flag("--json", options->json, "For programs");
+    declare_json(app, options->json);
     app.footer("Example:\n  kfast uf2 info eyes.uf2");
     app.callback([options] { inform(*options); });
 }

@@ -1,3 +1,4 @@
+#include "host/commands/report_options.hpp"
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/offered_names.hpp"
@@ -144,7 +145,7 @@ void declare_wiring(CLI::App& app)
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
             ->required();
     offer_names(input, config::configurations());
-    app.add_flag("--json", options->json, "For programs: a JSON object");
+    declare_json(app, options->json);
     app.callback([options] { print_wiring(*options); });
 }
 

@@ -39,7 +39,7 @@ fit::Target previewed_board(const ShownDisplay& shown, const std::optional<fit::
     fit::Target board = named ? *named : fit::chosen_board("pico");
     if (board.beam)
         throw Failure("the board " + board.name +
-                      " has a beam, not a panel: leave out --panel, --fit and --format");
+                      " has a beam, not a panel: leave out --panel, --scaling and --format");
     board.display = with_pixels(shown, board.display);
     board.display.size = shown.size;
     return board;

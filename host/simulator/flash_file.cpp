@@ -42,7 +42,7 @@ public:
     void lock() const
     {
         if (::flock(number_, LOCK_EX | LOCK_NB) != 0)
-            fail("another simulated board uses it: name another file with --flash");
+            fail("another simulated board uses it: name another file with --flash-file");
     }
 
     std::size_t size() const

@@ -80,7 +80,7 @@ class Reader:
                     shutil.copy(ROOT / source, self.folder / name)
         if not self.simulator:
             self.simulator = subprocess.Popen(
-                [KFAST, "simulate", "--headless", "--socket", "board.sock", "--flash", "board.bin"], cwd=self.folder,
+                [KFAST, "simulate", "--headless", "--socket", "board.sock", "--flash-file", "board.bin"], cwd=self.folder,
                 env=self.environment, stdout=subprocess.PIPE, text=True)
             self.simulator.stdout.readline()
 

@@ -58,13 +58,13 @@ def on_simulated_board(arguments):
 def unseen(arguments):
     arguments = without(without(arguments, "--terminal"), "--loops", 1)
     arguments = arguments if "--headless" in arguments else [*arguments, "--headless"]
-    return [*arguments, "--keys", "n q"] if "--beam" in arguments else arguments  # all frames of a beam take seconds
+    return [*arguments, "--press", "n q"] if "--beam" in arguments else arguments  # all frames of a beam take seconds
 
 
 def simulate(arguments):
     """Until the board listens."""
     arguments = without(unseen(arguments), "--socket", 1)
-    board = subprocess.Popen([REAL, *arguments, "--socket", "other.sock", "--flash", "other.bin"],
+    board = subprocess.Popen([REAL, *arguments, "--socket", "other.sock", "--flash-file", "other.bin"],
                              stdout=subprocess.PIPE, text=True)
     line = board.stdout.readline()
     board.send_signal(signal.SIGTERM)

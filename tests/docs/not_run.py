@@ -52,7 +52,7 @@ def on_no_board(arguments):
 
 
 def silent(arguments):
-    return [*without(arguments, "--audio"), "--headless", "--keys", "n q"]
+    return [*without(arguments, "--audio"), "--headless", "--press", "n q"]
 
 
 KFAST = (

@@ -13,8 +13,8 @@ import tempfile
 
 from PIL import Image
 
-PANELS = [[], ["--size", "50x70"], ["--size", "40x24", "--fit", "cover", "--format", "grey4"],
-          ["--size", "64x32", "--fit", "none", "--format", "mono1"]]
+PANELS = [[], ["--size", "50x70"], ["--size", "40x24", "--scaling", "cover", "--format", "grey4"],
+          ["--size", "64x32", "--scaling", "none", "--format", "mono1"]]
 PICTURES = 3
 
 

@@ -79,7 +79,7 @@ class BeamTest(CommandTest):
 
     def test_the_preview_tells_what_a_picture_takes(self):
         out = self.run_kfast("preview", "lines.kfast", "--beam", "crt", "--size", "50x50", "--headless",
-                             "--keys", "space t t").stdout.splitlines()
+                             "--press", "space t t").stdout.splitlines()
         self.assertNotIn("points", out[0])
         self.assertRegex(out[1], r"  \d+ points  \d+ Hz  lit 1\.2  blanked \d\.\d  [0-9a-f]{8}$")
         self.assertNotEqual(out[1].split()[-1], out[0].split()[-1])
@@ -91,7 +91,7 @@ class BeamTest(CommandTest):
             (("render", "--frame", "0", "-o", "a.png", "--beam", "no.kdl"), "there is no such file"),
             (("render", "--frame", "0", "-o", "a.png", "--beam", "scope", "--panel", "st7789"), "excludes"),
             (("render", "--frame", "0", "-o", "a.png", "--beam", "scope", "--format", "mono1"), "excludes"),
-            (("render", "--frame", "0", "-o", "a.png", "--beam", "scope", "--fit", "cover"), "excludes"),
+            (("render", "--frame", "0", "-o", "a.png", "--beam", "scope", "--scaling", "cover"), "excludes"),
             (("render", "--frame", "0", "-o", "a.png", "--spot", "1"), "--spot requires --beam"),
             (("render", "--frame", "0", "-o", "a.png", "--beam", "scope", "--spot", "nan"), "not a number from 0.05 to 10"),
             (("render", "--frame", "0", "-o", "a.png", "--beam", "scope", "--decay", "0"), "not a number from 0.1 to 1000"),

@@ -16,7 +16,7 @@ class CheckTest(CommandTest):
         return name
 
     def json(self, *arguments, status=0, text=None):
-        result = subprocess.run([KFAST, "check", "--format", "json", *arguments], cwd=self.folder, input=text,
+        result = subprocess.run([KFAST, "check", "--json", *arguments], cwd=self.folder, input=text,
                                 capture_output=True, text=True, timeout=120)
         self.assertEqual(result.returncode, status, result.stderr)
         return json.loads(result.stdout)["files"]
@@ -56,14 +56,14 @@ class CheckTest(CommandTest):
             self.assertIn(f"= help: {each['remedy']}\n", text)
 
     def test_a_text_that_is_not_saved(self):
-        (file,) = self.json("-", "--name", "eyes.kfast", status=1, text=WRONG)
+        (file,) = self.json("-", "--stdin-filename", "eyes.kfast", status=1, text=WRONG)
         self.assertEqual((file["file"], len(file["diagnostics"])), ("eyes.kfast", 2))
         font = next((ROOT / "tests").rglob("*.ttf"), None)
         scene = 'kfast 1\ncanvas 60 40\nobject a fill=white { text "A" at="1,9" size=9 font="f.ttf" }\n'
         if font:
             (self.folder / "sub").mkdir()
             shutil.copy(font, self.folder / "sub/f.ttf")
-            self.assertTrue(self.json("-", "--name", "sub/new.kfast", text=scene)[0]["good"], "fonts lie beside the name")
+            self.assertTrue(self.json("-", "--stdin-filename", "sub/new.kfast", text=scene)[0]["good"], "fonts lie beside the name")
         self.assertIn("f.ttf", self.json("-", status=1, text=scene)[0]["diagnostics"][0]["message"])
         result = subprocess.run([KFAST, "check", "-"], input=WRONG, capture_output=True, text=True, timeout=120)
         self.assertEqual(result.returncode, 1)
@@ -105,9 +105,9 @@ object outside fill=white { rect 60 0 9 9 }
         self.assertIn("not carried over", strict["failure"])
 
     def test_wrong_usage(self):
-        self.refuse("check", "repeat.kfast", "--format", "jsn", status=2, says='did you mean "json"?')
+        self.refuse("check", "repeat.kfast", "--format", "jsn", status=2, says="no option --format")
         self.refuse("check", "-", "-", status=2, says="once")
-        self.refuse("check", "repeat.kfast", "--name", "a", status=2, says="--name")
+        self.refuse("check", "repeat.kfast", "--stdin-filename", "a", status=2, says="--stdin-filename")
         self.refuse("check", status=2, says="SCENE")
 
 

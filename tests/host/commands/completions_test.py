@@ -53,7 +53,6 @@ class CompletionsTest(CommandTest):
         self.assertEqual(self.offered("render", "a.kfast", "--panel", "=", "ssd13"), {"ssd1306", "ssd1351"})
         self.assertEqual(self.offered("fit", "a.kfast", "--board", "pico", "--panel", "ssd13"), {"ssd1306", "ssd1322", "ssd1351"})
         self.assertIn("rgb565_be", self.offered("preview", "--format", ""))
-        self.assertEqual(self.offered("check", "--format", ""), {"text", "json"})
         self.assertIn("pico-xy", self.offered("fit", "--board", "pi"))
         self.assertIn("pico-st7789", self.offered("wiring", ""))
         self.assertEqual(self.offered("new", "a.kfast", "--like", "wea"), {"weather"})

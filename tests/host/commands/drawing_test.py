@@ -63,9 +63,9 @@ class DrawingTest(CommandTest):
         self.run_kfast("render", "plot.kfast", "--frame", "1", "-o", "a.png")
         self.run_kfast("render", "plot.kfast", "--frame", "1", *told, "-o", "b.png")
         self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
-        lines = self.run_kfast("preview", "plot.kfast", "--headless", "--keys", "h + i", *told).stdout.splitlines()
+        lines = self.run_kfast("preview", "plot.kfast", "--headless", "--press", "h + i", *told).stdout.splitlines()
         self.assertIn("level", lines[1])
-        self.assertNotEqual(lines, self.run_kfast("preview", "plot.kfast", "--headless", "--keys", "h + i").stdout.splitlines())
+        self.assertNotEqual(lines, self.run_kfast("preview", "plot.kfast", "--headless", "--press", "h + i").stdout.splitlines())
 
     def test_info_tells_drawings(self):
         facts = json.loads(self.run_kfast("info", "plot.kfast", "--json", "--tracks").stdout)

@@ -69,7 +69,7 @@ class ExportTest(CommandTest):
             (self.folder / f"{file}.kfast").write_text((self.folder / "once.kfast").read_text())
             self.run_kfast("export", "--header", f"{file}.kfast")
             self.assertIn(f"unsigned char {name}[", (self.folder / f"{file}.h").read_text())
-        self.run_kfast("export", "--header", "once.kfast", "--name", "Blink2_a", "-o", "a.h")
+        self.run_kfast("export", "--header", "once.kfast", "--array-name", "Blink2_a", "-o", "a.h")
         self.assertIn("unsigned char Blink2_a[Blink2_a_bytes]", (self.folder / "a.h").read_text())
         self.assertIn("#ifndef KFAST_SCENE_BLINK2_A_H\n", (self.folder / "a.h").read_text())
 
@@ -77,15 +77,15 @@ class ExportTest(CommandTest):
         for name in ("", "2048", "a-b", "a b", "größe", "_a", "a_", "a__b", "int", "class", "main", "kfast", "kfast_show",
                      "a" * 49):
             with self.subTest(name=name):
-                self.refuse("export", "--header", "once.kfast", f"--name={name}", status=2, says="--name")
+                self.refuse("export", "--header", "once.kfast", f"--array-name={name}", status=2, says="--array-name")
         for file in ("2048", "int", "ü"):
             (self.folder / f"{file}.kfast").write_text((self.folder / "once.kfast").read_text())
-            self.refuse("export", "--header", f"{file}.kfast", status=1, says="choose one with --name")
+            self.refuse("export", "--header", f"{file}.kfast", status=1, says="choose one with --array-name")
 
     def test_a_file_name_does_not_end_the_comment(self):
         name = "*\n#error.kfast"
         (self.folder / name).write_text((self.folder / "once.kfast").read_text())
-        self.run_kfast("export", "--header", name, "--name", "a", "-o", "a.h")
+        self.run_kfast("export", "--header", name, "--array-name", "a", "-o", "a.h")
         self.assertEqual(len(self.numbers("a.h", "a", "c", "c99")) - 3, len(self.compiled()))
 
     def test_wrong_usage(self):

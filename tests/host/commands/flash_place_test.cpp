@@ -36,7 +36,7 @@ TEST_CASE("of several boards that run one must be chosen, unless one is in its b
     Flasher flasher;
     DeskPico& first = flasher.running("1-2", "E6");
     DeskPico& second = flasher.running("1-3", "E7");
-    CHECK(has(flasher.refusal(), "2: several boards run KFAST: choose with --serial: E6, E7"));
+    CHECK(has(flasher.refusal(), "2: several boards run KFAST: choose with --device: E6, E7"));
     flasher.order.place.serial = "E7";
     CHECK(flasher.run().port == "1-3");
     CHECK(second.boot_loader.changed);

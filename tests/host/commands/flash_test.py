@@ -121,7 +121,7 @@ class RefusalTest(FlashTest):
         self.refused("--no-firmware", "--firmware", "f.bin", status=2, says="--no-firmware")
         self.refused("--board", "bluepill", status=2, says="there is no firmware for 'bluepill': allowed: pico")
         self.refused("--verify-only", "--dry-run", status=2, says="--dry-run")
-        self.refused("--serial", "E6", status=2, says="excludes --serial")
+        self.refused("--device", "E6", status=2, says="excludes --device")
         self.refused("--reset-line", "GPIO17", status=2, says="--reset-line requires --boot-line")
         self.refused("--gpio-chip", "0", status=2, says="--gpio-chip requires --reset-line")
 

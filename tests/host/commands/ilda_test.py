@@ -144,7 +144,7 @@ class IldaTest(CommandTest):
     def test_info_tells_what_is_in_the_file(self):
         points = self.frames(self.export("still", "--ilda-format", 4))
         flat = [p for frame in points for p in frame]
-        facts = json.loads(self.run_kfast("info", "a.ild", "--json", "--rate", 1000).stdout)
+        facts = json.loads(self.run_kfast("info", "a.ild", "--json", "--point-rate", 1000).stdout)
         self.assertEqual(facts["frames"], 3)
         self.assertEqual(facts["formats"], [4])
         self.assertEqual(facts["points"], len(flat))

@@ -70,17 +70,17 @@ class ImportTest(ImportCase):
         self.assertIn("dot", loss["layer"])
 
     def test_size(self):
-        self.assertIn("canvas 50 40", self.run_kfast("import", "dot.json", "--size", "50x50", "-o", "-").stdout)
-        self.assertIn("canvas 200 160", self.run_kfast("import", "dot.json", "--size", "200x900", "-o", "-").stdout)
-        self.assertRegex(self.run_kfast("check", "dot.json", "--size", "50x50").stdout, "at 50x40")
-        self.refuse("import", "dot.json", "--size", "2048x9", status=2, says="at most 2047")
+        self.assertIn("canvas 50 40", self.run_kfast("import", "dot.json", "--canvas", "50x50", "-o", "-").stdout)
+        self.assertIn("canvas 200 160", self.run_kfast("import", "dot.json", "--canvas", "200x900", "-o", "-").stdout)
+        self.assertRegex(self.run_kfast("check", "dot.json", "--canvas", "50x50").stdout, "at 50x40")
+        self.refuse("import", "dot.json", "--canvas", "2048x9", status=2, says="at most 2047")
 
     def test_a_canvas_that_is_too_large_is_made_smaller_and_told(self):
         self.write("large.json", lottie(w=4094, h=2000))
         result = self.run_kfast("import", "large.json", "-o", "-")
         self.assertIn("canvas 2047 1000", result.stdout)
         self.assertIn("canvas of 4094x2000 pixels: all of it smaller, on 2047x1000", result.stderr)
-        self.run_kfast("check", "large.json", "--strict", "--size", "2047x2047")
+        self.run_kfast("check", "large.json", "--strict", "--canvas", "2047x2047")
 
     def test_what_goes_far_beyond_a_large_canvas_makes_it_smaller(self):
         def flying(side):

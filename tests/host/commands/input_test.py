@@ -67,7 +67,7 @@ class InputTest(CommandTest):
 
     def test_keys_of_the_preview_turn_inputs(self):
         def lines(keys, *arguments):
-            return self.run_kfast("preview", "knobs.kfast", "--headless", "--keys", keys, *arguments).stdout.splitlines()
+            return self.run_kfast("preview", "knobs.kfast", "--headless", "--press", keys, *arguments).stdout.splitlines()
 
         told = [line.split("  ")[3] for line in lines("+ + - i + -", "--input", "gaze=0.9")[:-1]]
         self.assertEqual(told, ["gaze 1", "gaze 1", "gaze 0.9", "open 50", "open 55", "open 50"])
@@ -109,7 +109,7 @@ class InputTest(CommandTest):
         inputs = ["--input", "t=99:59", "--input", "n=0.5"]
         self.assertEqual(self.hashes("label.kfast", *inputs, "--panel", "ssd0323"),
                          self.hashes("label.kfast", *inputs, "--size", "128x64", "--format", "grey4"))
-        told = self.run_kfast("preview", "label.kfast", "--headless", "--keys", "i +", "--input", "t=7").stdout
+        told = self.run_kfast("preview", "label.kfast", "--headless", "--press", "i +", "--input", "t=7").stdout
         self.assertIn("  n 0.05  ", told)
 
     def test_info_tells_texts(self):

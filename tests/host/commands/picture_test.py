@@ -86,7 +86,7 @@ class HashTest(CommandTest):
                 self.refuse(*command, "marked.kfast", f"--speed={speed}", status=2, says="is no speed")
 
     def test_size_and_fit_change_the_picture(self):
-        sizes = [self.hashes("repeat.kfast", "--size", "64x64", "--fit", fit)[1] for fit in ("contain", "cover", "none")]
+        sizes = [self.hashes("repeat.kfast", "--size", "64x64", "--scaling", fit)[1] for fit in ("contain", "cover", "none")]
         self.assertEqual(len(set(sizes)), 3)
 
     def test_a_full_output_is_a_failure(self):
@@ -197,7 +197,7 @@ class PreviewTest(CommandTest):
             self.assertRegex(line, rf"^{count} frames, hash [0-9a-f]{{8}}\n$")
 
     def test_keys(self):
-        out = self.run_kfast("preview", "repeat.kfast", "--headless", "--keys", "n n p space right").stdout
+        out = self.run_kfast("preview", "repeat.kfast", "--headless", "--press", "n n p space right").stdout
         shown = [int(line.split()[1]) for line in out.splitlines()[:-1]]
         self.assertEqual(shown, [4, 0, 4, 4, 6])
         hashes = [line.split()[1] for line in self.run_kfast("hash", "repeat.kfast").stdout.splitlines()]
@@ -217,7 +217,7 @@ class PreviewTest(CommandTest):
         self.assertEqual(events("--clip", "sway"), ["4 shut", "4 shut2", "9.5 late"])
 
     def test_keys_change_speed_and_clip(self):
-        out = self.run_kfast("preview", "marked.kfast", "--headless", "--keys", "right up v space c space c b b").stdout
+        out = self.run_kfast("preview", "marked.kfast", "--headless", "--press", "right up v space c space c b b").stdout
         states = [line.rsplit("  ", 1)[0] for line in out.splitlines() if line.startswith("frame")]
         self.assertEqual(states, [
             "frame 2  0.067 s  paused",
@@ -317,8 +317,8 @@ class PreviewTest(CommandTest):
 
     def test_wrong_usage(self):
         preview = ["preview", "repeat.kfast"]
-        self.refuse(*preview, "--keys", "n", status=2, says="--keys requires --headless")
-        self.refuse(*preview, "--headless", "--keys", "n 7", status=2, says="'7' is no key")
+        self.refuse(*preview, "--press", "n", status=2, says="--press requires --headless")
+        self.refuse(*preview, "--headless", "--press", "n 7", status=2, says="'7' is no key")
         self.refuse(*preview, "--headless", "--terminal", status=2, says="excludes")
         self.refuse(*preview, "--terminal", "--loops", "0", status=2, says="--loops")
         self.refuse(*preview, "--headless", "--loops", "2", status=2, says="excludes")

@@ -263,7 +263,7 @@ class ScriptTest(CommandTest):
         (self.folder / "other.kfast").write_text("kfast 1\ncanvas 4 4\n")
 
     def keys(self, keys, *arguments):
-        return self.run_kfast("preview", "lamp.kfast", "--headless", "--keys", keys, *arguments).stdout
+        return self.run_kfast("preview", "lamp.kfast", "--headless", "--press", keys, *arguments).stdout
 
     def test_every_key_works_without_a_display(self):
         listed = self.run_kfast("preview", "--help").stdout
@@ -296,15 +296,15 @@ class ScriptTest(CommandTest):
 
     def test_options_about_the_first_file_are_left_out_where_they_do_not_suit(self):
         (self.folder / "clips.kfast").write_text(GOOD + "clip blink from=2 to=4\n")
-        out = self.run_kfast("preview", "clips.kfast", "--clip", "blink", "--headless", "--keys", "right open=lamp.kfast").stdout
+        out = self.run_kfast("preview", "clips.kfast", "--clip", "blink", "--headless", "--press", "right open=lamp.kfast").stdout
         self.assertIn("clip blink", out)
         self.assertIn("notice: --clip: there is no clip 'blink'", out)
         self.assertIn("so that is left out", out)
 
     def test_wrong_boards_and_objects_are_refused(self):
-        self.refuse("preview", "lamp.kfast", "--headless", "--keys", "e", "--board", "nothing", status=1, says="nothing")
-        self.refuse("preview", "lamp.kfast", "--headless", "--keys", "select=lump", status=1, says="did you mean")
-        self.refuse("preview", "lamp.kfast", "--headless", "--keys", "frame=x", status=2, says="is no key")
+        self.refuse("preview", "lamp.kfast", "--headless", "--press", "e", "--board", "nothing", status=1, says="nothing")
+        self.refuse("preview", "lamp.kfast", "--headless", "--press", "select=lump", status=1, says="did you mean")
+        self.refuse("preview", "lamp.kfast", "--headless", "--press", "frame=x", status=2, says="is no key")
 
 
 if __name__ == "__main__":

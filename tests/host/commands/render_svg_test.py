@@ -55,7 +55,7 @@ class VectorTest(RenderTest):
         scenes = [(self.folder / "varied.kfast", []), (examples / "stroller.kfast", []), (examples / "worm.kfast", []), (examples / "one-to-two.kfast", []),
                   (examples / "card.kfast", []), (examples / "jitterbug.kfast", []), (examples / "plot.kfast", []), (examples / "clock-face.kfast", ["--input", "clock=08:45"]),
                   (examples / "dial.kfast", ["--input", "speed=70", "--input", "mood=0.5"]), (examples / "logo.kfast", ["--size", "100x150"]),
-                  (examples / "robot-eyes.kfast", ["--size", "90x150", "--fit", "cover"])]
+                  (examples / "robot-eyes.kfast", ["--size", "90x150", "--scaling", "cover"])]
         for scene, options in scenes:
             for frame in (0, 9):
                 self.render(scene, *options, "--frame", frame, "-o", "out.svg")

@@ -37,7 +37,7 @@ class Simulated:
         self.errors = folder / "errors"
         with open(self.told, "w") as told, open(self.errors, "w") as errors:
             self.process = subprocess.Popen(
-                [KFAST, "simulate", "--socket", self.plug, "--flash", folder / "flash", *map(str, arguments)],
+                [KFAST, "simulate", "--socket", self.plug, "--flash-file", folder / "flash", *map(str, arguments)],
                 cwd=folder, stdout=told, stderr=errors, env={**os.environ, **(environment or {})})
         self.wait_for(lambda: "listening" in self.told.read_text())
 
@@ -65,7 +65,7 @@ class SimulateTest(CommandTest):
         (self.folder / "still.kfast").write_text(STILL)
 
     def simulated(self, *arguments, **more):
-        board = Simulated(self.folder, "--headless", "--frames", *arguments, **more)
+        board = Simulated(self.folder, "--headless", "--print-frames", *arguments, **more)
         self.addCleanup(board.process.wait)
         self.addCleanup(board.process.kill)
         return board
@@ -162,7 +162,7 @@ class SimulateTest(CommandTest):
 
     def test_several_boards(self):
         first = self.simulated("--serial", "LEFT")
-        second = subprocess.Popen([KFAST, "simulate", "--headless", "--socket", "right", "--flash", "right.bin",
+        second = subprocess.Popen([KFAST, "simulate", "--headless", "--socket", "right", "--flash-file", "right.bin",
                                    "--serial", "RIGHT"], cwd=self.folder, stdout=subprocess.PIPE, text=True)
         self.addCleanup(second.wait)
         self.addCleanup(second.kill)
@@ -184,20 +184,20 @@ class SimulateTest(CommandTest):
         self.ask("devices")
 
     def test_what_cannot_be_is_refused(self):
-        simulate = ["simulate", "--headless", "--socket", "plug", "--flash", "flash"]
+        simulate = ["simulate", "--headless", "--socket", "plug", "--flash-file", "flash"]
         self.refuse(*simulate, "none.kfast", status=1, says="none.kfast")
         self.refuse(*simulate, "--panel", "st7788", status=2, says='did you mean "st7789"')
         self.refuse(*simulate, "--panel", "st7789", "--config", "pico-ssd1306", status=2, says="excludes")
-        self.refuse("simulate", "--headless", "--flash", "repeat.kfast", "--socket", "plug", status=1,
+        self.refuse("simulate", "--headless", "--flash-file", "repeat.kfast", "--socket", "plug", status=1,
                     says="is it another file?")
-        self.refuse("simulate", "--headless", "--flash", "flash", "--socket", "none/plug", status=1,
+        self.refuse("simulate", "--headless", "--flash-file", "flash", "--socket", "none/plug", status=1,
                     says="cannot listen there")
         for serial in ("", "a b", "\x1b", "x" * 25):
             self.refuse(*simulate, "--serial", serial, status=2, says="is no serial number")
         board = self.simulated()
-        self.refuse("simulate", "--headless", "--flash", "flash", "--socket", "other", status=1,
+        self.refuse("simulate", "--headless", "--flash-file", "flash", "--socket", "other", status=1,
                     says="another simulated board uses it")
-        self.refuse("simulate", "--headless", "--flash", "other", "--socket", "plug", status=1,
+        self.refuse("simulate", "--headless", "--flash-file", "other", "--socket", "plug", status=1,
                     says="a simulated board runs there already")
         board.stop()
 

@@ -50,7 +50,7 @@ class ExportedTest(Sounds):
     def test_rate_bits_and_length(self):
         for rate, bits in ((44100, 16), (48000, 24), (96000, 16), (192000, 24)):
             with self.subTest(rate=rate, bits=bits):
-                points, told = self.wave("scene", "--rate", rate, "--bits", bits)
+                points, told = self.wave("scene", "--sample-rate", rate, "--bits", bits)
                 self.assertEqual((self.rate, self.bytes), (rate, bits // 8))
                 self.assertEqual(len(points), rate)
                 self.assertIn("a.wav: 1 s, ", told.stdout)
@@ -59,7 +59,7 @@ class ExportedTest(Sounds):
         self.assertEqual(len(self.wave("marked", "--clip", "blink")[0]), 8000, "the end is held for a frame")
 
     def test_nothing_clicks_within_nor_from_the_end_to_the_beginning(self):
-        for arguments in ((), ("--rate", 96000), ("--seconds", "1.7")):
+        for arguments in ((), ("--sample-rate", 96000), ("--seconds", "1.7")):
             points, _ = self.wave("scene", *arguments)
             self.assertLess(longest_step(points + points[:1]), TRAVEL + 2)
 
@@ -74,9 +74,9 @@ class ExportedTest(Sounds):
     def test_swap_invert_and_gain(self):
         plain, _ = self.wave("scene")
         self.assertTrue(self.wave("scene", "--swap")[0] == [(y, x) for x, y in plain])
-        self.assertTrue(self.wave("scene", "--invert", "x")[0] == [(-x, y) for x, y in plain])
-        self.assertTrue(self.wave("scene", "--invert", "y")[0] == [(x, -y) for x, y in plain])
-        self.assertTrue(self.wave("scene", "--invert", "both", "--swap")[0] == [(-y, -x) for x, y in plain])
+        self.assertTrue(self.wave("scene", "--mirror", "x")[0] == [(-x, y) for x, y in plain])
+        self.assertTrue(self.wave("scene", "--mirror", "y")[0] == [(x, -y) for x, y in plain])
+        self.assertTrue(self.wave("scene", "--mirror", "both", "--swap")[0] == [(-y, -x) for x, y in plain])
         for (x, y), (half_x, half_y) in zip(plain, self.wave("scene", "--gain", "0.5")[0]):
             self.assertLessEqual(max(abs(x / 2 - half_x), abs(y / 2 - half_y)), 0.5)
 
@@ -86,8 +86,8 @@ class ExportedTest(Sounds):
         self.assertIn(f"middle at {round(x, 1):g} % {round(y, 1):g} %", told.stdout)
 
     def test_wrong_usage(self):
-        for arguments, says in ((("--rate", "7999"), "--rate"), (("--bits", "8"), "--bits"), (("--gain", "0"), "--gain"),
-                                (("--invert", "z"), "--invert"), (("--seconds", "nan"), "--seconds"),
+        for arguments, says in ((("--sample-rate", "7999"), "--sample-rate"), (("--bits", "8"), "--bits"), (("--gain", "0"), "--gain"),
+                                (("--mirror", "z"), "--mirror"), (("--seconds", "nan"), "--seconds"),
                                 (("--ilda-format", "5"), "--ilda-format requires --ild"), (("--size", "9x9"), "--size")):
             with self.subTest(says=says):
                 self.refuse("export", "--wav", "still.kfast", *arguments, status=2, says=says)
@@ -110,7 +110,7 @@ class HeardTest(Sounds):
 
     def test_a_still_scene_is_heard_as_it_is_exported(self):
         (self.folder / "still.kfast").write_text(STILL.replace("fps=30", "fps=1"))
-        for arguments in ((), ("--swap", "--invert", "y", "--gain", "0.5", "--rate", "44100")):
+        for arguments in ((), ("--swap", "--mirror", "y", "--gain", "0.5", "--sample-rate", "44100")):
             heard = [(x + 0x8000 >> 16, y + 0x8000 >> 16) for x, y in self.heard("still", *arguments)]
             exported, _ = self.wave("still", "--seconds", "60", *arguments)
             begin = heard.index(exported[0])
@@ -139,7 +139,7 @@ class HeardTest(Sounds):
         self.run_kfast("preview", "still.kfast", "--audio", "--loops", 1, "--audio-device", names[0], environment=dummy)
 
     def test_wrong_usage(self):
-        self.refuse("preview", "still.kfast", "--rate", "48000", status=2, says="--rate requires --audio")
+        self.refuse("preview", "still.kfast", "--sample-rate", "48000", status=2, says="--sample-rate requires --audio")
         self.refuse("preview", "still.kfast", "--audio", "--headless", status=2, says="excludes")
 
 

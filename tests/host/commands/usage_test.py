@@ -44,6 +44,19 @@ class UsageTest(CommandTest):
         self.refuse("uf2", "pack", "--firmwear", "a.bin", status=2, says='did you mean "--firmware"?')
         self.refuse("info", "--", "--no-file", status=1, says="--no-file: there is no such file")
 
+    def test_old_names_of_options_work_with_a_note(self):
+        page = (ROOT / "docs/commands.md").read_text(encoding="utf-8").split("### Old names")[1]
+        rows = re.findall(r"(?m)^\| (`.*`) \| `(.*)` \| `(.*)` \|$", page)
+        self.assertGreater(len(rows), 10)
+        for commands, before, now in rows:
+            for command in re.findall(r"`(\w+)`", commands):
+                told = self.run_kfast(command, *before.split(), "x" if before.startswith("--f") else "9", "--help")
+                self.assertIn(f"kfast: {before} is now called {now}; the old name goes with the next version", told.stderr)
+                self.assertNotRegex(told.stdout, rf"{before.split()[0]}\b(?!-)")
+        shown = self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--fit=cover").stdout
+        self.assertEqual(shown, self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--scaling", "cover").stdout)
+        self.assertNotEqual(shown, self.run_kfast("hash", "repeat.kfast", "--size", "64x32").stdout)
+
     def test_whole_numbers(self):
         for arguments in (["render", "repeat.kfast", "--frame", "1e3", "-o", "a.png"],
                           ["render", "repeat.kfast", "--all", "--scale", "1.5", "-o", "a.gif"]):
@@ -60,7 +73,7 @@ class UsageTest(CommandTest):
 
     def test_options_for_files_of_other_programs(self):
         self.run_kfast("compile", "repeat.kfast")
-        for option, value in (("--size", "30x30"), ("--background", "navy"), ("--tolerance", "1"), ("--animation", "a")):
+        for option, value in (("--canvas", "30x30"), ("--background", "navy"), ("--tolerance", "1"), ("--animation", "a")):
             for scene in ("repeat.kfast", "repeat.kfb"):
                 self.refuse("fit", scene, "--board", "pico", option, value, status=2,
                             says=f"{scene}: {option} is for files of other programs")
@@ -76,10 +89,10 @@ class UsageTest(CommandTest):
         scene = ["hash", "repeat.kfast"]
         for size in ("0x1", "1x0", "4097x1", "1x4097", "3", "3x", "x3", "3x3x3", "-3x3", "3 x 3", "99999999999x1"):
             self.refuse(*scene, f"--size={size}", status=2, says="write it like 240x135")
-        self.refuse(*scene, "--fit", "containt", status=2, says='did you mean "contain"?')
+        self.refuse(*scene, "--scaling", "containt", status=2, says='did you mean "contain"?')
         self.refuse(*scene, "--format", "rgb888", status=2, says="rgb565")
         self.refuse(*scene, "--panel", "sdd0323", status=2, says="ssd0323")
-        for option, value in (("--size", "9x9"), ("--fit", "none"), ("--format", "mono1")):
+        for option, value in (("--size", "9x9"), ("--scaling", "none"), ("--format", "mono1")):
             self.refuse(*scene, "--panel", "ssd0323", option, value, status=2, says="--panel")
 
     def test_the_largest_picture(self):
