@@ -143,8 +143,9 @@ class Assemble(unittest.TestCase):
         self.assertEqual([{"name": "The KFAST authors", "maintainer": True}], json.loads(texts["library.json"])["authors"])
 
     def test_an_address_that_is_none_is_refused(self):
-        for number, (name, value) in enumerate([("url", "example.org"), ("mail", "lamp"), ("version", None), ("lamp", "lit")]):
-            project = self.project_with(f"refused-{number}", "LICENSE", **{name: value})
+        project = self.project_with("refused", "LICENSE")
+        for name, value in ("url", "example.org"), ("mail", "lamp"), ("version", None), ("lamp", "lit"):
+            (project / "packages/project.json").write_text(json.dumps(PROJECT | {name: value}), encoding="utf-8")
             result = subprocess.run([project / "scripts/assemble", "arduino", project / "made"], capture_output=True, text=True)
             self.assertEqual(1, result.returncode)
             self.assertIn("packages/project.json: ", result.stderr)

@@ -68,7 +68,7 @@ class Release(unittest.TestCase):
                                       check=True, timeout=60).stdout
                 panel = image.stem.split("-pico-")[1].split("-")[0]
                 self.assertIn("firmware for ", said)
-                self.assertRegex(said, f"settings of .*{'scope' if panel == 'xy' else panel}")
+                self.assertRegex(said, f"settings of .*{'beam' if panel == 'xy' else panel}")
                 self.assertIn("scene: ", said)
 
     def test_the_next_one_takes_its_place_as_a_whole(self):
