@@ -103,7 +103,7 @@ class GalleryTest(CommandTest):
         self.assertEqual(gauge["inputs"], ["value", "words"])
 
     def test_options_that_do_not_go_together(self):
-        self.refuse("new", "--list", "mine.kfast", status=2, says="--list excludes SCENE")
+        self.refuse("new", "--list", "mine.kfast", status=2, says="SCENE excludes --list")
         self.refuse("new", "--list", "--like", "gauge", status=2, says="excludes")
         self.refuse("new", "mine.kfast", "--json", status=2, says="--json requires --list")
 
