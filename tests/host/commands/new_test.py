@@ -77,7 +77,7 @@ class GalleryTest(CommandTest):
         self.assertEqual({line.split()[0] for line in lines}, {scene.stem for scene in GALLERY})
         for line in lines:
             self.assertRegex(line, r"^[a-z]+  +[A-Z].*\.$")
-            self.assertLess(len(line), 100)
+            self.assertLess(len(line), 80)
 
     def test_the_list_shows_pictures_in_a_terminal(self):
         status, shown = shown_in_a_terminal("new", "--list", TERM="xterm-256color")
