@@ -4,7 +4,7 @@
 #include "host/commands/offered_names.hpp"
 #include "host/commands/template_list.hpp"
 #include "host/failure.hpp"
-#include "host/preview/terminal.hpp"
+#include "host/preview/borrowed_terminal.hpp"
 
 #include <filesystem>
 #include <iostream>
