@@ -5,7 +5,6 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,8 +12,8 @@
 namespace kfast::scene {
 namespace {
 
-constexpr int alike = 16;     ///< by how many 1/256 the weights of both differ at most
-constexpr double closeness = 1; ///< px by which bones that lie on each other are apart at most
+constexpr int alike = 16;         ///< by how many 1/256 the weights of both differ at most
+constexpr double closeness = 1;   ///< px by which bones that lie on each other are apart at most
 constexpr double slant = 1.0 / 8; ///< or this share of the shorter one
 
 using BonePair = std::pair<std::size_t, std::size_t>;
@@ -31,19 +30,18 @@ bool has_keys(const Bone& bone)
     return std::ranges::any_of(bone.keys, [](const auto& keys) { return !keys.empty(); });
 }
 
-/// Finds the points that follow two bones alike.
+/// Finds the points of which the two heaviest bones are alike.
 class OverlappingBones {
 public:
-    explicit OverlappingBones(const std::vector<Bone>& bones) : bones_{bones}, frames_{frames_as_set_up(bones)}
+    explicit OverlappingBones(const std::vector<Bone>& bones)
+        : bones_{bones}, frames_{frames_as_set_up(bones)}
     {
     }
 
     void look_at(std::size_t point, const Binding& binding)
     {
-        for (std::size_t i = 0; i < binding.size(); ++i)
-            for (std::size_t j = i + 1; j < binding.size(); ++j)
-                if (std::abs(binding[i].weight - binding[j].weight) <= alike)
-                    look_at(point, std::minmax(binding[i].bone, binding[j].bone));
+        if (binding.size() > 1 && binding[0].weight - binding[1].weight <= alike)
+            look_at(point, std::minmax(binding[0].bone, binding[1].bone));
     }
 
     /// By the bones between which they cannot decide.
