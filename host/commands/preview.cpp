@@ -41,8 +41,8 @@ std::vector<ScriptStep> read_script(const std::string& text)
         const std::optional<ScriptStep> step = script_step(word);
         if (!step)
             throw CLI::ValidationError("--press", "'" + word +
-                                                     "' is no key: write them like \"n p space right "
-                                                     "frame=12 select=lamp\"");
+                                                      "' is no key: write them like \"n p space right "
+                                                      "frame=12 select=lamp\"");
         script.push_back(*step);
     }
     return script;

@@ -41,7 +41,7 @@ TEST_CASE("an arc that grows by a quarter turn from key to key leaves its circle
     const std::string found = warnings("key 0 { " + arc(0, 90) + " }; key 100 { " + arc(0, 180) + " }");
     CHECK(found.starts_with("the arc leaves its circle on the way to the next key, by 2"));
     CHECK(found.find(" px at frame ") != std::string::npos);
-    CHECK(found.ends_with(": points go straight (add a key for every 10 degrees or so, with match=length, or "
+    CHECK(found.ends_with(": points go straight (add a key for every 11 degrees or so, with match=length, or "
                           "turn an arc that keeps its "
                           "length)\n"));
 }
