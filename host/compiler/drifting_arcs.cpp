@@ -20,8 +20,8 @@ namespace {
 
 using scene::Sector;
 
-constexpr double arc_tolerance = 0.5;     ///< px
-constexpr double advised_drift = 0.4;     ///< px; the rest is for rounding
+constexpr double arc_tolerance = 0.75;    ///< px
+constexpr double advised_drift = 0.5;     ///< px; the rest is for rounding
 constexpr double chord_error = 0.02;      ///< px by which a chord strays from what is drawn
 constexpr std::int32_t most_moments = 16; ///< of a way that are looked at
 constexpr double degrees_apart = 5;       ///< of places on the arc that are looked at

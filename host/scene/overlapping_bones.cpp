@@ -5,7 +5,6 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <utility>
@@ -31,7 +30,7 @@ bool has_keys(const Bone& bone)
     return std::ranges::any_of(bone.keys, [](const auto& keys) { return !keys.empty(); });
 }
 
-/// Finds the points that follow two bones alike.
+/// Finds the points of which the heaviest bones are alike.
 class OverlappingBones {
 public:
     explicit OverlappingBones(const std::vector<Bone>& bones)
@@ -41,14 +40,26 @@ public:
 
     void look_at(std::size_t point, const Binding& binding)
     {
-        for (std::size_t i = 0; i < binding.size(); ++i)
-            for (std::size_t j = i + 1; j < binding.size(); ++j)
-                if (std::abs(binding[i].weight - binding[j].weight) <= alike)
-                    look_at(point, std::minmax(binding[i].bone, binding[j].bone));
+        const auto is_heavy = [&](const BoneWeight& bone) {
+            return binding.front().weight - bone.weight <= alike;
+        };
+        const auto end = std::ranges::find_if_not(binding, is_heavy);
+        for (auto one = binding.begin(); one != end; ++one)
+            for (auto other = one + 1; other != end; ++other)
+                look_at(point, std::minmax(one->bone, other->bone));
     }
 
     /// By the bones between which they cannot decide.
     const std::map<BonePair, std::vector<std::size_t>>& points() const { return points_; }
+
+    /// The pair to speak of: limbs of one parent if there are such, and those of most points.
+    const auto& worst() const
+    {
+        return *std::ranges::max_element(points_, {}, [this](const auto& entry) {
+            const auto& [pair, of_pair] = entry;
+            return std::pair{bones_[pair.first].parent == bones_[pair.second].parent, of_pair.size()};
+        });
+    }
 
 private:
     void look_at(std::size_t point, BonePair pair)
@@ -108,7 +119,7 @@ void warn_of_overlapping_bones(const std::vector<Bone>& bones, const std::vector
     const auto& points = overlapping.points();
     if (points.empty())
         return;
-    const auto& [pair, of_pair] = *points.begin();
+    const auto& [pair, of_pair] = overlapping.worst();
     std::string message = points_follow(of_pair) + visible(bones[pair.first].name) + " and " +
                           visible(bones[pair.second].name) + " alike, which lie on each other";
     if (points.size() > 1)

@@ -81,7 +81,7 @@ TEST_CASE("a canvas of another form is refused")
     CHECK(canvas("9 9 loop=pingpong").findings ==
           "2:17 error: unknown value \"pingpong\" (did you mean \"ping-pong\"?)");
     CHECK(canvas("9 9 loop=forever").findings ==
-          "2:17 error: unknown value \"forever\" (allowed: once, repeat, ping-pong)");
+          "2:17 error: unknown value \"forever\" (KFAST calls it \"repeat\")");
     CHECK(canvas("9 9 loop=3").findings == "2:17 error: a word or a text in quotes is expected here");
     CHECK(canvas("9 9 frames=(min)3").findings ==
           "2:19 error: unknown unit \"min\" (allowed: s, ms (frames have no unit))");

@@ -88,7 +88,7 @@ TEST_CASE("what is wrong with a text is told at its place")
 
 TEST_CASE("a label has the letters of its font, in their size")
 {
-    const scene::Label sans = label("at=\"9,40.5\" size=32 align=right spacing=-1.5");
+    const scene::Label sans = label("at=\"9,40.5\" size=32 font=hershey-sans align=right spacing=-1.5");
     CHECK(sans.input == 0);
     CHECK(sans.at == scene::Point{144, 648});
     CHECK(sans.align == Align::right);
@@ -151,9 +151,9 @@ TEST_CASE("what is wrong with a label is told at its place")
     CHECK(findings(plain, "text input=t size=32").find("5:1 error: text needs the property \"at\"") !=
           std::string::npos);
     CHECK(findings(plain, "text input=t at=\"9,9\" size=32 font=hershey-sans leading=3")
-              .find("5:31 error: text has no property \"leading\"") != std::string::npos);
+              .find("5:49 error: text has no property \"leading\"") != std::string::npos);
     CHECK(findings("input t kind=text glyphs=\"aé\" max=3")
-              .starts_with("5:1 error: the font \"hershey-sans\" has no \"é\" (U+00E9), which the input "
+              .starts_with("5:31 error: the font \"hershey-sans\" has no \"é\" (U+00E9), which the input "
                            "\"t\" may have"));
     CHECK(findings("input t kind=text glyphs=W max=60", "text input=t at=\"9,9\" size=200 font=hershey-sans")
               .starts_with("5:1 error: a text of 60 characters may be more than 4095 px wide here"));

@@ -55,8 +55,8 @@ TEST_CASE("numbers stand in parentheses, rounded to 1/8192, with white space any
 
 TEST_CASE("an unknown law is reported with the nearest one")
 {
-    CHECK(findings("bounce") ==
-          "4:12 error: unknown law \"bounce\" (allowed: constant, accelerate, decelerate, "
+    CHECK(findings("wander") ==
+          "4:12 error: unknown law \"wander\" (allowed: constant, accelerate, decelerate, "
           "accelerate-decelerate, hold, ease, ease-in, ease-out, ease-in-out, steps, bezier)");
     CHECK(findings(" easein") == "4:13 error: unknown law \"easein\" (did you mean \"ease-in\"?)");
     CHECK(findings("bezir(0,0,1,1)") == "4:12 error: unknown law \"bezir\" (did you mean \"bezier\"?)");

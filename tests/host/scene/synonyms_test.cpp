@@ -53,9 +53,9 @@ TEST_CASE("words of CSS and SVG are translated")
 TEST_CASE("a property of objects at a shape is sent there")
 {
     CHECK(in_object("", "circle 9 9 r=3 fill=red") ==
-          "3:38 error: circle has no property \"fill\" (objects have it: object NAME fill=…)");
+          "3:39 error: circle has no property \"fill\" (objects have it: object NAME fill=…)");
     CHECK(in_object("", "circle 9 9 r=3 stroke-width=2") ==
-          "3:38 error: circle has no property \"stroke-width\" (objects have it: object NAME width=…)");
+          "3:39 error: circle has no property \"stroke-width\" (objects have it: object NAME width=…)");
     CHECK(calls(in_object("", "star 9 9 r=3 rotate=9"), "turn"));
 }
 
