@@ -261,8 +261,8 @@ void print_info(const InfoOptions& options)
     const SceneFile scene = load_scene(options.file);
     Json known = facts(options, scene);
     if (options.tracks) {
-        known["tracks"] = item_tracks(scene.view);
-        known["skeletons"] = bone_tracks(scene.view);
+        known["tracks"] = item_tracks(scene);
+        known["skeletons"] = bone_tracks(scene);
     }
     if (options.json)
         std::cout << json_text(known);
