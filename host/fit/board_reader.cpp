@@ -11,6 +11,7 @@
 #include <algorithm>
 
 namespace kfast::fit {
+#include <utility>
 namespace {
 
 using scene::assign, scene::frequency, scene::memory_size, scene::NodeForm, scene::PartRule,
@@ -70,14 +71,14 @@ bool read_bus_clock(const kdl::Value& value, Target& target, Reading& reading)
     return assign(read_quantity(value, frequency, bus_clocks, reading), target.bus.clock);
 }
 
-bool read_reserved_flash(const kdl::Value& value, Target& target, Reading& reading)
+bool read_reserved_flash(const kdl::Value& value, Reserved& part, Reading& reading)
 {
-    return read_bytes(value, reserves, target.reserved.flash, reading);
+    return read_bytes(value, reserves, part.flash, reading);
 }
 
-bool read_reserved_ram(const kdl::Value& value, Target& target, Reading& reading)
+bool read_reserved_ram(const kdl::Value& value, Reserved& part, Reading& reading)
 {
-    return read_bytes(value, reserves, target.reserved.ram, reading);
+    return read_bytes(value, reserves, part.ram, reading);
 }
 
 constexpr std::array core_rules{
@@ -90,8 +91,8 @@ constexpr std::array memory_rules{
 };
 constexpr std::array bus_rules{PropertyRule<Target>{"clock", read_bus_clock, {}, true}};
 constexpr std::array reserved_rules{
-    PropertyRule<Target>{"flash", read_reserved_flash},
-    PropertyRule<Target>{"ram", read_reserved_ram},
+    PropertyRule<Reserved>{"flash", read_reserved_flash},
+    PropertyRule<Reserved>{"ram", read_reserved_ram},
 };
 
 bool read_core(const kdl::Node& node, Target& target, Reading& reading)
@@ -134,7 +135,13 @@ bool read_bands(const kdl::Node& node, Target& target, Reading& reading)
 
 bool read_reserved(const kdl::Node& node, Target& target, Reading& reading)
 {
-    return read_properties(node, reserved_rules, target, reading);
+    Reserved part;
+    if (!node.arguments.empty() && !assign(read_name(node.arguments.front(), reading), part.name))
+        return false;
+    if (!read_properties(node, reserved_rules, part, reading))
+        return false;
+    target.reserved.push_back(std::move(part));
+    return true;
 }
 
 constexpr NodeForm panel_form{"panel", "panel st7789", 0, 3};
@@ -146,7 +153,8 @@ constexpr std::array part_rules{
     PartRule<Target>{panel_form, read_panel, Times::at_most_once},
     PartRule<Target>{beam_form, read_board_beam, Times::at_most_once},
     PartRule<Target>{{"bands", "bands (KiB)4", 1, 1}, read_bands, Times::at_most_once},
-    PartRule<Target>{{"reserved", "reserved flash=(KiB)40 ram=(KiB)8"}, read_reserved, Times::at_most_once},
+    PartRule<Target>{
+        {"reserved", "reserved drivers flash=(KiB)40 ram=(KiB)8", 0, 1}, read_reserved, Times::any},
 };
 
 constexpr NodeForm board_form{"board", "board NAME { core …; memory …; bus …; panel … or beam … }", 1, 1,
