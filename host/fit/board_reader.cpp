@@ -2,16 +2,18 @@
 
 #include "host/beam/beam_reader.hpp"
 #include "host/fit/display_reader.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/part_rule.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/quantity_reader.hpp"
+#include "host/text/glyph.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kfast::fit {
-#include <utility>
 namespace {
 
 using scene::assign, scene::frequency, scene::memory_size, scene::NodeForm, scene::PartRule,
@@ -99,6 +101,8 @@ bool read_core(const kdl::Node& node, Target& target, Reading& reading)
 {
     const kdl::Value& name = node.arguments.front();
     const bool has_clock = read_properties(node, core_rules, target, reading);
+    if (const auto remedy = name.string() == nullptr ? std::nullopt : other_core_text(*name.string()))
+        return reading.report.error(name.place, "unknown core " + in_quotes(*name.string()), *remedy);
     if (!assign(read_word(name, processor_words, reading), target.processor))
         return false;
     target.processor_name = *name.string();
