@@ -3,18 +3,21 @@
 namespace kfast::fit {
 namespace {
 
-constexpr std::string_view related = "its costs are taken for those of the Cortex-M4, whose instructions it "
-                                     "has: they are not measured on a Cortex-M33";
-constexpr std::string_view measured = "the costs of its core are measured";
-constexpr std::string_view foreign = "memory is right, but speed is a guess, for its instructions are "
-                                     "others: change cycles= until the milliseconds "
-                                     "are those that you measure (docs/fit.md)";
-constexpr std::string_view too_small = "it has 8 bits and a few KiB of memory, and the player takes about 60 "
-                                       "KiB of flash and 20 KiB of RAM: take "
-                                       "a board of 32 bits, such as a Pico";
-constexpr std::string_view same_as_pico = "it has the chip of the Pico: take pico";
+// Of boards that can be described: which costs the estimate has.
+constexpr std::string_view measured = "the costs are those of its core";
+constexpr std::string_view related =
+    "the costs are those of the Cortex-M4, whose instructions it has: nobody has measured a Cortex-M33";
+constexpr std::string_view foreign = "memory is right, but speed is a guess, for it has other instructions: "
+                                     "change cycles= until the milliseconds are "
+                                     "those that you measure (docs/fit.md)";
+
+// Of others: how the sentence goes on that begins with what it is.
+constexpr std::string_view too_small = "has 8 bits and a few KiB of memory, and the player takes about 60 "
+                                       "KiB of flash and 20 KiB of RAM: take a board "
+                                       "of 32 bits, such as a Pico";
+constexpr std::string_view same_as_pico = "has the chip of the Pico: take pico";
 constexpr std::string_view linux_board =
-    "kfast itself plays on it, on a display at its pins: kfast panel (docs/raspberry-pi.md)";
+    "runs kfast itself, with a display at its pins: kfast panel (docs/raspberry-pi.md)";
 
 constexpr std::string_view wide_spi = "(MHz)40";
 
@@ -49,7 +52,7 @@ constexpr std::array boards{
                "flash=(MiB)4 ram=(KiB)512",
                wide_spi},
     OtherBoard{{"esp8266 nodemcu wemosd1 d1mini", "an ESP8266 (Xtensa LX106)", foreign},
-               "cortex-m3 clock=(MHz)80 cycles=2",
+               "cortex-m4 clock=(MHz)80 cycles=2",
                "flash=(MiB)4 ram=(KiB)80",
                wide_spi},
     OtherBoard{{"arduino arduinouno uno unor3 arduinonano nano arduinomega mega mega2560 leonardo promini "
@@ -102,24 +105,24 @@ constexpr std::array boards{
                "cortex-m4 clock=(MHz)180",
                "flash=(KiB)512 ram=(KiB)128",
                "(MHz)45"},
-    OtherBoard{{"stm32f103 stm32f1", "an STM32F103", "take bluepill"}},
-    OtherBoard{{"stm32f411 stm32f411ce", "an STM32F411", "take blackpill"}},
+    OtherBoard{{"stm32f103 stm32f1", "an STM32F103", "is the chip of the Blue Pill: take bluepill"}},
+    OtherBoard{{"stm32f411 stm32f411ce", "an STM32F411", "is the chip of the Black Pill: take blackpill"}},
     OtherBoard{{"raspberrypi raspberrypi4 raspberrypi5 raspberrypizero rpi pi pi4 pi5 pizero pizero2w",
                 "a Raspberry Pi with Linux", linux_board}},
 };
 
 constexpr std::array cores{
     OtherName{"cortexm33 cortexm35p cortexm55 cortexm85 m33", "the Cortex-M33",
-              "its costs are not measured: take cortex-m4, whose instructions it has"},
-    OtherName{"cortexm23 m23 cortexm1", "the Cortex-M23",
-              "its costs are not measured: take cortex-m0+, whose instructions it has"},
-    OtherName{"xtensa lx6 lx7 xtensalx6 xtensalx7 esp32 riscv rv32 rv32imc avr",
-              "a processor that is no Cortex-M",
-              "its costs are not known: take cortex-m4 with the true clock, and change cycles= until the "
-              "milliseconds "
-              "are those that you measure (docs/fit.md)"},
+              "is not measured: take cortex-m4, whose instructions it has"},
+    OtherName{"cortexm23 cortexm1 m23", "the Cortex-M23",
+              "is not measured: take cortex-m0+, whose instructions it has"},
+    OtherName{
+        "xtensa lx6 lx7 xtensalx6 xtensalx7 esp32 riscv rv32 rv32imc", "a processor that is no Cortex-M",
+        "is not measured: take cortex-m4 with the true clock, and change cycles= until the milliseconds are "
+        "those that you measure (docs/fit.md)"},
+    OtherName{"avr atmega328p", "an AVR", too_small},
     OtherName{"cortexa7 cortexa8 cortexa9 cortexa53 cortexa72 cortexr5", "a Cortex-A",
-              "its costs are not known: take cortex-m7 for a rough lower bound of its speed"},
+              "is not measured: play the scene on it, and see how fast that is"},
 };
 
 const OtherBoard* board_called(std::string_view name)
@@ -160,7 +163,7 @@ std::optional<std::string> other_board_text(std::string_view name)
     if (board == nullptr)
         return std::nullopt;
     const std::string what{board->name.what};
-    return board->core.empty() ? what + ": " + std::string{board->name.remedy}
+    return board->core.empty() ? what + ' ' + std::string{board->name.remedy}
                                : what + " is not supported yet: there is no firmware for it";
 }
 
@@ -183,7 +186,7 @@ std::optional<std::string> other_core_text(std::string_view name)
     const auto* const core =
         std::ranges::find_if(cores, [name](const OtherName& other) { return is_called(other, name); });
     return core == cores.end() ? std::nullopt
-                               : std::optional{std::string{core->what} + ": " + std::string{core->remedy}};
+                               : std::optional{std::string{core->what} + ' ' + std::string{core->remedy}};
 }
 
 }

@@ -11,9 +11,10 @@ namespace kfast::fit {
 
 /// What a name stands for, as whoever asks for it should know.
 struct OtherName {
-    std::string_view names;  ///< as they are asked for, with spaces between them: "pico2 pico2w rp2350"
-    std::string_view what;   ///< "a Pico 2 (RP2350, Cortex-M33)"
-    std::string_view remedy; ///< what works instead; of a board that can be described, which costs it takes
+    std::string_view names; ///< as they are asked for, with spaces between them: "pico2 pico2w rp2350"
+    std::string_view what;  ///< "a Pico 2 (RP2350, Cortex-M33)"
+    std::string_view
+        remedy; ///< how the sentence goes on; of a board that can be described, which costs it takes
 };
 
 /// A board that has another chip than those that there is firmware for.

@@ -5,34 +5,32 @@
 namespace kfast::fit {
 namespace {
 
-constexpr std::string_view pages = "it takes pages of 8 rows, no rectangles: take one with an SSD1306";
-constexpr std::string_view slow =
-    "it takes a second or more for a picture: there are no animations on e-paper";
-constexpr std::string_view not_yet = "there is no driver for it yet; for an estimate describe it with the "
-                                     "board, as panel 320 240 format=rgb565";
+// How the sentence goes on that begins with what it is.
+constexpr std::string_view pages = "takes pages of 8 rows, no rectangles: take one with an SSD1306";
+constexpr std::string_view not_yet =
+    "has no driver yet; for an estimate describe it with the board, as panel 320 240 format=rgb565";
 
 constexpr std::array panels{
-    OtherName{"sh1106 sh1107 sh1108", "an SH1106, often sold as an SSD1306 of 1.3 inches", pages},
-    OtherName{"st7565 uc1701 pcd8544 nokia5110 ks0108 st7920 ssd1305", "a display of pages", pages},
+    OtherName{"sh1106 sh1107 sh1108", "an SH1106, often sold as an SSD1306 of 1.3 inches,", pages},
+    OtherName{"st7565 uc1701 pcd8544 nokia5110 ks0108 st7920 ssd1305", "this controller", pages},
     OtherName{"ssd1309", "an SSD1309",
-              "it has the commands of the SSD1306 for pictures: try ssd1306, which nobody has done yet"},
-    OtherName{"epaper eink epd waveshareepaper ssd1680 ssd1681 ssd1675 uc8151 il0373 gdew", "e-paper", slow},
-    OtherName{
-        "ssd1331 ili9163 ili9225 ili9481 hx8357 hx8347 ra8875 ssd1963 gc9107 gc9d01 nv3007 jd9853 axs15231",
-        "a display with this controller", not_yet},
+              "has the commands of the SSD1306 for pictures: try ssd1306, which nobody has done yet"},
+    OtherName{"epaper eink epd waveshareepaper ssd1680 ssd1681 ssd1675 uc8151 il0373 gdew", "e-paper",
+              "takes a second or more for a picture, too long for animations"},
+    OtherName{"ssd1331 ili9163 ili9225 ili9481 hx8357 hx8347 ra8875 ssd1963 gc9107 gc9d01", "this controller",
+              not_yet},
     OtherName{"ili9486 ili9488", "an ILI9488",
-              "by SPI it takes 18 bits for a pixel, and there is no driver for it yet; for an estimate "
-              "describe it with "
-              "the board, as panel 320 480 format=rgb666"},
-    OtherName{"st7789v st7789v2 st7789vw st7789s", "an ST7789V", "take st7789"},
-    OtherName{"st7735s st7735r st7735b", "an ST7735S", "take st7735"},
-    OtherName{"ili9342 ili9342c ili9340", "an ILI9342",
-              "its commands are those of the ILI9341: try ili9341 320 240"},
-    OtherName{"gc9a01a gc9a01n", "a GC9A01A", "take gc9a01"},
-    OtherName{"ssd1306i2c ssd1306spi oled", "an OLED with an SSD1306", "take ssd1306"},
-    OtherName{"hub75 ws2812 ws2812b neopixel max7219 apa102", "a matrix of lights",
-              "there is no driver for it"},
-    OtherName{"hd44780 lcd1602 lcd2004 lcd", "a display of letters", "it shows no pictures"},
+              "has no driver yet, and takes 18 bits for a pixel by SPI; for an estimate describe it with the "
+              "board, as "
+              "panel 320 480 format=rgb666"},
+    OtherName{"st7789v st7789v2 st7789vw st7789s", "an ST7789V", "is an ST7789: take st7789"},
+    OtherName{"st7735s st7735r st7735b", "an ST7735S", "is an ST7735: take st7735"},
+    OtherName{"ili9342 ili9342c ili9340", "an ILI9342", "has the commands of the ILI9341: try ili9341"},
+    OtherName{"gc9a01a gc9a01n", "a GC9A01A", "is a GC9A01: take gc9a01"},
+    OtherName{"oled oled128x64 ssd1306i2c ssd1306spi", "the OLED that most people have",
+              "has an SSD1306: take ssd1306"},
+    OtherName{"hub75 ws2812 ws2812b neopixel max7219 apa102", "a matrix of lights", "has no driver"},
+    OtherName{"hd44780 lcd1602 lcd2004 lcd", "a display of letters", "shows no pictures"},
 };
 
 }
@@ -45,7 +43,7 @@ std::optional<std::string> other_panel_text(std::string_view name)
         std::ranges::find_if(panels, [name](const OtherName& other) { return is_called(other, name); });
     if (panel == panels.end())
         return std::nullopt;
-    return std::string{panel->what} + ": " + std::string{panel->remedy};
+    return std::string{panel->what} + ' ' + std::string{panel->remedy};
 }
 
 std::optional<std::string> undriven_panel_text(std::string_view name)
@@ -55,7 +53,7 @@ std::optional<std::string> undriven_panel_text(std::string_view name)
         return other_panel_text(name);
     if (display->is_driven)
         return std::nullopt;
-    return "kfast fit alone knows it, for there is no driver for it yet; its picture is that of --size " +
+    return "kfast fit alone knows it, for it has no driver yet; its picture is that of --size " +
            std::to_string(display->size.width) + 'x' + std::to_string(display->size.height) + " --format " +
            std::string{name_of(display->format)};
 }

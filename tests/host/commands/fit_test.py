@@ -341,7 +341,7 @@ class FitTest(CommandTest):
             else:
                 self.assertEqual(driver, "for `fit` alone")
                 self.refuse("render", "repeat.kfast", "--panel", name, "-o", f"{name}.png", status=2,
-                            says=f"kfast fit alone knows it, for there is no driver for it yet; its picture is that of --size {size}")
+                            says=f"kfast fit alone knows it, for it has no driver yet; its picture is that of --size {size}")
                 self.refuse("config", "settings.kdl", "-o", f"{name}.uf2", status=1, says="kfast fit alone knows it")
         told = self.run_kfast("fit", "repeat.kfast", "--board", "pico", "--panel", "zzzzzzzz", status=2).stderr
         self.assertIn("allowed: " + ", ".join(sorted(names)), told)

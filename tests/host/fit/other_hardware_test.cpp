@@ -44,7 +44,7 @@ TEST_CASE("a board that is not supported is called by its name, and described")
         CHECK(says(advice, "a Pico 2 (RP2350, Cortex-M33) is not supported yet"));
         CHECK(says(advice, "board my-pico2 {"));
         CHECK(says(advice, "--board my-pico2.kdl"));
-        CHECK(says(advice, "not measured on a Cortex-M33"));
+        CHECK(says(advice, "nobody has measured a Cortex-M33"));
     }
     for (const char* const name : {"esp32", "esp32-s3", "ESP32-C3"})
         CHECK(says(other_board_advice(name), "core cortex-m4 clock="));
@@ -113,7 +113,7 @@ TEST_CASE("all panels that the preview and settings know are known to fit, and t
     CHECK(says(undriven_panel_text("ssd1322"), "kfast fit alone knows it"));
     CHECK(says(undriven_panel_text("ssd1322"), "--size 256x64 --format grey4"));
     CHECK(says(undriven_panel_text("SH1106"), "pages of 8 rows"));
-    CHECK(says(undriven_panel_text("e-paper"), "no animations"));
+    CHECK(says(undriven_panel_text("e-paper"), "too long for animations"));
     CHECK_FALSE(undriven_panel_text("nothing"));
 }
 
