@@ -10,9 +10,13 @@ CompiledText compile_and_report(const SourceText& source, const Reporter& report
     auto compiled = compile_with_names(source, diagnostics);
     const auto [errors, warnings] = reporter(diagnostics, source);
     if (!compiled)
-        return {std::nullopt, {}, {}, errors, warnings};
-    return {std::move(compiled->bytes), std::move(compiled->item_names), std::move(compiled->item_places),
-            errors, warnings};
+        return {std::nullopt, {}, {}, {}, errors, warnings};
+    return {std::move(compiled->bytes),
+            std::move(compiled->item_names),
+            std::move(compiled->item_places),
+            std::move(compiled->other_names),
+            errors,
+            warnings};
 }
 
 }

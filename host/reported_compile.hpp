@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/compiler/compile.hpp"
 #include "host/reported_diagnostics.hpp"
 #include "host/text/source.hpp"
 
@@ -16,6 +17,7 @@ struct CompiledText {
     std::optional<std::vector<std::byte>> bytes; ///< present exactly when there were no errors
     std::vector<std::string> item_names;         ///< in the order in which the scene stores items
     std::vector<Place> item_places;              ///< likewise
+    StoredNames other_names;                     ///< of symbols, skeletons and bones
     std::size_t errors = 0;
     std::size_t warnings = 0;
 };

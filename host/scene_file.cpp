@@ -81,6 +81,7 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
     scene.warnings = compiled.warnings;
     scene.item_names = std::move(compiled.item_names);
     scene.item_places = std::move(compiled.item_places);
+    scene.other_names = std::move(compiled.other_names);
     scene.fonts = scene::font_files(source);
     return scene;
 }
@@ -103,6 +104,7 @@ SceneFile from_other_program(const fs::path& path, std::string content, const Im
     SceneFile scene = checked(path, std::move(imported.compiled.bytes));
     scene.was_text = true;
     scene.item_names = std::move(imported.compiled.item_names);
+    scene.other_names = std::move(imported.compiled.other_names);
     scene.losses = std::move(imported.losses);
     return scene;
 }

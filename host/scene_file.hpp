@@ -2,6 +2,7 @@
 
 #include "core/scene_view.hpp"
 #include "host/art/losses.hpp"
+#include "host/compiler/compile.hpp"
 #include "host/import/options.hpp"
 #include "host/reporter.hpp"
 #include "host/text/source.hpp"
@@ -30,6 +31,7 @@ struct SceneFile {
     art::Losses losses;                  ///< of a file of another program
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
     std::vector<Place> item_places;      ///< likewise; of a file of another program none
+    StoredNames other_names;             ///< of symbols, skeletons and bones; only of a text
     std::vector<std::filesystem::path> fonts; ///< files that a text names
 };
 

@@ -50,6 +50,8 @@ Json facts_of(const BeamFitFacts& facts)
             {"notes", report.notes},
             {"flash", flash_facts(report.flash, target.flash)},
             {"ram", ram_facts(report.ram, target.ram, "buffers")},
+            {"room", room_facts(report.flash, report.ram, target)},
+            {"reserved", reserved_facts(target)},
             {"busiest", picture_facts(report.busiest(), *target.beam)},
             {"median", picture_facts(report.pictures[report.pictures.size() / 2], *target.beam)},
             {"mean_points", report.mean_points()},
@@ -88,8 +90,7 @@ std::string fit_text(const BeamFitFacts& facts)
     std::string text = file + " on " + visible(target.name) + '\n';
     text += fit_line("board", target.processor_name + " at " + frequency_text(target.clock) + ", a beam of " +
                                   std::to_string(profile.rate) + " points a second");
-    text += memory_line("flash", report.flash.sum(), target.flash, parts_text(report.flash));
-    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram, "buffers"));
+    text += memory_lines(report.flash, report.ram, target, "buffers");
     text += fit_line("mean", one_digit(report.mean_points()) + " points");
     text += fit_line("busiest", points_text(report.busiest(), profile));
     text += fit_line("", way_text(report.busiest()));

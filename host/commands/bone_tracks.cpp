@@ -72,12 +72,13 @@ Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t nu
     return facts;
 }
 
-Json bones_of(const SceneView& scene, const BonesView& skeleton)
+Json bones_of(const SceneView& scene, const BonesView& skeleton, const SkeletonNames& names)
 {
     Json bones = Json::array();
     for (BoneCursor cursor = skeleton.bones(); !cursor.at_end();) {
         const BoneView bone = cursor.next();
         Json facts{{"bone", bones.size() + 1}};
+        add_name(names.bones, bones.size(), facts);
         if (bone.parent != 0)
             facts["parent"] = bone.parent;
         facts["tracks"] = Json::array();
@@ -88,11 +89,12 @@ Json bones_of(const SceneView& scene, const BonesView& skeleton)
     return bones;
 }
 
-void print_bone(const Json& bone, std::ostream& out)
+void print_bone(const Json& bone, const Json& bones, std::ostream& out)
 {
-    out << "    bone " << bone["bone"].get<int>();
+    out << "    bone " << bone["bone"].get<int>() << name_behind(bone);
     if (bone.contains("parent"))
-        out << " of bone " << bone["parent"].get<int>();
+        out << " of bone " << bone["parent"].get<int>()
+            << name_behind(bones[bone["parent"].get<std::size_t>() - 1]);
     out << '\n';
     for (const Json& track : bone["tracks"])
         out << "      " << std::left << std::setw(widest_quantity) << track["property"].get<std::string>()
@@ -101,20 +103,28 @@ void print_bone(const Json& bone, std::ostream& out)
 
 }
 
-Json bone_tracks(const SceneView& scene)
+Json bone_tracks(const SceneFile& scene)
 {
+    const std::vector<SkeletonNames>& names = scene.other_names.skeletons;
     Json skeletons = Json::array();
-    for (BonesCursor cursor = scene.skeletons(); !cursor.at_end();)
-        skeletons.push_back({{"skeleton", skeletons.size() + 1}, {"bones", bones_of(scene, cursor.next())}});
+    for (BonesCursor cursor = scene.view.skeletons(); !cursor.at_end();) {
+        const std::size_t place = skeletons.size();
+        const SkeletonNames own = place < names.size() ? names[place] : SkeletonNames{};
+        Json facts{{"skeleton", place + 1}};
+        if (!own.name.empty())
+            facts["name"] = own.name;
+        facts["bones"] = bones_of(scene.view, cursor.next(), own);
+        skeletons.push_back(std::move(facts));
+    }
     return skeletons;
 }
 
 void print_bone_tracks(const Json& facts, std::ostream& out)
 {
     for (const Json& skeleton : facts) {
-        out << "  skeleton " << skeleton["skeleton"].get<int>() << '\n';
+        out << "  skeleton " << skeleton["skeleton"].get<int>() << name_behind(skeleton) << '\n';
         for (const Json& bone : skeleton["bones"])
-            print_bone(bone, out);
+            print_bone(bone, skeleton["bones"], out);
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene_view.hpp"
+#include "host/scene_file.hpp"
 
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -11,8 +11,9 @@ namespace kfast {
 ///
 ///     [{"skeleton": 1, "bones": [{"bone": 1, "tracks": […]}, {"bone": 2, "parent": 1, "tracks": […]}]}]
 ///
-/// Tracks are as those of track_facts(), of "angle" in degrees and "x", "y", "length" in pixels.
-nlohmann::ordered_json bone_tracks(const SceneView& scene);
+/// What has a name has that as "name" besides. Tracks are as those of track_facts(), of "angle" in degrees
+/// and "x", "y", "length" in pixels.
+nlohmann::ordered_json bone_tracks(const SceneFile& scene);
 
 /// The same as lines.
 void print_bone_tracks(const nlohmann::ordered_json& facts, std::ostream& out);

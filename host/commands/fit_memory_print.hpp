@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/fit/memory_need.hpp"
+#include "host/fit/target.hpp"
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -11,12 +12,18 @@ namespace kfast {
 using Json = nlohmann::ordered_json;
 
 Json flash_facts(const fit::FlashNeed& need, std::size_t available);
+/// What is there for scenes, next to the firmware.
+Json room_facts(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& target);
+/// The parts of what is reserved, by their names.
+Json reserved_facts(const fit::Target& target);
 /// `buffers` is what the two of them are called.
 Json ram_facts(const fit::RamNeed& need, std::size_t available, const char* buffers);
 
 /// A row of the table for people.
 std::string fit_line(const std::string& name, const std::string& text);
-std::string memory_line(const std::string& name, std::size_t used, std::size_t available,
-                        const std::string& parts);
+/// What the scene takes of the room for scenes, and apart from that what the firmware takes. `buffers` as
+/// above.
+std::string memory_lines(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& target,
+                         const char* buffers);
 
 }

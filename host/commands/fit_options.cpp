@@ -8,6 +8,7 @@
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"
 #include "host/fit/board_texts.hpp"
+#include "host/fit/other_hardware.hpp"
 
 namespace kfast {
 namespace {
@@ -18,8 +19,9 @@ fit::Display panel_named(const std::string& name)
 {
     if (const fit::Display* const display = fit::display_named(name))
         return *display;
-    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + fit::display_suggestion(name) +
-                                              "; others are described with the board");
+    const std::string remedy = fit::other_panel_text(name).value_or(fit::display_suggestion(name) +
+                                                                    "; others are described with the board");
+    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + remedy);
 }
 
 }
@@ -34,7 +36,7 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
     CLI::Option* const panel =
         app.add_option_function<std::string>(
                "--panel", [&options](const std::string& name) { options.panel = panel_named(name); },
-               "Another panel than the board's")
+               "Another panel than the board's: " + names_of(fit::displays()))
             ->type_name("NAME")
             ->needs(board);
     offer(panel, fit::display_names());

@@ -53,6 +53,11 @@ Json outline_facts(const FitReport& report)
 /// null where nothing sets a limit: no frame of a still scene sends anything.
 Json rate(double seconds) { return seconds > 0 ? Json(1 / seconds) : Json(nullptr); }
 
+Json late_facts(const Lateness& late)
+{
+    return {{"frames", late.frames}, {"late", late.late}, {"left_out", late.left_out}};
+}
+
 Json link_facts(const std::vector<LinkUpdate>& updates)
 {
     Json facts = Json::array();
@@ -74,6 +79,8 @@ Json facts_of(const FitFacts& facts)
             {"notes", report.notes},
             {"flash", flash_facts(report.flash, target.flash)},
             {"ram", ram_facts(report.ram, target.ram, "bands")},
+            {"room", room_facts(report.flash, report.ram, target)},
+            {"reserved", reserved_facts(target)},
             {"first_picture", frame_facts(report.speed.first)},
             {"median", frame_facts(report.speed.median())},
             {"worst", worst_facts(report)},
@@ -85,6 +92,9 @@ Json facts_of(const FitFacts& facts)
               {"cpu_worst", rate(report.speed.by_cpu.worst)},
               {"bus_median", rate(report.speed.by_bus.median)},
               {"bus_worst", rate(report.speed.by_bus.worst)}}},
+            {"late", late_facts(report.late)},
+            {"late_with_inputs",
+             report.late_with_inputs.frames != 0 ? late_facts(report.late_with_inputs) : Json(nullptr)},
             {"link", link_facts(report.link)}};
 }
 
@@ -97,14 +107,25 @@ std::string time_text(const FrameCost& frame)
 
 std::string limits_text(const Limits& limits)
 {
-    return limits.worst > 0 ? rate_text(1 / limits.median) + ", at worst " + rate_text(1 / limits.worst)
-                            : "nothing to do";
+    if (limits.worst <= 0)
+        return "nothing to do";
+    const std::string worst = rate_text(1 / limits.worst);
+    const std::string median = rate_text(1 / limits.median);
+    return median == worst ? worst : median + ", at worst " + worst;
 }
 
 std::string link_text(const LinkUpdate& update)
 {
     return visible(update.what) + ": " + counted(update.reports, "report") + ", up to " +
            std::to_string(static_cast<int>(update.most_per_second())) + " times a second";
+}
+
+std::string verdict_text(const FitReport& report)
+{
+    const std::string late = report.lateness_text();
+    if (!report.fits())
+        return "no";
+    return late.empty() ? "yes" : "yes, but " + late;
 }
 
 std::string heaviest_text(const FitReport& report)
@@ -128,8 +149,7 @@ std::string fit_text(const FitFacts& facts)
                      std::string{display.name} + (display.name.empty() ? "" : " ") +
                      std::to_string(display.size.width) + 'x' + std::to_string(display.size.height) + ' ' +
                      std::string{name_of(display.format)} + ", bus at " + frequency_text(target.bus.clock));
-    text += memory_line("flash", report.flash.sum(), target.flash, parts_text(report.flash));
-    text += memory_line("RAM", report.ram.sum(), target.ram, parts_text(report.ram, "bands"));
+    text += memory_lines(report.flash, report.ram, target, "bands");
     text += fit_line("first", time_text(speed.first));
     text += fit_line("median", time_text(speed.median()));
     text += fit_line("worst", time_text(speed.worst()));
@@ -142,7 +162,7 @@ std::string fit_text(const FitFacts& facts)
         text += fit_line("link", link_text(update));
     for (const std::string& note : report.notes)
         text += fit_line("note", note);
-    return text + fit_line("fits", report.fits() ? "yes" : "no");
+    return text + fit_line("fits", verdict_text(report));
 }
 
 std::string json_text(const FitFacts& facts) { return json_text(facts_of(facts)); }

@@ -8,6 +8,7 @@
 #include "host/commands/json_text.hpp"
 #include "host/config/firmware_images.hpp"
 #include "host/failure.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/interruption.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -37,7 +38,8 @@ std::string mistaken_board(const std::string& board)
 {
     if (board == boards.front())
         return {};
-    return "there is no firmware for '" + board + "': " + suggestion(board, boards);
+    return "there is no firmware for '" + board +
+           "': " + fit::other_board_text(board).value_or(suggestion(board, boards));
 }
 
 FlashOrder order_of(const FlashOptions& options)

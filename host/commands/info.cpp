@@ -9,6 +9,7 @@
 #include "host/commands/number_range.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/report_options.hpp"
+#include "host/commands/summary.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
 #include "host/in_frames.hpp"
@@ -145,6 +146,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"canvas", {{"width", canvas.width}, {"height", canvas.height}}},
         {"fps", timeline.frame_rate / 1000.0},
         {"frames", in_frames(timeline.stretch.end)},
+        {"pictures", timeline.frame_count()},
         {"seconds", timeline.seconds(timeline.stretch.end.ticks)},
         {"loop", loop_name(timeline.stretch.loop)},
         {"objects", object_count(scene.view)},
@@ -230,14 +232,23 @@ std::string wire_text(std::size_t wire_frames)
     return wire_frames == 0 ? "" : ", " + counted(wire_frames, "wire frame") + " among them";
 }
 
-void print_scene_facts(const Json& facts)
+/// Behind the length.
+std::string end_text(const SceneView& scene)
+{
+    const Timeline timeline = timeline_of(scene);
+    return timeline.stretch.loop != Loop::once
+               ? ""
+               : ", and then its end: " + std::to_string(timeline.frame_count()) + " pictures";
+}
+
+void print_scene_facts(const Json& facts, const SceneView& scene)
 {
     std::cout << facts["file"].get<std::string>() << '\n'
               << "  size        " << facts["bytes"] << " bytes\n"
               << "  canvas      " << size_text(facts["canvas"]) << '\n'
               << "  frame rate  " << facts["fps"].get<double>() << " fps\n"
-              << "  length      " << facts["frames"].get<double>() << " frames, "
-              << facts["seconds"].get<double>() << " s\n"
+              << "  length      " << length_text(scene) << ", " << facts["seconds"].get<double>() << " s"
+              << end_text(scene) << '\n'
               << "  loop        " << facts["loop"].get<std::string>() << '\n'
               << "  objects     " << facts["objects"] << wire_text(facts["wire_frames"].get<std::size_t>())
               << '\n'
@@ -262,13 +273,13 @@ void print_info(const InfoOptions& options)
     const SceneFile scene = load_scene(options.file);
     Json known = facts(options, scene);
     if (options.tracks) {
-        known["tracks"] = item_tracks(scene.view);
-        known["skeletons"] = bone_tracks(scene.view);
+        known["tracks"] = item_tracks(scene);
+        known["skeletons"] = bone_tracks(scene);
     }
     if (options.json)
         std::cout << json_text(known);
     else
-        print_scene_facts(known);
+        print_scene_facts(known, scene.view);
 }
 
 void declare_info(CLI::App& app)

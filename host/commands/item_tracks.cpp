@@ -65,25 +65,40 @@ Json beam_facts(const BeamStyle& style)
     return facts;
 }
 
-/// `path` is that of what the items lie in: "", "2.1."
-Json items_of(const SceneView& scene, ItemCursor cursor, const std::string& path)
-{
-    Json items = Json::array();
-    while (!cursor.at_end()) {
-        const ItemView item = cursor.next();
-        const std::string number = path + std::to_string(items.size() + 1);
+/// Goes through the items in the order in which the scene stores them, as their names are.
+class ItemFacts {
+public:
+    explicit ItemFacts(const SceneFile& scene) : scene_{scene} {}
+
+    /// `path` is that of what the items lie in: "", "2.1."
+    Json of(ItemCursor cursor, const std::string& path)
+    {
+        Json items = Json::array();
+        while (!cursor.at_end()) {
+            const ItemView item = cursor.next();
+            items.push_back(of(item, path + std::to_string(items.size() + 1)));
+        }
+        return items;
+    }
+
+private:
+    Json of(const ItemView& item, const std::string& number)
+    {
         Json facts{{"item", name_of(item.kind) + number}};
+        add_name(scene_.item_names, next_++, facts);
         if (item.kind == ItemKind::use)
             facts["symbol"] = item.symbol + 1;
-        facts["tracks"] = tracks_of(scene, item);
+        facts["tracks"] = tracks_of(scene_.view, item);
         if (item.beam != BeamStyle{})
             facts["beam"] = beam_facts(item.beam);
         if (item.kind == ItemKind::group)
-            facts["items"] = items_of(scene, ItemCursor{item.items}, number + '.');
-        items.push_back(std::move(facts));
+            facts["items"] = of(ItemCursor{item.items}, number + '.');
+        return facts;
     }
-    return items;
-}
+
+    const SceneFile& scene_;
+    std::size_t next_ = 0; ///< place in SceneFile::item_names
+};
 
 void print_track(const Json& track, const std::string& indent, std::ostream& out)
 {
@@ -107,7 +122,7 @@ void print_beam(const Json& beam, const std::string& indent, std::ostream& out)
 void print_items(const Json& items, const std::string& indent, std::ostream& out)
 {
     for (const Json& item : items) {
-        out << indent << item["item"].get<std::string>();
+        out << indent << item["item"].get<std::string>() << name_behind(item);
         if (item.contains("symbol"))
             out << " of symbol " << item["symbol"].get<int>();
         out << '\n';
@@ -122,19 +137,24 @@ void print_items(const Json& items, const std::string& indent, std::ostream& out
 
 }
 
-Json item_tracks(const SceneView& scene)
+Json item_tracks(const SceneFile& scene)
 {
+    ItemFacts items{scene}; // of the symbols first, as a scene stores them
     Json symbols = Json::array();
-    for (std::uint32_t number = 0; number < scene.symbol_count(); ++number)
-        symbols.push_back({{"symbol", number + 1}, {"items", items_of(scene, scene.symbol(number), "")}});
-    return {{"items", items_of(scene, scene.items(), "")}, {"symbols", std::move(symbols)}};
+    for (std::uint32_t number = 0; number < scene.view.symbol_count(); ++number) {
+        Json facts{{"symbol", number + 1}};
+        add_name(scene.other_names.symbols, number, facts);
+        facts["items"] = items.of(scene.view.symbol(number), "");
+        symbols.push_back(std::move(facts));
+    }
+    return {{"items", items.of(scene.view.items(), "")}, {"symbols", std::move(symbols)}};
 }
 
 void print_item_tracks(const Json& facts, std::ostream& out)
 {
     print_items(facts["items"], "  ", out);
     for (const Json& symbol : facts["symbols"]) {
-        out << "  symbol " << symbol["symbol"].get<int>() << '\n';
+        out << "  symbol " << symbol["symbol"].get<int>() << name_behind(symbol) << '\n';
         print_items(symbol["items"], "    ", out);
     }
 }

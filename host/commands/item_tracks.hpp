@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene_view.hpp"
+#include "host/scene_file.hpp"
 
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -13,9 +13,10 @@ namespace kfast {
 ///                {"item": "use 2", "symbol": 1, "tracks": […]}],
 ///      "symbols": [{"symbol": 1, "items": […]}]}
 ///
-/// Tracks are those of track_facts(), that of a path with its "length" in pixels and whether the item turns
+/// What has a name has that as "name" besides. Tracks are those of track_facts(), that of a path with its
+/// "length" in pixels and whether the item turns
 /// ("turn").
-nlohmann::ordered_json item_tracks(const SceneView& scene);
+nlohmann::ordered_json item_tracks(const SceneFile& scene);
 
 /// The same as lines, deeper with each group.
 void print_item_tracks(const nlohmann::ordered_json& facts, std::ostream& out);

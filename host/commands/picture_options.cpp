@@ -4,6 +4,7 @@
 #include "host/commands/named_choice.hpp"
 #include "host/commands/offered_names.hpp"
 #include "host/commands/size_text.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/picture/board_source.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/picture/player_source.hpp"
@@ -58,7 +59,11 @@ CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel)
 {
     CLI::Option* const option =
         add(app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
-            [&panel](const std::string& name) { panel = &named(panel_choices(), "--panel", name); });
+            [&panel](const std::string& name) {
+                if (const auto remedy = fit::undriven_panel_text(name))
+                    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + *remedy);
+                panel = &named(panel_choices(), "--panel", name);
+            });
     return offer_names(option, panel_choices());
 }
 

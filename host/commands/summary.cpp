@@ -3,14 +3,25 @@
 #include "core/player.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
+#include "host/in_frames.hpp"
 #include "host/picture/timeline.hpp"
+
+#include <iomanip>
+#include <sstream>
 
 namespace kfast {
 
+std::string length_text(const SceneView& scene)
+{
+    const double frames = in_frames(timeline_of(scene).stretch.end);
+    std::ostringstream text;
+    text << std::setprecision(12) << frames << (frames == 1 ? " frame" : " frames");
+    return text.str();
+}
+
 std::string contents_summary(const SceneFile& scene)
 {
-    const auto frames = static_cast<std::size_t>(timeline_of(scene.view).frame_count());
-    return counted(scene.bytes.size(), "byte") + ", " + counted(frames, "frame") + ", " +
+    return counted(scene.bytes.size(), "byte") + ", " + length_text(scene.view) + ", " +
            counted(object_count(scene.view), "object");
 }
 

@@ -99,4 +99,15 @@ std::string track_text(const Json& facts)
     return text;
 }
 
+void add_name(const std::vector<std::string>& names, std::size_t place, Json& facts)
+{
+    if (place < names.size() && !names[place].empty())
+        facts["name"] = names[place];
+}
+
+std::string name_behind(const Json& facts)
+{
+    return facts.contains("name") ? ' ' + in_quotes(facts["name"].get<std::string>()) : "";
+}
+
 }

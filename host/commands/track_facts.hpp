@@ -3,8 +3,10 @@
 #include "core/scene_view.hpp"
 #include "core/track_view.hpp"
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace kfast {
 
@@ -20,5 +22,10 @@ nlohmann::ordered_json track_facts(const SceneView& scene, const TrackView& trac
 /// "5", "smooth: 0 40, 15 200", "accelerate: 0 40, 15 200", or with laws that differ "0 40 hold, 15 200
 /// accelerate, 30 40"; `facts` are those of a track.
 std::string track_text(const nlohmann::ordered_json& facts);
+
+/// Adds the name at that place as "name", if there is one.
+void add_name(const std::vector<std::string>& names, std::size_t place, nlohmann::ordered_json& facts);
+/// Behind the number of what has such a name: ` "torso"`; empty without one.
+std::string name_behind(const nlohmann::ordered_json& facts);
 
 }

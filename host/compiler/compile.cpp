@@ -33,7 +33,8 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
     if (!bytes)
         return std::nullopt;
     ItemOrigins origins = item_origins(*scene);
-    return CompiledScene{std::move(*bytes), std::move(origins.names), std::move(origins.places)};
+    return CompiledScene{std::move(*bytes), std::move(origins.names), std::move(origins.places),
+                         std::move(origins.other_names)};
 }
 
 }

@@ -11,11 +11,25 @@
 
 namespace kfast {
 
+/// What a skeleton and its bones are called, in the order in which the scene stores the bones.
+struct SkeletonNames {
+    std::string name;
+    std::vector<std::string> bones;
+};
+
+/// What else a scene stores is called, apart from items, in the order in which it stores them. A .kfb holds
+/// no names: then there are none.
+struct StoredNames {
+    std::vector<std::string> symbols;
+    std::vector<SkeletonNames> skeletons;
+};
+
 /// A .kfb, and what it does not hold.
 struct CompiledScene {
     std::vector<std::byte> bytes;
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; may be empty
     std::vector<Place> item_places;      ///< likewise, in the text
+    StoredNames other_names;             ///< of symbols, skeletons and bones
 };
 
 /// Compiles a .kfast text into the bytes of a .kfb (docs/format.md).

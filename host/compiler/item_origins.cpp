@@ -10,9 +10,13 @@ class OriginList {
 public:
     explicit OriginList(const scene::Scene& scene) : scene_{scene}
     {
-        for (const scene::Symbol& symbol : scene.symbols)
+        for (const scene::Symbol& symbol : scene.symbols) {
+            origins_.other_names.symbols.push_back(symbol.name);
             add(symbol.items);
+        }
         add(scene.items);
+        for (const scene::Bones& bones : scene.bones)
+            add(bones);
     }
 
     ItemOrigins take() { return std::move(origins_); }
@@ -26,6 +30,14 @@ private:
             if (const auto* group = std::get_if<scene::Group>(&item.content))
                 add(group->items);
         }
+    }
+
+    void add(const scene::Bones& skeleton)
+    {
+        SkeletonNames& names = origins_.other_names.skeletons.emplace_back();
+        names.name = skeleton.name;
+        for (const scene::Bone& bone : skeleton.bones)
+            names.bones.push_back(bone.name);
     }
 
     const std::string& name_of(const scene::Item& item) const

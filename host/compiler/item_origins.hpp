@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/compiler/compile.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/source.hpp"
 
@@ -12,6 +13,7 @@ namespace kfast {
 struct ItemOrigins {
     std::vector<std::string> names; ///< of a use without a name that of its symbol
     std::vector<Place> places;      ///< in the text
+    StoredNames other_names;        ///< of symbols, skeletons and bones
 };
 
 ItemOrigins item_origins(const scene::Scene& scene);

@@ -7,6 +7,7 @@
 #include "host/config/mistake_text.hpp"
 #include "host/config/panel_reader.hpp"
 #include "host/config/pins_reader.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/part_rule.hpp"
 #include "host/scene/property_rule.hpp"
@@ -115,11 +116,19 @@ void check_rules(const Draft& draft, Reading& reading)
         reading.report.warning(scene::property_place(*draft.bus, "clock"), finding->message, finding->remedy);
 }
 
+void read_chip(const kdl::Value& name, Reading& reading)
+{
+    if (const auto other = name.string() == nullptr ? std::nullopt : fit::other_board_text(*name.string()))
+        reading.report.error(name.place, *other, "settings are for board pico");
+    else
+        read_word(name, chips, reading);
+}
+
 void read_board(const kdl::Node& node, Draft& draft, Reading& reading)
 {
     if (!fits(node, board_form, reading) || !refuse_properties(node, reading))
         return;
-    read_word(node.arguments.front(), chips, reading);
+    read_chip(node.arguments.front(), reading);
     read_parts(node, part_rules, draft, reading);
     check_display(node, draft, reading);
 }

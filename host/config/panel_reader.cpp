@@ -3,8 +3,10 @@
 #include "core/player.hpp"
 #include "firmware/controller_facts.hpp"
 #include "host/config/named_words.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
+#include "host/text/glyph.hpp"
 
 #include <array>
 #include <cmath>
@@ -98,10 +100,20 @@ bool read_glass(const kdl::Node& node, PanelSettings& panel, Reading& reading)
 
 }
 
+std::optional<Controller> read_controller(const kdl::Value& name, Reading& reading)
+{
+    if (const auto remedy =
+            name.string() == nullptr ? std::nullopt : fit::undriven_panel_text(*name.string())) {
+        reading.report.error(name.place, "unknown panel " + in_quotes(*name.string()), *remedy);
+        return std::nullopt;
+    }
+    return read_word(name, controller_words, reading);
+}
+
 bool read_panel(const kdl::Node& node, Draft& draft, scene::Reading& reading)
 {
     draft.panel = &node;
-    const auto controller = read_word(node.arguments.front(), controller_words, reading);
+    const auto controller = read_controller(node.arguments.front(), reading);
     PanelSettings& panel = draft.settings.panel;
     panel = facts_of(controller.value_or(Controller::st7789)).usual;
     const bool has_glass = read_glass(node, panel, reading);

@@ -166,7 +166,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
 {
     const double cycles = target.cycles != 0 ? target.cycles : costs_of(target.processor).cycles;
     BeamFit fit;
-    fit.flash = {beam_code, scene.size(), target.reserved.flash};
+    fit.flash = {beam_code, scene.size(), target.reserved_flash()};
     fit.ram = ram_for_beam(scene, target);
     fit.wanted_rate = frames_per_second != 0 ? frames_per_second : scene.frame_rate() / 1000.0;
     BeamRun run{scene, target};

@@ -4,6 +4,7 @@
 #include "host/failure.hpp"
 #include "host/fit/board_reader.hpp"
 #include "host/fit/board_texts.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/input_file.hpp"
 #include "host/reported_diagnostics.hpp"
 #include "host/text/glyph.hpp"
@@ -29,6 +30,8 @@ Target board_of(const SourceText& source, std::ostream& out)
 
 [[noreturn]] void refuse(const std::string& name)
 {
+    if (const auto advice = other_board_advice(name))
+        throw Failure("there is no board " + in_quotes(name) + ": " + *advice);
     std::vector<std::string_view> known;
     std::ranges::transform(board_texts(), std::back_inserter(known), &BoardText::name);
     throw Failure("there is no board " + in_quotes(name) + ": " + suggestion(name, known) +

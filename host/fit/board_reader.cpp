@@ -2,13 +2,16 @@
 
 #include "host/beam/beam_reader.hpp"
 #include "host/fit/display_reader.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/part_rule.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/quantity_reader.hpp"
+#include "host/text/glyph.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kfast::fit {
 namespace {
@@ -70,14 +73,14 @@ bool read_bus_clock(const kdl::Value& value, Target& target, Reading& reading)
     return assign(read_quantity(value, frequency, bus_clocks, reading), target.bus.clock);
 }
 
-bool read_reserved_flash(const kdl::Value& value, Target& target, Reading& reading)
+bool read_reserved_flash(const kdl::Value& value, Reserved& part, Reading& reading)
 {
-    return read_bytes(value, reserves, target.reserved.flash, reading);
+    return read_bytes(value, reserves, part.flash, reading);
 }
 
-bool read_reserved_ram(const kdl::Value& value, Target& target, Reading& reading)
+bool read_reserved_ram(const kdl::Value& value, Reserved& part, Reading& reading)
 {
-    return read_bytes(value, reserves, target.reserved.ram, reading);
+    return read_bytes(value, reserves, part.ram, reading);
 }
 
 constexpr std::array core_rules{
@@ -90,14 +93,16 @@ constexpr std::array memory_rules{
 };
 constexpr std::array bus_rules{PropertyRule<Target>{"clock", read_bus_clock, {}, true}};
 constexpr std::array reserved_rules{
-    PropertyRule<Target>{"flash", read_reserved_flash},
-    PropertyRule<Target>{"ram", read_reserved_ram},
+    PropertyRule<Reserved>{"flash", read_reserved_flash},
+    PropertyRule<Reserved>{"ram", read_reserved_ram},
 };
 
 bool read_core(const kdl::Node& node, Target& target, Reading& reading)
 {
     const kdl::Value& name = node.arguments.front();
     const bool has_clock = read_properties(node, core_rules, target, reading);
+    if (const auto remedy = name.string() == nullptr ? std::nullopt : other_core_text(*name.string()))
+        return reading.report.error(name.place, "unknown core " + in_quotes(*name.string()), *remedy);
     if (!assign(read_word(name, processor_words, reading), target.processor))
         return false;
     target.processor_name = *name.string();
@@ -134,7 +139,13 @@ bool read_bands(const kdl::Node& node, Target& target, Reading& reading)
 
 bool read_reserved(const kdl::Node& node, Target& target, Reading& reading)
 {
-    return read_properties(node, reserved_rules, target, reading);
+    Reserved part;
+    if (!node.arguments.empty() && !assign(read_name(node.arguments.front(), reading), part.name))
+        return false;
+    if (!read_properties(node, reserved_rules, part, reading))
+        return false;
+    target.reserved.push_back(std::move(part));
+    return true;
 }
 
 constexpr NodeForm panel_form{"panel", "panel st7789", 0, 3};
@@ -146,7 +157,8 @@ constexpr std::array part_rules{
     PartRule<Target>{panel_form, read_panel, Times::at_most_once},
     PartRule<Target>{beam_form, read_board_beam, Times::at_most_once},
     PartRule<Target>{{"bands", "bands (KiB)4", 1, 1}, read_bands, Times::at_most_once},
-    PartRule<Target>{{"reserved", "reserved flash=(KiB)40 ram=(KiB)8"}, read_reserved, Times::at_most_once},
+    PartRule<Target>{
+        {"reserved", "reserved drivers flash=(KiB)40 ram=(KiB)8", 0, 1}, read_reserved, Times::any},
 };
 
 constexpr NodeForm board_form{"board", "board NAME { core …; memory …; bus …; panel … or beam … }", 1, 1,

@@ -1,6 +1,7 @@
 #include "host/fit/display.hpp"
 
 #include "firmware/controller_facts.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
@@ -33,16 +34,16 @@ constexpr Display unrated(Display display)
 
 /// Sizes are those of the usual glass. The byte order of colours is that of an 8-bit bus. Of those without a
 /// driver in firmware/panel/, clocks are the write cycles of the makers' tables too.
-constexpr std::array displays{
+constexpr std::array known_displays{
     unrated(usual(Controller::gc9a01)),
     usual(Controller::ili9341),
     usual(Controller::ssd0323),
     usual(Controller::ssd1306),
-    Display{"ssd1322", {256, 64}, PixelFormat::grey4, {4, 1}, short_window + 1, 10e6},
+    Display{"ssd1322", {256, 64}, PixelFormat::grey4, {4, 1}, short_window + 1, 10e6, false},
     usual(Controller::ssd1351),
     usual(Controller::st7735),
     usual(Controller::st7789),
-    Display{"st7796", {320, 480}, PixelFormat::rgb565, {1, 1}, dcs_window_bytes, 62.5e6},
+    Display{"st7796", {320, 480}, PixelFormat::rgb565, {1, 1}, dcs_window_bytes, 62.5e6, false},
 };
 
 }
@@ -56,25 +57,31 @@ Display taking(PixelFormat format, Display display)
 
 const Display* display_named(std::string_view name)
 {
-    const auto display = std::ranges::find(displays, name, &Display::name);
-    return display == displays.end() ? nullptr : &*display;
+    const auto display = std::ranges::find(known_displays, name, &Display::name);
+    return display == known_displays.end() ? nullptr : &*display;
 }
 
 const Display* display_like(PixelFormat format)
 {
-    const auto display = std::ranges::find_if(displays, [format](const Display& known) {
+    const auto display = std::ranges::find_if(known_displays, [format](const Display& known) {
         return bits_per_pixel(known.format) == bits_per_pixel(format);
     });
-    return display == displays.end() ? nullptr : &*display;
+    return display == known_displays.end() ? nullptr : &*display;
 }
+
+std::span<const Display> displays() { return known_displays; }
 
 std::vector<std::string_view> display_names()
 {
-    std::vector<std::string_view> names(displays.size());
-    std::ranges::transform(displays, names.begin(), &Display::name);
+    std::vector<std::string_view> names(known_displays.size());
+    std::ranges::transform(known_displays, names.begin(), &Display::name);
     return names;
 }
 
-std::string display_suggestion(std::string_view name) { return suggestion(name, display_names()); }
+std::string display_suggestion(std::string_view name)
+{
+    const auto known = other_panel_text(name);
+    return known ? *known : suggestion(name, display_names());
+}
 
 }

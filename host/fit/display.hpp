@@ -4,6 +4,7 @@
 #include "core/size.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct Display {
     Size granularity{1, 1};        ///< places and sizes of what is sent are multiples of this
     std::size_t window_bytes = 11; ///< commands that open a window
     double rated_spi = 0;          ///< Hz that the maker allows for writing; 0: not known
+    bool is_driven = true;         ///< there is a driver for it: boards and the preview show it, too
 };
 
 /// The same display, told pixels of another format.
@@ -25,7 +27,10 @@ Display taking(PixelFormat format, Display display);
 
 /// The controller of that name, or null.
 const Display* display_named(std::string_view name);
-/// Of all controllers that are known.
+/// All controllers that are known: those with a driver (firmware/controller_facts.hpp), and some for
+/// estimates alone.
+std::span<const Display> displays();
+/// Of all of them.
 std::vector<std::string_view> display_names();
 /// The first one whose pixels have as many bits as those of `format`, or null.
 const Display* display_like(PixelFormat format);

@@ -1,6 +1,7 @@
 #include "host/fit/display_reader.hpp"
 
 #include "core/player.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/picture/format_name.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/value_reader.hpp"
@@ -51,8 +52,9 @@ std::optional<Display> named_display(const kdl::Value& value, Reading& reading)
         return std::nullopt;
     if (const Display* const display = display_named(*name))
         return *display;
-    reading.report.error(value.place, "unknown panel " + in_quotes(*name),
-                         display_suggestion(*name) + ", or describe it: panel 240 240 format=rgb565");
+    const std::string remedy = other_panel_text(*name).value_or(
+        display_suggestion(*name) + ", or describe it: panel 240 240 format=rgb565");
+    reading.report.error(value.place, "unknown panel " + in_quotes(*name), remedy);
     return std::nullopt;
 }
 

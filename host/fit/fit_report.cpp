@@ -5,7 +5,6 @@
 #include "host/fit/slack.hpp"
 #include "host/fit/wording.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -84,22 +83,6 @@ std::string slowness_of(const FitReport& report)
            " for each; " + rate_text(1 / seconds) + " can be reached: " + bottleneck_of(report);
 }
 
-std::size_t late_frames(const FitReport& report)
-{
-    return static_cast<std::size_t>(std::ranges::count_if(report.speed.frames, [&](const FrameCost& frame) {
-        return frame.seconds() * report.wanted_rate > slack;
-    }));
-}
-
-void note_late_frames(const FitReport& report, std::vector<std::string>& notes)
-{
-    const std::size_t late = late_frames(report);
-    if (late != 0)
-        notes.push_back(std::to_string(late) + " of " + std::to_string(report.speed.frames.size()) +
-                        " pictures, at frames and between them, come late at " +
-                        rate_text(report.wanted_rate));
-}
-
 void note_bus(const Target& target, std::vector<std::string>& notes)
 {
     const Display& display = target.display;
@@ -133,7 +116,6 @@ void judge(const Target& target, FitReport& report)
     check_bands(target, report.shortages);
     check_outlines(report, report.shortages);
     report.slowness = slowness_of(report);
-    note_late_frames(report, report.notes);
     note_bus(target, report.notes);
     note_stride(report, report.notes);
     note_link(report, report.notes);
@@ -149,6 +131,13 @@ std::vector<std::string> FitReport::reasons() const
     return reasons;
 }
 
+std::string FitReport::lateness_text() const
+{
+    if (late.late != 0 || late_with_inputs.late == 0)
+        return late_text(late);
+    return late_text(late_with_inputs) + " while its inputs move";
+}
+
 FitReport fit_report(const FitWish& wish)
 {
     FitReport report;
@@ -158,6 +147,8 @@ FitReport fit_report(const FitWish& wish)
     report.link = link_need(wish.scene);
     report.wanted_rate =
         wish.frames_per_second != 0 ? wish.frames_per_second : wish.scene.frame_rate() / 1000.0;
+    report.late = lateness(report.speed.turn, report.wanted_rate);
+    report.late_with_inputs = lateness(report.speed.busy_turn, report.wanted_rate);
     const ItemLabels labels{wish.scene, wish.item_names};
     report.heaviest_object = labels[report.speed.heaviest.path];
     report.largest_object = labels[report.speed.outlines.path];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/fit/lateness.hpp"
 #include "host/fit/link_need.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/speed.hpp"
@@ -30,6 +31,8 @@ struct FitReport {
     Speed speed;
     std::vector<LinkUpdate> link;       ///< what telling its inputs takes, if it has some
     double wanted_rate = 0;             ///< frames per second
+    Lateness late;                      ///< at that rate
+    Lateness late_with_inputs;          ///< while its inputs move; of no frames if it has none
     std::string heaviest_object;        ///< of the dearest frame
     std::string largest_object;         ///< of the frame with the largest outlines
     std::string overfull_object;        ///< of the first frame whose outlines find no room
@@ -39,6 +42,8 @@ struct FitReport {
 
     /// Why it does not fit: shortages and slowness. None if it does.
     std::vector<std::string> reasons() const;
+    /// "12 of 76 pictures late": although it fits. Empty if none is late.
+    std::string lateness_text() const;
     bool fits() const { return shortages.empty() && slowness.empty(); }
 };
 

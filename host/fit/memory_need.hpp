@@ -8,6 +8,11 @@
 
 namespace kfast::fit {
 
+constexpr std::size_t room_beside(std::size_t firmware, std::size_t available)
+{
+    return available > firmware ? available - firmware : 0;
+}
+
 /// Bytes of flash that a scene takes on a board.
 struct FlashNeed {
     std::size_t player = 0;
@@ -15,6 +20,8 @@ struct FlashNeed {
     std::size_t reserved = 0;
 
     std::size_t sum() const { return player + scene + reserved; }
+    /// What is there for scenes, next to the firmware.
+    std::size_t room(std::size_t available) const { return room_beside(player + reserved, available); }
 };
 
 /// Bytes of RAM: enough for every moment of the scene.
@@ -26,6 +33,8 @@ struct RamNeed {
     std::size_t reserved = 0;
 
     std::size_t sum() const { return block + bands + fixed + stack + reserved; }
+    /// What is there for the blocks of scenes, next to the firmware.
+    std::size_t room(std::size_t available) const { return room_beside(sum() - block, available); }
 };
 
 FlashNeed flash_need(const SceneView& scene, const Target& target);

@@ -76,10 +76,16 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, cons
         tell(speed.frames.size(), run.frames_of_all());
         meter.take(frame);
     };
+    const auto take_into = [&](std::vector<double>& seconds) {
+        return [&](const FrameWork& frame) {
+            take(frame);
+            seconds.push_back(speed.frames.back().seconds());
+        };
+    };
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
-    for (const Time offset : {Time{0}, Time{Time::ticks_per_frame / 2}})
-        run.visit_turn(offset, take);
-    run.visit_turn_with_inputs(take);
+    run.visit_turn(Time{0}, take_into(speed.turn));
+    run.visit_turn(Time{Time::ticks_per_frame / 2}, take);
+    run.visit_turn_with_inputs(take_into(speed.busy_turn));
     run.visit_end(take);
     run.visit_noise([&](const FrameWork& frame) { meter.take_noise(frame); });
     speed.overfull = run.overfull();

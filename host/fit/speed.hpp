@@ -37,6 +37,8 @@ struct Speed {
     HeaviestItem heaviest;                   ///< of the dearest frame
     LargestOutlines outlines;                ///< of the picture that has most
     std::optional<LargestOutlines> overfull; ///< of the first picture that is not complete for want of room
+    std::vector<double> turn;                ///< seconds of the scene's frames, in their order
+    std::vector<double> busy_turn;           ///< the same with its inputs moving; empty if it has none
     Limits by_cpu;
     Limits by_bus;
     int stride = 1; ///< of how many frames one was looked at

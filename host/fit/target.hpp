@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kfast::fit {
 
@@ -35,8 +36,9 @@ struct Bus {
     }
 };
 
-/// What the rest of a program takes, besides the player.
+/// What a part of the rest of a program takes, besides the player: "slots".
 struct Reserved {
+    std::string name = {};
     std::size_t flash = 0;
     std::size_t ram = 0;
 };
@@ -55,7 +57,10 @@ struct Target {
     std::optional<BeamProfile> beam; ///< instead of a panel
     std::size_t band_bytes =
         4096; ///< of each of the two buffers that rows are drawn into, or the points of a beam, 4 for each
-    Reserved reserved;
+    std::vector<Reserved> reserved = {};
+
+    std::size_t reserved_flash() const;
+    std::size_t reserved_ram() const;
 };
 
 }

@@ -3,10 +3,10 @@
 #include "host/counted.hpp"
 #include "host/in_frames.hpp"
 
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 namespace kfast::fit {
 namespace {
@@ -19,24 +19,57 @@ std::string digits(double number, int precision)
     return text.str();
 }
 
+constexpr double fastest_rate = 1000;
+constexpr double kibibyte = 1024;
+constexpr double mebibyte = kibibyte * kibibyte;
+
 struct Part {
     std::string_view name;
     std::size_t bytes;
 };
 
-template <std::size_t count>
-std::string list_of(const std::array<Part, count>& parts)
+std::string exact_text(std::size_t bytes) { return std::to_string(bytes); }
+
+/// Of those parts that are more than nothing.
+std::string list_of(const std::vector<Part>& parts, std::string (*text)(std::size_t))
 {
     std::string list;
     for (const auto& [name, bytes] : parts)
         if (bytes != 0)
-            list.append(list.empty() ? "" : ", ").append(name).append(" ").append(std::to_string(bytes));
+            list.append(list.empty() ? "" : ", ").append(name).append(" ").append(text(bytes));
     return list;
+}
+
+/// Three digits: "4.79", "61.2", "256"
+std::string rounded(double number)
+{
+    return number < 1000 ? digits(number, 3) : digits(std::round(number), 12);
+}
+
+std::string firmware_text(std::size_t bytes, std::size_t available, std::string_view memory,
+                          const std::vector<Part>& parts)
+{
+    return memory_text(bytes) + " of " + memory_text(available) + " of " + std::string{memory} + ": " +
+           list_of(parts, memory_text);
+}
+
+void add_reserved(const Target& target, std::size_t Reserved::*bytes, std::vector<Part>& parts)
+{
+    for (const Reserved& part : target.reserved)
+        parts.push_back({part.name.empty() ? std::string_view{"reserved"} : part.name, part.*bytes});
 }
 
 }
 
 std::string bytes_text(std::size_t bytes) { return counted(bytes, "byte"); }
+
+std::string memory_text(std::size_t bytes)
+{
+    const auto number = static_cast<double>(bytes);
+    if (number < kibibyte)
+        return std::to_string(bytes) + " B";
+    return number < mebibyte ? rounded(number / kibibyte) + " KiB" : rounded(number / mebibyte) + " MiB";
+}
 
 std::string frame_text(Time moment) { return digits(in_frames(moment), 12); }
 
@@ -44,8 +77,8 @@ std::string milliseconds_text(double seconds) { return digits(seconds * 1000, 3)
 
 std::string rate_text(double per_second)
 {
-    if (!std::isfinite(per_second))
-        return "any rate";
+    if (per_second > fastest_rate)
+        return "more than " + digits(fastest_rate, 12) + " fps";
     return digits(std::floor(per_second * 10) / 10, 12) + " fps";
 }
 
@@ -56,17 +89,31 @@ std::string frequency_text(double hertz)
 
 std::string parts_text(const FlashNeed& need)
 {
-    return list_of(
-        std::array<Part, 3>{{{"player", need.player}, {"scene", need.scene}, {"reserved", need.reserved}}});
+    return list_of({{"player", need.player}, {"scene", need.scene}, {"reserved", need.reserved}}, exact_text);
 }
 
 std::string parts_text(const RamNeed& need, std::string_view buffers)
 {
-    return list_of(std::array<Part, 5>{{{"block", need.block},
-                                        {buffers, need.bands},
-                                        {"static", need.fixed},
-                                        {"stack", need.stack},
-                                        {"reserved", need.reserved}}});
+    return list_of({{"block", need.block},
+                    {buffers, need.bands},
+                    {"static", need.fixed},
+                    {"stack", need.stack},
+                    {"reserved", need.reserved}},
+                   exact_text);
+}
+
+std::string firmware_flash_text(const FlashNeed& need, const Target& target)
+{
+    std::vector<Part> parts{{"player", need.player}};
+    add_reserved(target, &Reserved::flash, parts);
+    return firmware_text(need.sum() - need.scene, target.flash, "flash", parts);
+}
+
+std::string firmware_ram_text(const RamNeed& need, const Target& target, std::string_view buffers)
+{
+    std::vector<Part> parts{{buffers, need.bands}, {"static", need.fixed}, {"stack", need.stack}};
+    add_reserved(target, &Reserved::ram, parts);
+    return firmware_text(need.sum() - need.block, target.ram, "RAM", parts);
 }
 
 }

@@ -18,28 +18,30 @@ void add_sentences(const std::vector<std::string>& texts, Verdict verdict, std::
         lines.push_back({text, verdict});
 }
 
-/// "flash   61 of 2048 KiB", rounded up.
-FitLine memory_line(const std::string& name, std::size_t used, std::size_t available)
+/// "scene   310 B of 256 KiB"
+FitLine memory_line(const std::string& name, std::size_t used, std::size_t room)
 {
-    constexpr std::size_t kibibyte = 1024;
-    return {name + std::to_string((used + kibibyte - 1) / kibibyte) + " of " +
-                std::to_string(available / kibibyte) + " KiB",
-            verdict(used <= available)};
+    return {name + fit::memory_text(used) + " of " + fit::memory_text(room), verdict(used <= room)};
 }
 
-/// The reserves are those of the rest of the board's program.
-void add_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
-                std::vector<FitLine>& lines)
+/// What the scene takes of the room for scenes.
+void add_scene_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
+                      std::vector<FitLine>& lines)
 {
-    lines.push_back(memory_line("RAM     ", ram.sum(), board.ram));
-    lines.push_back(memory_line("flash   ", flash.sum(), board.flash));
+    lines.push_back(memory_line("RAM     ", ram.block, ram.room(board.ram)));
+    lines.push_back(memory_line("scene   ", flash.scene, flash.room(board.flash)));
 }
 
-/// What the scene has of that.
-void add_scene_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, std::vector<FitLine>& lines)
+/// What the firmware takes beside it.
+void add_firmware_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
+                         std::vector<FitLine>& lines)
 {
-    lines.push_back({"scene   " + fit::bytes_text(flash.scene)});
-    lines.push_back({"needs   " + fit::bytes_text(ram.block) + " of RAM"});
+    const auto add = [&lines](const char* name, std::size_t used, std::size_t available) {
+        lines.push_back({name + fit::memory_text(used) + " of " + fit::memory_text(available)});
+    };
+    lines.push_back({"besides, the firmware has"});
+    add("RAM     ", ram.sum() - ram.block, board.ram);
+    add("flash   ", flash.sum() - flash.scene, board.flash);
 }
 
 std::string clock_text(const fit::Target& board)
@@ -89,11 +91,13 @@ std::vector<FitLine> beginning(bool fits, const fit::Target& board)
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board)
 {
     std::vector<FitLine> lines = beginning(report.fits(), board);
+    if (report.fits() && report.late.late + report.late_with_inputs.late != 0)
+        lines.insert(lines.begin() + 1, {"but " + report.lateness_text()});
     lines.push_back({panel_text(board.display)});
     add_rate(report, lines);
-    add_memory(report.flash, report.ram, board, lines);
+    add_scene_memory(report.flash, report.ram, board, lines);
     add_times(report, lines);
-    add_scene_memory(report.flash, report.ram, lines);
+    add_firmware_memory(report.flash, report.ram, board, lines);
     add_sentences(report.reasons(), Verdict::bad, lines);
     add_sentences(report.notes, Verdict::neutral, lines);
     return lines;
@@ -108,10 +112,10 @@ std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& bo
                      fit::frame_text(busiest.moment)});
     lines.push_back({"        drawn " + std::to_string(std::lround(fit::refresh(busiest, *board.beam))) +
                      " times a second"});
-    add_memory(report.flash, report.ram, board, lines);
+    add_scene_memory(report.flash, report.ram, board, lines);
     lines.push_back({"mean    " + std::to_string(std::lround(report.mean_points())) + " points"});
     lines.push_back({"CPU     " + fit::milliseconds_text(report.dearest_seconds) + " for a new picture"});
-    add_scene_memory(report.flash, report.ram, lines);
+    add_firmware_memory(report.flash, report.ram, board, lines);
     add_sentences(report.reasons(), Verdict::bad, lines);
     add_sentences(report.notes, Verdict::neutral, lines);
     return lines;

@@ -26,6 +26,19 @@ class CheckTest(CommandTest):
         self.assertEqual((file["file"], file["good"], file["diagnostics"]), ("repeat.kfast", True, []))
         self.assertIn("1 object", file["summary"])
 
+    def test_frames_are_those_of_the_text_everywhere(self):
+        for loop, more in (("once", ", and then its end: 10 pictures"), ("repeat", "")):
+            self.write("nine.kfast", f"kfast 1\ncanvas 64 64 fps=10 frames=9 loop={loop}\nobject a fill=red {{ rect 0 0 9 9; key 0 x=0; key 9 x=20 }}\n")
+            self.assertIn(", 9 frames, ", self.run_kfast("check", "nine.kfast").stdout)
+            self.assertIn(", 9 frames, ", self.run_kfast("compile", "nine.kfast").stdout)
+            self.assertIn(f"  length      9 frames, 0.9 s{more}\n", self.run_kfast("info", "nine.kfast").stdout)
+            facts = json.loads(self.run_kfast("info", "nine.kfast", "--json").stdout)
+            self.assertEqual((facts["frames"], facts["pictures"]), (9, 10 if more else 9))
+            self.run_kfast("render", "nine.kfast", "--all", "-o", f"{loop}")
+            self.assertEqual(len(list((self.folder / loop).iterdir())), facts["pictures"])
+        self.write("half.kfast", "kfast 1\ncanvas 64 64 frames=2.5\nobject a fill=red { rect 0 0 9 9 }\n")
+        self.assertIn(", 2.5 frames, ", self.run_kfast("check", "half.kfast").stdout)
+
     def test_places_are_told_in_all_units(self):
         (file,) = self.json(self.write("wrong.kfast", WRONG), status=1)
         colour, letter = file["diagnostics"]

@@ -1,6 +1,7 @@
 """Whether scenes fit boards."""
 
 import json
+import re
 import unittest
 
 from command_case import ROOT, CommandTest
@@ -114,7 +115,7 @@ class FitTest(CommandTest):
         self.assertEqual(ram["buffers"], 2 * 16384)
         told = self.run_kfast("fit", "box.kfast", *self.beam_board()).stdout
         self.assertIn("344 points, drawn 290.7 times a second", told)
-        self.assertIn("buffers 32768", told)
+        self.assertIn("of RAM: buffers 32 KiB, ", told)
 
     def test_the_order_of_lines_takes_its_time(self):
         self.write("one.kfast", "kfast 1\ncanvas 100 100\nobject o stroke=white { line 10 10 90 10 }\n")
@@ -278,10 +279,72 @@ class FitTest(CommandTest):
 
     def test_for_people(self):
         told = self.run_kfast("fit", "repeat.kfast", *self.board()).stdout
-        for row in ("flash", "RAM", "first", "median", "worst", "by CPU", "by bus", "fits        yes"):
+        for row in ("scene", "block", "firmware", "first", "median", "worst", "by CPU", "by bus", "fits        yes"):
             self.assertIn(row, told)
         told = self.run_kfast("fit", "repeat.kfast", *self.board(ram=2), status=1).stdout
         self.assertIn("fits        no", told)
+
+    def test_the_scene_stands_apart_from_the_firmware(self):
+        report = self.report("repeat.kfast", "--board", "pico")
+        flash, ram, room = report["flash"], report["ram"], report["room"]
+        self.assertEqual(room, {"scene": 256 * 1024, "block": ram["available"] - ram["used"] + ram["block"]})
+        self.assertEqual([part["name"] for part in report["reserved"]], ["code and drivers", "slots"])
+        for memory, total in (("flash", flash["reserved"]), ("ram", ram["reserved"])):
+            self.assertEqual(sum(part[memory] for part in report["reserved"]), total)
+        told = self.run_kfast("fit", "repeat.kfast", "--board", "pico").stdout
+        self.assertIn(f"  scene       {flash['scene']} B of 256 KiB for scenes\n  block       ", told)
+        self.assertRegex(told, r"  firmware    1.75 MiB of 2 MiB of flash: player [\d.]+ KiB, code and drivers [\d.]+ KiB, slots 1.5 MiB\n"
+                               r"  +[\d.]+ KiB of 264 KiB of RAM: bands 30 KiB, static [\d.]+ K?i?B, stack [\d.]+ KiB, code and drivers")
+
+    def test_pictures_that_are_late(self):
+        self.write("jump.kfast", "kfast 1\ncanvas 60 40 frames=30\nobject a fill=red {\n"
+                                 "    key 0 law=hold { rect 0 0 2 2 }; key 15 { rect 0 0 60 40 } }\n")
+        report = self.report("jump.kfast", *self.board(bus="i2c clock=(kHz)800"))
+        self.assertTrue(report["fits"])
+        self.assertEqual(report["late"], {"frames": 30, "late": 2, "left_out": 0})
+        self.assertIsNone(report["late_with_inputs"])
+        told = self.run_kfast("fit", "jump.kfast", *self.board(bus="i2c clock=(kHz)800")).stdout
+        self.assertIn("  fits        yes, but 2 of 30 pictures late\n", told)
+        report = self.report("jump.kfast", *self.board(bus="i2c clock=(kHz)200"))
+        self.assertEqual(report["late"], {"frames": 30, "late": 12, "left_out": 10})
+
+    def test_no_rate_that_nobody_sees(self):
+        self.write("still.kfast", NAMED)
+        told = self.run_kfast("fit", "repeat.kfast", *self.board(bus="parallel-16 clock=(MHz)60")).stdout
+        self.assertIn("by bus      more than 1000 fps\n", told)
+
+    def test_hardware_that_is_not_supported_yet(self):
+        self.refuse("fit", "repeat.kfast", "--board", "pico2", status=1,
+                    says="a Pico 2 (RP2350, Cortex-M33) is not supported yet")
+        told = self.run_kfast("fit", "repeat.kfast", "--board", "ESP32-S3", status=1).stderr
+        self.write("my-esp32s3.kdl", told[told.index("board my-esp32s3 {"):])
+        self.assertEqual(self.report("repeat.kfast", "--board", "my-esp32s3.kdl")["board"], "my-esp32s3")
+        self.refuse("fit", "repeat.kfast", "--board", "uno", status=1, says="take a board of 32 bits")
+        self.refuse("fit", "repeat.kfast", *self.board(), "--panel", "sh1106", status=2, says="pages of 8 rows")
+        self.refuse("preview", "repeat.kfast", "--headless", "--board", "pico2", status=1, says="Pico 2")
+
+    def test_one_list_of_panels(self):
+        """The page, fit, the preview's commands and settings: the same, but for those that are for fit alone."""
+        page = (ROOT / "docs" / "fit.md").read_text().split("### Panels")[1]
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| `")]
+        self.assertGreater(len(rows), 8)
+        names = {row[0].strip("`"): row[1:] for row in rows if re.fullmatch(r"`\w+`", row[0]) and "x" in row[1]}
+        fit_help = self.run_kfast("fit", "--help").stdout
+        for name, (size, *_, driver) in names.items():
+            panel = self.report("repeat.kfast", "--board", "pico", "--panel", name)["panel"]
+            self.assertEqual(f"{panel['width']}x{panel['height']}", size)
+            self.assertIn(name, fit_help)
+            self.write("settings.kdl", f"board pico {{ panel {name}; bus spi; pins clock=18 data=19 select=17 dc=16 reset=20 }}")
+            if driver == "yes":
+                self.run_kfast("render", "repeat.kfast", "--panel", name, "-o", f"{name}.png")
+                self.run_kfast("config", "settings.kdl", "-o", f"{name}.uf2")
+            else:
+                self.assertEqual(driver, "for `fit` alone")
+                self.refuse("render", "repeat.kfast", "--panel", name, "-o", f"{name}.png", status=2,
+                            says=f"kfast fit alone knows it, for it has no driver yet; its picture is that of --size {size}")
+                self.refuse("config", "settings.kdl", "-o", f"{name}.uf2", status=1, says="kfast fit alone knows it")
+        told = self.run_kfast("fit", "repeat.kfast", "--board", "pico", "--panel", "zzzzzzzz", status=2).stderr
+        self.assertIn("allowed: " + ", ".join(sorted(names)), told)
 
     def test_known_boards_and_panels(self):
         for board in ("blackpill", "lm3s6965evb", "pico"):

@@ -119,6 +119,7 @@ class RefusalTest(FlashTest):
     def test_usage(self):
         self.refused("--no-firmware", status=2, says="with --no-firmware, a scene or settings")
         self.refused("--no-firmware", "--firmware", "f.bin", status=2, says="--no-firmware")
+        self.refused("--board", "pico2", status=2, says="a Pico 2 (RP2350, Cortex-M33) is not supported yet: there is no firmware for it")
         self.refused("--board", "bluepill", status=2, says="there is no firmware for 'bluepill': allowed: pico")
         self.refused("--verify-only", "--dry-run", status=2, says="--dry-run")
         self.refused("--device", "E6", status=2, says="excludes --device")

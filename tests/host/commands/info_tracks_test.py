@@ -1,6 +1,7 @@
 """kfast info --tracks: all that moves the items and the bones of a scene."""
 
 import json
+import re
 import unittest
 
 from command_case import CommandTest
@@ -26,7 +27,7 @@ group {
 """
 
 LINES = """\
-  object 1
+  object 1 "dot"
     x          0 1 hold, 10 2 steps(4), 20 3
     y          smooth: 0 0.5, 15.5 20, 40 4
     z          -20
@@ -35,12 +36,12 @@ LINES = """\
     fill       hold: 0 #ff0000, 10 #00ff0080
   group 2
     scale-y    bezier(0.42,0,0.58,1): 0 1, 5 -2
-    object 2.1
+    object 2.1 "still"
       beam       both: lines 2.5 px apart, at 45°
-    use 2.2 of symbol 1
+    use 2.2 "wheel" of symbol 1
       along      constant: 0 0, 60 1; the path is 50 px long, and the item turns with it
-  symbol 1
-    object 1
+  symbol 1 "wheel"
+    object 1 "rim"
       rotate     smooth: 0 0, 60 -720
 """
 
@@ -63,31 +64,31 @@ object tyre stroke=white skin=wheel { circle 20 20 r=4; weights { spoke 1 } }
 """
 
 BONE_LINES = """\
-  object 1
-  object 2
-  skeleton 1
-    bone 1
+  object 1 "sleeve"
+  object 2 "tyre"
+  skeleton 1 "robot"
+    bone 1 "torso"
       angle   0 270 accelerate, 20 0 constant, 60 270
       x       0 30 accelerate, 20 32 constant, 60 30
       y       0 36 accelerate, 20 34.5 constant, 60 36
       length  20
-    bone 2
+    bone 2 "foot"
       angle   0
       x       4
       y       36
       length  8
-    bone 3 of bone 1
+    bone 3 "arm" of bone 1 "torso"
       angle   0 90 accelerate, 20 45 constant, 30 90 constant, 60 90
       x       0 20 accelerate, 20 20 constant, 30 18 constant, 60 20
       y       0
       length  0 12 accelerate, 20 12 constant, 30 18 constant, 60 12
-    bone 4 of bone 1
+    bone 4 "horn" of bone 1 "torso"
       angle   90
       x       16
       y       0
       length  5
-  skeleton 2
-    bone 1
+  skeleton 2 "wheel"
+    bone 1 "spoke"
       angle   constant: 0 0, 5.5 -720
       x       20
       y       20
@@ -104,11 +105,11 @@ class TracksTest(CommandTest):
         plain = self.run_kfast("info", "moving.kfast").stdout
         self.assertEqual(self.run_kfast("info", "moving.kfast", "--tracks").stdout, plain + LINES)
 
-    def test_a_compiled_scene_says_the_same(self):
+    def test_a_compiled_scene_says_the_same_without_names(self):
         text = self.run_kfast("info", "moving.kfast", "--tracks").stdout
         self.run_kfast("compile", "moving.kfast")
         compiled = self.run_kfast("info", "moving.kfb", "--tracks").stdout
-        self.assertEqual(compiled.splitlines()[1:], text.splitlines()[1:])
+        self.assertEqual(compiled.splitlines()[1:], re.sub(' "[a-z]+"', "", text).splitlines()[1:])
 
     def test_json(self):
         plain = json.loads(self.run_kfast("info", "moving.kfast", "--json").stdout)
@@ -118,6 +119,8 @@ class TracksTest(CommandTest):
         self.assertEqual(facts, plain)
         dot, group = tracks["items"]
         self.assertEqual((dot["item"], group["item"]), ("object 1", "group 2"))
+        self.assertEqual((dot["name"], tracks["symbols"][0]["name"]), ("dot", "wheel"))
+        self.assertNotIn("name", group)
         self.assertEqual(dot["tracks"][0], {"property": "x", "smooth": False, "keys": [
             {"at": 0, "value": 1, "law": "hold"}, {"at": 10, "value": 2, "law": "steps(4)"},
             {"at": 20, "value": 3}]})
@@ -127,7 +130,7 @@ class TracksTest(CommandTest):
         self.assertEqual(dot["tracks"][4]["keys"], [{"at": 0, "value": False}, {"at": 20, "value": True}])
         still, use = group["items"]
         self.assertEqual(still, {
-            "item": "object 2.1", "tracks": [], "beam": {"draws": "both", "hatch": 2.5, "hatch-angle": 45}})
+            "item": "object 2.1", "name": "still", "tracks": [], "beam": {"draws": "both", "hatch": 2.5, "hatch-angle": 45}})
         self.assertEqual((use["item"], use["symbol"]), ("use 2.2", 1))
         self.assertEqual(use["tracks"], [{"property": "along", "smooth": False, "keys": [
             {"at": 0, "value": 0, "law": "constant"}, {"at": 60, "value": 1}], "length": 50, "turn": True}])
@@ -152,6 +155,8 @@ class BoneTracksTest(CommandTest):
         self.assertEqual((robot["skeleton"], wheel["skeleton"]), (1, 2))
         torso, foot, arm, horn = robot["bones"]
         self.assertEqual([bone["bone"] for bone in robot["bones"]], [1, 2, 3, 4])
+        self.assertEqual([bone["name"] for bone in robot["bones"]], ["torso", "foot", "arm", "horn"])
+        self.assertEqual(robot["name"], "robot")
         self.assertEqual([bone.get("parent") for bone in robot["bones"]], [None, None, 1, 1])
         self.assertEqual(torso["tracks"][2], {"property": "y", "smooth": False, "keys": [
             {"at": 0, "value": 36, "law": "accelerate"}, {"at": 20, "value": 34.5, "law": "constant"},

@@ -161,7 +161,7 @@ class InfoTest(CommandTest):
         memory = facts.pop("memory")
         self.assertEqual(facts, {
             "file": "repeat.kfast", "bytes": len(self.compiled()), "canvas": {"width": 60, "height": 40}, "fps": 30,
-            "frames": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "wire_frames": 0, "items": 1, "symbols": 0,
+            "frames": 10, "pictures": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "wire_frames": 0, "items": 1, "symbols": 0,
             "keys": [0, 4, 10], "inputs": [], "clips": [], "events": []})
         self.assertEqual((memory["width"], memory["height"]), (60, 40))
 

@@ -201,9 +201,13 @@ TEST_CASE("parts may come in any order, and controls keep theirs")
 TEST_CASE("mistakes are told with their place and the remedy")
 {
     check_refused(with("board pico", "board pica"), "1:7", "did you mean \"pico\"?");
+    check_refused(with("board pico", "board pico2"), "1:7",
+                  "a Pico 2 (RP2350, Cortex-M33) is not supported yet");
     check_refused(with("panel", "pannel"), "2:5", "did you mean \"panel\"?");
     check_refused(with("panel", "pannel"), "1:1", "add \"panel st7789");
     check_refused(with("st7789", "st7798"), "2:11", "did you mean \"st7789\"?");
+    check_refused(with("st7789", "ssd1322"), "2:11", "kfast fit alone knows it");
+    check_refused(with("st7789", "sh1106"), "2:11", "take one with an SSD1306");
     check_refused(with("135 240", "135"), "2:18", "a panel has a width and a height");
     check_refused(with("135 240", "135 0"), "2:22", "allowed: 1 to 4096");
     check_refused(with("135 240", "135 240 1"), "2:26", "too many for panel");

@@ -75,8 +75,20 @@ TEST_CASE("a description tells everything in bytes, Hertz and pixels")
     CHECK(target.display.granularity == Size{2, 1});
     CHECK(target.display.window_bytes == 9);
     CHECK(target.band_bytes == 8192);
-    CHECK(target.reserved.flash == 40 * 1024);
-    CHECK(target.reserved.ram == 3 * 1024);
+    CHECK(target.reserved_flash() == 40 * 1024);
+    CHECK(target.reserved_ram() == 3 * 1024);
+}
+
+TEST_CASE("what is reserved has several parts, with names")
+{
+    const Target target =
+        read(with("reserved flash", "reserved \"radio and slots\" flash=(KiB)5; reserved flash"));
+    REQUIRE(target.reserved.size() == 2);
+    CHECK(target.reserved[0].name == "radio and slots");
+    CHECK(target.reserved[0].ram == 0);
+    CHECK(target.reserved[1].name.empty());
+    CHECK(target.reserved_flash() == 45 * 1024);
+    CHECK(target.reserved_ram() == 3 * 1024);
 }
 
 TEST_CASE("a board has a beam in place of a panel")
@@ -135,8 +147,8 @@ TEST_CASE("what may be left out has a default, and M0+ is M0")
     CHECK(target.processor == Processor::cortex_m0);
     CHECK(target.cycles == 0);
     CHECK(target.band_bytes == 4096);
-    CHECK(target.reserved.flash == 0);
-    CHECK(target.reserved.ram == 0);
+    CHECK(target.reserved_flash() == 0);
+    CHECK(target.reserved_ram() == 0);
 }
 
 TEST_CASE("a bus carries as many bytes as its kind and clock allow")
@@ -157,6 +169,8 @@ TEST_CASE("the boards of this program are described without a mistake")
 TEST_CASE("mistakes are told with their place and the remedy")
 {
     check_refused(with("cortex-m4", "cortex-m5"), "2:10", "did you mean \"cortex-m");
+    check_refused(with("cortex-m4", "cortex-m33"), "2:10", "the Cortex-M33 is not measured: take cortex-m4");
+    check_refused(with("320 172 format=grey4 window=9", "sh1106"), "5:11", "take one with an SSD1306");
     check_refused(with("clock=(MHz)80", "clock=80"), "2:26", "write it like (MHz)125");
     check_refused(with("clock=(MHz)80", "clock=(Mhz)80"), "2:26", "did you mean \"MHz\"?");
     check_refused(with("clock=(MHz)80", "clock=(kHz)80"), "2:26", "allowed: (MHz)1 to (MHz)2000");

@@ -1,6 +1,7 @@
 #include "host/preview/fit_check.hpp"
 
 #include "core/player.hpp"
+#include "host/fit/wording.hpp"
 #include "host/preview/previewed_board.hpp"
 #include "tests/host/preview/named_scene.hpp"
 
@@ -47,12 +48,12 @@ TEST_CASE("a scene that fits has good lines, and says what limits it")
     const std::vector<FitLine> lines = lines_of(scene, board);
     CHECK(lines[1] == FitLine{"pico, 125 MHz"});
     CHECK(lines[2] == FitLine{"st7789 240x240"});
-    CHECK(has(lines, "scene   " + std::to_string(scene.view().size()) + " bytes", Verdict::neutral));
+    CHECK(has(lines, "scene   " + std::to_string(scene.view().size()) + " B of 256 KiB", Verdict::good));
     CHECK(has(lines,
-              "needs   " + std::to_string(Player::block_bytes(scene.view(), {240, 240})) + " bytes of RAM",
-              Verdict::neutral));
-    CHECK(has(lines, "flash   ", Verdict::good));
-    CHECK(has(lines, "RAM     ", Verdict::good));
+              "RAM     " + fit::memory_text(Player::block_bytes(scene.view(), {240, 240})) + " of 88 KiB",
+              Verdict::good));
+    CHECK(has(lines, "besides, the firmware has", Verdict::neutral));
+    CHECK(has(lines, "flash   1.75 MiB of 2 MiB", Verdict::neutral));
     CHECK(has(lines, "speed   ", Verdict::good));
     CHECK(has(lines, "limit   the ", Verdict::neutral));
     CHECK(has(lines, "ball takes ", Verdict::neutral));
@@ -73,7 +74,19 @@ TEST_CASE("a scene that does not fit says why, below the figures")
     CHECK(lines.front() == FitLine{"does not fit", Verdict::bad});
     CHECK(lines[3].text.starts_with("speed   "));
     CHECK(lines[4].text.starts_with("RAM     "));
-    CHECK(lines[5].text.starts_with("flash   "));
+    CHECK(lines[5].text.starts_with("scene   "));
+}
+
+TEST_CASE("a scene that fits though some of its pictures are late says how many")
+{
+    const NamedScene scene{
+        "kfast 1\ncanvas 240 240 frames=30\n"
+        "object a fill=red { key 0 law=hold { rect 0 0 9 9 }; key 15 { rect 0 0 240 240 } }\n"};
+    fit::Target board = previewed_board({.size = {240, 240}});
+    board.bus.clock = 20e6;
+    const std::vector<FitLine> lines = lines_of(scene, board);
+    CHECK(lines[0] == FitLine{"fits", Verdict::good});
+    CHECK(lines[1] == FitLine{"but 2 of 30 pictures late"});
 }
 
 TEST_CASE("the panel that is shown is the one that is judged, and a beam is one")

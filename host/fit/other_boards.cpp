@@ -1,0 +1,192 @@
+#include "host/fit/other_name.hpp"
+
+namespace kfast::fit {
+namespace {
+
+// Of boards that can be described: which costs the estimate has.
+constexpr std::string_view measured = "the costs are those of its core";
+constexpr std::string_view related =
+    "the costs are those of the Cortex-M4, whose instructions it has: nobody has measured a Cortex-M33";
+constexpr std::string_view foreign = "memory is right, but speed is a guess, for it has other instructions: "
+                                     "change cycles= until the milliseconds are "
+                                     "those that you measure (docs/fit.md)";
+
+// Of others: how the sentence goes on that begins with what it is.
+constexpr std::string_view too_small = "has 8 bits and a few KiB of memory, and the player takes about 60 "
+                                       "KiB of flash and 20 KiB of RAM: take a board "
+                                       "of 32 bits, such as a Pico";
+constexpr std::string_view same_as_pico = "has the chip of the Pico: take pico";
+constexpr std::string_view linux_board =
+    "runs kfast itself, with a display at its pins: kfast panel (docs/raspberry-pi.md)";
+
+constexpr std::string_view wide_spi = "(MHz)40";
+
+/// Clocks and memory are those of the makers' data sheets, memory of flash that of the module that most
+/// people have.
+constexpr std::array boards{
+    OtherBoard{
+        {"pico2 pico2w rp2350 rp2350a rp2350b raspberrypipico2", "a Pico 2 (RP2350, Cortex-M33)", related},
+        "cortex-m4 clock=(MHz)150",
+        "flash=(MiB)4 ram=(KiB)520",
+        "(MHz)37.5"},
+    OtherBoard{{"picow picoh picowh rp2040 raspberrypipico xiaorp2040 rp2040zero", "a board with an RP2040",
+                same_as_pico}},
+    OtherBoard{{"esp32 esp32wroom esp32wrover esp32dev", "an ESP32 (Xtensa LX6)", foreign},
+               "cortex-m4 clock=(MHz)240 cycles=2",
+               "flash=(MiB)4 ram=(KiB)320",
+               wide_spi},
+    OtherBoard{{"esp32s2", "an ESP32-S2 (Xtensa LX7)", foreign},
+               "cortex-m4 clock=(MHz)240 cycles=2",
+               "flash=(MiB)4 ram=(KiB)320",
+               wide_spi},
+    OtherBoard{{"esp32s3 xiaoesp32s3 nanoesp32", "an ESP32-S3 (Xtensa LX7)", foreign},
+               "cortex-m4 clock=(MHz)240 cycles=2",
+               "flash=(MiB)8 ram=(KiB)512",
+               wide_spi},
+    OtherBoard{{"esp32c3 xiaoesp32c3", "an ESP32-C3 (RISC-V)", foreign},
+               "cortex-m4 clock=(MHz)160 cycles=2",
+               "flash=(MiB)4 ram=(KiB)400",
+               wide_spi},
+    OtherBoard{{"esp32c6", "an ESP32-C6 (RISC-V)", foreign},
+               "cortex-m4 clock=(MHz)160 cycles=2",
+               "flash=(MiB)4 ram=(KiB)512",
+               wide_spi},
+    OtherBoard{{"esp8266 nodemcu wemosd1 d1mini", "an ESP8266 (Xtensa LX106)", foreign},
+               "cortex-m4 clock=(MHz)80 cycles=2",
+               "flash=(MiB)4 ram=(KiB)80",
+               wide_spi},
+    OtherBoard{{"arduino arduinouno uno unor3 arduinonano nano arduinomega mega mega2560 leonardo promini "
+                "avr atmega328 "
+                "atmega328p atmega2560 atmega32u4 attiny attiny85",
+                "an Arduino with an AVR", too_small}},
+    OtherBoard{{"unor4 arduinounor4 ra4m1", "an Arduino Uno R4 (RA4M1, Cortex-M4)", measured},
+               "cortex-m4 clock=(MHz)48",
+               "flash=(KiB)256 ram=(KiB)32",
+               "(MHz)24"},
+    OtherBoard{
+        {"samd21 arduinozero zero mkrzero xiao featherm0 trinketm0", "a SAMD21 (Cortex-M0+)", measured},
+        "cortex-m0+ clock=(MHz)48",
+        "flash=(KiB)256 ram=(KiB)32",
+        "(MHz)12"},
+    OtherBoard{{"samd51 featherm4 itsybitsym4", "a SAMD51 (Cortex-M4)", measured},
+               "cortex-m4 clock=(MHz)120",
+               "flash=(KiB)512 ram=(KiB)192",
+               "(MHz)24"},
+    OtherBoard{{"nrf52840 nano33ble feather52840 xiaoble nicenano", "an nRF52840 (Cortex-M4)", measured},
+               "cortex-m4 clock=(MHz)64",
+               "flash=(MiB)1 ram=(KiB)256",
+               "(MHz)32"},
+    OtherBoard{{"microbit microbitv2 nrf52833", "a micro:bit (nRF52833, Cortex-M4)", measured},
+               "cortex-m4 clock=(MHz)64",
+               "flash=(KiB)512 ram=(KiB)128",
+               "(MHz)32"},
+    OtherBoard{{"nrf5340 nrf53", "an nRF5340 (Cortex-M33)", related},
+               "cortex-m4 clock=(MHz)128",
+               "flash=(MiB)1 ram=(KiB)512",
+               "(MHz)32"},
+    OtherBoard{{"stm32u5 stm32u575", "an STM32U5 (Cortex-M33)", related},
+               "cortex-m4 clock=(MHz)160",
+               "flash=(MiB)2 ram=(KiB)768",
+               "(MHz)40"},
+    OtherBoard{
+        {"teensy teensy4 teensy40 teensy41 imxrt1062", "a Teensy 4 (i.MX RT1062, Cortex-M7)", measured},
+        "cortex-m7 clock=(MHz)600",
+        "flash=(MiB)2 ram=(KiB)1024",
+        "(MHz)60"},
+    OtherBoard{{"stm32h7 stm32h743", "an STM32H743 (Cortex-M7)", measured},
+               "cortex-m7 clock=(MHz)480",
+               "flash=(MiB)2 ram=(KiB)512",
+               "(MHz)60"},
+    OtherBoard{{"stm32f7 stm32f746 nucleof746zg", "an STM32F746 (Cortex-M7)", measured},
+               "cortex-m7 clock=(MHz)216",
+               "flash=(MiB)1 ram=(KiB)320",
+               "(MHz)54"},
+    OtherBoard{{"stm32f4 stm32f407 stm32f446 nucleof446re", "an STM32F446 (Cortex-M4)", measured},
+               "cortex-m4 clock=(MHz)180",
+               "flash=(KiB)512 ram=(KiB)128",
+               "(MHz)45"},
+    OtherBoard{{"stm32f103 stm32f1", "an STM32F103", "is the chip of the Blue Pill: take bluepill"}},
+    OtherBoard{{"stm32f411 stm32f411ce", "an STM32F411", "is the chip of the Black Pill: take blackpill"}},
+    OtherBoard{{"raspberrypi raspberrypi4 raspberrypi5 raspberrypizero rpi pi pi4 pi5 pizero pizero2w",
+                "a Raspberry Pi with Linux", linux_board}},
+};
+
+constexpr std::array cores{
+    OtherName{"cortexm33 cortexm35p cortexm55 cortexm85 m33", "the Cortex-M33",
+              "is not measured: take cortex-m4, whose instructions it has"},
+    OtherName{"cortexm23 cortexm1 m23", "the Cortex-M23",
+              "is not measured: take cortex-m0+, whose instructions it has"},
+    OtherName{
+        "xtensa lx6 lx7 xtensalx6 xtensalx7 esp32 riscv rv32 rv32imc", "a processor that is no Cortex-M",
+        "is not measured: take cortex-m4 with the true clock, and change cycles= until the milliseconds are "
+        "those that you measure (docs/fit.md)"},
+    OtherName{"avr atmega328p", "an AVR", too_small},
+    OtherName{"cortexa7 cortexa8 cortexa9 cortexa53 cortexa72 cortexr5", "a Cortex-A",
+              "is not measured: play the scene on it, and see how fast that is"},
+};
+
+const OtherBoard* board_called(std::string_view name)
+{
+    const auto* const found =
+        std::ranges::find_if(boards, [name](const OtherBoard& board) { return is_called(board.name, name); });
+    return found == boards.end() ? nullptr : found;
+}
+
+/// "my-pico2"
+std::string file_name_of(const OtherBoard& board)
+{
+    return "my-" + std::string{board.name.names.substr(0, board.name.names.find(' '))};
+}
+
+}
+
+std::span<const OtherBoard> other_boards() { return boards; }
+
+std::span<const OtherName> other_cores() { return cores; }
+
+std::string board_file(const OtherBoard& board)
+{
+    if (board.core.empty())
+        return {};
+    const auto line = [](const char* begin, std::string_view rest) {
+        return "    " + std::string{begin} + std::string{rest} + '\n';
+    };
+    return "board " + file_name_of(board) + " {\n" + line("core ", board.core) +
+           line("memory ", board.memory) + line("bus spi clock=", board.spi) + line("panel ", "st7789") +
+           line("bands ", "(KiB)4") +
+           line("reserved ", "flash=(KiB)100 ram=(KiB)20   // of the rest of your program") + "}\n";
+}
+
+std::optional<std::string> other_board_text(std::string_view name)
+{
+    const OtherBoard* const board = board_called(name);
+    if (board == nullptr)
+        return std::nullopt;
+    const std::string what{board->name.what};
+    return board->core.empty() ? what + ' ' + std::string{board->name.remedy}
+                               : what + " is not supported yet: there is no firmware for it";
+}
+
+std::optional<std::string> other_board_advice(std::string_view name)
+{
+    const auto text = other_board_text(name);
+    if (!text)
+        return std::nullopt;
+    const OtherBoard& board = *board_called(name);
+    if (board.core.empty())
+        return text;
+    const std::string file = file_name_of(board) + ".kdl";
+    return *text + ". What plays there is the library, in a program of your own (docs/packages.md).\n" +
+           "For an estimate write these lines into " + file + ", and take --board " + file + ";\n" +
+           std::string{board.name.remedy} + ".\n\n" + board_file(board);
+}
+
+std::optional<std::string> other_core_text(std::string_view name)
+{
+    const auto* const core =
+        std::ranges::find_if(cores, [name](const OtherName& other) { return is_called(other, name); });
+    return core == cores.end() ? std::nullopt
+                               : std::optional{std::string{core->what} + ' ' + std::string{core->remedy}};
+}
+
+}
