@@ -54,7 +54,8 @@ const std::string& checked_c_name(const std::string& name)
 {
     const std::string wrong = fault(name);
     if (!wrong.empty())
-        throw CLI::ValidationError("--array-name", in_quotes(name) + " cannot be the name of an array: " + wrong);
+        throw CLI::ValidationError("--array-name",
+                                   in_quotes(name) + " cannot be the name of an array: " + wrong);
     return name;
 }
 

@@ -129,7 +129,8 @@ void require_one_input(const CheckOptions& options)
     if (inputs > 1)
         throw CLI::ValidationError("SCENE", "standard input, -, can be read once");
     if (inputs == 0 && options.name != CheckOptions{}.name)
-        throw CLI::ValidationError("--stdin-filename", "names what comes from standard input: write - as SCENE");
+        throw CLI::ValidationError("--stdin-filename",
+                                   "names what comes from standard input: write - as SCENE");
 }
 
 void declare_check(CLI::App& app)

@@ -164,8 +164,9 @@ void declare_place(CLI::App& app, FlashOptions& options)
             ->type_name("LINE")
             ->needs(reset);
     reset->needs(boot);
-    app.add_option("--gpio-chip", options.lines.chip, 
-        "The chip of the GPIO lines: its path, name or label (default: the one with the first line)")
+    app.add_option(
+           "--gpio-chip", options.lines.chip,
+           "The chip of the GPIO lines: its path, name or label (default: the one with the first line)")
         ->type_name("CHIP")
         ->needs(reset);
 }

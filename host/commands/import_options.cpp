@@ -21,7 +21,7 @@ Size canvas_size(const std::string& text)
     const Size size = read_size("--canvas", text);
     if (std::max(size.width, size.height) > importing::longest_side)
         throw CLI::ValidationError("--canvas", "'" + text + "' is too large: a canvas has sides of at most " +
-                                                 std::to_string(importing::longest_side) + " pixels");
+                                                   std::to_string(importing::longest_side) + " pixels");
     return size;
 }
 

@@ -10,8 +10,8 @@ namespace kfast {
 inline constexpr const char* loaded_scene =
     "A scene text (.kfast), a compiled scene (.kfb), or a file to import (.json, .lottie, .svg, .sif)";
 
-/// --tolerance, --canvas, --background, --animation and --strict, for commands that may load a file of another
-/// program.
+/// --tolerance, --canvas, --background, --animation and --strict, for commands that may load a file of
+/// another program.
 void declare_import_options(CLI::App& app, ImportChoice& choice);
 
 }

@@ -41,7 +41,8 @@ fs::path state_folder()
         return state;
     if (const char* const home = std::getenv("HOME"); home != nullptr && *home != '\0')
         return fs::path{home} / ".local/state";
-    throw Failure("there is no home folder for the flash of the simulated board: name a file with --flash-file");
+    throw Failure(
+        "there is no home folder for the flash of the simulated board: name a file with --flash-file");
 }
 
 fs::path default_flash()
@@ -120,7 +121,8 @@ void declare_simulate(CLI::App& app)
                    "The built-in scene (.kfast, .kfb or a file to import): plays if no slot is chosen. "
                    "Without it there is a test card");
     CLI::Option* panel = declare_panel_option(app, options->panel);
-    app.add_option("--config", options->config, "Settings: a ready configuration or a file, as for 'kfast config'")
+    app.add_option("--config", options->config,
+                   "Settings: a ready configuration or a file, as for 'kfast config'")
         ->type_name("INPUT")
         ->excludes(panel);
     app.add_option("--socket", options->socket, "Where programs reach the board, as --device sim:PATH")

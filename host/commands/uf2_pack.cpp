@@ -64,7 +64,8 @@ void declare_uf2_pack(CLI::App& app)
     const auto options = std::make_shared<Uf2PackOptions>();
     app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
     CLI::Option* const config =
-        app.add_option("--config", options->config, "Settings: a ready configuration or a file, as for 'kfast config'")
+        app.add_option("--config", options->config,
+                       "Settings: a ready configuration or a file, as for 'kfast config'")
             ->type_name("INPUT");
     offer_names(config, config::configurations());
     app.add_option("--scene", options->scene, loaded_scene)->type_name("FILE");

@@ -1,7 +1,7 @@
-#include "host/commands/report_options.hpp"
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/firmware_images.hpp"

@@ -20,11 +20,11 @@ namespace {
 
 using scene::Sector;
 
-constexpr double arc_tolerance = 0.5;    ///< px
-constexpr double advised_drift = 0.4;    ///< px; the rest is for rounding
-constexpr double chord_error = 0.02;     ///< px by which a chord strays from what is drawn
+constexpr double arc_tolerance = 0.5;     ///< px
+constexpr double advised_drift = 0.4;     ///< px; the rest is for rounding
+constexpr double chord_error = 0.02;      ///< px by which a chord strays from what is drawn
 constexpr std::int32_t most_moments = 16; ///< of a way that are looked at
-constexpr double degrees_apart = 5;      ///< of places on the arc that are looked at
+constexpr double degrees_apart = 5;       ///< of places on the arc that are looked at
 
 double between(double a, double b, double share) { return a + share * (b - a); }
 
@@ -128,9 +128,8 @@ private:
     {
         if (key.sectors.empty() || key.drawing.strokes.size() != next.drawing.strokes.size())
             return;
-        const auto by_length = key.match == scene::Match::length
-                                   ? match_by_length(key.drawing, next.drawing)
-                                   : std::nullopt;
+        const auto by_length =
+            key.match == scene::Match::length ? match_by_length(key.drawing, next.drawing) : std::nullopt;
         const MatchedSegments matched = by_length ? match_by_count(by_length->from, by_length->to)
                                                   : match_by_count(key.drawing, next.drawing);
         for (const scene::SectorStroke& from : key.sectors) {
@@ -189,8 +188,7 @@ void warn_of_drift(const scene::Scene& scene, const scene::Object& object, Diagn
         return;
     diagnostics.warning(worst.place,
                         "the arc leaves its circle on the way to the next key, by " + text_of(worst.by) +
-                            " px at " + moment_text(scene, object.clock, worst.time) +
-                            ": points go straight",
+                            " px at " + moment_text(scene, object.clock, worst.time) + ": points go straight",
                         "add a key for every " + std::to_string(step_of(worst.radius)) +
                             " degrees or so, with match=length, or turn an arc that keeps its length");
 }

@@ -14,8 +14,8 @@
 #include <iostream>
 #include <string_view>
 
-// kfast-first-look SCENE.kfast LOOPS: plays a scene text in the terminal, as `kfast preview --terminal` does, with what
-// is compiled within a minute. Where no terminal is, it prints the first frame.
+// kfast-first-look SCENE.kfast LOOPS: plays a scene text in the terminal, as `kfast preview --terminal` does,
+// with what is compiled within a minute. Where no terminal is, it prints the first frame.
 
 namespace {
 

@@ -39,7 +39,8 @@ std::optional<Beside> beside(Viewer& viewer)
 Picture joined(const Picture& left, const Picture& right)
 {
     const int gap = gap_of(left);
-    Picture both{{left.size.width + gap + right.size.width, std::max(left.size.height, right.size.height)}, {}};
+    Picture both{{left.size.width + gap + right.size.width, std::max(left.size.height, right.size.height)},
+                 {}};
     const auto pixel = [](const Picture& picture, int x, int y) {
         const bool is_there = x >= 0 && x < picture.size.width && y < picture.size.height;
         return is_there ? picture.at(x, y) : theme::backdrop;
@@ -64,7 +65,8 @@ void draw_caption(Painter& painter, Rect pane, const std::string& text)
     const int width = columns_of(text) * Painter::letter.width;
     const int x = pane.x + (pane.width - width) / 2;
     const int y = bottom_of(pane) - Painter::letter.height - 2 * margin;
-    painter.fill({x - margin, y - margin / 2, width + 2 * margin, Painter::letter.height + margin}, theme::shade);
+    painter.fill({x - margin, y - margin / 2, width + 2 * margin, Painter::letter.height + margin},
+                 theme::shade);
     painter.text(x, y, text, theme::text);
 }
 

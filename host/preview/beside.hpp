@@ -13,7 +13,8 @@ inline constexpr const char* this_computer = "this computer";
 /// What a preview shows at the right of its own picture.
 struct Beside {
     const Picture& picture; ///< valid as long as the scene that is open
-    std::string caption;    ///< "board: the same picture", or how many pixels differ from what the panel holds now
+    std::string
+        caption; ///< "board: the same picture", or how many pixels differ from what the panel holds now
 };
 
 /// Nothing where the scene was opened without pictures of another panel.

@@ -52,18 +52,21 @@ PanelPictures::PanelPictures(const fs::path& folder, Size panel)
     if (error)
         throw Failure("cannot look into the folder " + folder.string() + ": " + error.message());
     if (pictures_.empty())
-        throw Failure(folder.string() +
-                      " has no pictures 0000.png, 0001.png ...: \"kfast render --all -o FOLDER\" writes such");
+        throw Failure(
+            folder.string() +
+            " has no pictures 0000.png, 0001.png ...: \"kfast render --all -o FOLDER\" writes such");
 }
 
 void PanelPictures::read(const fs::path& file, int frame, Size panel)
 {
     Picture picture = picture_of(file);
     if (picture.size != panel)
-        throw Failure(file.string() + " has " + in_words(picture.size) + " pixels and the panel of the preview " +
-                      in_words(panel) + ": choose the same one with --panel or --size");
+        throw Failure(file.string() + " has " + in_words(picture.size) +
+                      " pixels and the panel of the preview " + in_words(panel) +
+                      ": choose the same one with --panel or --size");
     if ((pictures_.size() + 1) * picture.pixels.size() > most_pixels)
-        throw Failure(file.parent_path().string() + " has more pictures than the preview keeps: leave some out");
+        throw Failure(file.parent_path().string() +
+                      " has more pictures than the preview keeps: leave some out");
     pictures_.insert_or_assign(frame, std::move(picture));
 }
 

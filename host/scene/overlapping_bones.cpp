@@ -13,8 +13,8 @@
 namespace kfast::scene {
 namespace {
 
-constexpr int alike = 16;     ///< by how many 1/256 the weights of both differ at most
-constexpr double closeness = 1; ///< px by which bones that lie on each other are apart at most
+constexpr int alike = 16;         ///< by how many 1/256 the weights of both differ at most
+constexpr double closeness = 1;   ///< px by which bones that lie on each other are apart at most
 constexpr double slant = 1.0 / 8; ///< or this share of the shorter one
 
 using BonePair = std::pair<std::size_t, std::size_t>;
@@ -34,7 +34,8 @@ bool has_keys(const Bone& bone)
 /// Finds the points that follow two bones alike.
 class OverlappingBones {
 public:
-    explicit OverlappingBones(const std::vector<Bone>& bones) : bones_{bones}, frames_{frames_as_set_up(bones)}
+    explicit OverlappingBones(const std::vector<Bone>& bones)
+        : bones_{bones}, frames_{frames_as_set_up(bones)}
     {
     }
 

@@ -56,17 +56,17 @@ void add_descriptions(const CommandWords& command, std::map<std::string, std::se
 
 /// Options that mean one thing in all commands, of which each says what is particular to it.
 constexpr std::array described_apart{
-    "--board",    // which ones there are: those to fit, or with firmware
-    "--device",   // flash takes one alone
-    "--firmware", // what is installed is the default of flash
-    "--fps",      // to be made, or to be reached
-    "--headless", // what is printed in place of a window
-    "--list",     // of what
-    "--loops",    // ends a preview, repeats a video
+    "--board",          // which ones there are: those to fit, or with firmware
+    "--device",         // flash takes one alone
+    "--firmware",       // what is installed is the default of flash
+    "--fps",            // to be made, or to be reached
+    "--headless",       // what is printed in place of a window
+    "--list",           // of what
+    "--loops",          // ends a preview, repeats a video
     "--output",   "-o", // kinds of files
-    "--panel",    // which ones there are: drivers, ready configurations, those to fit
-    "--pin",      // GPIO of a Pico, or line of a computer
-    "--slot",     // to play, or to fill
+    "--panel",          // which ones there are: drivers, ready configurations, those to fit
+    "--pin",            // GPIO of a Pico, or line of a computer
+    "--slot",           // to play, or to fill
 };
 
 }
@@ -97,15 +97,14 @@ TEST_CASE("each old name of an option works, with a note, and is not offered")
 
 TEST_CASE("what is no old name stays")
 {
-    for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"kfast"},
-          {"kfast", "--fit"},
-          {"kfast", "upload", "--name", "eyes"},
-          {"kfast", "render", "--", "--fit", "cover"},
-          {"kfast", "render", "--fitting"},
-          {"kfast", "check", "--format", "text"},
-          {"kfast", "check", "--format=jsn"},
-          {"kfast", "check", "--format"}}) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"kfast"},
+                                                  {"kfast", "--fit"},
+                                                  {"kfast", "upload", "--name", "eyes"},
+                                                  {"kfast", "render", "--", "--fit", "cover"},
+                                                  {"kfast", "render", "--fitting"},
+                                                  {"kfast", "check", "--format", "text"},
+                                                  {"kfast", "check", "--format=jsn"},
+                                                  {"kfast", "check", "--format"}}) {
         const auto same = renamed(words);
         CHECK(same.words == words);
         CHECK(same.notes.empty());

@@ -12,8 +12,9 @@ namespace {
 /// The warnings for one object.
 std::string warnings(const std::string& keys, const std::string& object = "stroke=red")
 {
-    const std::string text = "kfast 1\ncanvas 240 240 frames=101\ninput v min=-50 max=150\nobject o " + object + " { " +
-                             keys + " }\nobject user fill=red input=v { key 0 { circle 9 9 r=1 } }\n";
+    const std::string text = "kfast 1\ncanvas 240 240 frames=101\ninput v min=-50 max=150\nobject o " +
+                             object + " { " + keys +
+                             " }\nobject user fill=red input=v { key 0 { circle 9 9 r=1 } }\n";
     Diagnostics diagnostics;
     compile({"s.kfast", text}, diagnostics);
     std::string all;
@@ -22,7 +23,10 @@ std::string warnings(const std::string& keys, const std::string& object = "strok
     return all;
 }
 
-std::string arc(double from, double to) { return "arc 120 120 r=95 from=" + std::to_string(from) + " to=" + std::to_string(to); }
+std::string arc(double from, double to)
+{
+    return "arc 120 120 r=95 from=" + std::to_string(from) + " to=" + std::to_string(to);
+}
 
 bool drifts(const std::string& keys, const std::string& object = "stroke=red")
 {
@@ -37,7 +41,8 @@ TEST_CASE("an arc that grows by a quarter turn from key to key leaves its circle
     const std::string found = warnings("key 0 { " + arc(0, 90) + " }; key 100 { " + arc(0, 180) + " }");
     CHECK(found.starts_with("the arc leaves its circle on the way to the next key, by 2"));
     CHECK(found.find(" px at frame ") != std::string::npos);
-    CHECK(found.ends_with(": points go straight (add a key for every 10 degrees or so, with match=length, or turn an arc that keeps its "
+    CHECK(found.ends_with(": points go straight (add a key for every 10 degrees or so, with match=length, or "
+                          "turn an arc that keeps its "
                           "length)\n"));
 }
 
@@ -60,7 +65,8 @@ TEST_CASE("as many keys as the warning says keep an arc on its circle all the wa
 TEST_CASE("pies and pieces of rings are looked at as well")
 {
     CHECK(drifts("key 0 { pie 99 99 r=50 from=0 to=60 }; key 100 { pie 99 99 r=50 from=0 to=160 }"));
-    CHECK(drifts("key 0 { pie 99 99 r=50 from=0 to=60 inner=30 }; key 100 { pie 99 99 r=50 from=0 to=160 inner=30 }"));
+    CHECK(drifts(
+        "key 0 { pie 99 99 r=50 from=0 to=60 inner=30 }; key 100 { pie 99 99 r=50 from=0 to=160 inner=30 }"));
     CHECK(drifts("key 0 { line 1 1 9 9; " + arc(0, 9) + " }; key 100 { line 1 1 9 9; " + arc(90, 99) + " }"));
     CHECK(drifts("key 0 match=length { " + arc(0, 90) + " }; key 100 { " + arc(0, 180) + " }"));
 }
@@ -76,7 +82,8 @@ TEST_CASE("what is not seen between two keys is no drift")
 
 TEST_CASE("the worst of all ways is named, at a frame or a value of the input")
 {
-    const std::string keys = "key 0 { " + arc(0, 90) + " }; key 50 { " + arc(0, 110) + " }; key 52 { " + arc(0, 200) + " }";
+    const std::string keys =
+        "key 0 { " + arc(0, 90) + " }; key 50 { " + arc(0, 110) + " }; key 52 { " + arc(0, 200) + " }";
     CHECK(warnings(keys).find("px at frame 51:") != std::string::npos);
     CHECK(warnings("key 0 { " + arc(0, 90) + " }; key 100 { " + arc(0, 180) + " }", "stroke=red input=v")
               .find("px at v=") != std::string::npos);

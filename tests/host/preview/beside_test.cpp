@@ -117,8 +117,9 @@ TEST_CASE("a terminal shows both pictures, each above its caption")
 {
     const Picture left = plain({20, 4}, red);
     const Picture right = plain({20, 4}, blue);
-    const TerminalText drawn = terminal_text({left, "frame 0", "", {}, nullptr, &right, "board: the same picture"},
-                                             {80, 24}, TerminalColours::true_colour);
+    const TerminalText drawn =
+        terminal_text({left, "frame 0", "", {}, nullptr, &right, "board: the same picture"}, {80, 24},
+                      TerminalColours::true_colour);
     CHECK(drawn.lines == 5);
     CHECK(drawn.text.find("this computer           board: the same picture\x1b[K\n") != std::string::npos);
     CHECK(drawn.text.find("\x1b[38;2;255;0;0m") < drawn.text.find("\x1b[38;2;0;0;255m"));

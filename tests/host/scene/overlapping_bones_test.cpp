@@ -8,23 +8,26 @@ namespace kfast::test {
 namespace {
 
 /// Two legs that are set up upon each other, and pose as `poses` say.
-std::string findings(const std::string& object, const std::string& poses = "pose 0 { l turn=9 }; pose 9 { l turn=1 }",
+std::string findings(const std::string& object,
+                     const std::string& poses = "pose 0 { l turn=9 }; pose 9 { l turn=1 }",
                      const std::string& right = "50 40 50 80")
 {
-    return read_on_canvas("bones s { bone hip 50 10 50 40 { bone l 50 40 50 80; bone r " + right + " }; " + poses +
-                          " }\nobject o stroke=red " + object)
+    return read_on_canvas("bones s { bone hip 50 10 50 40 { bone l 50 40 50 80; bone r " + right + " }; " +
+                          poses + " }\nobject o stroke=red " + object)
         .findings;
 }
 
 const std::string legs = "skin=s { line 50 20 50 30; line 50 60 50 80; line 50 70 50 80 }";
-const std::string remedy = " (give them weights { points FIRST LAST { BONE WEIGHT } }, or let each limb be an object "
-                           "with its own bone=NAME)";
+const std::string remedy =
+    " (give them weights { points FIRST LAST { BONE WEIGHT } }, or let each limb be an object "
+    "with its own bone=NAME)";
 
 }
 
 TEST_CASE("points that follow two bones alike which lie on each other get a warning")
 {
-    CHECK(findings(legs) == "4:1 warning: points 3 to 6 follow l and r alike, which lie on each other" + remedy);
+    CHECK(findings(legs) ==
+          "4:1 warning: points 3 to 6 follow l and r alike, which lie on each other" + remedy);
     CHECK(findings("skin=s { line 50 70 50 20 }") ==
           "4:1 warning: point 1 follows l and r alike, which lie on each other" + remedy);
     CHECK(findings("skin=s { line 50 60 50 20 50 80; line 50 70 50 80 }") ==
@@ -49,13 +52,16 @@ TEST_CASE("given weights, or one bone, are no doubt")
 
 TEST_CASE("several pairs of bones have one warning")
 {
-    const std::string text = read_on_canvas("bones s { bone l 50 10 50 40 { bone ll 50 40 50 80 }\n"
-                                            "bone r 50 10 50 40 { bone rl 50 40 50 80 }\n"
-                                            "pose 0 { l turn=9 }; pose 9 { r turn=1; rl turn=3 } }\n"
-                                            "object o stroke=red skin=s { line 50 10 50 30; line 50 60 50 80 }")
-                                 .findings;
-    CHECK(text == "6:1 warning: points 1 to 2 follow l and r alike, which lie on each other, and so do points of 1 "
-                  "other pair of bones" + remedy);
+    const std::string text =
+        read_on_canvas("bones s { bone l 50 10 50 40 { bone ll 50 40 50 80 }\n"
+                       "bone r 50 10 50 40 { bone rl 50 40 50 80 }\n"
+                       "pose 0 { l turn=9 }; pose 9 { r turn=1; rl turn=3 } }\n"
+                       "object o stroke=red skin=s { line 50 10 50 30; line 50 60 50 80 }")
+            .findings;
+    CHECK(text ==
+          "6:1 warning: points 1 to 2 follow l and r alike, which lie on each other, and so do points of 1 "
+          "other pair of bones" +
+              remedy);
 }
 
 }

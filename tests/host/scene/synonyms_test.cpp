@@ -30,7 +30,8 @@ bool refers_to_absent(const std::string& findings, const std::string& things)
 
 TEST_CASE("words of CSS and SVG are translated")
 {
-    CHECK(in_object("rotation=9") == "3:21 error: object has no property \"rotation\" (KFAST calls it \"rotate\")");
+    CHECK(in_object("rotation=9") ==
+          "3:21 error: object has no property \"rotation\" (KFAST calls it \"rotate\")");
     CHECK(calls(in_object("stroke-width=2"), "width"));
     CHECK(calls(in_object("color=red"), "fill"));
     CHECK(calls(in_object("colour=red"), "fill"));
@@ -39,7 +40,8 @@ TEST_CASE("words of CSS and SVG are translated")
     CHECK(calls(in_object("", "circle 9 9 r=1 radius=2"), "r"));
     CHECK(calls(in_object("", "triangle 1 1 9 9 9 1"), "polygon"));
     CHECK(calls(in_object("", "key 0 ease=hold { circle 9 9 r=1 }; key 9 x=1"), "law"));
-    CHECK(calls(in_object("", "key 0 law=easeInOut { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "ease-in-out"));
+    CHECK(calls(in_object("", "key 0 law=easeInOut { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
+                "ease-in-out"));
     CHECK(calls(in_object("", "key 0 law=linear { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "constant"));
     CHECK(calls(in_object("strokeWidth=2"), "width"));
     CHECK(calls(in_object("scale_x=2"), "scale-x"));
@@ -62,9 +64,10 @@ TEST_CASE("what there is not is said with the page that has another way")
     CHECK(refers_to_absent(in_object("gradient=red"), "gradients"));
     CHECK(refers_to_absent(in_object("stroke-dasharray=\"4 2\""), "dashes"));
     CHECK(refers_to_absent(in_object("mask=m"), "masks"));
-    CHECK(refers_to_absent(in_object("", "key 0 law=spring { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "springs"));
-    CHECK(refers_to_absent(in_object("", "key 0 law=\"bounce(2)\" { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
+    CHECK(refers_to_absent(in_object("", "key 0 law=spring { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
                            "springs"));
+    CHECK(refers_to_absent(
+        in_object("", "key 0 law=\"bounce(2)\" { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "springs"));
     CHECK(refers_to_absent(read_on_canvas("image \"a.png\"").findings, "images"));
     CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
     CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));
@@ -84,7 +87,8 @@ TEST_CASE("a word of the language is nowhere taken for another one of the same p
     }
     CHECK(scene::word_remedy("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
           "did you mean \"circle\"?");
-    CHECK(scene::word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) == "allowed: rect");
+    CHECK(scene::word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) ==
+          "allowed: rect");
 }
 
 }

@@ -94,7 +94,8 @@ TEST_CASE("files that cannot be the flash are refused, and left as they are")
         const FlashFile first{path, size};
         CHECK_THROWS_WITH_AS(
             (FlashFile{path, size}),
-            (path.string() + ": another simulated board uses it: name another file with --flash-file").c_str(),
+            (path.string() + ": another simulated board uses it: name another file with --flash-file")
+                .c_str(),
             Failure);
     }
 }
