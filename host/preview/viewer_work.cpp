@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Time> moments_of(const Timeline& timeline)
+std::vector<Time> moments_of_frames(const Timeline& timeline)
 {
     std::vector<Time> moments;
     moments.reserve(static_cast<std::size_t>(timeline.frame_count()));
@@ -67,7 +67,7 @@ void Viewer::generate_all_frames()
     }
     Timeline timeline = playback_->timeline();
     timeline.speed = Playhead::as_authored; // as space steps
-    std::vector<Time> moments = moments_of(timeline);
+    std::vector<Time> moments = moments_of_frames(timeline);
     if (!fits_in_memory(moments.size()))
         return;
     playback_->scrub(playback_->time());
