@@ -72,7 +72,7 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
     if (text.size() > most_scene_text_bytes)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
-    const SourceText source{path.string(), std::move(text), path.parent_path().string()};
+    SourceText source{path.string(), std::move(text), path.parent_path().string()};
     CompiledText compiled = compile_and_report(source, reporter);
     if (!compiled.bytes)
         refuse(path, counted(compiled.errors, "error"));
@@ -83,6 +83,7 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
     scene.item_places = std::move(compiled.item_places);
     scene.other_names = std::move(compiled.other_names);
     scene.fonts = scene::font_files(source);
+    scene.text = std::move(source.text);
     return scene;
 }
 

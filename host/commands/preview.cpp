@@ -28,6 +28,7 @@ struct PreviewOptions {
     bool headless = false;
     std::optional<int> loops;
     std::optional<std::vector<ScriptStep>> script;
+    bool board_speed = false;
     std::string snapshot;
     Size window{960, 720};
     PreviewChoice choice;
@@ -70,6 +71,8 @@ void preview_in_window(const PreviewOptions& options, PictureWindow& window, Pre
 {
     Viewer viewer{opener_of(opener), std::move(scene), steady_now(), options.loops};
     viewer.let_choose(std::make_unique<FileDialogue>());
+    viewer.let_edit(std::make_unique<EditorBeside>());
+    viewer.play_as_board(options.board_speed, steady_now());
     play_in_window(window, viewer);
 }
 
@@ -83,6 +86,7 @@ void preview_in_terminal(const PreviewOptions& options, PreviewOpener& opener,
     Keyboard keyboard;
     const auto loops = keyboard.works() ? options.loops : options.loops.value_or(1);
     Viewer viewer{opener_of(opener), std::move(scene), steady_now(), loops};
+    viewer.play_as_board(options.board_speed, steady_now());
     play_in_terminal(viewer, keyboard);
 }
 
@@ -158,6 +162,9 @@ void declare_preview(CLI::App& app)
            "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
            "... by frames, as render --all writes it")
         ->type_name("FOLDER");
+    app.add_flag("--board-speed", options->board_speed,
+                 "Play as slowly as the board of --board would, as key w does")
+        ->excludes(headless);
     declare_play_options(app, options->choice.play);
     declare_seen_options(app, options->choice.picture);
     app.add_option(

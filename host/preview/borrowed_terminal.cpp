@@ -63,6 +63,13 @@ void BorrowedTerminal::give_back()
     std::signal(SIGTSTP, SIG_DFL);
 }
 
+void BorrowedTerminal::lend(const std::function<void()>& use)
+{
+    give_back();
+    use();
+    take();
+}
+
 bool BorrowedTerminal::is_to_end() const { return ending_signal != 0; }
 
 bool BorrowedTerminal::stop_if_asked()

@@ -3,6 +3,7 @@
 #include "core/size.hpp"
 #include "host/preview/keyboard.hpp"
 
+#include <functional>
 #include <string_view>
 
 namespace kfast {
@@ -23,6 +24,9 @@ public:
     /// Stops the program if that was asked for (Ctrl-Z), with the terminal given back, until its shell lets
     /// it go on. True if it did: what stands on the terminal then is others'.
     bool stop_if_asked();
+
+    /// Gives it back while `use`, which throws nothing, runs another program in it.
+    void lend(const std::function<void()>& use);
 
 private:
     void take();

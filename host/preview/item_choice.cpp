@@ -23,6 +23,24 @@ std::optional<std::size_t> item_of(const ItemName& name, const TimeTable& table)
     return std::nullopt;
 }
 
+std::vector<ItemName> names_of(const std::set<std::size_t>& items, const TimeTable& table)
+{
+    std::vector<ItemName> names;
+    for (const std::size_t item : items)
+        if (const auto name = name_of(item, table))
+            names.push_back(*name);
+    return names;
+}
+
+std::set<std::size_t> items_of(const std::vector<ItemName>& names, const TimeTable& table)
+{
+    std::set<std::size_t> items;
+    for (const ItemName& name : names)
+        if (const auto item = item_of(name, table))
+            items.insert(*item);
+    return items;
+}
+
 std::optional<std::size_t> item_beside(std::optional<std::size_t> item, std::ptrdiff_t rows,
                                        const TimeTable& table)
 {

@@ -62,6 +62,13 @@ std::vector<Time> key_times(const SceneView& scene, const ItemView& item, Clock 
     return times.sorted();
 }
 
+std::vector<Time> bone_key_times(const SceneView& scene, const ItemView& item, Clock clock)
+{
+    KeyTimes times{clock};
+    times.add(skeleton_of(scene, item.object.skeleton));
+    return times.sorted();
+}
+
 std::vector<Time> key_times(const SceneView& scene, Clock clock)
 {
     KeyTimes times{clock};

@@ -1,6 +1,7 @@
 #include "host/preview/output_name.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <unistd.h>
 
 namespace kfast {
@@ -42,6 +43,13 @@ fs::path new_output_name(const fs::path& scene, const std::string& suffix, const
     for (int number = 2; is_there(name); ++number)
         name = folder / (stem + suffix + '-' + std::to_string(number) + extension);
     return name;
+}
+
+std::string frame_suffix(int frame)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "-%04d", frame);
+    return text;
 }
 
 std::string plain_name(std::string_view name)

@@ -13,6 +13,9 @@ namespace kfast {
 std::filesystem::path new_output_name(const std::filesystem::path& scene, const std::string& suffix,
                                       const std::string& extension);
 
+/// "-0012"
+std::string frame_suffix(int frame);
+
 /// A part of a name as it may stand in that of a file: what would need quotes in a shell is "_".
 std::string plain_name(std::string_view name);
 

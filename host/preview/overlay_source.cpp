@@ -126,6 +126,13 @@ std::optional<std::size_t> OverlaySource::item_at(Time moment, PanelSpot spot)
     return parts_->stage.is_beam ? parts_->drawn_near(moment, spot) : parts_->painted_at(moment, spot);
 }
 
+ItemFacts OverlaySource::facts(Time moment, std::size_t item)
+{
+    PosedScene& posed = parts_->posed;
+    const std::optional<ItemView> view = posed.item(item);
+    return view ? facts_at(posed.scene(), *view, posed.at(moment)) : ItemFacts{};
+}
+
 void OverlaySource::set_input(std::uint32_t number, Time place)
 {
     parts_->posed.set_input(number, place);

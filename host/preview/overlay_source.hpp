@@ -2,6 +2,7 @@
 
 #include "core/time.hpp"
 #include "host/picture/told_inputs.hpp"
+#include "host/preview/item_facts.hpp"
 #include "host/preview/overlay.hpp"
 #include "host/preview/stage.hpp"
 #include "host/preview/view_options.hpp"
@@ -33,6 +34,9 @@ public:
     /// for groups and uses paint nothing themselves. On a beam's screen, the one whose outline is nearest, if
     /// it is near.
     std::optional<std::size_t> item_at(Time moment, PanelSpot spot);
+
+    /// What an item is at a moment, by its place in SceneFile::item_names; of one that there is not nothing.
+    ItemFacts facts(Time moment, std::size_t item);
 
     void set_input(std::uint32_t number, Time place) override;
     bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override;

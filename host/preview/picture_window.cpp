@@ -7,8 +7,10 @@
 #include <SDL.h>
 #include <algorithm>
 #include <cstdlib>
+#include <fcntl.h>
 #include <optional>
 #include <string_view>
+#include <unistd.h>
 #include <utility>
 
 namespace kfast {
@@ -42,6 +44,32 @@ bool is_seen(std::string_view driver)
     return is_wanted || (driver != "offscreen" && driver != "dummy");
 }
 
+/// While it lives, nothing reaches standard error: libraries of displays complain there of what they do not
+/// find, one after another, and what follows from that is said by us.
+class QuietErrors {
+public:
+    QuietErrors() : before_{::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)}
+    {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (before_ >= 0 && nowhere >= 0)
+            ::dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0)
+            ::close(nowhere);
+    }
+    ~QuietErrors()
+    {
+        if (before_ < 0)
+            return;
+        ::dup2(before_, STDERR_FILENO);
+        ::close(before_);
+    }
+    QuietErrors(const QuietErrors&) = delete;
+    QuietErrors& operator=(const QuietErrors&) = delete;
+
+private:
+    int before_; ///< standard error; -1 if there is none
+};
+
 /// The video part of SDL, which alone knows whether there is a display.
 class Video {
 public:
@@ -61,6 +89,7 @@ private:
             SDL_SetHint(SDL_HINT_RENDER_DRIVER, "software");
             SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
         }
+        const QuietErrors quiet;
         return SDL_Init(SDL_INIT_VIDEO) == 0;
     }
 
@@ -95,6 +124,9 @@ std::string name_of(const SDL_Keysym& key)
         return "down";
     case SDLK_ESCAPE:
         return "escape";
+    case SDLK_RETURN:
+    case SDLK_KP_ENTER:
+        return "enter";
     case SDLK_TAB:
         return (key.mod & KMOD_SHIFT) != 0 ? "shift-tab" : "tab";
     case SDLK_EQUALS: // where + is typed with shift
@@ -103,7 +135,8 @@ std::string name_of(const SDL_Keysym& key)
     case SDLK_KP_MINUS:
         return "-";
     default:
-        return key.sym > ' ' && key.sym <= 'z' ? std::string(1, static_cast<char>(key.sym)) : "";
+        return key.sym > ' ' && key.sym <= 'z' && key.sym != '?' ? std::string(1, static_cast<char>(key.sym))
+                                                                 : "";
     }
 }
 
@@ -140,6 +173,10 @@ void take(const SDL_Event& event, PictureWindow::Events& into)
     case SDL_KEYDOWN:
         if (const std::optional<PreviewKey> key = pressed(event.key.keysym))
             into.keys.push_back(*key);
+        return;
+    case SDL_TEXTINPUT: // keyboards have it in different places
+        if (std::string_view{event.text.text} == "?")
+            into.keys.push_back(PreviewKey::help);
         return;
     case SDL_MOUSEBUTTONDOWN:
         return into.pointer.push_back(pointer(Kind::press, event.button));

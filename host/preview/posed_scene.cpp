@@ -14,9 +14,21 @@ PosedScene::PosedScene(const SceneView& scene, Size panel, Fit fit)
 {
 }
 
+Moment PosedScene::at(Time moment) { return pose(std::clamp(moment, Time{}, scene().length())); }
+
+std::optional<ItemView> PosedScene::item(std::size_t number) const
+{
+    std::optional<ItemView> found;
+    every_item(scene(), [&](const ItemView& item) {
+        if (number-- == 0)
+            found = item;
+    });
+    return found;
+}
+
 void PosedScene::visit(Time moment, const Visit& visit)
 {
-    const Moment posed = pose(std::clamp(moment, Time{}, scene().length()));
+    const Moment posed = at(moment);
     Walk walk{posed, visit, {}};
     this->visit(scene().items(), {on_panel().canvas}, walk);
 }

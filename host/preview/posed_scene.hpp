@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,11 @@ public:
     /// Poses the bones and calls visit() for each leaf that is seen at all, in the order of painting. A
     /// moment outside of the scene is its beginning or its end.
     void visit(Time moment, const Visit& visit);
+
+    /// Where all clocks stand at a moment, as for a visit. Holds until an input is told.
+    Moment at(Time moment);
+    /// Of that place in SceneFile::item_names; nothing if there is none.
+    std::optional<ItemView> item(std::size_t number) const;
 
     /// With the bones as at the last visit, and the backbones of the object that was traced last.
     using LiveScene::on_panel;

@@ -34,6 +34,7 @@ constexpr std::array names{
     Named{"-", PreviewKey::less_input, "less of the input"},
     Named{"tab", PreviewKey::next_item, "select the next object"},
     Named{"shift-tab", PreviewKey::previous_item, "select the object before"},
+    Named{"enter", PreviewKey::edit, "edit the text where the object stands"},
     Named{"o", PreviewKey::onion_skin, "onion skin: the key frames before and after"},
     Named{"k", PreviewKey::bones, "skeletons and backbones", nothing},
     Named{"m", PreviewKey::numbers, "numbers of points and strokes", nothing},
@@ -41,16 +42,19 @@ constexpr std::array names{
     Named{"f", PreviewKey::panel_frame, "the panel's frame", nothing},
     Named{"e", PreviewKey::fit_report, "does it fit a board, and how fast is it?", nothing},
     Named{"y", PreviewKey::time_line, "time line", nothing},
+    Named{"u", PreviewKey::quantities, "unfold the object's keys by quantity, or all", nothing},
+    Named{"w", PreviewKey::board_speed, "play as slowly as the board would"},
     Named{"z", PreviewKey::zoom_in, "larger pixels", nothing},
     Named{"x", PreviewKey::zoom_out, "smaller pixels", nothing},
     Named{"t", PreviewKey::travel, "travel of a beam, and its points"},
     Named{"s", PreviewKey::screenshot, "write this picture as PNG"},
     Named{"g", PreviewKey::gif, "write all frames as GIF"},
-    Named{"h", PreviewKey::help, "this help"},
+    Named{"h", PreviewKey::help, "this help, as does ?"},
     Named{"q", PreviewKey::quit, "quit"},
     Named{"escape", PreviewKey::leave, "close this help, or quit"},
 };
 
+constexpr std::string_view also_help = "?"; // what many programs take for it
 constexpr std::size_t name_width = 11;
 
 std::string line_of(std::string_view name, std::string_view help)
@@ -69,6 +73,8 @@ std::string_view help_of(const Named& row, PreviewFront front)
 
 std::optional<PreviewKey> preview_key(std::string_view name)
 {
+    if (name == also_help)
+        return PreviewKey::help;
     const auto found = std::ranges::find(names, name, &Named::name);
     return found == names.end() ? std::nullopt : std::optional{found->key};
 }

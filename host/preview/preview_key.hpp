@@ -33,10 +33,13 @@ enum class PreviewKey {
     panel_frame,
     fit_report,
     time_line,
+    quantities,
+    board_speed,
     zoom_in,
     zoom_out,
     next_item,
     previous_item,
+    edit,
     screenshot,
     gif,
     help,
@@ -50,11 +53,14 @@ enum class PreviewFront {
     terminal,
 };
 
-/// `name` as in preview_key_help().
+/// `name` as in preview_key_help(); "?" is the help, too.
 std::optional<PreviewKey> preview_key(std::string_view name);
 
 /// Whether there is something to see of it there.
 bool works_in(PreviewFront front, PreviewKey key);
+
+/// What stands at the edge of a preview while its help is closed.
+inline constexpr std::string_view help_hint = "h: help";
 
 /// One line for each key that works there: its name, spaces, and what it does.
 std::vector<std::string> preview_key_help(PreviewFront front);

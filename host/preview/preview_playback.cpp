@@ -18,9 +18,9 @@ constexpr std::int32_t slowest = Playhead::as_authored / 16;
 
 PreviewPlayback::PreviewPlayback(Programme programme, Pace pace, Seconds now, std::optional<int> loops)
     : programme_{std::move(programme)}, pace_{pace}, loops_{loops}, part_{programme_.first},
-      speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now}
+      speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now},
+      board_clock_{timeline().seconds(frame_ticks)}
 {
-    help_open_ = !loops;
     start_part(part_, now);
 }
 
@@ -76,12 +76,36 @@ void PreviewPlayback::advance_to(Seconds now)
 {
     if (!playing_)
         return;
+    if (board_)
+        return advance_as_board(now);
     std::int64_t ticks = std::llround((now - anchor_).count() / timeline().seconds(1));
     if (pace_ == Pace::by_frames)
         ticks -= ticks % frame_ticks;
     if (ticks < played_)
         return;
     play(ticks - std::exchange(played_, ticks));
+}
+
+void PreviewPlayback::advance_as_board(Seconds now)
+{
+    while (playing_ && !wants_to_quit_ && board_clock_.is_due((now - anchor_).count())) {
+        const std::int64_t ticks = board_clock_.frame() * frame_ticks;
+        play(ticks - std::exchange(played_, ticks));
+        board_clock_.take(board_(shown_));
+    }
+}
+
+void PreviewPlayback::pace_by(BoardSeconds board, Seconds now)
+{
+    board_ = std::move(board);
+    restart_clock(now);
+}
+
+void PreviewPlayback::restart_clock(Seconds now)
+{
+    anchor_ = now;
+    played_ = 0;
+    board_clock_.restart();
 }
 
 void PreviewPlayback::play(std::int64_t ticks)
@@ -114,6 +138,8 @@ std::int64_t PreviewPlayback::before_the_end(std::int64_t ticks)
 
 PreviewPlayback::Seconds PreviewPlayback::next_frame_at() const
 {
+    if (board_)
+        return anchor_ + Seconds{board_clock_.next()};
     return anchor_ + Seconds{timeline().seconds((played_ / frame_ticks + 1) * frame_ticks)};
 }
 
@@ -146,8 +172,7 @@ void PreviewPlayback::start_part(std::size_t part, Seconds now)
     playhead_ = timeline().playhead(programme_.events);
     stop_at(playhead_.moment());
     playing_ = true;
-    anchor_ = now;
-    played_ = 0;
+    restart_clock(now);
 }
 
 void PreviewPlayback::toggle_playing(Seconds now)
@@ -155,8 +180,7 @@ void PreviewPlayback::toggle_playing(Seconds now)
     if (!playing_ && playhead_.finished())
         return start_part(part_, now);
     playing_ = !playing_;
-    anchor_ = now;
-    played_ = 0;
+    restart_clock(now);
 }
 
 void PreviewPlayback::choose_next_input()
@@ -208,8 +232,7 @@ void PreviewPlayback::go_on_at(Time moment, bool playing, Seconds now)
     playhead_ = timeline().playhead(programme_.events);
     stop_at(std::clamp(moment, here.begin, here.end));
     playing_ = playing;
-    anchor_ = now;
-    played_ = 0;
+    restart_clock(now);
 }
 
 void PreviewPlayback::scrub(Time moment)

@@ -2,6 +2,7 @@
 
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
+#include "host/preview/board_clock.hpp"
 #include "host/preview/preview_key.hpp"
 #include "host/preview/programme.hpp"
 
@@ -23,7 +24,7 @@ enum class LoopChoice : std::uint8_t {
 };
 
 /// Where a preview stands, apart from how it is shown. Starts playing, at the beginning (backwards: at the
-/// end), with the help open unless it ends by itself.
+/// end), with the help closed.
 ///
 /// The caller brings the clock: `now` is any steady time. Playing follows it without adding up small steps,
 /// so a slow front drops pictures instead of falling behind; it passes the events all the same.
@@ -31,6 +32,8 @@ class PreviewPlayback {
 public:
     using Seconds = std::chrono::duration<double>;
     using OnEvent = std::function<void(const EventView&)>;
+    /// What a board takes for the picture of a moment after the one that was asked for before, in seconds.
+    using BoardSeconds = std::function<double(Time)>;
 
     /// With `loops`, quits once it has played so often (what plays once: one time), and shows nothing of the
     /// pass after. Stepping, and another clip, let the count begin anew.
@@ -41,6 +44,11 @@ public:
     void advance_to(Seconds now);
     /// Who is told the events that are passed, in order; nobody at first.
     void tell_events_to(OnEvent on_event) { on_event_ = std::move(on_event); }
+    /// Plays as slowly as a board, from here on: what is shown are the frames that it comes to. As ever if
+    /// that is empty.
+    void pace_by(BoardSeconds board, Seconds now);
+    /// Frames that such a board shows in a second, as of late.
+    std::optional<double> board_rate() const { return board_clock_.rate(); }
     /// Pauses at this moment of the scene. One outside of the clip that plays leaves the clip.
     void scrub(Time moment);
     /// Goes on where `before` stands, a playback of the same scene as it was earlier: at its moment, on its
@@ -78,6 +86,8 @@ private:
     void start_part(std::size_t part, Seconds now);
     std::int64_t before_the_end(std::int64_t ticks);
     void play(std::int64_t ticks);
+    void advance_as_board(Seconds now);
+    void restart_clock(Seconds now);
     void toggle_playing(Seconds now);
     void set_speed(std::int32_t speed);
     void choose_next_loop(Seconds now);
@@ -102,6 +112,8 @@ private:
     Seconds anchor_;                       // when playing began or went on
     std::int64_t played_ = 0;              // ticks of the scene's clock since then
     std::optional<std::int64_t> way_left_; // to the end of the last loop: ticks of the timeline, Q16
+    BoardSeconds board_;                   ///< that sets the pace; empty: none
+    BoardClock board_clock_;
     OnEvent on_event_;
     std::string latest_event_;         // its name
     std::optional<std::size_t> input_; ///< that keys turn

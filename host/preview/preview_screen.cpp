@@ -42,7 +42,7 @@ Time nearest_frame(Time moment, Time end)
 WindowLayout PreviewScreen::layout(Viewer& viewer) const
 {
     const ViewOptions& view = viewer.view();
-    const TimeTable& table = viewer.time_table();
+    const TimeTable& table = viewer.unfolded_table();
     const bool has_beside = viewer.scene().beside != nullptr;
     return window_layout(window_, {.side = !has_beside,
                                    .side_at_any_width = view.fit_report,
@@ -61,7 +61,7 @@ PicturePlace PreviewScreen::place(const Viewer& viewer, Rect pane) const
 
 TimeLine PreviewScreen::time_line(Viewer& viewer, Rect pane) const
 {
-    return {viewer.time_table(), pane, first_row_};
+    return {viewer.unfolded_table(), pane, first_row_};
 }
 
 // Drawing.
@@ -72,13 +72,14 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
     const WindowLayout parts = layout(viewer);
     const std::string facts = draw_picture_pane(painter, viewer, parts.picture);
     draw_beside(painter, viewer, parts);
-    side_contents(viewer, place(viewer, parts.picture).scale()).draw(painter, parts.side);
+    link_ = side_contents(viewer, place(viewer, parts.picture).scale()).draw(painter, parts.side);
     draw_time_line(painter, time_line(viewer, parts.time_line),
                    {.now = viewer.playback().time(),
                     .frame_rate = viewer.scene().programme.frame_rate,
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
-    draw_status(painter, parts.status, (facts.empty() ? "" : facts + "  ") + viewer.status());
+    draw_status(painter, parts.status, (facts.empty() ? "" : facts + "  ") + viewer.status(),
+                viewer.playback().help_open() ? "" : help_hint);
     draw_help_and_errors(painter, viewer, parts);
     draw_messages(painter, viewer, parts.picture, now);
 }
@@ -185,13 +186,17 @@ void PreviewScreen::begin_drag(const PointerEvent& event, Viewer& viewer, Second
         drag_ = Drag::picture;
     else if (contains(parts.time_line, event.x, event.y))
         touch_time_line(event, viewer, time_line(viewer, parts.time_line));
+    else if (contains(link_, event.x, event.y))
+        viewer.edit();
 }
 
 void PreviewScreen::touch_time_line(const PointerEvent& event, Viewer& viewer, const TimeLine& line)
 {
     const auto row = line.row_at(event.x, event.y);
     const bool is_in_time = contains(line.moments(), event.x, event.y);
-    if (row) {
+    if (row && line.table().rows[*row].can_unfold() && contains(line.triangle(*row), event.x, event.y)) {
+        viewer.fold(line.table().rows[*row].item);
+    } else if (row) {
         viewer.select(line.table().rows[*row].item);
         drag_ = Drag::row;
         if (const auto key = line.key_at(*row, event.x); is_in_time && key)

@@ -55,6 +55,7 @@ private:
     PointerEvent pressed_; ///< where the drag began
     WindowSpot pan_at_press_;
     bool is_click_ = false; ///< not moved since it was pressed
+    Rect link_;             ///< at the side, when it was drawn last: opens the editor
     OpenHelp help_{preview_help(PreviewFront::window)};
     std::uint64_t notice_number_ = 0; ///< of the one that was seen last
     Seconds notice_since_{};

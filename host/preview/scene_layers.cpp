@@ -36,6 +36,12 @@ std::optional<std::size_t> SceneLayers::item_at(const PreviewPlayback& playback,
     return overlays_.item_at(playback.time(), spot);
 }
 
+ItemFacts SceneLayers::facts(const PreviewPlayback& playback, std::size_t item)
+{
+    tell_inputs(overlays_, playback);
+    return overlays_.facts(playback.time(), item);
+}
+
 std::vector<Time> SceneLayers::skin_keys(Stretch played, std::optional<std::size_t> selected) const
 {
     std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.programme.keys;
@@ -57,10 +63,35 @@ const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback, std::opt
 std::optional<std::span<const FitLine>> SceneLayers::fit_report()
 {
     if (fit_ == nullptr)
-        fit_ = std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names,
-                                          scene_.board ? *scene_.board : previewed_board({scene_.panel}),
-                                          scene_.fit);
+        fit_ = std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names, board(), scene_.fit);
     return fit_->lines();
+}
+
+fit::Target SceneLayers::board() const
+{
+    return scene_.board ? *scene_.board : previewed_board({scene_.panel});
+}
+
+double SceneLayers::board_seconds(const PreviewPlayback& playback, Time moment)
+{
+    if (pace_ == nullptr) {
+        pace_ = std::make_unique<BoardPace>(scene_.scene.view, board(), scene_.fit);
+        if (scene_.tell_drawings)
+            scene_.tell_drawings(pace_->inputs());
+    }
+    tell_inputs(pace_->inputs(), playback);
+    return pace_->seconds_for(moment);
+}
+
+const TimeTable& SceneLayers::table(const std::set<std::size_t>& unfolded)
+{
+    if (unfolded.empty())
+        return table_;
+    if (unfolded != unfolded_) {
+        unfolded_table_ = with_quantities(table_, unfolded);
+        unfolded_ = unfolded;
+    }
+    return unfolded_table_;
 }
 
 Stage SceneLayers::stage() const

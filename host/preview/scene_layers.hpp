@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/preview/board_pace.hpp"
 #include "host/preview/fit_check.hpp"
 #include "host/preview/onion_skin.hpp"
 #include "host/preview/opened_scene.hpp"
@@ -10,7 +11,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast {
@@ -22,21 +25,33 @@ public:
     explicit SceneLayers(OpenedScene& scene);
 
     const TimeTable& table() const { return table_; }
+    /// With the quantities of what is unfolded. Valid until the next call.
+    const TimeTable& table(const std::set<std::size_t>& unfolded);
     /// Where `playback` stands, with its inputs; `scale` as in OverlaySource. Valid until the next call.
     const Overlay& overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale);
     std::optional<std::size_t> item_at(const PreviewPlayback& playback, PanelSpot spot);
+    ItemFacts facts(const PreviewPlayback& playback, std::size_t item);
     /// With the key frames before and after it within what is played: those of the selected item and of what
     /// lies in it, or of all. Likewise.
     const Picture& onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected);
+    /// What the board takes for the picture of a moment after the one that was asked for before, with the
+    /// inputs of `playback`. Not on a beam.
+    double board_seconds(const PreviewPlayback& playback, Time moment);
+    /// Its name.
+    std::string board_name() const { return board().name; }
     /// Nothing while it is being made, which the first call begins.
     std::optional<std::span<const FitLine>> fit_report();
 
 private:
     Stage stage() const;
+    fit::Target board() const;
     std::vector<Time> skin_keys(Stretch played, std::optional<std::size_t> selected) const;
 
     OpenedScene& scene_;
     TimeTable table_;
+    TimeTable unfolded_table_;
+    std::set<std::size_t> unfolded_;
+    std::unique_ptr<BoardPace> pace_;
     OverlaySource overlays_;
     OnionSkin skin_;
     std::vector<InputKnob> skin_inputs_; ///< with which the skin's pictures were made

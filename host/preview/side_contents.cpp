@@ -43,13 +43,36 @@ void add_scene(SidePanel& panel, const OpenedScene& scene, double scale)
     panel.add_value("shown at", zoom_text(scale), false);
 }
 
-void add_selected(SidePanel& panel, const Viewer& viewer)
+void add_line(SidePanel& panel, const Viewer& viewer)
+{
+    if (const auto line = viewer.selected_line())
+        panel.add_link(visible(line->file.filename().string()) + ':' + std::to_string(line->line));
+}
+
+void add_facts(SidePanel& panel, const ItemFacts& facts)
+{
+    for (const ItemValue& value : facts.values)
+        panel.add_value(value.name, value.value, value.has_keys);
+    if (!facts.ways.empty())
+        panel.add_heading("keys before and after");
+    for (const ItemFacts::Way& way : facts.ways) {
+        panel.add(way.name);
+        for (const std::string& key : {way.begin, way.end})
+            if (!key.empty())
+                panel.add("  " + key, theme::quiet_text);
+    }
+}
+
+void add_selected(SidePanel& panel, Viewer& viewer)
 {
     const TimeRow* const row = viewer.time_table().row_of(viewer.view().selected);
     panel.add_heading("selected");
     if (row == nullptr)
         return panel.add("nothing: click, or press tab", theme::quiet_text);
     panel.add_value(visible(row->name), counted(row->keys.size(), "key"), true);
+    add_line(panel, viewer);
+    if (const auto facts = viewer.selected_facts())
+        add_facts(panel, *facts);
 }
 
 void add_input(SidePanel& panel, const InputKnob& input, bool is_chosen)

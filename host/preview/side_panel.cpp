@@ -45,6 +45,11 @@ void SidePanel::add_value(std::string name, std::string value, bool is_chosen, s
                       .bar = bar});
 }
 
+void SidePanel::add_link(std::string text)
+{
+    lines_.push_back({.text = std::move(text), .colour = theme::accent, .is_link = true});
+}
+
 /// Where the next line goes.
 int SidePanel::draw(Painter& painter, const Line& line, Rect room) const
 {
@@ -79,10 +84,11 @@ std::vector<SidePanel::Line> SidePanel::wrapped_lines(int columns) const
     return lines;
 }
 
-void SidePanel::draw(Painter& painter, Rect pane) const
+Rect SidePanel::draw(Painter& painter, Rect pane) const
 {
+    Rect link;
     if (is_empty(pane))
-        return;
+        return link;
     const Clipped within{painter, pane};
     painter.fill(pane, theme::surface);
     painter.fill({pane.x, pane.y, 1, pane.height}, theme::border);
@@ -91,10 +97,19 @@ void SidePanel::draw(Painter& painter, Rect pane) const
     for (const Line& line : wrapped_lines(std::max(1, room.width / letter.width))) {
         if (line.is_heading && y > room.y)
             y += heading_gap;
-        if (y + letter.height > bottom_of(room))
-            return painter.text(room.x, bottom_of(pane) - letter.height, "…", theme::quiet_text);
-        y = draw(painter, line, {room.x, y, room.width, bottom_of(room) - y});
+        if (y + letter.height > bottom_of(room)) {
+            painter.text(room.x, bottom_of(pane) - letter.height, "…", theme::quiet_text);
+            break;
+        }
+        const int next = draw(painter, line, {room.x, y, room.width, bottom_of(room) - y});
+        if (line.is_link) {
+            const int top = is_empty(link) ? y : link.y;
+            link = {room.x, top, room.width, next - top};
+            painter.fill({room.x, next - 2, columns_of(line.text) * letter.width, 1}, theme::accent);
+        }
+        y = next;
     }
+    return link;
 }
 
 }

@@ -17,8 +17,12 @@ public:
     /// The value stands at the right. A bar is filled from 0 to 1.
     void add_value(std::string name, std::string value, bool is_chosen, std::optional<double> bar = {});
 
-    /// Fills the pane. Long lines are wrapped; where they go beyond the lower end, "…" tells.
-    void draw(Painter& painter, Rect pane) const;
+    /// What a click opens; at most one.
+    void add_link(std::string text);
+
+    /// Fills the pane. Long lines are wrapped; where they go beyond the lower end, "…" tells. Where the link
+    /// stands; of no size if it is not seen.
+    Rect draw(Painter& painter, Rect pane) const;
 
 private:
     struct Line {
@@ -26,6 +30,7 @@ private:
         std::string value = {};
         Colour colour = {};
         bool is_heading = false;
+        bool is_link = false;
         std::optional<double> bar = {};
     };
 

@@ -6,7 +6,8 @@
 
 namespace kfast {
 
-/// Fills the pane with one line of text; it is cut where it is too long.
-void draw_status(Painter& painter, Rect pane, std::string_view text);
+/// Fills the pane with one line of text, which is cut where it is too long. `hint` stands at the right edge,
+/// if there is room for it and a few letters of the text.
+void draw_status(Painter& painter, Rect pane, std::string_view text, std::string_view hint = {});
 
 }

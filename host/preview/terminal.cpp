@@ -1,5 +1,6 @@
 #include "host/preview/terminal.hpp"
 
+#include "host/failure.hpp"
 #include "host/preview/beside.hpp"
 #include "host/preview/borrowed_terminal.hpp"
 #include "host/preview/half_blocks.hpp"
@@ -7,7 +8,11 @@
 #include "host/preview/terminal_text.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kfast {
@@ -23,17 +28,20 @@ public:
 
     bool fits() const { return size_ == terminal_size(); }
 
-    void draw(Viewer& viewer, bool with_help)
+    /// Where no keys can be typed there is no help.
+    void draw(Viewer& viewer, bool has_keys)
     {
         const Size size = terminal_size();
         const auto other = beside(viewer);
+        const bool is_help_open = has_keys && viewer.playback().help_open();
         const TerminalContent content{viewer.picture(),
                                       viewer.status(),
                                       viewer.notice(),
                                       viewer.errors(),
-                                      with_help ? &help_ : nullptr,
+                                      is_help_open ? &help_ : nullptr,
                                       other ? &other->picture : nullptr,
-                                      other ? other->caption : ""};
+                                      other ? other->caption : "",
+                                      has_keys && !is_help_open ? help_hint : ""};
         const TerminalText drawn = terminal_text(content, size, colours_);
         write_to_terminal(way_back(size) + drawn.text);
         size_ = size;
@@ -100,9 +108,39 @@ private:
     Seconds next_{0};
 };
 
+/// Gives the terminal to the editor, and takes it back.
+class EditorInstead final : public Editor {
+public:
+    using Lend = std::function<void(const std::function<void()>&)>;
+
+    explicit EditorInstead(Lend lend) : lend_{std::move(lend)} {}
+
+    void open(const TextLine& at) override
+    {
+        std::string failure;
+        lend_([&] {
+            try {
+                edit_in_terminal(at);
+            } catch (const std::exception& thrown) { // once the terminal is ours again
+                failure = thrown.what();
+            }
+        });
+        if (!failure.empty())
+            throw Failure(failure);
+    }
+
+private:
+    Lend lend_;
+};
+
 class TerminalPreview {
 public:
-    TerminalPreview(Viewer& viewer, Keyboard& keyboard) : viewer_{viewer}, keyboard_{keyboard} {}
+    TerminalPreview(Viewer& viewer, Keyboard& keyboard) : viewer_{viewer}, keyboard_{keyboard}
+    {
+        viewer_.let_edit(std::make_unique<EditorInstead>([this](const auto& use) { lend_terminal(use); }));
+    }
+    ~TerminalPreview() { viewer_.let_edit(nullptr); }
+    TerminalPreview(const TerminalPreview&) = delete;
 
     void play()
     {
@@ -112,7 +150,7 @@ public:
             const bool has_changed = viewer_.attend(now()) || is_disturbed || !screen_.fits();
             const bool is_last = viewer_.wants_to_quit();
             if (times_.is_due(viewer_, has_changed || is_last, now()))
-                screen_.draw(viewer_, keyboard_.works() && viewer_.playback().help_open());
+                screen_.draw(viewer_, keyboard_.works());
             is_disturbed = !is_last && press_keys();
         }
     }
@@ -128,6 +166,14 @@ private:
         stood_still_ += now() - before;
         screen_.begin_anew();
         return true;
+    }
+
+    void lend_terminal(const std::function<void()>& use)
+    {
+        const Seconds before = now();
+        terminal_.lend(use);
+        stood_still_ += now() - before;
+        screen_.begin_anew();
     }
 
     bool press_keys()

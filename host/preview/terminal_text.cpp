@@ -37,9 +37,20 @@ std::string line_within(std::string_view text, int columns)
     return line;
 }
 
+/// The status, and at its right the hint if both have room on the line.
+std::string status_line(const TerminalContent& content, int columns)
+{
+    constexpr int gap = 2;
+    std::string line = line_within(content.status, columns);
+    const int left = columns - 1 - columns_of(line) - columns_of(content.hint);
+    if (content.hint.empty() || left < gap)
+        return line;
+    return line.append(static_cast<std::size_t>(left), ' ').append(content.hint);
+}
+
 std::vector<std::string> lines_below(const TerminalContent& content, Size cells)
 {
-    std::vector<std::string> lines{line_within(content.status, cells.width),
+    std::vector<std::string> lines{status_line(content, cells.width),
                                    line_within(content.notice, cells.width)};
     const auto most = static_cast<std::size_t>(std::max(cells.height / 2, 1));
     const bool all = content.errors.size() <= most;

@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace kfast {
 
@@ -18,6 +19,7 @@ struct TerminalContent {
     OpenHelp* help = nullptr;            ///< over the picture; null where it is closed
     const Picture* beside = nullptr;     ///< of another panel, right of the picture; or null
     std::string caption = {};            ///< of that one
+    std::string_view hint = {};          ///< at the right of the status, as far as there is room for it
 };
 
 struct TerminalText {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int side_margin = 22; // of the moments: room for half a number
 constexpr int key_reach = 6;    // pixels from its middle
+constexpr int triangle_columns = 2;
 
 int lane_or_none(bool any) { return any ? TimeLine::lane_height : 0; }
 
@@ -22,7 +23,7 @@ int names_width(const TimeTable& table, int pane)
 {
     int columns = 7;
     for (const TimeRow& row : table.rows)
-        columns = std::max(columns, columns_of(row.name) + row.depth);
+        columns = std::max(columns, triangle_columns + row.depth + columns_of(row.name));
     return std::min({(columns + 2) * Painter::letter.width, pane / 3, 180});
 }
 
@@ -111,6 +112,13 @@ std::optional<std::size_t> TimeLine::row_at(int x, int y) const
     if (!contains(rows(), x, y))
         return std::nullopt;
     return first_row_ + static_cast<std::size_t>((y - rows_top()) / row_height);
+}
+
+Rect TimeLine::triangle(std::size_t number) const
+{
+    const Rect place = row(number);
+    const int left = place.x + name_margin + table_.rows[number].depth * Painter::letter.width;
+    return {left, place.y, triangle_columns * Painter::letter.width, place.height};
 }
 
 std::optional<Time> TimeLine::key_at(std::size_t row, int x) const

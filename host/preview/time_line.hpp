@@ -15,6 +15,7 @@ public:
     static constexpr int row_height = 18;
     static constexpr int lane_height = 20; ///< of clips, and of events
     static constexpr int ruler_height = 36;
+    static constexpr int name_margin = 8; ///< left of the names
 
     /// What it takes to show all of a table.
     static int wanted_height(const TimeTable& table);
@@ -50,6 +51,8 @@ public:
     Time time_at(double x) const;
 
     std::optional<std::size_t> row_at(int x, int y) const;
+    /// Where the triangle stands that folds and unfolds a row, left of its name. Only of the rows seen.
+    Rect triangle(std::size_t row) const;
     /// The moment of a key of that row which is drawn there.
     std::optional<Time> key_at(std::size_t row, int x) const;
 

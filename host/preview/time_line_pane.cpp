@@ -16,7 +16,7 @@ namespace kfast {
 namespace {
 
 constexpr Size letter = Painter::letter;
-constexpr int name_margin = 8;
+constexpr int name_margin = TimeLine::name_margin;
 constexpr double key_radius = 5;
 
 /// In the middle of a line that is `height` pixels high.
@@ -69,6 +69,11 @@ private:
 
     bool is_selected(std::size_t row) const { return state_.selected == table_.rows[row].item; }
 
+    double radius_of_keys(std::size_t row) const
+    {
+        return table_.rows[row].is_quantity ? key_radius - 1 : key_radius;
+    }
+
     void draw_names()
     {
         const Rect ruler = line_.ruler();
@@ -78,10 +83,12 @@ private:
         draw_lane_name(line_.events(), "events");
         for (std::size_t row = line_.first_row(); row < line_.end_row(); ++row) {
             const TimeRow& item = table_.rows[row];
-            const Rect place = line_.row(row);
-            draw_text(painter_, place.x + name_margin + item.depth * letter.width,
-                      text_y(place.y, place.height), line_.moments().x, visible(item.name),
-                      is_selected(row) ? theme::text : theme::quiet_text);
+            const Rect triangle = line_.triangle(row);
+            const int y = text_y(triangle.y, triangle.height);
+            if (item.can_unfold() && right_of(triangle) <= line_.moments().x)
+                painter_.text(triangle.x, y, item.is_unfolded ? "▾" : "▸", theme::quiet_text);
+            draw_text(painter_, right_of(triangle), y, line_.moments().x, visible(item.name),
+                      is_selected(row) && !item.is_quantity ? theme::text : theme::quiet_text);
         }
     }
 
@@ -209,8 +216,9 @@ private:
                       theme::faint(theme::key, 90));
         for (const Time key : keys) {
             const WindowSpot at{line_.x_of(key), y};
-            draw_diamond(painter_, at, key_radius + 1.5, theme::surface);
-            draw_diamond(painter_, at, key_radius, key == state_.now ? theme::play_head : theme::key);
+            draw_diamond(painter_, at, radius_of_keys(number) + 1.5, theme::surface);
+            draw_diamond(painter_, at, radius_of_keys(number),
+                         key == state_.now ? theme::play_head : theme::key);
         }
     }
 

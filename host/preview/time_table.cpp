@@ -1,5 +1,6 @@
 #include "host/preview/time_table.hpp"
 
+#include "host/preview/item_facts.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/stored_items.hpp"
 
@@ -36,10 +37,23 @@ private:
     {
         const StoredItem& stored = items_.at(item.place);
         rows_.push_back({stored.number, stored.name.empty() ? name_of(item) : stored.name, depth,
-                         key_times(scene_, item)});
+                         key_times(scene_, item), timed_quantities(item)});
         const bool is_listed = item.kind == ItemKind::use && !symbols_.insert(item.symbol).second;
         if (!item.is_leaf() && !is_listed)
             add(scene_.items_in(item), depth + 1);
+    }
+
+    std::vector<std::pair<std::string, std::vector<Time>>> timed_quantities(const ItemView& item) const
+    {
+        std::vector<std::pair<std::string, std::vector<Time>>> timed;
+        for (const Quantity& quantity : quantities_of(scene_, item)) {
+            if (!quantity.clock.is_time())
+                continue;
+            auto& keys = timed.emplace_back(quantity.name, std::vector<Time>{}).second;
+            for (const QuantityKey& key : quantity.keys)
+                keys.push_back(key.time);
+        }
+        return timed;
     }
 
     static std::string name_of(const ItemView& item)
@@ -77,6 +91,21 @@ std::vector<Time> TimeTable::keys_of(std::size_t item) const
     for (++row; row != rows.end() && row->depth > depth; ++row)
         keys.insert(row->keys.begin(), row->keys.end());
     return {keys.begin(), keys.end()};
+}
+
+TimeTable with_quantities(const TimeTable& table, const std::set<std::size_t>& unfolded)
+{
+    TimeTable whole{.end = table.end, .clips = table.clips, .events = table.events};
+    for (const TimeRow& row : table.rows) {
+        whole.rows.push_back(row);
+        if (!row.can_unfold() || !unfolded.contains(row.item))
+            continue;
+        whole.rows.back().is_unfolded = true;
+        for (const auto& [name, keys] : row.quantities)
+            whole.rows.push_back(
+                {.item = row.item, .name = name, .depth = row.depth + 1, .keys = keys, .is_quantity = true});
+    }
+    return whole;
 }
 
 TimeTable time_table(const SceneView& scene, const std::vector<std::string>& item_names)

@@ -14,7 +14,8 @@ struct Sent {
 constexpr std::array sent{
     Sent{"\x1b[A", "up"}, Sent{"\x1b[B", "down"},      Sent{"\x1b[C", "right"}, Sent{"\x1b[D", "left"},
     Sent{"\x1bOA", "up"}, Sent{"\x1bOB", "down"},      Sent{"\x1bOC", "right"}, Sent{"\x1bOD", "left"},
-    Sent{" ", "space"},   Sent{"\x1b[Z", "shift-tab"}, Sent{"\t", "tab"},
+    Sent{" ", "space"},   Sent{"\x1b[Z", "shift-tab"}, Sent{"\t", "tab"},       Sent{"\r", "enter"},
+    Sent{"\n", "enter"},
 };
 
 /// A key by itself; else it begins another one, or says that Alt is held with it.

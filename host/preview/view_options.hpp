@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace kfast {
@@ -17,9 +18,12 @@ struct ViewOptions {
     bool panel_frame = false;   ///< the edge of the module around the picture
     bool fit_report = false;    ///< memory and speed on a board, in the panel at the side
     bool time_line = true;
-    int zoom = 0; ///< window pixels per panel pixel, up to largest_zoom; 0: as large as fits
+    int zoom = 0;             ///< window pixels per panel pixel, up to largest_zoom; 0: as large as fits
+    bool board_speed = false; ///< play as slowly as the board would
     /// The place of an item in SceneFile::item_names; none is selected at first.
     std::optional<std::size_t> selected = {};
+    /// Items whose keys stand on the time line by quantity, in rows of their own; likewise.
+    std::set<std::size_t> unfolded = {};
 };
 
 /// Turns on or off, or zooms, what `key` means; nothing if it is another key.

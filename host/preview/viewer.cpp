@@ -2,13 +2,13 @@
 
 #include "host/counted.hpp"
 #include "host/failure.hpp"
+#include "host/fit/wording.hpp"
 #include "host/picture/png.hpp"
 #include "host/preview/item_choice.hpp"
 #include "host/preview/output_name.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
@@ -21,15 +21,6 @@ std::unique_ptr<PreviewPlayback> played(const OpenedScene& scene, Viewer::Second
                                         std::optional<int> loops)
 {
     return std::make_unique<PreviewPlayback>(scene.programme, scene.source->pace(), now, loops);
-}
-
-std::vector<Time> moments_of(const Timeline& timeline)
-{
-    std::vector<Time> moments;
-    moments.reserve(static_cast<std::size_t>(timeline.frame_count()));
-    for (int frame = 0; frame < timeline.frame_count(); ++frame)
-        moments.push_back(timeline.frame_time(frame));
-    return moments;
 }
 
 /// Whether `key` makes other pictures of the frames than those that were generated.
@@ -48,13 +39,6 @@ bool changes_frames(PreviewKey key)
     }
 }
 
-std::string frame_number(int frame)
-{
-    char text[16];
-    std::snprintf(text, sizeof text, "-%04d", frame);
-    return text;
-}
-
 }
 
 Viewer::Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now, std::optional<int> loops)
@@ -62,7 +46,7 @@ Viewer::Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now, s
 {
     auto playback = played(*scene, now, loops);
     auto layers = std::make_unique<SceneLayers>(*scene);
-    put({std::move(scene), std::move(layers)}, std::move(playback));
+    put({std::move(scene), std::move(layers)}, std::move(playback), now);
 }
 
 Viewer::~Viewer() = default;
@@ -91,6 +75,12 @@ void Viewer::act(PreviewKey key, Seconds now)
         return select(item_beside(view_.selected, 1, time_table()));
     case PreviewKey::previous_item:
         return select(item_beside(view_.selected, -1, time_table()));
+    case PreviewKey::edit:
+        return edit();
+    case PreviewKey::quantities:
+        return fold_selected();
+    case PreviewKey::board_speed:
+        return play_as_board(!view_.board_speed, now);
     case PreviewKey::screenshot:
         return write_screenshot();
     case PreviewKey::gif:
@@ -107,6 +97,8 @@ bool Viewer::attend(Seconds now)
         go_on_working();
         return true;
     }
+    if (const std::string failure = editor_ ? editor_->take_failure() : ""; !failure.empty())
+        notify(failure);
     const bool has_chosen = take_chosen_file(now);
     const bool has_read = read_what_changed(now);
     const bool had_report = std::exchange(has_report_, fit_report().has_value());
@@ -116,6 +108,25 @@ bool Viewer::attend(Seconds now)
 void Viewer::scrub(Time moment) { playback_->scrub(moment); }
 
 void Viewer::select(std::optional<std::size_t> item) { view_.selected = item; }
+
+void Viewer::play_as_board(bool as_board, Seconds now)
+{
+    view_.board_speed = as_board;
+    set_pace(now);
+}
+
+/// Of what is played now.
+void Viewer::set_pace(Seconds now)
+{
+    if (!view_.board_speed)
+        return playback_->pace_by({}, now);
+    if (shown_.scene->is_beam) {
+        view_.board_speed = false;
+        return notify("only boards with a panel set the speed here: fit tells what a beam can do");
+    }
+    const auto seconds = [this](Time moment) { return shown_.layers->board_seconds(*playback_, moment); };
+    playback_->pace_by(seconds, now);
+}
 
 void Viewer::set_zoom(int zoom)
 {
@@ -142,7 +153,7 @@ void Viewer::notify(std::string notice)
     ++notice_number_;
 }
 
-void Viewer::put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback)
+void Viewer::put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback, Seconds now)
 {
     stop_work();
     all_frames_.reset();
@@ -150,6 +161,8 @@ void Viewer::put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback)
     playback_ = std::move(playback);
     playback_->tell_events_to(on_event_);
     std::swap(shown_, scene); // layers before their scene, when the old ones go
+    if (view_.board_speed)
+        set_pace(now);
     const std::string& warnings = shown_.scene->warnings;
     if (!warnings.empty())
         notify(warnings.substr(0, warnings.find('\n')));
@@ -165,7 +178,8 @@ void Viewer::open(const fs::path& file, Seconds now)
     auto playback = played(*scene.scene, now, loops_);
     playback->close_help();
     view_.selected.reset();
-    put(std::move(scene), std::move(playback));
+    view_.unfolded.clear();
+    put(std::move(scene), std::move(playback), now);
 }
 
 void Viewer::reload(Seconds now)
@@ -177,9 +191,11 @@ void Viewer::reload(Seconds now)
     auto playback = played(*scene.scene, now, loops_);
     playback->continue_from(*playback_, now);
     const auto selected = name_of(view_.selected, time_table());
+    const auto unfolded = names_of(view_.unfolded, time_table());
     notify(reader_.file().filename().string() + " is read again");
-    put(std::move(scene), std::move(playback));
+    put(std::move(scene), std::move(playback), now);
     view_.selected = selected ? item_of(*selected, time_table()) : std::nullopt;
+    view_.unfolded = items_of(unfolded, time_table());
 }
 
 bool Viewer::read_what_changed(Seconds now)
@@ -223,101 +239,10 @@ bool Viewer::take_chosen_file(Seconds now)
     return !chooser_->is_asking();
 }
 
-std::string_view Viewer::selected_name() const
-{
-    const TimeRow* const row = time_table().row_of(view_.selected);
-    return row == nullptr ? std::string_view{} : row->name;
-}
-
-const FrameCollection* Viewer::frames_in_work() const
-{
-    return all_frames_ && !all_frames_->is_complete() ? &*all_frames_ : nullptr;
-}
-
-std::optional<double> Viewer::progress() const
-{
-    if (gif_ != nullptr)
-        return gif_->percent() / 100.0;
-    if (const FrameCollection* frames = frames_in_work())
-        return static_cast<double>(frames->done()) / static_cast<double>(frames->total());
-    return std::nullopt;
-}
-
-void Viewer::stop_work()
-{
-    if (!is_working())
-        return;
-    notify(gif_ != nullptr ? "stopped: no GIF is written" : "stopped: not all frames are generated");
-    gif_.reset();
-    if (frames_in_work() != nullptr)
-        all_frames_.reset();
-}
-
-/// Else the notice says why not.
-bool Viewer::fits_in_memory(std::size_t frames)
-{
-    const std::size_t bytes = frame().pixels.size() * frames;
-    if (bytes <= FrameCollection::most_bytes)
-        return true;
-    notify(counted(frames, "frame") + " would need " + std::to_string(bytes >> 20) + " MB of memory, and " +
-           std::to_string(FrameCollection::most_bytes >> 20) +
-           " are the most: choose a clip (c) or a smaller --size");
-    return false;
-}
-
-void Viewer::generate_all_frames()
-{
-    if (all_frames_) {
-        all_frames_.reset();
-        return;
-    }
-    Timeline timeline = playback_->timeline();
-    timeline.speed = Playhead::as_authored; // as space steps
-    std::vector<Time> moments = moments_of(timeline);
-    if (!fits_in_memory(moments.size()))
-        return;
-    playback_->scrub(playback_->time());
-    all_frames_.emplace(std::move(moments));
-}
-
-void Viewer::begin_gif()
-{
-    const std::string& clip = playback_->part().name;
-    const fs::path target =
-        new_output_name(shown_.scene->file, clip.empty() ? "" : '-' + plain_name(clip), ".gif");
-    auto gif = std::make_unique<GifWriting>(target, playback_->timeline());
-    if (fits_in_memory(gif->frames()))
-        gif_ = std::move(gif);
-}
-
-void Viewer::go_on_working()
-{
-    tell(*shown_.scene->source, *playback_);
-    if (gif_ == nullptr) {
-        all_frames_->add_next(*shown_.scene->source);
-        notify(all_frames_->is_complete()
-                   ? counted(all_frames_->total(), "frame") + ": space steps, 'a' ends that"
-                   : "frame " + std::to_string(all_frames_->done()) + " of " +
-                         std::to_string(all_frames_->total()) + ": any key stops that");
-        return;
-    }
-    try {
-        notify("writing " + gif_->target().string() + ": " + std::to_string(gif_->percent()) +
-               " %, any key stops that");
-        if (gif_->go_on(*shown_.scene->source)) {
-            notify(gif_->target().string() + " is written");
-            gif_.reset();
-        }
-    } catch (const std::exception& failure) { // the scene goes on
-        notify(failure.what());
-        gif_.reset();
-    }
-}
-
 void Viewer::write_screenshot()
 {
     try {
-        const fs::path target = new_output_name(shown_.scene->file, frame_number(playback_->frame()), ".png");
+        const fs::path target = new_output_name(shown_.scene->file, frame_suffix(playback_->frame()), ".png");
         write_png(target, widen(frame()));
         notify(target.string() + " is written");
     } catch (const Failure& failure) {
@@ -370,6 +295,11 @@ std::string Viewer::status() const
         status += "  " + facts_;
     if (all_frames_ && all_frames_->is_complete())
         status += "  all frames";
+    if (view_.board_speed) {
+        status += "  as on " + shown_.layers->board_name();
+        if (const auto rate = playback_->board_rate())
+            status += ": " + fit::rate_text(*rate);
+    }
     if (view_.selected)
         status += "  selected " + visible(selected_name());
     return status + in_words(view_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/picture/picture.hpp"
+#include "host/preview/editor.hpp"
 #include "host/preview/file_chooser.hpp"
 #include "host/preview/fit_lines.hpp"
 #include "host/preview/frame_collection.hpp"
@@ -41,6 +42,9 @@ public:
     /// Without a chooser, PreviewKey::read_file reads the same file afresh.
     void let_choose(std::unique_ptr<FileChooser> chooser) { chooser_ = std::move(chooser); }
 
+    /// Without an editor, PreviewKey::edit only says so.
+    void let_edit(std::unique_ptr<Editor> editor) { editor_ = std::move(editor); }
+
     /// While it works, any key but stops the work.
     void press(PreviewKey key, Seconds now);
     /// Who is told the events that are passed, in order.
@@ -55,6 +59,13 @@ public:
     /// Pauses at this moment: the time line was touched.
     void scrub(Time moment);
     void select(std::optional<std::size_t> item);
+    /// Folds or unfolds the quantities of an item on the time line.
+    void fold(std::size_t item);
+    /// Opens the text of the scene in the editor: where the first mistake is, else where the selected item
+    /// begins, else at its first line.
+    void edit();
+    /// ViewOptions::board_speed; the notice says so if that cannot be.
+    void play_as_board(bool as_board, Seconds now);
     /// ViewOptions::zoom. Closes the help and clears the notice, as keys do.
     void set_zoom(int zoom);
     /// Ends it whatever it does: the window was closed.
@@ -76,6 +87,12 @@ public:
     /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
     const Overlay& overlay(double scale);
     const TimeTable& time_table() const { return shown_.layers->table(); }
+    /// The same with rows for the quantities that are unfolded. Likewise.
+    const TimeTable& unfolded_table() { return shown_.layers->table(view_.unfolded); }
+    /// Of the selected item at this moment; nothing if none is selected.
+    std::optional<ItemFacts> selected_facts();
+    /// Where it begins in the text, if that is known.
+    std::optional<TextLine> selected_line() const;
     /// Nothing while it is being made, or if view() does not ask for it.
     std::optional<std::span<const FitLine>> fit_report();
     /// The topmost item at a place of the panel.
@@ -96,7 +113,7 @@ public:
 private:
     const FrameCollection* frames_in_work() const;
     void notify(std::string notice);
-    void put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback);
+    void put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback, Seconds now);
     void reload(Seconds now);
     bool read_what_changed(Seconds now);
     bool take_chosen_file(Seconds now);
@@ -108,6 +125,9 @@ private:
     void write_screenshot();
     void ask_for_file(Seconds now);
     void act(PreviewKey key, Seconds now);
+    TextLine line_to_edit() const;
+    void fold_selected();
+    void set_pace(Seconds now);
 
     SceneReader reader_;
     std::optional<int> loops_;
@@ -115,6 +135,7 @@ private:
     ReadScene shown_;
     std::unique_ptr<PreviewPlayback> playback_; ///< looks into `shown_`
     std::unique_ptr<FileChooser> chooser_;
+    std::unique_ptr<Editor> editor_;
     ViewOptions view_;
     std::optional<FrameCollection> all_frames_; ///< space steps through them once they are complete
     std::unique_ptr<GifWriting> gif_;

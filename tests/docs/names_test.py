@@ -63,7 +63,7 @@ class Program(unittest.TestCase):
         in_table = [name.strip("`") for cell in rows for name in re.split(r",? ", cell)]
         beside = set(re.findall(r"`(\S)`", page)) - set(in_table)
         self.assertEqual([key for key in keys if key not in beside], in_table, "in the order of the program")
-        self.assertEqual(beside, {"h", "+", "-"})
+        self.assertEqual(beside, {"h", "?", "+", "-"})
 
     def test_errors_of_displays(self):
         names = re.findall(r"(?m)^    (\w+)(?: = 1)?,", (ROOT / "core/result.hpp").read_text(encoding="utf-8"))

@@ -91,8 +91,11 @@ class TerminalTest(CommandTest):
         new.write_text(text)
         os.replace(new, self.scene)
 
-    def test_it_plays_until_somebody_quits_and_shows_its_help(self):
+    def test_it_plays_until_somebody_quits_and_shows_its_help_when_asked(self):
         preview = Preview(self.folder, "lamp.kfast")
+        first = preview.wait_for(r"(?s)frame 0 .*h: help.*frame 9.*frame 0")
+        self.assertNotIn("next key frame", first)
+        preview.type("?")
         preview.wait_for("next key frame")
         preview.type("h")
         preview.wait_for(r"(?s)frame 9.*frame 0.*frame 9.*frame 0")
@@ -102,8 +105,8 @@ class TerminalTest(CommandTest):
     def test_ctrl_z_stops_it_with_the_terminal_as_it_was(self):
         shell = Preview(self.folder, "lamp.kfast", shell=True)
         self.addCleanup(shell.process.kill)
-        shell.wait_for("next key frame")
-        shell.type("hn")
+        shell.wait_for("h: help")
+        shell.type("n")
         shell.wait_for("frame 5 .*paused")
         shell.type("\x1a")
         shell.wait_for(r"(?s)\x1b\[\?25h.*Stopped")
@@ -130,7 +133,7 @@ class TerminalTest(CommandTest):
     def test_a_signal_ends_it_while_it_is_stopped(self):
         shell = Preview(self.folder, "lamp.kfast", shell=True)
         self.addCleanup(shell.process.kill)
-        shell.wait_for("next key frame")
+        shell.wait_for("h: help")
         shell.type("\x1a")
         shell.wait_for("Stopped")
         shell.type("jobs -l\n")
@@ -148,7 +151,7 @@ class TerminalTest(CommandTest):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             preview = Preview(self.folder, "lamp.kfast")
             self.addCleanup(preview.process.kill)
-            preview.wait_for("next key frame")
+            preview.wait_for("h: help")
             self.assertFalse(preview.echoes())
             preview.process.send_signal(number)
             preview.wait_for(r"\x1b\[\?25h")
@@ -157,6 +160,8 @@ class TerminalTest(CommandTest):
 
     def test_its_help_has_the_keys_that_do_something_there(self):
         preview = Preview(self.folder, "lamp.kfast")
+        preview.wait_for("h: help")
+        preview.type("h")
         page = preview.wait_for("close this help")
         self.assertNotIn("skeletons", page)
         self.assertIn("read the file afresh", page)
@@ -168,6 +173,8 @@ class TerminalTest(CommandTest):
 
     def test_a_help_that_has_no_room_is_turned(self):
         preview = Preview(self.folder, "lamp.kfast", columns=50, lines=12)
+        preview.wait_for("frame")
+        preview.type("h")
         preview.wait_for("h  next page, 1 of")
         preview.type("h")
         preview.wait_for("h  next page, 2 of")
@@ -226,13 +233,53 @@ class TerminalTest(CommandTest):
 
     def test_it_goes_on_in_a_terminal_that_is_resized(self):
         preview = Preview(self.folder, "lamp.kfast")
-        preview.type("h")
         preview.wait_for(r"\x1b\[J(?s:.*)\x1b\[J")
         preview.resize(20, 8)
         picture = preview.wait_for(r"(?s)\x1b\[2J\x1b\[H.*frame \d.*\x1b\[J").rsplit("\x1b[2J\x1b[H", 1)[1].split("\x1b[J")[0]
         self.assertLess(picture.count("\n"), 8)
         self.assertLessEqual(max(line.count("\u2580") for line in picture.split("\n")), 20)
         self.assertEqual(preview.end("\x1b"), 0)
+
+    def test_without_a_display_only_kfast_says_so(self):
+        displays = ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "SDL_VIDEODRIVER")
+        environment = {name: value for name, value in os.environ.items() if name not in displays}
+        said = subprocess.run([str(KFAST), "preview", "lamp.kfast", "--loops", "1"], cwd=self.folder, env=environment,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=True)
+        self.assertRegex(said.stderr, r"^kfast: [^\n]*, so this plays in the terminal\n$")
+
+    def test_the_editor_has_the_terminal_and_gives_it_back(self):
+        editor = self.folder / "editor"
+        editor.write_text('#!/bin/sh\necho "edits $*"; stty -a | grep -o " [-]*icanon"; read answer\n'
+                          'sed -i s/ff0000/0000ff/ lamp.kfast; echo "done $answer"\n')
+        editor.chmod(0o755)
+        preview = Preview(self.folder, "lamp.kfast", environment={"KFAST_EDITOR": f"{editor} +{{line}} {{file}}", "VISUAL": "none"})
+        preview.wait_for("h: help")
+        preview.type("n\t")
+        preview.wait_for("frame 5 .*paused.*selected lamp")
+        preview.type("\r")
+        preview.wait_for(r"(?s)edits \+3 /.*/lamp.kfast.* icanon")
+        self.assertTrue(preview.echoes())
+        preview.type("well\n")
+        preview.wait_for(r"(?s)done well.*\x1b\[\?25l.*frame 5 .*lamp.kfast is read again")
+        self.assertFalse(preview.echoes())
+        self.assertEqual(preview.end(), 0)
+
+    def test_without_an_editor_the_remedy_is_told(self):
+        preview = Preview(self.folder, "lamp.kfast", environment={"KFAST_EDITOR": "", "VISUAL": "", "EDITOR": ""})
+        preview.type("\r")
+        preview.wait_for("no editor is set: set KFAST_EDITOR, VISUAL or EDITOR, as in EDITOR=nano")
+        self.assertEqual(preview.end(), 0)
+        preview = Preview(self.folder, "lamp.kfast", environment={"KFAST_EDITOR": "no-such-editor"})
+        preview.type("\r")
+        preview.wait_for('the editor "no-such-editor" is not there')
+        self.assertEqual(preview.end(), 0)
+
+    def test_it_plays_as_slowly_as_a_board(self):
+        preview = Preview(self.folder, "lamp.kfast", "--board-speed")
+        preview.wait_for("as on pico: 10 fps")
+        preview.type("w")
+        preview.wait_for(r"frame \d  \d.\d+ s  playing  +h: help")
+        self.assertEqual(preview.end(), 0)
 
     def test_colours_are_those_of_the_terminal(self):
         for environment, colour in (({"COLORTERM": "truecolor"}, r"\x1b\[38;2;255;0;0m"), ({}, r"\x1b\[38;5;196m"),

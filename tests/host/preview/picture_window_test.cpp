@@ -56,6 +56,8 @@ TEST_CASE("keys of the keyboard are those of a preview")
         {SDLK_KP_PLUS, PreviewKey::more_input},
         {SDLK_MINUS, PreviewKey::less_input},
         {SDLK_KP_MINUS, PreviewKey::less_input},
+        {SDLK_RETURN, PreviewKey::edit},
+        {SDLK_KP_ENTER, PreviewKey::edit},
         {SDLK_h, PreviewKey::help},
         {SDLK_q, PreviewKey::quit},
         {SDLK_r, PreviewKey::read_file},
@@ -77,6 +79,17 @@ TEST_CASE("keys of the desktop, and others, do nothing")
     CHECK(window.keys_of(SDLK_F1).empty());
     CHECK(window.keys_of(SDLK_7).empty());
     CHECK(window.keys_of(SDLK_LSHIFT).empty());
+}
+
+TEST_CASE("a question mark is the help, wherever the keyboard has it")
+{
+    UnseenWindow window;
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = '?';
+    SDL_PushEvent(&event);
+    CHECK(window.window->take_events(0).keys == std::vector{PreviewKey::help});
+    CHECK(window.keys_of(SDLK_QUESTION).empty());
 }
 
 TEST_CASE("the mouse, files that are dropped, and the window's end are told")

@@ -27,14 +27,6 @@ TEST_CASE("ping-pong comes back")
     CHECK(state.time() == Time::frame(7));
 }
 
-TEST_CASE("a preview that ends by itself begins with its help closed")
-{
-    PreviewPlayback state = playback(Loop::repeat, 1);
-    CHECK_FALSE(state.help_open());
-    state.press(PreviewKey::help, after(0.1));
-    CHECK(state.help_open());
-}
-
 TEST_CASE("a number of loops ends with the last picture of the last one")
 {
     PreviewPlayback state = playback(Loop::repeat, 2);

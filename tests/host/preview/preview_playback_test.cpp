@@ -6,12 +6,12 @@
 
 namespace kfast::test {
 
-TEST_CASE("a preview starts playing at the beginning, with its help")
+TEST_CASE("a preview starts playing at the beginning, and its help is closed")
 {
     const PreviewPlayback state = playback(Loop::repeat);
     CHECK(state.time() == Time{0});
     CHECK(state.playing());
-    CHECK(state.help_open());
+    CHECK_FALSE(state.help_open());
     CHECK(state.status() == "frame 0  0.000 s  playing");
 }
 
@@ -89,9 +89,10 @@ TEST_CASE("h opens and closes the help, any other key closes it, q quits")
 {
     PreviewPlayback state = playback(Loop::repeat);
     state.press(PreviewKey::help, start);
+    CHECK(state.help_open());
+    state.press(PreviewKey::help, start);
     CHECK_FALSE(state.help_open());
     state.press(PreviewKey::help, start);
-    CHECK(state.help_open());
     state.press(PreviewKey::next_frame, start);
     CHECK_FALSE(state.help_open());
     CHECK_FALSE(state.wants_to_quit());
@@ -102,6 +103,7 @@ TEST_CASE("h opens and closes the help, any other key closes it, q quits")
 TEST_CASE("escape closes the help, and quits where it is closed")
 {
     PreviewPlayback state = playback(Loop::repeat);
+    state.press(PreviewKey::help, start);
     state.press(PreviewKey::leave, start);
     CHECK_FALSE(state.help_open());
     CHECK_FALSE(state.wants_to_quit());

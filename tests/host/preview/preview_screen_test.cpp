@@ -11,6 +11,7 @@
 #include <doctest/doctest.h>
 #include <fstream>
 #include <initializer_list>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -41,7 +42,6 @@ object right fill="#00ff00" {
 struct Window {
     Window()
     {
-        viewer.press(PreviewKey::help, now); // closes it
         viewer.scrub(Time{0});
         draw();
     }
@@ -195,6 +195,21 @@ TEST_CASE("the keys zoom from what is seen on")
     CHECK(window.painter.pictures[0].width / 20 <= before);
 }
 
+TEST_CASE("at first the picture is seen, and at the edge how to get help")
+{
+    Window window;
+    CHECK(window.has_text("h: help"));
+    CHECK_FALSE(window.has_text("next key frame"));
+    CHECK(std::ranges::none_of(window.painter.texts, [](const RecordingPainter::Text& written) {
+        return written.text.find("next key frame") != std::string::npos;
+    }));
+    window.draw({320, 240});
+    CHECK(window.has_text("h: help"));
+    window.press(PreviewKey::help);
+    window.draw();
+    CHECK_FALSE(window.has_text("h: help"));
+}
+
 TEST_CASE("a click closes the help and does nothing else")
 {
     Window window;
@@ -331,6 +346,52 @@ TEST_CASE("a key that zooms closes the help, as others do")
     REQUIRE(window.viewer.playback().help_open());
     window.screen.press(PreviewKey::zoom_in, window.viewer, window.now);
     CHECK_FALSE(window.viewer.playback().help_open());
+}
+
+TEST_CASE("what is selected is told at the side: its line, its values, and the keys around the moment")
+{
+    Window window;
+    window.viewer.select(window.viewer.time_table().row_named("left")->item);
+    window.draw();
+    for (const char* const text :
+         {"halves.kfast:6", "opacity", "fill", "#ff0000", "shape", "  0: constant", "  50"})
+        CHECK_MESSAGE(window.has_text(text), text);
+}
+
+TEST_CASE("a click on the line opens the editor there")
+{
+    struct Kept : Editor {
+        explicit Kept(std::vector<TextLine>& opened) : opened_{opened} {}
+        void open(const TextLine& at) override { opened_.push_back(at); }
+        std::vector<TextLine>& opened_;
+    };
+    std::vector<TextLine> opened;
+    Window window;
+    window.viewer.let_edit(std::make_unique<Kept>(opened));
+    window.viewer.select(window.viewer.time_table().row_named("right")->item);
+    window.draw();
+    const RecordingPainter::Text* const line = window.painter.find("halves.kfast:10");
+    REQUIRE(line != nullptr);
+    window.click(line->place.x + 5, line->place.y + 30);
+    CHECK(opened.empty());
+    window.click(line->place.x + 5, line->place.y + 5);
+    REQUIRE(opened.size() == 1);
+    CHECK(opened[0].line == 10);
+}
+
+TEST_CASE("a click on the triangle of a row unfolds it, and its quantities have keys to click on")
+{
+    Window window;
+    const RecordingPainter::Text* const triangle = window.painter.find("▸");
+    REQUIRE(triangle != nullptr);
+    window.click(triangle->place.x + 3, triangle->place.y + 3);
+    CHECK(window.selected().empty());
+    window.draw();
+    CHECK(window.has_text("▾"));
+    CHECK(window.has_text("shape"));
+    window.press(PreviewKey::quantities);
+    window.draw();
+    CHECK_FALSE(window.has_text("shape"));
 }
 
 TEST_CASE("a snapshot is the window after a script")

@@ -24,6 +24,19 @@ TEST_CASE("status and notice stand below the picture, and old text goes away")
     CHECK(drawn.lines == 3);
 }
 
+TEST_CASE("how to get help stands at the right, where there is room")
+{
+    const Picture picture = square(2);
+    const auto drawn = [&](int width) {
+        TerminalContent content{picture, "frame 0", "", {}};
+        content.hint = "h: help";
+        return terminal_text(content, {width, 24}, TerminalColours::none).text;
+    };
+    CHECK(has(drawn(24), "\nframe 0         h: help\x1b[K\n"));
+    CHECK(has(drawn(17), "\nframe 0  h: help\x1b[K\n"));
+    CHECK(has(drawn(16), "\nframe 0\x1b[K\n"));
+}
+
 TEST_CASE("errors take room from the picture, but no more than half of it")
 {
     const Picture picture = square(100);

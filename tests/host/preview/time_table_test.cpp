@@ -58,6 +58,23 @@ TEST_CASE("rows of items, the topmost first, with the keys of all that moves the
     CHECK(table.events[0].time == Time::frame(15));
 }
 
+TEST_CASE("what is unfolded has a row for each of its quantities below it")
+{
+    const NamedScene scene{theatre};
+    const TimeTable table = time_table(scene.view(), scene.names());
+    CHECK(with_quantities(table, {}).rows.size() == table.rows.size());
+    const TimeTable whole =
+        with_quantities(table, {table.row_named("sleeve")->item, table.row_named("puppet")->item});
+    CHECK(in_words(whole) ==
+          std::vector<std::string>{"tree 0: 0 7", "trunk 1: 3 9", "tree 0:", "puppet 0: 0 25", "x 1: 0 25",
+                                   "sleeve 1: 0 12 30", "shape 2: 0", "bones 2: 0 12 30", "ground 0: 0"});
+    CHECK(whole.rows[3].is_unfolded);
+    CHECK_FALSE(whole.rows[1].is_unfolded);
+    CHECK(whole.rows[4].is_quantity);
+    CHECK(whole.rows[4].item == whole.rows[3].item);
+    CHECK_FALSE(whole.rows[2].can_unfold());
+}
+
 TEST_CASE("items of a compiled scene have numbers for names")
 {
     const NamedScene scene{theatre};

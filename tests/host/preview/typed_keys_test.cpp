@@ -4,6 +4,11 @@
 
 namespace kfast::test {
 
+TEST_CASE("return is enter, however the terminal sends it")
+{
+    CHECK(typed_keys("\r\n") == std::vector{PreviewKey::edit, PreviewKey::edit});
+}
+
 TEST_CASE("letters and what a terminal sends for other keys are the keys of a preview")
 {
     CHECK(typed_keys("nq ") == std::vector{PreviewKey::next_key, PreviewKey::quit, PreviewKey::play_pause});

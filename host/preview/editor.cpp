@@ -1,0 +1,127 @@
+#include "host/preview/editor.hpp"
+
+#include "host/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+extern char** environ; // NOLINT: POSIX declares it nowhere
+
+namespace kfast {
+namespace {
+
+constexpr const char* other_editor = "set KFAST_EDITOR to another one";
+
+std::string in_quotation_marks(const std::string& editor) { return '"' + editor + '"'; }
+
+pid_t started(const std::string& editor, const TextLine& at)
+{
+    std::string shell = "sh";
+    std::string option = "-c";
+    std::string command = editor_command(editor, at);
+    std::array<char*, 4> arguments{shell.data(), option.data(), command.data(), nullptr};
+    pid_t process = 0;
+    if (const int error = ::posix_spawn(&process, "/bin/sh", nullptr, nullptr, arguments.data(), environ))
+        throw Failure("the editor " + in_quotation_marks(editor) +
+                      " cannot be started: " + std::strerror(error));
+    return process;
+}
+
+/// How an editor ended that found nothing to do; empty if it went well.
+std::string failure_of(const std::string& editor, int status)
+{
+    constexpr int not_found = 127; // of a shell
+    if (WIFSIGNALED(status) || WEXITSTATUS(status) == 0)
+        return "";
+    const int code = WEXITSTATUS(status);
+    return "the editor " + in_quotation_marks(editor) +
+           (code == not_found ? " is not there: " : " failed with status " + std::to_string(code) + ": ") +
+           other_editor;
+}
+
+int status_at_end(pid_t process)
+{
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR)
+        continue;
+    return status;
+}
+
+/// While it lives, keys that end or stop programs are for the editor alone.
+class SparedFromKeys {
+public:
+    SparedFromKeys()
+    {
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            before_[i] = std::signal(signals[i], SIG_IGN);
+    }
+    ~SparedFromKeys()
+    {
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            std::signal(signals[i], before_[i]);
+    }
+    SparedFromKeys(const SparedFromKeys&) = delete;
+    SparedFromKeys& operator=(const SparedFromKeys&) = delete;
+
+private:
+    static constexpr std::array signals{SIGINT, SIGQUIT};
+    std::array<void (*)(int), signals.size()> before_{};
+};
+
+bool has_terminal() { return ::isatty(STDIN_FILENO) != 0 && ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }
+
+}
+
+EditorBeside::~EditorBeside()
+{
+    for (const Running& running : running_)
+        if (running.has_terminal)
+            status_at_end(running.process);
+}
+
+void EditorBeside::open(const TextLine& at)
+{
+    const std::string editor = chosen_editor();
+    const bool wants_terminal = takes_terminal(editor);
+    if (wants_terminal && !has_terminal())
+        throw Failure(
+            "the editor " + in_quotation_marks(editor) +
+            " needs a terminal: start the preview in one, or set KFAST_EDITOR to one with a window");
+    if (wants_terminal && std::ranges::any_of(running_, &Running::has_terminal))
+        throw Failure("an editor is open in the terminal: end it first");
+    running_.push_back({started(editor, at), editor, wants_terminal});
+}
+
+std::string EditorBeside::take_failure()
+{
+    std::string failure;
+    std::erase_if(running_, [&failure](const Running& running) {
+        int status = 0;
+        if (::waitpid(running.process, &status, WNOHANG) == 0)
+            return false;
+        failure = failure_of(running.editor, status);
+        return true;
+    });
+    return failure;
+}
+
+void edit_in_terminal(const TextLine& at)
+{
+    const std::string editor = chosen_editor();
+    int status = 0;
+    {
+        const SparedFromKeys spared;
+        status = status_at_end(started(editor, at));
+    }
+    if (const std::string failure = failure_of(editor, status); !failure.empty())
+        throw Failure(failure);
+}
+
+}
