@@ -66,9 +66,9 @@ Json beam_facts(const BeamStyle& style)
 }
 
 /// Goes through the items in the order in which the scene stores them, as their names are.
-class ItemFacts {
+class ItemSummary {
 public:
-    explicit ItemFacts(const SceneFile& scene) : scene_{scene} {}
+    explicit ItemSummary(const SceneFile& scene) : scene_{scene} {}
 
     /// `path` is that of what the items lie in: "", "2.1."
     Json of(ItemCursor cursor, const std::string& path)
@@ -139,7 +139,7 @@ void print_items(const Json& items, const std::string& indent, std::ostream& out
 
 Json item_tracks(const SceneFile& scene)
 {
-    ItemFacts items{scene}; // of the symbols first, as a scene stores them
+    ItemSummary items{scene}; // of the symbols first, as a scene stores them
     Json symbols = Json::array();
     for (std::uint32_t number = 0; number < scene.view.symbol_count(); ++number) {
         Json facts{{"symbol", number + 1}};
