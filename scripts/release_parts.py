@@ -49,7 +49,7 @@ def builds(parts, architectures):
     """The commands that build what these parts are made of."""
     if not any(PARTS[name].is_built for name in parts):
         return []
-    wanted = [["scripts/build", "pico"], ["cmake", "--preset", "host"], ["cmake", "--build", "--preset", "packages"]]
+    wanted = [["scripts/build", "pico"], ["cmake", "--preset", "command"], ["cmake", "--build", "--preset", "packages"]]
     if "arm64" in architectures and set(parts) & {"debian", "portable"}:
         wanted.append(["scripts/build", "linux-arm64"])
     return wanted
