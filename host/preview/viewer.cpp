@@ -297,8 +297,9 @@ std::string Viewer::status() const
         status += "  all frames";
     if (view_.board_speed) {
         status += "  as on " + shown_.layers->board_name();
+        constexpr double rounding = 0.001; // times that are added up come to a little less than they are
         if (const auto rate = playback_->board_rate())
-            status += ": " + fit::rate_text(*rate);
+            status += ": " + fit::rate_text(*rate + rounding);
     }
     if (view_.selected)
         status += "  selected " + visible(selected_name());
