@@ -55,6 +55,8 @@ const Command fit_command{"fit", "Tell whether a scene fits a board, and how fas
                           "kfast fit eyes.kfast --board pico\n"
                           "  kfast fit eyes.kfast --board pico --panel ssd1306 --fps 25\n"
                           "  kfast fit eyes.kfast --board my-board.kdl --json",
-                          declare_fit};
+                          declare_fit,
+                          {},
+                          board_group};
 
 }

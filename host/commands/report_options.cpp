@@ -1,7 +1,7 @@
 #include "host/commands/report_options.hpp"
 #include "host/commands/option_groups.hpp"
-#include "host/rounded_text.hpp"
 #include "host/counted.hpp"
+#include "host/rounded_text.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -1,6 +1,7 @@
 #include "host/commands/usage_mistake.hpp"
 
 #include "host/commands/command_words.hpp"
+#include "host/failure.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -85,6 +86,26 @@ std::string conversion_mistake(std::string_view what)
            wrong_number(what.substr(at + middle.size()));
 }
 
+/// However many they are: nobody knows what there is who has no command yet.
+std::string list_of_all(std::span<const std::string_view> names)
+{
+    std::string list = names.empty() ? "nothing is allowed here" : "allowed:";
+    for (const std::string_view name : names)
+        list.append(list.back() == ':' ? " " : ", ").append(name);
+    return list;
+}
+
+}
+
+void require_command_among(std::span<const std::string_view> known, std::string_view word)
+{
+    if (word.starts_with('-') || std::ranges::find(known, word) != known.end())
+        return;
+    const std::string wrong =
+        word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
+    const std::string close = did_you_mean(word, known);
+    throw Failure(wrong + ": " + (close.empty() ? list_of_all(known) : close) + "\nTry 'kfast --help'.",
+                  ExitStatus::wrong_usage);
 }
 
 std::string usage_mistake(const CLI::App& command, const CLI::Error& error,

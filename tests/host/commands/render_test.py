@@ -48,7 +48,8 @@ class UsageTest(RenderTest):
     def test_quiet_it_says_nothing(self):
         for command in (("render", "repeat.kfast", "-o", "a.gif"), ("compile", "repeat.kfast"), ("export", "--header", "repeat.kfast"),
                         ("export", "--ild", "repeat.kfast"), ("export", "--wav", "repeat.kfast"), ("config", "pico-st7789", "-o", "a.kdl"),
-                        ("uf2", "pack", "--scene", "repeat.kfast", "-o", "a.uf2"), ("uf2", "unpack", "a.uf2", "-o", "u"), ("man", "m")):
+                        ("uf2", "pack", "--scene", "repeat.kfast", "-o", "a.uf2"), ("uf2", "unpack", "a.uf2", "-o", "u"), ("man", "m"),
+                        ("new", "n.kfast", "--force")):
             self.assertNotEqual(self.run_kfast(*command).stdout, "", command)
             self.assertEqual(self.run_kfast(*command, "-q").stdout, "", command)
         (self.folder / "dot.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><circle r="4"/></svg>')
