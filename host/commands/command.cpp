@@ -17,14 +17,14 @@ namespace kfast {
 namespace {
 
 constexpr std::array commands{
-    &new_command,      &import_command,      &check_command,      &info_command,         &preview_command,
-    &render_command,   &hash_command,        &boards_command,     &panels_command,       &fit_command,
-    &compile_command,  &wiring_command,      &config_command,     &flash_command,        &uf2_command,
-    &simulate_command, &export_command,      &panel_command,      &devices_command,      &play_command,
-    &live_command,     &pause_command,       &resume_command,     &arm_command,          &disarm_command,
-    &seek_command,     &speed_command,       &brightness_command, &upload_command,       &slots_command,
-    &choose_command,   &erase_command,       &boot_command,       &install_udev_command, &help_command,
-    &schema_command,   &completions_command, &man_command};
+    &new_command,         &import_command, &check_command,      &info_command,         &preview_command,
+    &render_command,      &hash_command,   &boards_command,     &panels_command,       &fit_command,
+    &compile_command,     &wiring_command, &config_command,     &flash_command,        &uf2_command,
+    &simulate_command,    &export_command, &panel_command,      &devices_command,      &play_command,
+    &live_command,        &pause_command,  &resume_command,     &arm_command,          &disarm_command,
+    &seek_command,        &speed_command,  &brightness_command, &upload_command,       &slots_command,
+    &choose_command,      &erase_command,  &boot_command,       &install_udev_command, &schema_command,
+    &completions_command, &man_command,    &help_command};
 
 std::string exit_status_list()
 {

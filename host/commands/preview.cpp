@@ -143,9 +143,8 @@ CLI::Option* declare_showing(CLI::App& app, PreviewOptions& options)
            "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
            "... by frames, as render --all writes it")
         ->type_name("FOLDER");
-    CLI::Option* const board_speed =
-        app.add_flag("--board-speed", options.board_speed,
-                     "Play as slowly as the board of --board would, as key w does");
+    CLI::Option* const board_speed = app.add_flag(
+        "--board-speed", options.board_speed, "Play as slowly as the board of --board would, as key w does");
     return app.add_flag("--headless", options.headless, "Show nothing; print the events and a summary")
         ->excludes(terminal)
         ->excludes(loops)

@@ -24,7 +24,7 @@ bool have_common_name(const Part& left, const Part& right)
 
 bool is_guess(const Part& left, const Part& right)
 {
-    return !left.is_group && !have_common_name(left, right) && !looks_like(left, right);
+    return !left.is_group && !have_common_name(left, right) && !(left.drawing == right.drawing);
 }
 
 std::vector<const Part*> there(const PartLane& lane)

@@ -80,12 +80,15 @@ class UsageTest(CommandTest):
         self.refuse(status=2, says="a command is missing")
         self.refuse("hsh", "repeat.kfast", status=2, says='did you mean "hash"?')
         listed = self.run_kfast("frobnicate", status=2).stderr
-        self.assertRegex(listed, r"there is no command 'frobnicate': allowed: new, .*, boards, panels, .*, man\nTry")
+        self.assertRegex(listed, r"there is no command 'frobnicate': allowed: new, .*, boards, panels, .*, help\nTry")
         self.refuse("hsh", "repeat.kfast", "--size", "9x9", status=2, says='did you mean "hash"?\nTry \'kfast --help\'.')
         self.refuse("uf2", "pck", "--config", "a", status=2, says='did you mean "pack"?')
         self.refuse("hash", status=2, says="FILE is required")
         self.refuse("hash", "repeat.kfast", "--frobnicate", status=2, says="--frobnicate")
         self.refuse("hash", "repeat.kfast", "extra", status=2, says="extra")
+        self.refuse("export", "repeat.kfast", status=2, says="kfast: choose one of --header, --ild, --wav\n")
+        self.refuse("render", "repeat.kfast", "--all", "--contact", "-o", "a.png", status=2,
+                    says="kfast: choose one of --frame, --time, --all, --sheet, --contact\n")
 
     def test_an_option_that_there_is_not_is_told_first(self):
         self.refuse("render", "nothing.kfast", "--scal", "3", status=2, says='no option --scal: did you mean "--scale"?')
