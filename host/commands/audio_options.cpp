@@ -1,5 +1,6 @@
 #include "host/commands/audio_options.hpp"
 
+#include "host/commands/option_groups.hpp"
 #include "host/commands/sound_beam.hpp"
 #include "host/sound/sound_card.hpp"
 
@@ -23,6 +24,7 @@ void list_devices()
 
 CLI::Option* declare_audio_options(CLI::App& app, AudioOptions& options)
 {
+    const OptionHeading heading{app, option_group::sound};
     CLI::Option* audio = app.add_flag("--audio", options.is_heard,
                                       "Lead an oscilloscope on the sound card too: x left, y right");
     app.add_option("--audio-device", options.device, "Which sound card (default: the usual one)")

@@ -1,5 +1,6 @@
 #include "host/commands/beam_option.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 
 #include <functional>
 #include <string>
@@ -9,6 +10,7 @@ namespace {
 
 CLI::Option* add(CLI::App& app, const std::function<void(const ChosenBeam&)>& set)
 {
+    const OptionHeading heading{app, option_group::beam};
     CLI::Option* const beam =
         app.add_option_function<std::string>(
                "--beam", [set](const std::string& name) { set(chosen_beam(name)); },

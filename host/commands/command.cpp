@@ -1,10 +1,10 @@
 #include "host/commands/command.hpp"
 
 #include "firmware/version.hpp"
+#include "host/commands/help_page.hpp"
 #include "host/commands/old_names.hpp"
 #include "host/commands/usage_mistake.hpp"
 #include "host/failure.hpp"
-#include "host/text/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,13 +17,14 @@ namespace kfast {
 namespace {
 
 constexpr std::array commands{
-    &new_command,        &import_command,       &compile_command, &check_command,       &info_command,
-    &render_command,     &preview_command,      &hash_command,    &fit_command,         &export_command,
-    &config_command,     &wiring_command,       &uf2_command,     &flash_command,       &simulate_command,
-    &panel_command,      &devices_command,      &play_command,    &live_command,        &pause_command,
-    &resume_command,     &arm_command,          &disarm_command,  &seek_command,        &speed_command,
-    &brightness_command, &upload_command,       &slots_command,   &choose_command,      &erase_command,
-    &boot_command,       &install_udev_command, &schema_command,  &completions_command, &man_command};
+    &new_command,         &import_command, &check_command,      &info_command,         &preview_command,
+    &render_command,      &hash_command,   &boards_command,     &panels_command,       &fit_command,
+    &compile_command,     &wiring_command, &config_command,     &flash_command,        &uf2_command,
+    &simulate_command,    &export_command, &panel_command,      &devices_command,      &play_command,
+    &live_command,        &pause_command,  &resume_command,     &arm_command,          &disarm_command,
+    &seek_command,        &speed_command,  &brightness_command, &upload_command,       &slots_command,
+    &choose_command,      &erase_command,  &boot_command,       &install_udev_command, &schema_command,
+    &completions_command, &man_command,    &help_command};
 
 std::string exit_status_list()
 {
@@ -47,25 +48,15 @@ std::string usage_message(const CLI::App* kfast, const CLI::Error& error,
     return "kfast: " + usage_mistake(*command, error, arguments) + "\nTry 'kfast " + name + "--help'.\n";
 }
 
-/// CLI11 alone would name neither the word nor the commands there are.
-void require_one_of(std::span<const std::string_view> known, std::string_view word)
-{
-    if (word.starts_with('-') || std::ranges::find(known, word) != known.end())
-        return;
-    const std::string wrong =
-        word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
-    throw Failure(wrong + ": " + suggestion(word, known) + "\nTry 'kfast --help'.", ExitStatus::wrong_usage);
-}
-
 void require_command(std::span<const char* const> arguments)
 {
     const auto word = [&](std::size_t place) { return place < arguments.size() ? arguments[place] : ""; };
     std::array<std::string_view, commands.size()> names;
     std::ranges::transform(commands, names.begin(), &Command::name);
-    require_one_of(names, word(1));
+    require_command_among(names, word(1));
     const auto chosen = std::ranges::find(commands, std::string_view{word(1)}, &Command::name);
     if (chosen != commands.end() && !(*chosen)->subcommands.empty())
-        require_one_of((*chosen)->subcommands, word(2));
+        require_command_among((*chosen)->subcommands, word(2));
 }
 
 int fail(const char* reason, ExitStatus status = ExitStatus::wrong_input)
@@ -96,9 +87,11 @@ int parse_and_run(CLI::App& kfast, std::span<const char* const> arguments)
 
 void declare_commands(CLI::App& kfast)
 {
-    kfast.set_version_flag("--version", std::string("kfast ") + version);
+    kfast.formatter_fn(
+        [](const CLI::App* app, const std::string&, CLI::AppFormatMode) { return help_of(*app); });
+    kfast.set_version_flag("-V,-v,--version", std::string("kfast ") + version);
     kfast.footer(
-        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast COMMAND --help' tells more.\n\n" +
+        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast help COMMAND' tells more.\n\n" +
         exit_status_list());
     for (const Command* command : commands) {
         CLI::App* app = kfast.add_subcommand(command->name, command->summary)->group(command->group);
@@ -111,7 +104,8 @@ int run_command_line(int count, const char* const* arguments)
 {
     CLI::App kfast{"Vector key-frame animation for microcontroller-driven displays.", "kfast"};
     declare_commands(kfast);
-    const auto words = with_names_of_now({arguments, static_cast<std::size_t>(count)}, std::cerr);
+    const auto words =
+        with_help_as_option(with_names_of_now({arguments, static_cast<std::size_t>(count)}, std::cerr));
     std::vector<const char*> present(words.size());
     std::ranges::transform(words, present.begin(), &std::string::c_str);
     const int status = parse_and_run(kfast, present);

@@ -7,10 +7,12 @@
 namespace kfast {
 
 /// Under which the help lists commands.
-inline constexpr const char* scenes_group = "Scenes";
-inline constexpr const char* settings_group = "Settings and firmware";
-inline constexpr const char* editors_group = "For editors and shells (docs/editors.md)";
+inline constexpr const char* making_group = "Make a scene";
+inline constexpr const char* seeing_group = "See it";
+inline constexpr const char* board_group = "Put it on a board";
+inline constexpr const char* elsewhere_group = "Put it elsewhere";
 inline constexpr const char* devices_group = "Devices that are attached (docs/devices.md)";
+inline constexpr const char* help_group = "Help, editors and shells (docs/editors.md)";
 
 /// One subcommand of kfast.
 struct Command {
@@ -21,7 +23,7 @@ struct Command {
     /// for a wrong input or file, or what a device says, and CLI::ParseError for a wrong use.
     void (*declare)(CLI::App& app);
     std::span<const std::string_view> subcommands = {}; ///< if there are any, one of them follows
-    const char* group = scenes_group;
+    const char* group = making_group;
 };
 
 extern const Command new_command;
@@ -34,6 +36,8 @@ extern const Command preview_command;
 extern const Command hash_command;
 extern const Command simulate_command;
 extern const Command panel_command;
+extern const Command boards_command;
+extern const Command panels_command;
 extern const Command export_command;
 extern const Command fit_command;
 extern const Command config_command;
@@ -59,6 +63,7 @@ extern const Command install_udev_command;
 extern const Command schema_command;
 extern const Command completions_command;
 extern const Command man_command;
+extern const Command help_command;
 
 /// Adds all of them to `kfast`.
 void declare_commands(CLI::App& kfast);

@@ -1,6 +1,7 @@
 #include "host/commands/command_words.hpp"
 
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::array path_types{"FILE", "FILES", "FOLDER", "OUT", "INPUT", "PROFILE", "NAME|FILE", "PATH"};
+constexpr std::array path_types{"FILE", "FILES", "FOLDER", "OUT", "INPUT", "PROFILE", "PATH"};
 /// Positional arguments have no type of their own.
 constexpr std::array path_names{"FILE", "SCENE", "INPUT", "FOLDER"};
 
@@ -33,6 +34,22 @@ bool is_among(const Names& names, const std::string& name)
     return std::ranges::find(names, name) != names.end();
 }
 
+/// Of "SECONDS:0.1 to 3600", as number_within() has it.
+std::string range_of(const std::string& type)
+{
+    const std::size_t begin = type.find(':');
+    return begin != std::string::npos && type.find(" to ", begin) != std::string::npos
+               ? type.substr(begin + 1)
+               : "";
+}
+
+/// Among those of the command; help comes last.
+std::size_t place_in_lists(const OptionWords& option)
+{
+    const bool is_help = is_among(option.names, "--help");
+    return option.is_positional ? 0 : 1 + place_of_group(option.group) + (is_help ? 1 : 0);
+}
+
 OptionWords words_of(const CLI::Option& option)
 {
     OptionWords words;
@@ -50,6 +67,8 @@ OptionWords words_of(const CLI::Option& option)
     if (words.is_positional)
         words.names = {option.get_name(true)};
     words.type = option.get_type_name();
+    words.range = range_of(words.type);
+    words.default_text = option.get_default_str();
     words.type.resize(std::min(words.type.find(':'), words.type.size()));
     const bool is_output = is_among(words.names, "--output");
     words.takes_path =
@@ -74,6 +93,27 @@ void add_options(const CLI::App& app, CommandWords& words)
 
 }
 
+std::string whole_help(const OptionWords& option)
+{
+    constexpr std::string_view default_mark = "(default:";
+    std::string text = option.help;
+    if (!option.default_text.empty())
+        text += ' ' + std::string{default_mark} + ' ' + option.default_text + ')';
+    if (const std::size_t at = text.rfind(default_mark); !option.range.empty() && at != std::string::npos)
+        text.insert(at + 1, option.range + "; ");
+    else if (!option.range.empty())
+        text += " (" + option.range + ')';
+    if (option.is_required && !option.is_positional)
+        text += " (needed)";
+    if (option.takes_value && !option.offered.empty() &&
+        text.find(option.offered.front()) == std::string::npos) {
+        text += ". One of:";
+        for (const std::string& name : option.offered)
+            text += ' ' + name;
+    }
+    return text;
+}
+
 CommandWords words_of_command(const CLI::App& app, const std::string& name)
 {
     CommandWords words{.name = name,
@@ -83,6 +123,7 @@ CommandWords words_of_command(const CLI::App& app, const std::string& name)
                        .options = {},
                        .subcommands = {}};
     add_options(app, words);
+    std::ranges::stable_sort(words.options, {}, place_in_lists);
     for (const CLI::App* inner : app.get_subcommands([](const CLI::App*) { return true; }))
         if (!inner->get_name().empty())
             words.subcommands.push_back(

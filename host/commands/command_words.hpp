@@ -12,8 +12,10 @@ struct OptionWords {
     bool is_positional = false;
     bool takes_value = false;
     bool is_required = false;
-    bool takes_many = false; ///< one after the other
-    std::string type;        ///< how the help writes the value: "WxH"
+    bool takes_many = false;  ///< one after the other
+    std::string type;         ///< how the help writes the value: "WxH"
+    std::string range;        ///< of a number: "0.1 to 3600"; may be empty
+    std::string default_text; ///< unless the help has it
     std::string help;
     std::string group;
     std::vector<std::string> offered; ///< values that may be meant
@@ -21,13 +23,16 @@ struct OptionWords {
     std::vector<std::string> endings; ///< of the files that are meant, ".kfast"; none: all
 };
 
+/// The help with all that is known of the value: its range, its default, and the words it may be.
+std::string whole_help(const OptionWords& option);
+
 /// A command as the parser of the command line has it, and the commands inside of it.
 struct CommandWords {
     std::string name; ///< "uf2 pack"; the whole program has none
     std::string summary;
     std::string group;
-    std::string footer; ///< behind the help: examples
-    std::vector<OptionWords> options;
+    std::string footer;               ///< behind the help: examples
+    std::vector<OptionWords> options; ///< positional ones first, others by their groups (option_groups.hpp)
     std::vector<CommandWords> subcommands;
 };
 

@@ -4,11 +4,14 @@
 #include "host/commands/import_options.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/summary.hpp"
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
 
+#include <array>
 #include <iostream>
+#include <string_view>
 
 namespace kfast {
 namespace {
@@ -20,7 +23,33 @@ struct CompileOptions {
     std::string output;
     ImportChoice import_choice;
     FitOptions fit;
+    bool quiet = false;
 };
+
+/// What other commands make of a scene.
+struct OtherOutput {
+    std::string_view endings;
+    std::string_view remedy;
+};
+
+constexpr std::array other_outputs{
+    OtherOutput{" .h .hh .hpp .hxx .inc .c .cc .cpp .cxx ", "for a header: kfast export --header"},
+    OtherOutput{" .png .apng .gif .svg .mp4 .webm ", "for pictures: kfast render"},
+    OtherOutput{" .uf2 ", "for the drive of a Pico: kfast uf2 pack --scene"},
+    OtherOutput{" .ild ", "for an ILDA file: kfast export --ild"},
+    OtherOutput{" .wav ", "for a sound: kfast export --wav"},
+};
+
+/// By another ending it would be a compiled scene that nobody takes for one.
+void require_scene_name(const CompileOptions& options)
+{
+    const std::string ending = ' ' + fs::path{options.output}.extension().string() + ' ';
+    for (const auto& [endings, remedy] : other_outputs)
+        if (ending.size() > 2 && endings.find(ending) != endings.npos)
+            throw CLI::ValidationError("--output", "'" + options.output + "': a compiled scene is a .kfb; " +
+                                                       std::string{remedy} + ' ' + options.scene + " -o " +
+                                                       options.output);
+}
 
 fs::path chosen_output(const CompileOptions& options)
 {
@@ -38,13 +67,14 @@ void check_fit(const CompileOptions& options, const SceneFile& scene)
 
 void compile_scene(const CompileOptions& options)
 {
+    require_scene_name(options);
     const SceneFile scene = load_scene(options.scene, options.import_choice);
     if (!scene.was_text)
         throw Failure(options.scene + ": compiled already: name the .kfast file it was made from");
     check_fit(options, scene);
     const fs::path output = output_path(chosen_output(options), options.scene);
     write_file(output, scene.bytes);
-    std::cout << output.string() << ": " << summary(scene) << '\n';
+    report_stream(options.quiet) << output.string() << ": " << summary(scene) << '\n';
 }
 
 void declare_compile(CLI::App& app)
@@ -56,14 +86,18 @@ void declare_compile(CLI::App& app)
     declare_output(app, options->output, "The compiled scene (default: SCENE's name with .kfb)");
     declare_import_options(app, options->import_choice);
     declare_fit_options(app, options->fit);
+    declare_quiet(app, options->quiet);
     app.callback([options] { compile_scene(*options); });
 }
 
 }
 
-const Command compile_command{"compile", "Turn a scene text into the .kfb file a board plays",
+const Command compile_command{"compile",
+                              "Turn a scene text into the .kfb file a board plays",
                               "kfast compile eyes.kfast -o eyes.kfb\n"
                               "  kfast compile eyes.json --strict",
-                              declare_compile};
+                              declare_compile,
+                              {},
+                              board_group};
 
 }

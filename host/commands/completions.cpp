@@ -38,6 +38,6 @@ const Command completions_command{"completions",
                                   "kfast completions bash > ~/.local/share/bash-completion/completions/kfast",
                                   declare_completions,
                                   {},
-                                  editors_group};
+                                  help_group};
 
 }

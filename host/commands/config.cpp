@@ -3,6 +3,7 @@
 #include "host/commands/offered_names.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/config_text.hpp"
 #include "host/config/configurations.hpp"
@@ -25,6 +26,7 @@ struct ConfigOptions {
     std::string input;
     std::string output;
     bool list = false;
+    bool quiet = false;
 };
 
 using SettingsBytes = std::vector<std::byte>;
@@ -69,7 +71,8 @@ void write_settings(const ConfigOptions& options, const BoardSettings& settings)
     const OutputForm& form = form_of(options.output);
     const fs::path output = output_path(options.output, options.input, "file that is read");
     write_file(output, form.bytes(settings));
-    std::cout << output.string() << ": settings of " << options.input << ", " << form.noun << '\n';
+    report_stream(options.quiet) << output.string() << ": settings of " << options.input << ", " << form.noun
+                                 << '\n';
 }
 
 std::string first_comment(std::string_view text) { return std::string{text.substr(3, text.find('\n') - 3)}; }
@@ -114,6 +117,7 @@ void declare_config(CLI::App& app)
         StandardOutput::is_meant);
     offer_names(input, config::configurations());
     app.add_flag("--list", options->list, "Name the ready configurations")->excludes(input)->excludes(output);
+    declare_quiet(app, options->quiet);
     app.callback([options] { run(*options); });
 }
 
@@ -124,6 +128,6 @@ const Command config_command{"config",
                              "kfast config pico-st7789 -o gadget.kdl",
                              declare_config,
                              {},
-                             settings_group};
+                             board_group};
 
 }

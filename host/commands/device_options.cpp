@@ -1,6 +1,7 @@
 #include "host/commands/device_options.hpp"
 
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/report_options.hpp"
 #include "host/link/device_choice.hpp"
 #include "host/link/hid_pipe.hpp"
@@ -17,6 +18,7 @@ constexpr double longest_timeout = 3600;
 
 void declare_device_options(CLI::App& app, DeviceOptions& options)
 {
+    const OptionHeading heading{app, option_group::device};
     app.add_option("--device", options.devices,
                    "The device: a serial number, 'all', or 'sim', a simulated one; may be repeated")
         ->type_name("SERIAL")
@@ -26,6 +28,7 @@ void declare_device_options(CLI::App& app, DeviceOptions& options)
 
 void declare_talk_options(CLI::App& app, DeviceOptions& options)
 {
+    const OptionHeading heading{app, option_group::device};
     app.add_option("--timeout", options.timeout, "Seconds to wait for a device that is silent (default: 10)")
         ->type_name("SECONDS")
         ->check(number_within(shortest_timeout, longest_timeout));

@@ -1,6 +1,7 @@
 #include "host/commands/drawing_options.hpp"
 
 #include "host/commands/input_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/counted.hpp"
 #include "host/drawing_text.hpp"
 #include "host/input_file.hpp"
@@ -60,6 +61,7 @@ ToldDrawing drawing_in(const std::string& file)
 
 void declare_drawing_options(CLI::App& app, DrawingOptions& options)
 {
+    const OptionHeading heading{app, option_group::inputs};
     app.add_option("--drawing", options.texts,
                    "What a drawing among the inputs is told: a text like \"10,20 30,40 / 50,60\"; may be "
                    "repeated")

@@ -4,8 +4,10 @@
 #include "host/commands/export_kinds.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 
 #include <array>
 #include <memory>
@@ -37,6 +39,7 @@ void belong_to(const Kind& kind, const Options& options)
 
 Options declare_header_options(CLI::App& app, ExportOptions& options)
 {
+    const OptionHeading heading{app, option_group::output};
     CLI::Option* name =
         app.add_option_function<std::string>(
                "--array-name", [&options](const std::string& text) { options.name = checked_c_name(text); },
@@ -48,6 +51,7 @@ Options declare_header_options(CLI::App& app, ExportOptions& options)
 
 Options declare_ilda_options(CLI::App& app, ExportOptions& options)
 {
+    const OptionHeading heading{app, option_group::output};
     return {app.add_option("--ilda-format", options.ilda_format,
                            "With --ild: 0 3-D and indexed, 1 2-D and indexed, 4 3-D and true colour, 5 2-D "
                            "and true colour (default: 5)")
@@ -57,6 +61,7 @@ Options declare_ilda_options(CLI::App& app, ExportOptions& options)
 
 Options declare_wave_options(CLI::App& app, ExportOptions& options)
 {
+    const OptionHeading heading{app, option_group::sound};
     Options all = declare_sound_options(app, options.sound);
     all.push_back(app.add_option("--bits", options.bits, "With --wav: of a sample, 16 or 24 (default: 16)")
                       ->type_name("N")
@@ -79,22 +84,28 @@ Options declare_beam_options(CLI::App& app, ExportOptions& options)
             app.get_option("--drawing")};
 }
 
+std::array<Kind, 3> declare_kinds(CLI::App& app)
+{
+    const OptionHeading heading{app, option_group::what_to_make};
+    CLI::Option_group& group = *app.add_option_group(option_group::what_to_make);
+    group.require_option(1);
+    return {add_kind(group, "--header", "An array in a header for C and C++", export_header),
+            add_kind(group, "--ild", "An ILDA file with the frames of one play, for lasers", export_ilda),
+            add_kind(group, "--wav", "A sound that leads an oscilloscope: x left, y right", export_wave)};
+}
+
 void declare_export(CLI::App& app)
 {
     const auto options = std::make_shared<ExportOptions>();
     app.add_option("FILE", options->scene, loaded_scene)->required();
-    CLI::Option_group& group = *app.add_option_group("What to make (one of these)");
-    const std::array kinds{
-        add_kind(group, "--header", "An array in a header for C and C++", export_header),
-        add_kind(group, "--ild", "An ILDA file with the frames of one play, for lasers", export_ilda),
-        add_kind(group, "--wav", "A sound that leads an oscilloscope: x left, y right", export_wave)};
-    group.require_option(1);
+    const auto kinds = declare_kinds(app);
     declare_output(app, options->output, "The file (default: FILE's name with .h, .ild or .wav)");
     belong_to(kinds[0], declare_header_options(app, *options));
     belong_to(kinds[1], declare_ilda_options(app, *options));
     belong_to(kinds[2], declare_wave_options(app, *options));
     for (CLI::Option* option : declare_beam_options(app, *options))
         option->excludes(kinds[0].flag);
+    declare_quiet(app, options->quiet);
     app.callback([options, kinds] {
         for (const auto& [flag, run] : kinds)
             if (flag->count() > 0)
@@ -116,6 +127,8 @@ const Command export_command{"export",
                              "kfast export --header eyes.kfast -o eyes.h\n"
                              "  kfast export --ild eyes.kfast --beam galvo\n"
                              "  kfast export --wav eyes.kfast --sample-rate 96000 --seconds 60",
-                             declare_export};
+                             declare_export,
+                             {},
+                             elsewhere_group};
 
 }

@@ -1,6 +1,7 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/c_name.hpp"
 #include "host/commands/export_kinds.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/scene_header.hpp"
 #include "host/commands/summary.hpp"
 #include "host/counted.hpp"
@@ -19,9 +20,10 @@ void export_header(const ExportOptions& options)
                              panel_size(options.picture, scene.view)};
     const std::string text = header_text(header, scene);
     write_file(output, std::as_bytes(std::span{text}));
-    std::cout << output.string() << ": " << name << "[], " << contents_summary(scene) << ", "
-              << counted(block_bytes(header, scene), "byte") << " to be lent at " << header.panel.width << 'x'
-              << header.panel.height << ", the player included\n";
+    report_stream(options.quiet) << output.string() << ": " << name << "[], " << contents_summary(scene)
+                                 << ", " << counted(block_bytes(header, scene), "byte") << " to be lent at "
+                                 << header.panel.width << 'x' << header.panel.height
+                                 << ", the player included\n";
 }
 
 }

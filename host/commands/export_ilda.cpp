@@ -2,6 +2,7 @@
 #include "host/beam/ilda_palette.hpp"
 #include "host/beam/ilda_writer.hpp"
 #include "host/commands/export_kinds.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/sound_beam.hpp"
 #include "host/commands/work_bar.hpp"
 #include "host/counted.hpp"
@@ -56,12 +57,12 @@ Drawn drawn_frames(BeamSource& source, const Timeline& timeline)
     return drawn;
 }
 
-void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t rate)
+void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t rate, std::ostream& out)
 {
-    std::cout << output.string() << ": " << counted(drawn.frames.size(), "frame") << ", "
-              << counted(drawn.points, "point") << ", at most " << drawn.most_points << " in a frame ("
-              << rate / std::max<std::size_t>(drawn.most_points, 1) << " times a second at " << rate
-              << " points a second)\n";
+    out << output.string() << ": " << counted(drawn.frames.size(), "frame") << ", "
+        << counted(drawn.points, "point") << ", at most " << drawn.most_points << " in a frame ("
+        << rate / std::max<std::size_t>(drawn.most_points, 1) << " times a second at " << rate
+        << " points a second)\n";
     if (drawn.hasty > 0)
         std::cerr
             << "kfast: " << counted(drawn.hasty, "frame")
@@ -92,7 +93,7 @@ void export_ilda(const ExportOptions& options)
     const std::string name = std::filesystem::path{options.scene}.stem().string();
     const auto format = static_cast<IldaFormat>(options.ilda_format);
     write_file(output, ilda_file(name, format, drawn.frames));
-    tell(output, drawn, source.profile().rate);
+    tell(output, drawn, source.profile().rate, report_stream(options.quiet));
     tell_colours(drawn, format);
 }
 

@@ -23,6 +23,7 @@ struct ExportOptions {
     int bits = 16;
     std::optional<double> seconds; ///< none: one play
     SoundOptions sound;
+    bool quiet = false;
 };
 
 /// Where to: as chosen, else the scene's name with this ending.

@@ -1,5 +1,6 @@
 #include "host/atomic_file.hpp"
 #include "host/commands/export_kinds.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/sound_beam.hpp"
 #include "host/commands/work_bar.hpp"
 #include "host/counted.hpp"
@@ -44,13 +45,13 @@ try {
 
 std::string percent(std::int16_t place) { return rounded_text(std::round(place * 1000.0 / field_side) / 10); }
 
-void tell(const SoundLoop& loop, std::uint32_t rate)
+void tell(const SoundLoop& loop, std::uint32_t rate, std::ostream& out)
 {
     const auto samples = static_cast<double>(loop.points.size());
     const FieldPoint mean = mean_place(loop.points);
-    std::cout << rounded_text(samples / rate) << " s, " << counted(loop.tours, "tour") << ", "
-              << rounded_text(std::round(static_cast<double>(loop.tours) * rate / samples))
-              << " a second, middle at " << percent(mean.x) << " % " << percent(mean.y) << " %\n";
+    out << rounded_text(samples / rate) << " s, " << counted(loop.tours, "tour") << ", "
+        << rounded_text(std::round(static_cast<double>(loop.tours) * rate / samples))
+        << " a second, middle at " << percent(mean.x) << " % " << percent(mean.y) << " %\n";
     if (loop.hasty_tours > 0)
         std::cerr << "kfast: " << counted(loop.hasty_tours, "tour")
                   << " had to be drawn faster and coarser: a higher --sample-rate draws finer\n";
@@ -72,8 +73,9 @@ void export_wave(const ExportOptions& options)
     const SoundLoop loop = made_loop(source, timeline, length);
     const std::uint32_t rate = options.sound.rate;
     write_file(output, wave_file(loop.points, options.sound.deflection, rate, options.bits));
-    std::cout << output.string() << ": ";
-    tell(loop, rate);
+    std::ostream& out = report_stream(options.quiet);
+    out << output.string() << ": ";
+    tell(loop, rate, out);
 }
 
 }

@@ -51,10 +51,13 @@ void declare_fit(CLI::App& app)
 
 }
 
-const Command fit_command{"fit", "Tell whether a scene fits a board, and how fast it plays there",
+const Command fit_command{"fit",
+                          "Tell whether a scene fits a board, and how fast it plays there",
                           "kfast fit eyes.kfast --board pico\n"
                           "  kfast fit eyes.kfast --board pico --panel ssd1306 --fps 25\n"
                           "  kfast fit eyes.kfast --board my-board.kdl --json",
-                          declare_fit};
+                          declare_fit,
+                          {},
+                          board_group};
 
 }

@@ -3,6 +3,7 @@
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/work_bar.hpp"
 #include "host/failure.hpp"
 #include "host/fit/beam_fit.hpp"
@@ -28,6 +29,7 @@ fit::Display panel_named(const std::string& name)
 
 CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
 {
+    const OptionHeading heading{app, option_group::board};
     CLI::Option* const board = app.add_option("--board", options.board,
                                               "A known board (" + names_of(fit::board_texts()) +
                                                   "), or the file that describes yours (docs/fit.md)")

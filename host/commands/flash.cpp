@@ -6,6 +6,7 @@
 #include "host/commands/flash_report.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/json_text.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/config/firmware_images.hpp"
 #include "host/failure.hpp"
 #include "host/fit/other_hardware.hpp"
@@ -129,10 +130,8 @@ void run(const FlashOptions& options)
 void declare_contents(CLI::App& app, FlashOptions& options)
 {
     app.add_option("SCENE", options.plan.scene, std::string{"The built-in scene. "} + loaded_scene);
-    app.add_option("--board", options.board, "The kind of the board: pico, which is usual")
-        ->type_name("NAME")
-        ->check(CLI::Validator{mistaken_board, ""});
     declare_settings_options(app, options.plan.settings);
+    const OptionHeading heading{app, option_group::contents};
     CLI::Option* const firmware =
         app.add_option("--firmware", options.plan.firmware,
                        "The .bin of a firmware (default: the installed one for the bus of the display)")
@@ -143,13 +142,19 @@ void declare_contents(CLI::App& app, FlashOptions& options)
 
 void declare_place(CLI::App& app, FlashOptions& options)
 {
+    app.add_option("--board", options.board, "The kind of the board: pico, which is usual")
+        ->type_name("NAME")
+        ->check(CLI::Validator{mistaken_board, ""})
+        ->group(option_group::board);
+    const OptionHeading heading{app, option_group::boot};
     CLI::Option* const port =
         app.add_option("--port", options.place.port, "The board in its boot loader at this port, like 1-2.3")
             ->type_name("PORT");
     CLI::Option* const serial = app.add_option("--device", options.place.serial,
                                                "The board that runs KFAST and has this serial number")
                                     ->type_name("SERIAL")
-                                    ->excludes(port);
+                                    ->excludes(port)
+                                    ->group(option_group::device);
     CLI::Option* const drive =
         app.add_option("--drive", options.place.drive,
                        "The folder of the drive RPI-RP2: writes to it, which cannot be verified")
@@ -195,6 +200,6 @@ const Command flash_command{.name = "flash",
                                 "Put firmware, settings and a scene on a board by USB, and see it play",
                             .example = "kfast flash eyes.kfast --panel gc9a01 --pin dc=8",
                             .declare = declare_flash,
-                            .group = settings_group};
+                            .group = board_group};
 
 }

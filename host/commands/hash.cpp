@@ -68,9 +68,12 @@ void declare_hash(CLI::App& app)
 
 }
 
-const Command hash_command{"hash", "Print the CRC-32 of every frame, the same on every target",
+const Command hash_command{"hash",
+                           "Print the CRC-32 of every frame, the same on every target",
                            "kfast hash eyes.kfb --size 128x64 --format mono1\n"
                            "  kfast hash eyes.kfb --beam scope",
-                           declare_hash};
+                           declare_hash,
+                           {},
+                           seeing_group};
 
 }

@@ -7,6 +7,7 @@
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
 #include "host/commands/report_options.hpp"
@@ -39,6 +40,7 @@ struct ImportOptions {
     ImportChoice choice;
     bool whole_list = false;
     bool json = false;
+    bool quiet = false;
 
     const std::string& input() const { return drawings.empty() ? file : drawings.front(); }
     bool to_standard_output() const { return output == "-"; }
@@ -140,7 +142,8 @@ void print_report(const ImportOptions& options, const std::string& scene, const 
                               Player::block_bytes(view, view.canvas()),
                               options.choice.options.size.has_value()};
     const auto length = options.whole_list ? importing::ListLength::whole : importing::ListLength::cut;
-    std::ostream& out = options.to_standard_output() ? std::cerr : std::cout;
+    std::ostream& out =
+        options.to_standard_output() && !options.quiet ? std::cerr : report_stream(options.quiet);
     out << (options.json ? import_json(report) : import_text(report, length));
 }
 
@@ -155,41 +158,35 @@ void run(const ImportOptions& options)
 
 void declare_key_options(CLI::App& app, ImportOptions& options)
 {
-    constexpr const char* group = "Key drawings of SVG (docs/import-svg.md)";
+    const OptionHeading heading{app, option_group::key_drawings};
     svg::KeyOptions& keys = options.choice.options.drawings;
     CLI::Option* const drawings = app.add_option("--keys", options.drawings,
                                                  "Several .svg files, each the same picture at another time")
-                                      ->type_name("FILES")
-                                      ->group(group);
+                                      ->type_name("FILES");
     CLI::Option* const times =
         app.add_option("--at", options.times, "When: a frame, or a time like 0.5s, for each of them")
-            ->type_name("TIMES")
-            ->group(group);
+            ->type_name("TIMES");
     drawings->needs(times);
     times->needs(drawings);
     app.add_option("--fps", keys.frame_rate, "Frames per second (default: 30)")
         ->type_name("NUMBER")
-        ->check(number_within(1, fastest))
-        ->group(group);
+        ->check(number_within(1, fastest));
     app.add_option_function<std::string>(
            "--law", [&keys](const std::string& text) { keys.ease = read_ease("--law", text); },
            "How it goes from key to key (default: constant)")
-        ->type_name("LAW")
-        ->group(group);
+        ->type_name("LAW");
     CLI::Option* const end =
         app.add_option_function<std::string>(
                "--end",
                [&keys](const std::string& name) { keys.ending = named(endings, "--end", name).value; },
                "After the last key: " + names_of(endings) + " (default: auto)")
-            ->type_name("HOW")
-            ->group(group);
+            ->type_name("HOW");
     CLI::Option* const layers =
         app.add_option_function<std::string>(
                "--layers",
                [&keys](const std::string& name) { keys.layers = named(layer_keys, "--layers", name).value; },
                "Layers named by frames, as keys: " + names_of(layer_keys) + " (default: auto)")
-            ->type_name("WHEN")
-            ->group(group);
+            ->type_name("WHEN");
     offer_names(end, endings);
     offer_names(layers, layer_keys);
 }
@@ -209,8 +206,9 @@ void declare_import(CLI::App& app)
                    "The scene text, - for standard output (default: FILE's name with .kfast)",
                    StandardOutput::is_meant);
     app.add_flag("--all-losses", options->whole_list,
-                 "All that is not carried over, however long the list is");
-    declare_json(app, options->json);
+                 "All that is not carried over, however long the list is")
+        ->group(option_group::report);
+    declare_quiet(app, options->quiet)->excludes(declare_json(app, options->json));
     declare_import_options(app, options->choice);
     declare_key_options(app, *options);
     app.callback([options] {

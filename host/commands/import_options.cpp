@@ -1,6 +1,7 @@
 #include "host/commands/import_options.hpp"
 
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/import/canvas_size.hpp"
 #include "host/scene/palette.hpp"
@@ -11,8 +12,6 @@
 
 namespace kfast {
 namespace {
-
-constexpr const char* group = "Files of other programs (docs/import.md)";
 
 constexpr double widest_tolerance = 64;
 
@@ -59,12 +58,13 @@ void declare_import_options(CLI::App& app, ImportChoice& choice)
                        "Which one of a .lottie file that has several (default: the one it begins with)")
             ->type_name("ID")};
     for (CLI::Option* option : only_for_imports)
-        option->group(group)->each(
-            [&choice, name = option->get_name()](const std::string&) { choice.only_for_imports = name; });
+        option->group(option_group::imports)->each([&choice, name = option->get_name()](const std::string&) {
+            choice.only_for_imports = name;
+        });
     app.add_flag_callback(
            "--strict", [&choice] { choice.on_loss = OnLoss::refuse; },
            "Refuse a file of which something is not carried over")
-        ->group(group);
+        ->group(option_group::imports);
 }
 
 }

@@ -7,6 +7,7 @@
 #include "host/commands/item_tracks.hpp"
 #include "host/commands/json_text.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/report_options.hpp"
 #include "host/commands/summary.hpp"
@@ -288,7 +289,8 @@ void declare_info(CLI::App& app)
     app.add_option("FILE", options->file, "A scene text (.kfast), a compiled scene (.kfb) or an ILDA file")
         ->required();
     declare_json(app, options->json);
-    app.add_flag("--tracks", options->tracks, "All that moves and turns items and bones, and when");
+    app.add_flag("--tracks", options->tracks, "All that moves and turns items and bones, and when")
+        ->group(option_group::report);
     app.add_option("--point-rate", options->rate,
                    "How many points of an ILDA file are played in a second (default: 30000)")
         ->type_name("HZ")

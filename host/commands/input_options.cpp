@@ -2,6 +2,7 @@
 
 #include "host/commands/input_names.hpp"
 #include "host/commands/input_value.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/input_text.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -89,6 +90,7 @@ InputValue usual_value(const InputView& input)
 
 void declare_input_options(CLI::App& app, InputOptions& options)
 {
+    const OptionHeading heading{app, option_group::inputs};
     app.add_option("--input", options.texts, "What an input of the scene is; may be repeated")
         ->type_name("NAME=VALUE");
 }

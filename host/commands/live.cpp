@@ -4,6 +4,7 @@
 #include "host/commands/import_options.hpp"
 #include "host/commands/live_stream.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/playing_text.hpp"
 #include "host/commands/sent_scene.hpp"
 #include "host/failure.hpp"
@@ -143,27 +144,33 @@ void live(const LiveOptions& options)
     print_playing(devices.all(), options.device);
 }
 
-void declare_live(CLI::App& app)
+void declare_manner(CLI::App& app, LiveOptions& options)
 {
     constexpr double fastest = 1000;
     constexpr double shortest_silence = 0.1;
     constexpr double longest_silence = 60;
-    const auto options = std::make_shared<LiveOptions>();
-    app.add_option("SCENE", options->file,
-                   std::string{loaded_scene} + " to play from RAM (default: what plays)");
-    app.add_option("--rate", options->manner.rate, "So many lines a second (default: as they come)")
+    const OptionHeading heading{app, option_group::play};
+    app.add_option("--rate", options.manner.rate, "So many lines a second (default: as they come)")
         ->type_name("NUMBER")
         ->check(number_within(0.01, fastest));
     app.add_option_function<std::string>(
            "--on-silence",
-           [options](const std::string& text) { options->manner.afterwards = read_afterwards(text); },
+           [&options](const std::string& text) { options.manner.afterwards = read_afterwards(text); },
            "When no more values come: go-on playing (default), hold the picture, or return to the "
            "scene of the start")
         ->type_name("WHAT");
-    app.add_option("--silence", options->silence,
+    app.add_option("--silence", options.silence,
                    "Seconds after which a device takes this computer for gone (default: 1)")
         ->type_name("SECONDS")
         ->check(number_within(shortest_silence, longest_silence));
+}
+
+void declare_live(CLI::App& app)
+{
+    const auto options = std::make_shared<LiveOptions>();
+    app.add_option("SCENE", options->file,
+                   std::string{loaded_scene} + " to play from RAM (default: what plays)");
+    declare_manner(app, *options);
     declare_device_options(app, options->device);
     app.callback([options] { live(*options); });
 }

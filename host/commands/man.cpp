@@ -2,6 +2,8 @@
 #include "host/commands/command.hpp"
 #include "host/commands/man_page.hpp"
 #include "host/commands/output_folder.hpp"
+#include "host/commands/report_options.hpp"
+#include "host/counted.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -21,17 +23,30 @@ void write_pages(const std::vector<ManPage>& pages, const std::filesystem::path&
     }
 }
 
+struct ManOptions {
+    std::string folder;
+    bool quiet = false;
+};
+
+void print_or_write(const ManOptions& options, const std::vector<ManPage>& pages)
+{
+    if (options.folder.empty()) {
+        std::cout << pages.front().text;
+        return;
+    }
+    write_pages(pages, options.folder);
+    report_stream(options.quiet) << options.folder << ": " << counted(pages.size(), "manual page")
+                                 << " in man1 and man5\n";
+}
+
 void declare_man(CLI::App& app)
 {
-    const auto folder = std::make_shared<std::string>();
-    app.add_option("FOLDER", *folder,
+    const auto options = std::make_shared<ManOptions>();
+    app.add_option("FOLDER", options->folder,
                    "Where to write the pages of all commands, in man1 and man5; made if need be");
-    app.callback([folder, &app] {
-        const auto pages = man_pages(words_of_command(*app.get_parent()), scene::vocabulary());
-        if (folder->empty())
-            std::cout << pages.front().text;
-        else
-            write_pages(pages, *folder);
+    declare_quiet(app, options->quiet);
+    app.callback([options, &app] {
+        print_or_write(*options, man_pages(words_of_command(*app.get_parent()), scene::vocabulary()));
     });
 }
 
@@ -42,6 +57,6 @@ const Command man_command{"man",
                           "kfast man ~/.local/share/man\n  kfast man | man -l -",
                           declare_man,
                           {},
-                          editors_group};
+                          help_group};
 
 }

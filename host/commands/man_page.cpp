@@ -78,18 +78,6 @@ std::string term_of(const OptionWords& option)
     return option.takes_value ? names + ' ' + italic(option.type) : names;
 }
 
-std::string text_of(const OptionWords& option)
-{
-    std::string text = option.help + (option.is_required && !option.is_positional ? " (needed)" : "");
-    if (option.takes_value && !option.offered.empty() &&
-        option.help.find(option.offered.front()) == std::string::npos) {
-        text += ". One of:";
-        for (const std::string& name : option.offered)
-            text += ' ' + name;
-    }
-    return plain(text);
-}
-
 std::string synopsis(const CommandWords& command)
 {
     std::string text = ".SH SYNOPSIS\n" + bold("kfast" + (command.name.empty() ? "" : ' ' + command.name));
@@ -104,27 +92,27 @@ std::string synopsis(const CommandWords& command)
     return text + '\n';
 }
 
-std::string terms_of(const CommandWords& command, const std::string& group, bool are_positional)
+std::string section_of(const CommandWords& command, const std::string& title, auto is_in)
 {
     std::string terms;
     for (const OptionWords& option : command.options)
-        if (option.is_positional == are_positional && option.group == group)
-            terms += term(term_of(option), text_of(option));
-    return terms;
+        if (is_in(option))
+            terms += term(term_of(option), plain(whole_help(option)));
+    return terms.empty() ? "" : ".SH " + title + '\n' + terms;
 }
 
-std::string options_section(const CommandWords& command)
+std::string options_sections(const CommandWords& command)
 {
-    std::string text;
+    std::string text =
+        section_of(command, "ARGUMENTS", [](const OptionWords& option) { return option.is_positional; });
     std::set<std::string> groups;
     for (const OptionWords& option : command.options)
-        if (groups.insert(option.group).second) {
-            const bool is_usual = option.group == "Options";
-            if (const std::string terms = terms_of(command, option.group, true); !terms.empty())
-                text += ".SH ARGUMENTS\n" + terms;
-            if (const std::string terms = terms_of(command, option.group, false); !terms.empty())
-                text += ".SH " + (is_usual ? "OPTIONS" : '"' + plain(option.group) + '"') + '\n' + terms;
-        }
+        if (!option.is_positional && groups.insert(option.group).second)
+            text +=
+                section_of(command, option.group == "Options" ? "OPTIONS" : '"' + plain(option.group) + '"',
+                           [&](const OptionWords& other) {
+                               return !other.is_positional && other.group == option.group;
+                           });
     return text;
 }
 
@@ -172,7 +160,7 @@ ManPage page_of(const CommandWords& command)
 {
     const std::string name = page_name(command.name);
     std::string text = head(name, "1", command.summary) + synopsis(command) + commands_of(command) +
-                       options_section(command) + examples_of(command);
+                       options_sections(command) + examples_of(command);
     text += command.name.empty() ? exit_status() : "";
     text += ".SH SEE ALSO\n" + (command.name.empty() ? "" : reference("kfast", "1") + ", ") +
             reference("kfast-scene", "5") + '\n';

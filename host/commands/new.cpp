@@ -2,6 +2,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/named_choice.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/template_list.hpp"
 #include "host/failure.hpp"
 #include "host/preview/borrowed_terminal.hpp"
@@ -21,6 +22,7 @@ struct NewOptions {
     bool list = false;
     bool json = false;
     bool force = false;
+    bool quiet = false;
 };
 
 void require_free(const fs::path& path)
@@ -40,8 +42,8 @@ void write_scene(const NewOptions& options)
     if (!options.force)
         require_free(path);
     write_file(path, std::as_bytes(std::span{options.text}));
-    std::cout << path.string() << ": a scene to start from; see it with: kfast preview " << path.string()
-              << '\n';
+    report_stream(options.quiet) << path.string() << ": a scene to start from; see it with: kfast preview "
+                                 << path.string() << '\n';
 }
 
 void print_list(bool as_json)
@@ -69,7 +71,8 @@ void declare_new(CLI::App& app)
     CLI::Option* const list =
         app.add_flag("--list", options->list, "Show the scenes of the gallery, in a terminal with pictures");
     list->excludes(path)->excludes(like)->excludes(force);
-    app.add_flag("--json", options->json, "For tools: the list as a JSON array")->needs(list);
+    declare_json(app, options->json)->needs(list);
+    declare_quiet(app, options->quiet);
     app.callback([options] { options->list ? print_list(options->json) : write_scene(*options); });
 }
 

@@ -2,15 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <iterator>
 #include <string>
 
 namespace kfast {
 
-/// A validator of CLI11 for numbers within bounds. CLI::Range takes what is no number at all ("nan") for one
-/// within them.
+/// A validator of CLI11 for numbers within bounds, which it describes as "0.1 to 3600". CLI::Range takes what
+/// is no number at all ("nan") for one within them.
 inline CLI::Validator number_within(double least, double most)
 {
-    const std::string bounds = CLI::detail::to_string(least) + " to " + CLI::detail::to_string(most);
+    const auto written = [](double bound) {
+        char digits[32];
+        return std::string{digits,
+                           std::to_chars(digits, std::end(digits), bound, std::chars_format::fixed).ptr};
+    };
+    const std::string bounds = written(least) + " to " + written(most);
     const auto mistake = [=](const std::string& text) {
         double value = 0;
         const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -18,7 +24,7 @@ inline CLI::Validator number_within(double least, double most)
         return is_number && value >= least && value <= most ? ""
                                                             : "'" + text + "' is not a number from " + bounds;
     };
-    return {mistake, "NUMBER from " + bounds};
+    return {mistake, bounds};
 }
 
 }

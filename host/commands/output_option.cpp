@@ -1,10 +1,12 @@
 #include "host/commands/output_option.hpp"
+#include "host/commands/option_groups.hpp"
 
 namespace kfast {
 
 CLI::Option* declare_output(CLI::App& app, std::string& output, const std::string& help,
                             StandardOutput by_dash)
 {
+    const OptionHeading heading{app, option_group::output};
     const auto mistake = [by_dash](const std::string& name) -> std::string {
         if (name.empty())
             return "the name is empty: say where to write";

@@ -3,6 +3,7 @@
 #include "host/commands/import_options.hpp"
 #include "host/commands/input_values.hpp"
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/commands/wired_panel_options.hpp"
 #include "host/config/mistake_text.hpp"
@@ -109,7 +110,8 @@ void declare_panel(CLI::App& app)
     declare_drawing_options(app, options->drawings);
     app.add_option("--frames", options->frames, "End after so many (default: Ctrl-C ends it)")
         ->type_name("N")
-        ->check(number_within(1, 1e9));
+        ->check(number_within(1, 1e9))
+        ->group(option_group::play);
     app.callback([options] { show(*options); });
 }
 
@@ -119,6 +121,8 @@ const Command panel_command{"panel",
                             "Play a scene on a display that is wired to this computer (docs/panel.md)",
                             "kfast panel eyes.kfast --panel st7789 --spi /dev/spidev0.0 --clock 40MHz \\\n"
                             "      --pin dc=GPIO25 --pin reset=GPIO27 --pin backlight=GPIO24",
-                            declare_panel};
+                            declare_panel,
+                            {},
+                            elsewhere_group};
 
 }

@@ -1,8 +1,10 @@
 #include "host/commands/picture_options.hpp"
 
+#include "firmware/controller_facts.hpp"
 #include "host/commands/input_values.hpp"
 #include "host/commands/named_choice.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/picture/board_source.hpp"
@@ -26,6 +28,7 @@ using OnText = std::function<void(const std::string&)>;
 CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& text,
                  const OnText& set)
 {
+    const OptionHeading heading{app, option_group::display};
     return app.add_option_function<std::string>(name, set, text)->type_name(type);
 }
 
@@ -92,6 +95,20 @@ void declare_seen_options(CLI::App& app, PictureOptions& options)
 Size panel_size(const PictureOptions& options, const SceneView& scene)
 {
     return options.panel != nullptr ? options.panel->settings.size() : options.size.value_or(scene.canvas());
+}
+
+Size shown_size(const PictureOptions& options, const SceneView& scene)
+{
+    return options.screen.beam ? screen_size(options.size) : panel_size(options, scene);
+}
+
+PictureOptions drawn_at(PictureOptions options, Size size)
+{
+    if (options.panel != nullptr)
+        options.format = facts_of(options.panel->settings.controller).format;
+    options.panel = nullptr;
+    options.size = size;
+    return options;
 }
 
 void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source)

@@ -39,6 +39,10 @@ CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
 void declare_size_options(CLI::App& app, PictureOptions& options);
 
 Size panel_size(const PictureOptions& options, const SceneView& scene);
+/// Of the pictures that open_source() makes.
+Size shown_size(const PictureOptions& options, const SceneView& scene);
+/// The same display with another size: of a known panel, its pixels alone are left.
+PictureOptions drawn_at(PictureOptions options, Size size);
 
 /// Tells what is chosen. Throws as chosen_values() and put_values().
 void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);

@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/device_options.hpp"
 #include "host/commands/import_options.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/commands/playing_text.hpp"
 #include "host/commands/sent_scene.hpp"
@@ -73,6 +74,7 @@ void play(const PlayCommandOptions& options)
 
 void declare_play(CLI::App& app)
 {
+    const OptionHeading heading{app, option_group::play};
     const auto options = std::make_shared<PlayCommandOptions>();
     CLI::Option* const file = app.add_option(
         "SCENE", options->file, std::string{loaded_scene} + "; it goes into RAM (default: what plays)");

@@ -1,6 +1,7 @@
 #include "host/commands/play_options.hpp"
 
 #include "host/commands/clip_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/speed_text.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -30,6 +31,7 @@ Stretch chosen_stretch(const std::optional<std::string>& name, const SceneView& 
 
 void declare_play_options(CLI::App& app, PlayOptions& options)
 {
+    const OptionHeading heading{app, option_group::play};
     app.add_option("--clip", options.clip, "Play this clip instead of the whole scene")->type_name("NAME");
     app.add_option_function<std::string>(
            "--speed", [&options](const std::string& text) { options.speed = read_speed("--speed", text); },

@@ -1,6 +1,8 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/named_choice.hpp"
+#include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/preview_opener.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/fit/board_texts.hpp"
@@ -124,63 +126,80 @@ std::string key_list()
     return text;
 }
 
-void declare_preview(CLI::App& app)
+CLI::Option* declare_showing(CLI::App& app, PreviewOptions& options)
 {
-    const auto options = std::make_shared<PreviewOptions>();
-    app.add_option("FILE", options->file, loaded_scene)->required();
-    CLI::Option* terminal =
-        app.add_flag("--terminal", options->terminal, "Play in the terminal, not in a window");
-    CLI::Option* loops =
+    const OptionHeading heading{app, option_group::showing};
+    CLI::Option* const terminal =
+        app.add_flag("--terminal", options.terminal, "Play in the terminal, not in a window");
+    CLI::Option* const loops =
         app.add_option(
-               "--loops", options->loops,
+               "--loops", options.loops,
                "Ends after so many plays (default: it stays until you quit; where nobody can type, the "
                "terminal plays once)")
             ->type_name("N")
-            ->check(CLI::Range(1, 1000000));
-    CLI::Option* headless =
-        app.add_flag("--headless", options->headless, "Show nothing; print the events and a summary");
-    headless->excludes(terminal)->excludes(loops)->excludes(
-        declare_audio_options(app, options->choice.audio));
+            ->check(number_within(1, 1e6));
+    app.add_option(
+           "--beside", options.choice.beside,
+           "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
+           "... by frames, as render --all writes it")
+        ->type_name("FOLDER");
+    CLI::Option* const board_speed = app.add_flag(
+        "--board-speed", options.board_speed, "Play as slowly as the board of --board would, as key w does");
+    return app.add_flag("--headless", options.headless, "Show nothing; print the events and a summary")
+        ->excludes(terminal)
+        ->excludes(loops)
+        ->excludes(board_speed)
+        ->group(option_group::unseen);
+}
+
+void declare_unseen(CLI::App& app, PreviewOptions& options, CLI::Option* headless)
+{
+    const OptionHeading heading{app, option_group::unseen};
     app.add_option_function<std::string>(
-           "--press", [options](const std::string& text) { options->script = read_script(text); },
+           "--press", [&options](const std::string& text) { options.script = read_script(text); },
            "With --headless: press these keys, print what each shows; frame=N touches the time line, "
            "select=NAME an object, open=FILE drops a file, wait=S lets seconds pass")
-        ->type_name("LIST")
+        ->type_name("KEYS")
         ->needs(headless);
-    CLI::Option* snapshot =
-        app.add_option("--snapshot", options->snapshot,
+    CLI::Option* const snapshot =
+        app.add_option("--snapshot", options.snapshot,
                        "With --headless: write the window as it looks after these keys, as PNG")
             ->type_name("OUT.png")
             ->needs(headless);
     app.add_option_function<std::string>(
-           "--window", [options](const std::string& text) { options->window = read_size("--window", text); },
+           "--window", [&options](const std::string& text) { options.window = read_size("--window", text); },
            "Size of the window of --snapshot (default: 960x720)")
         ->type_name("WxH")
         ->needs(snapshot);
-    app.add_option(
-           "--beside", options->choice.beside,
-           "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
-           "... by frames, as render --all writes it")
-        ->type_name("FOLDER");
-    app.add_flag("--board-speed", options->board_speed,
-                 "Play as slowly as the board of --board would, as key w does")
-        ->excludes(headless);
+}
+
+void declare_preview(CLI::App& app)
+{
+    const auto options = std::make_shared<PreviewOptions>();
+    app.add_option("FILE", options->file, loaded_scene)->required();
+    CLI::Option* const headless = declare_showing(app, *options);
+    headless->excludes(declare_audio_options(app, options->choice.audio));
+    declare_unseen(app, *options, headless);
     declare_play_options(app, options->choice.play);
     declare_seen_options(app, options->choice.picture);
     app.add_option(
            "--board", options->choice.board,
            "The board of the fit report (key e), whose display is shown where no other one is named: " +
                names_of(fit::board_texts()) + ", or a file that describes yours (default: a Pico)")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->group(option_group::board);
     app.footer(app.get_footer() + "\n\n" + key_list());
     app.callback([options] { preview(*options); });
 }
 
 }
 
-const Command preview_command{"preview", "Play a scene in a window, in the terminal, or unseen",
+const Command preview_command{"preview",
+                              "Play a scene in a window, in the terminal, or unseen",
                               "kfast preview eyes.kfast --size 128x64 --format mono1\n"
                               "  kfast preview eyes.kfast --headless --press \"n n p right\"",
-                              declare_preview};
+                              declare_preview,
+                              {},
+                              seeing_group};
 
 }

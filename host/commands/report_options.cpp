@@ -1,15 +1,40 @@
 #include "host/commands/report_options.hpp"
+#include "host/commands/option_groups.hpp"
+#include "host/counted.hpp"
+#include "host/rounded_text.hpp"
+
+#include <cmath>
+#include <iostream>
 
 namespace kfast {
 
 CLI::Option* declare_json(CLI::App& app, bool& json)
 {
+    const OptionHeading heading{app, option_group::report};
     return app.add_flag("--json", json, "Print JSON, for programs");
 }
 
 CLI::Option* declare_quiet(CLI::App& app, bool& quiet)
 {
+    const OptionHeading heading{app, option_group::report};
     return app.add_flag("-q,--quiet", quiet, "Print nothing but errors");
+}
+
+std::ostream& report_stream(bool quiet)
+{
+    static std::ostream nowhere{nullptr};
+    return quiet ? nowhere : std::cout;
+}
+
+std::string file_size_text(std::uintmax_t bytes)
+{
+    constexpr std::uintmax_t kilo = 1000;
+    if (bytes < kilo)
+        return counted(static_cast<std::size_t>(bytes), "byte");
+    const std::uintmax_t kilobytes = (bytes + kilo / 2) / kilo;
+    if (kilobytes < kilo)
+        return std::to_string(kilobytes) + " KB";
+    return rounded_text(std::round(static_cast<double>(kilobytes) / 100) / 10) + " MB";
 }
 
 }

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <iosfwd>
+#include <string>
 
 namespace kfast {
 
@@ -10,5 +13,11 @@ namespace kfast {
 CLI::Option* declare_json(CLI::App& app, bool& json);
 /// Adds -q, --quiet: nothing is printed but errors, and warnings of what is wrong with a scene.
 CLI::Option* declare_quiet(CLI::App& app, bool& quiet);
+
+/// Where a command reports what it has written: standard output, or nowhere if it is to be quiet.
+std::ostream& report_stream(bool quiet);
+
+/// "310 bytes", "110 KB", "1.2 MB", of 1000 bytes each as in lists of files.
+std::string file_size_text(std::uintmax_t bytes);
 
 }

@@ -41,6 +41,6 @@ const Command schema_command{"schema",
                              "kfast schema > kfast-scene.kdl",
                              declare_schema,
                              {},
-                             editors_group};
+                             help_group};
 
 }

@@ -5,6 +5,7 @@
 #include "host/commands/named_choice.hpp"
 #include "host/commands/number_range.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 
 namespace kfast {
 namespace {
@@ -24,6 +25,7 @@ BeamDisplay chosen_display(const ScreenOptions& options)
 
 CLI::Option* declare_screen_options(CLI::App& app, ScreenOptions& options)
 {
+    const OptionHeading heading{app, option_group::beam};
     CLI::Option* beam = declare_beam_option(app, options.beam);
     app.add_option("--spot", options.spot, "With --beam: how wide its spot is, in percent of the field")
         ->type_name("PERCENT")
@@ -50,7 +52,9 @@ std::unique_ptr<FrameSource> open_screen(const ScreenOptions& options, const Sce
                                          std::optional<Size> size)
 {
     return std::make_unique<BeamScreenSource>(scene.view, options.beam->profile, chosen_display(options),
-                                              size.value_or(usual_size));
+                                              screen_size(size));
 }
+
+Size screen_size(std::optional<Size> chosen) { return chosen.value_or(usual_size); }
 
 }

@@ -22,6 +22,9 @@ struct ScreenOptions {
 /// Adds all of them and returns --beam. `options` must outlive the parsing.
 CLI::Option* declare_screen_options(CLI::App& app, ScreenOptions& options);
 
+/// Of the picture, if this one was chosen.
+Size screen_size(std::optional<Size> chosen);
+
 /// `options` has a beam, and `scene` must outlive the source.
 std::unique_ptr<FrameSource> open_screen(const ScreenOptions& options, const SceneFile& scene,
                                          std::optional<Size> size);

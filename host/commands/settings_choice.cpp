@@ -3,6 +3,7 @@
 #include "firmware/rp2040_pins.hpp"
 #include "host/beam/profile_choice.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/default_configuration.hpp"
@@ -28,19 +29,9 @@ CLI::ValidationError wrong_pin(const std::string& text, const std::string& reaso
     return CLI::ValidationError{"--pin", "'" + visible(text) + "': " + reason};
 }
 
-/// That have a ready configuration.
-std::vector<std::string_view> known_panels()
-{
-    std::vector<std::string_view> known;
-    for (const config::Configuration& configuration : config::configurations())
-        if (!configuration.name.starts_with(beam_prefix))
-            known.push_back(configuration.name.substr(prefix.size()));
-    return known;
-}
-
 std::string configuration_of(const std::string& panel)
 {
-    const std::vector<std::string_view> known = known_panels();
+    const std::vector<std::string_view> known = ready_panels();
     if (std::ranges::find(known, panel) == known.end())
         throw CLI::ValidationError(
             "--panel", "'" + visible(panel) + "' has no ready configuration: " + suggestion(panel, known) +
@@ -133,8 +124,34 @@ NamedSettings settings_for_beam(const std::string& beam)
 
 }
 
+std::vector<std::string_view> ready_panels()
+{
+    std::vector<std::string_view> known;
+    for (const config::Configuration& configuration : config::configurations())
+        if (!configuration.name.starts_with(beam_prefix))
+            known.push_back(configuration.name.substr(prefix.size()));
+    return known;
+}
+
+BoardSettings ready_settings(const std::string& panel)
+{
+    return config::chosen_settings(configuration_of(panel));
+}
+
+CLI::Option* declare_pin_option(CLI::App& app, std::vector<std::string>& pins)
+{
+    const OptionHeading heading{app, option_group::display};
+    return app
+        .add_option("--pin", pins,
+                    "A pin that is elsewhere, like dc=8, or select=none; may be repeated (docs/config.md has "
+                    "the roles)")
+        ->type_name("ROLE=GPIO")
+        ->allow_extra_args(false);
+}
+
 void declare_settings_options(CLI::App& app, SettingsOptions& options)
 {
+    const OptionHeading heading{app, option_group::display};
     CLI::Option* const config =
         app.add_option("--config", options.config,
                        "Settings: a ready configuration or a file, as for 'kfast config'")
@@ -145,7 +162,7 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
                        "The same, by the display: the ready configuration of gc9a01, st7789 …")
             ->type_name("NAME")
             ->excludes(config);
-    offer(panel, known_panels());
+    offer(panel, ready_panels());
     CLI::Option* const beam =
         app.add_option("--beam", options.beam,
                        "For a vector display: scope, crt, galvo, or a file that describes one, FILE.kdl")
@@ -153,11 +170,7 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
             ->excludes(config)
             ->excludes(panel);
     offer(beam, profile_names());
-    app.add_option("--pin", options.pins,
-                   "A pin that is elsewhere, like dc=8, or none; may be repeated (docs/config.md has the "
-                   "roles). Alone, it changes the settings that the board has")
-        ->type_name("ROLE=GPIO")
-        ->allow_extra_args(false);
+    declare_pin_option(app, options.pins);
 }
 
 SettingsChoice::SettingsChoice(const SettingsOptions& options)

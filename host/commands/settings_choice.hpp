@@ -5,11 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
 
-/// How a command line tells the settings of a Pico.
+/// Adds --pin to `app`, whose parsing `pins` must outlive.
+CLI::Option* declare_pin_option(CLI::App& app, std::vector<std::string>& pins);
+
+/// How a command line says the settings of a Pico.
 struct SettingsOptions {
     std::string config;
     std::string panel;
@@ -19,6 +23,11 @@ struct SettingsOptions {
 
 /// Adds --config, --panel, --beam and --pin to `app`. `options` must outlive its parsing.
 void declare_settings_options(CLI::App& app, SettingsOptions& options);
+
+/// The names that --panel takes: of the ready configurations for panels.
+std::vector<std::string_view> ready_panels();
+/// Throws CLI::ValidationError for a name that is not among them.
+BoardSettings ready_settings(const std::string& panel);
 
 /// Another GPIO for a role.
 struct PinChange {

@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/config/config_input.hpp"
 #include "host/interruption.hpp"
@@ -114,40 +115,61 @@ void simulate(const SimulateOptions& options)
         write_png(options.picture, widen(watcher.last()));
 }
 
+void declare_simulated_panel(CLI::App& app, SimulateOptions& options)
+{
+    const OptionHeading heading{app, option_group::display};
+    CLI::Option* panel = declare_panel_option(app, options.panel);
+    app.add_option("--config", options.config,
+                   "Settings: a ready configuration or a file, as for 'kfast config'")
+        ->type_name("INPUT")
+        ->excludes(panel);
+}
+
+void declare_plug(CLI::App& app, SimulateOptions& options)
+{
+    const OptionHeading heading{app, option_group::device};
+    app.add_option("--socket", options.socket,
+                   "Where programs reach the board, as --device sim:PATH (default: where --device sim looks)")
+        ->type_name("PATH");
+    app.add_option("--flash-file", options.flash,
+                   "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)")
+        ->type_name("FILE");
+    app.add_option("--serial", options.serial, "The serial number, of at most 24 letters")
+        ->type_name("SERIAL")
+        ->check(is_serial)
+        ->capture_default_str();
+}
+
+void declare_watching(CLI::App& app, SimulateOptions& options)
+{
+    const OptionHeading heading{app, option_group::showing};
+    app.add_option("--picture", options.picture, "At the end, write what was shown last as PNG")
+        ->type_name("FILE");
+    app.add_flag("--headless", options.headless, "Open no window");
+    app.add_flag("--print-frames", options.frames,
+                 "Print the events, and each frame shown with the CRC-32 of its pixels");
+}
+
 void declare_simulate(CLI::App& app)
 {
     const auto options = std::make_shared<SimulateOptions>();
     app.add_option("SCENE", options->scene,
                    "The built-in scene (.kfast, .kfb or a file to import): plays if no slot is chosen. "
                    "Without it there is a test card");
-    CLI::Option* panel = declare_panel_option(app, options->panel);
-    app.add_option("--config", options->config,
-                   "Settings: a ready configuration or a file, as for 'kfast config'")
-        ->type_name("INPUT")
-        ->excludes(panel);
-    app.add_option("--socket", options->socket, "Where programs reach the board, as --device sim:PATH")
-        ->type_name("PATH")
-        ->capture_default_str();
-    app.add_option("--flash-file", options->flash,
-                   "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)")
-        ->type_name("FILE");
-    app.add_option("--serial", options->serial, "The serial number, of at most 24 letters")
-        ->type_name("SERIAL")
-        ->check(is_serial)
-        ->capture_default_str();
-    app.add_option("--picture", options->picture, "At the end, write what was shown last as PNG")
-        ->type_name("FILE");
-    app.add_flag("--headless", options->headless, "Open no window");
-    app.add_flag("--print-frames", options->frames,
-                 "Print the events, and each frame shown with the CRC-32 of its pixels");
+    declare_simulated_panel(app, *options);
+    declare_plug(app, *options);
+    declare_watching(app, *options);
     app.callback([options] { simulate(*options); });
 }
 
 }
 
-const Command simulate_command{"simulate", "Run a board in a window, for --device sim",
+const Command simulate_command{"simulate",
+                               "Run a board in a window, for --device sim",
                                "kfast simulate --panel gc9a01 &\n"
                                "  kfast play eyes.kfast --device sim",
-                               declare_simulate};
+                               declare_simulate,
+                               {},
+                               board_group};
 
 }

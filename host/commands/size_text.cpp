@@ -35,4 +35,6 @@ Size read_size(const std::string& option, const std::string& text)
     return size;
 }
 
+std::string size_text(Size size) { return std::to_string(size.width) + 'x' + std::to_string(size.height); }
+
 }

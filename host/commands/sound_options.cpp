@@ -1,6 +1,7 @@
 #include "host/commands/sound_options.hpp"
 
 #include "host/commands/number_range.hpp"
+#include "host/commands/option_groups.hpp"
 
 #include <string>
 
@@ -25,6 +26,7 @@ CLI::Option* add_invert(CLI::App& app, Deflection& deflection)
 
 std::vector<CLI::Option*> declare_sound_options(CLI::App& app, SoundOptions& options)
 {
+    const OptionHeading heading{app, option_group::sound};
     CLI::Option* rate = app.add_option("--sample-rate", options.rate, "Samples in a second (default: 48000)")
                             ->type_name("HZ")
                             ->check(number_within(8'000, 768'000));

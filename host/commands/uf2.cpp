@@ -24,6 +24,6 @@ const Command uf2_command{"uf2",
                           "kfast uf2 pack --config pico-st7789 --scene eyes.kfast -o eyes.uf2",
                           declare_uf2,
                           subcommands,
-                          settings_group};
+                          board_group};
 
 }

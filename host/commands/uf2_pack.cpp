@@ -2,8 +2,10 @@
 #include "host/commands/flash_contents.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/offered_names.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
@@ -24,6 +26,7 @@ struct Uf2PackOptions {
     std::string config;
     std::string scene;
     std::string output;
+    bool quiet = false;
 };
 
 FlashContents contents_of(const Uf2PackOptions& options)
@@ -53,14 +56,16 @@ void pack(const Uf2PackOptions& options)
     for (const std::string* input : {&options.firmware, &options.config, &options.scene})
         output = output_path(output, *input, "file that is read");
     write_file(output, uf2_of(contents.regions));
-    std::cout << output.string() << ": " << contents.words
-              << "\nHold BOOTSEL while you plug the Pico in, and copy the file to the drive RPI-RP2.\n";
+    report_stream(options.quiet)
+        << output.string() << ": " << contents.words
+        << "\nHold BOOTSEL while you plug the Pico in, and copy the file to the drive RPI-RP2.\n";
 }
 
 }
 
 void declare_uf2_pack(CLI::App& app)
 {
+    const OptionHeading heading{app, option_group::contents};
     const auto options = std::make_shared<Uf2PackOptions>();
     app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
     CLI::Option* const config =
@@ -70,6 +75,7 @@ void declare_uf2_pack(CLI::App& app)
     offer_names(config, config::configurations());
     app.add_option("--scene", options->scene, loaded_scene)->type_name("FILE");
     declare_output(app, options->output, "The file to write (.uf2)")->required();
+    declare_quiet(app, options->quiet);
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
                "build/pico/pico-spi.bin "
                "--config pico-st7789 --scene eyes.kfast -o eyes.uf2");

@@ -2,6 +2,7 @@
 #include "host/commands/output_folder.hpp"
 #include "host/commands/output_option.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/uf2_commands.hpp"
 #include "host/commands/uf2_input.hpp"
 #include "host/counted.hpp"
@@ -23,6 +24,7 @@ struct Uf2UnpackOptions {
     std::string file;
     std::string folder;
     std::string family;
+    bool quiet = false;
 };
 
 /// "  RP2040 (0xe48bff56)" and so on, for messages.
@@ -76,8 +78,8 @@ void unpack(const Uf2UnpackOptions& options)
         const fs::path file =
             output_path(folder / name_of(options, region.address), options.file, "file itself");
         write_file(file, region.bytes);
-        std::cout << file.string() << ": " << counted(region.bytes.size(), "byte")
-                  << (words.empty() ? "" : ", " + words) << '\n';
+        report_stream(options.quiet) << file.string() << ": " << counted(region.bytes.size(), "byte")
+                                     << (words.empty() ? "" : ", " + words) << '\n';
     }
 }
 
@@ -92,6 +94,7 @@ void declare_uf2_unpack(CLI::App& app)
         ->type_name("FOLDER");
     app.add_option("--family", options->family, "Of a file for several kinds of chips: rp2040 or 0xe48bff56")
         ->type_name("FAMILY");
+    declare_quiet(app, options->quiet);
     app.footer(
         "Writes a .bin for each region, named by its address; firmware, settings and scenes of KFAST come\n"
         "in files of their own, without padding.\n\nExample:\n  kfast uf2 unpack eyes.uf2 -o eyes");

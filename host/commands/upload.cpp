@@ -2,6 +2,7 @@
 #include "host/commands/device_options.hpp"
 #include "host/commands/import_options.hpp"
 #include "host/commands/json_text.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/progress_bar.hpp"
 #include "host/link/on_each.hpp"
 #include "host/link/slot_choice.hpp"
@@ -113,6 +114,7 @@ void upload(const UploadOptions& options)
 
 void declare_upload(CLI::App& app)
 {
+    const OptionHeading heading{app, option_group::contents};
     const auto options = std::make_shared<UploadOptions>();
     app.add_option("SCENE", options->file, loaded_scene)->required();
     app.add_option("--slot", options->slot,

@@ -1,6 +1,7 @@
 #include "host/commands/usage_mistake.hpp"
 
 #include "host/commands/command_words.hpp"
+#include "host/failure.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -85,6 +86,40 @@ std::string conversion_mistake(std::string_view what)
            wrong_number(what.substr(at + middle.size()));
 }
 
+/// Of "Exactly 1 option from [--ild,--wav] is required" and of too many of them: "choose one of --ild,
+/// --wav".
+std::string choice_mistake(std::string_view what)
+{
+    const std::size_t begin = what.find("[--");
+    const std::size_t end = what.find(']', std::min(begin, what.size()));
+    if (end == std::string_view::npos)
+        return std::string{what};
+    std::string text = "choose one of ";
+    for (const char letter : what.substr(begin + 1, end - begin - 1))
+        letter == ',' ? text.append(", ") : text.append(1, letter);
+    return text;
+}
+
+/// However many they are: nobody knows what there is who has no command yet.
+std::string list_of_all(std::span<const std::string_view> names)
+{
+    std::string list = names.empty() ? "nothing is allowed here" : "allowed:";
+    for (const std::string_view name : names)
+        list.append(list.back() == ':' ? " " : ", ").append(name);
+    return list;
+}
+
+}
+
+void require_command_among(std::span<const std::string_view> known, std::string_view word)
+{
+    if (word.starts_with('-') || std::ranges::find(known, word) != known.end())
+        return;
+    const std::string wrong =
+        word.empty() ? "a command is missing" : "there is no command '" + std::string(word) + '\'';
+    const std::string close = did_you_mean(word, known);
+    throw Failure(wrong + ": " + (close.empty() ? list_of_all(known) : close) + "\nTry 'kfast --help'.",
+                  ExitStatus::wrong_usage);
 }
 
 std::string usage_mistake(const CLI::App& command, const CLI::Error& error,
@@ -93,6 +128,8 @@ std::string usage_mistake(const CLI::App& command, const CLI::Error& error,
     const std::vector<std::string> known = option_names(command);
     if (const std::string_view unknown = unknown_option(known, arguments); !unknown.empty())
         return "there is no option " + std::string{unknown} + ": " + remedy_of(unknown, known);
+    if (error.get_name() == "RequiredError")
+        return choice_mistake(error.what());
     return error.get_name() == "ConversionError" ? conversion_mistake(error.what()) : error.what();
 }
 

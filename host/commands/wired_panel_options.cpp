@@ -3,6 +3,7 @@
 #include "firmware/controller_facts.hpp"
 #include "host/commands/brightness_text.hpp"
 #include "host/commands/clock_text.hpp"
+#include "host/commands/option_groups.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/config/mistake_text.hpp"
@@ -71,6 +72,7 @@ void add_choice(CLI::App& app, const Flag& yes, const Flag& no, std::optional<bo
 
 void declare_glass_options(CLI::App& app, WiredPanelOptions& options)
 {
+    const OptionHeading heading{app, option_group::display};
     declare_panel_option(app, options.panel)->required();
     app.add_option_function<std::string>(
            "--glass", [&options](const std::string& text) { options.glass = read_size("--glass", text); },
@@ -97,6 +99,7 @@ void declare_glass_options(CLI::App& app, WiredPanelOptions& options)
 
 void declare_wire_options(CLI::App& app, WiredPanelOptions& options)
 {
+    const OptionHeading heading{app, option_group::wires};
     app.add_option_function<std::string>(
            "--bus", [&options](const std::string& name) { options.bus = read_bus(name); },
            "spi, or parallel: eight GPIO lines for data (default: spi)")

@@ -2,17 +2,17 @@
 #include "host/commands/command.hpp"
 #include "host/commands/offered_names.hpp"
 #include "host/commands/report_options.hpp"
-#include "host/config/config_input.hpp"
+#include "host/commands/settings_choice.hpp"
+#include "host/commands/table_lines.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/firmware_images.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"
 #include "host/config/setting_words.hpp"
 
-#include <algorithm>
-#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace kfast {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct WiringOptions {
-    std::string input;
+    SettingsOptions settings; ///< of a configuration, with other pins
     bool json = false;
 };
 
@@ -60,45 +60,25 @@ std::string json_text(const BoardSettings& settings, std::span<const config::Con
     return json.dump(2) + '\n';
 }
 
-using Cells = std::array<std::string, 5>;
-
-Cells cells_of(const config::Connection& wire)
+TableRow cells_of(const config::Connection& wire)
 {
     return {wire.end, config::edge_name(wire.pin), "pin " + std::to_string(wire.pin),
             std::string{config::edge_side(wire.pin)}, wire.purpose};
 }
 
-using Widths = std::array<std::size_t, std::tuple_size_v<Cells>>;
-
-Widths widths_of(std::span<const config::Connection> wires)
-{
-    Widths widths{};
-    for (const config::Connection& wire : wires) {
-        const Cells cells = cells_of(wire);
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            widths[i] = std::max(widths[i], cells[i].size());
-    }
-    return widths;
-}
-
-std::string row_text(const Cells& cells, const Widths& widths)
-{
-    std::string text;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        text += "  " + cells[i] + std::string(widths[i] - cells[i].size(), ' ');
-    return text.erase(text.find_last_not_of(' ') + 1) + '\n';
-}
-
 std::string table(std::span<const config::Connection> wires)
 {
-    const Widths widths = widths_of(wires);
+    std::vector<TableRow> rows;
+    for (const config::Connection& wire : wires)
+        rows.push_back(cells_of(wire));
+    const std::vector<std::string> lines = table_lines(rows, "  ");
     std::string text;
     std::string part;
-    for (const config::Connection& wire : wires) {
-        if (wire.part != part)
-            text += '\n' + wire.part + '\n';
-        part = wire.part;
-        text += row_text(cells_of(wire), widths);
+    for (std::size_t number = 0; number < wires.size(); ++number) {
+        if (wires[number].part != part)
+            text += '\n' + wires[number].part + '\n';
+        part = wires[number].part;
+        text += lines[number] + '\n';
     }
     return text;
 }
@@ -122,29 +102,41 @@ std::string outputs_text(const BoardSettings& settings)
     return text;
 }
 
-std::string plain_text(const WiringOptions& options, std::span<const config::Connection> wires,
+/// Many modules with an ST7789 have seven pins, and no CS among them.
+std::string hint_text(const BoardSettings& settings)
+{
+    if (settings.bus != BusKind::spi || settings.pin(PinRole::select) == no_pin)
+        return {};
+    return "\nNo CS on your module? --pin select=none, here and with 'kfast flash': the Pico drives SPI in "
+           "mode 3, as\n"
+           "displays without CS want it\n";
+}
+
+std::string plain_text(const std::string& name, std::span<const config::Connection> wires,
                        const BoardSettings& settings)
 {
-    return options.input + ": " + display_text(settings) + "\nfirmware: " + config::image_of(settings.bus) +
-           "\n" + table(wires) + outputs_text(settings) + "\nThe Pico from above\n\n" +
+    return name + ": " + display_text(settings) + "\nfirmware: " + config::image_of(settings.bus) + "\n" +
+           table(wires) + hint_text(settings) + outputs_text(settings) + "\nThe Pico from above\n\n" +
            config::pico_drawing(wires);
 }
 
 void print_wiring(const WiringOptions& options)
 {
-    const BoardSettings settings = config::chosen_settings(options.input);
-    const std::vector<config::Connection> wires = config::wiring(settings);
-    std::cout << (options.json ? json_text(settings, wires) : plain_text(options, wires, settings));
+    const NamedSettings chosen = *SettingsChoice{options.settings}.on(std::nullopt);
+    const std::vector<config::Connection> wires = config::wiring(chosen.settings);
+    std::cout << (options.json ? json_text(chosen.settings, wires)
+                               : plain_text(chosen.name, wires, chosen.settings));
 }
 
 void declare_wiring(CLI::App& app)
 {
     const auto options = std::make_shared<WiringOptions>();
     CLI::Option* const input =
-        app.add_option("INPUT", options->input,
+        app.add_option("INPUT", options->settings.config,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
             ->required();
     offer_names(input, config::configurations());
+    declare_pin_option(app, options->settings.pins);
     declare_json(app, options->json);
     app.callback([options] { print_wiring(*options); });
 }
@@ -153,9 +145,10 @@ void declare_wiring(CLI::App& app)
 
 const Command wiring_command{"wiring",
                              "Tell which pin of the board goes to which pin of the display",
-                             "kfast wiring pico-st7789",
+                             "kfast wiring pico-st7789\n"
+                             "  kfast wiring pico-st7789 --pin select=none",
                              declare_wiring,
                              {},
-                             settings_group};
+                             board_group};
 
 }

@@ -26,6 +26,8 @@ Marks marks_of(std::span<const Connection> wires)
 {
     Marks marks;
     for (const Connection& wire : wires) {
+        if (wire.is_optional)
+            continue;
         std::string& mark = marks[static_cast<std::size_t>(wire.pin)];
         mark += (mark.empty() ? "" : ", ") + mark_of(wire);
     }

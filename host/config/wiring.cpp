@@ -40,12 +40,22 @@ public:
 private:
     void add(std::string end, int pin, std::string purpose = {})
     {
-        list_.push_back({part_, std::move(end), pin, std::nullopt, std::move(purpose)});
+        list_.push_back({.part = part_, .end = std::move(end), .pin = pin, .purpose = std::move(purpose)});
+    }
+
+    void add_optional(std::string end, int pin, std::string purpose)
+    {
+        add(std::move(end), pin, std::move(purpose));
+        list_.back().is_optional = true;
     }
 
     void add_gpio(std::string end, Pin gpio, std::string purpose)
     {
-        list_.push_back({part_, std::move(end), edge_pin(gpio), gpio, std::move(purpose)});
+        list_.push_back({.part = part_,
+                         .end = std::move(end),
+                         .pin = edge_pin(gpio),
+                         .gpio = gpio,
+                         .purpose = std::move(purpose)});
     }
 
     void add_display()
@@ -96,9 +106,9 @@ private:
     void add_idle(const std::string& label, IdleLevel level)
     {
         if (level == IdleLevel::low)
-            add(label, display_ground, "if there is such a pin: always selected");
+            add_optional(label, display_ground, "if there is such a pin: always selected");
         if (level == IdleLevel::high)
-            add(label, supply, "if there is such a pin: never off");
+            add_optional(label, supply, "if there is such a pin: never off");
     }
 
     std::string function_of(PinRole role) const

@@ -26,7 +26,8 @@ struct Connection {
     std::string end;  ///< of the part, as it is printed there: "SCL, SCK or CLK"
     int pin = 0;      ///< of the edge (pico_edge.hpp)
     std::optional<Pin> gpio = std::nullopt;
-    std::string purpose; ///< "SPI0 SCK", "plays blink"; may be empty
+    std::string purpose = {}; ///< "SPI0 SCK", "plays blink"; may be empty
+    bool is_optional = false; ///< only where the part has such an end; no drawing shows it
 };
 
 /// All wires that settings for a Pico ask for, part by part; they keep its rules (firmware/board_rules.hpp).

@@ -239,10 +239,13 @@ Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const d
             refuse(drawing.name, "is no SVG file, as key drawings are");
     }
     art::Losses losses;
+    Notes notes;
     const art::Document document =
-        on_paper(svg::read_svg_keys(drawings, times, options.drawings, losses), options);
+        on_paper(svg::read_svg_keys(drawings, times, options.drawings, losses, notes), options);
     const std::string name = drawings.empty() ? "" : drawings.front().name;
-    return made_of(document, name, options, losses);
+    Imported imported = made_of(document, name, options, losses);
+    imported.notes = std::move(notes);
+    return imported;
 }
 
 }

@@ -12,37 +12,64 @@ constexpr int gap = 4;
 constexpr Colour paper{48, 48, 48};
 constexpr Colour ink{224, 224, 224};
 
-Size cell_size(const std::vector<ContactPrint>& prints)
+Size cell_size(Size picture, std::size_t longest_label)
 {
-    Size cell{0, prints.front().picture.size.height + gap + digit_cell.height};
-    for (const ContactPrint& print : prints)
-        cell.width = std::max(
-            {cell.width, print.picture.size.width, static_cast<int>(print.label.size()) * digit_cell.width});
-    return cell;
+    return {std::max(picture.width, static_cast<int>(longest_label) * digit_cell.width),
+            picture.height + gap + digit_cell.height};
 }
 
-int column_count(std::size_t prints)
+/// As many as lie beside each other.
+int room_for(int side, int scale)
+{
+    return static_cast<int>((longest_picture_side / scale - gap) / (side + gap));
+}
+
+int column_count(int prints)
 {
     int columns = 1;
-    while (static_cast<std::size_t>(columns) * static_cast<std::size_t>(columns) < prints)
+    while (columns * columns < prints)
         ++columns;
     return columns;
 }
 
+bool is_possible(Size sheet, int scale)
+{
+    const std::int64_t pixels = std::int64_t{sheet.width} * sheet.height * scale * scale;
+    return std::max(sheet.width, sheet.height) * std::int64_t{scale} <= longest_picture_side &&
+           pixels <= most_picture_pixels;
 }
 
-Picture contact_sheet(const std::vector<ContactPrint>& prints)
+}
+
+Size ContactLayout::sheet() const
 {
-    const Size cell = cell_size(prints);
-    const int columns = column_count(prints.size());
-    const int count = static_cast<int>(prints.size());
-    const int rows = (count + columns - 1) / columns;
-    Picture sheet = plain_picture(gap + std::int64_t{columns} * (cell.width + gap),
-                                  gap + std::int64_t{rows} * (cell.height + gap), paper, "the contact sheet");
-    for (int number = 0; number < count; ++number) {
+    const int rows = (static_cast<int>(count) + columns - 1) / columns;
+    return {gap + columns * (cell.width + gap), gap + rows * (cell.height + gap)};
+}
+
+std::optional<ContactLayout> contact_layout(std::size_t count, Size picture, std::size_t longest_label,
+                                            int scale)
+{
+    constexpr std::size_t most_prints = 1 << 20;
+    if (count > most_prints)
+        return std::nullopt;
+    const int prints = static_cast<int>(count);
+    const Size cell = cell_size(picture, longest_label);
+    const int rows = std::max(room_for(cell.height, scale), 1);
+    const int needed = (prints + rows - 1) / rows;
+    const int columns = std::max(std::min(column_count(prints), room_for(cell.width, scale)), needed);
+    const ContactLayout layout{count, columns, cell};
+    return is_possible(layout.sheet(), scale) ? std::optional{layout} : std::nullopt;
+}
+
+Picture contact_sheet(const std::vector<ContactPrint>& prints, const ContactLayout& layout)
+{
+    const Size size = layout.sheet();
+    Picture sheet = plain_picture(size.width, size.height, paper, "the contact sheet");
+    for (int number = 0; number < static_cast<int>(prints.size()); ++number) {
         const ContactPrint& print = prints[static_cast<std::size_t>(number)];
-        const int x = gap + number % columns * (cell.width + gap);
-        const int y = gap + number / columns * (cell.height + gap);
+        const int x = gap + number % layout.columns * (layout.cell.width + gap);
+        const int y = gap + number / layout.columns * (layout.cell.height + gap);
         put(print.picture, sheet, x, y);
         put(digit_picture(print.label, ink, paper), sheet, x, y + print.picture.size.height + gap);
     }

@@ -2,6 +2,8 @@
 
 #include "host/picture/picture.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +15,21 @@ struct ContactPrint {
     std::string label;
 };
 
-/// All of them, of one size, in about as many rows as columns; at least one. Throws Failure when the sheet
-/// has more pixels than pictures have.
-Picture contact_sheet(const std::vector<ContactPrint>& prints);
+/// How pictures lie on a sheet.
+struct ContactLayout {
+    std::size_t count = 1;
+    int columns = 1;
+    Size cell; ///< a picture with its label
+
+    Size sheet() const;
+};
+
+/// For so many pictures of one size, and labels of at most so many characters: in about as many rows as
+/// columns, as far as a sheet in pixels of `scale` a side has room; none if it has no room for them.
+std::optional<ContactLayout> contact_layout(std::size_t count, Size picture, std::size_t longest_label,
+                                            int scale = 1);
+
+/// As many prints as the layout is for, of its size.
+Picture contact_sheet(const std::vector<ContactPrint>& prints, const ContactLayout& layout);
 
 }

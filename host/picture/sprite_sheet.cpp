@@ -70,8 +70,8 @@ std::filesystem::path sprite_list_path(const std::filesystem::path& sheet)
     return std::filesystem::path{sheet}.replace_extension(".json");
 }
 
-void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                        const SpriteSheetForm& form, const TellWork& tell)
+SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource& source,
+                               const Timeline& timeline, const SpriteSheetForm& form, const TellWork& tell)
 {
     const std::vector<FilmMoment> moments = sheet_moments(timeline, form);
     const int filled =
@@ -95,6 +95,7 @@ void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source
     image.finish();
     list.commit();
     image.commit();
+    return {moments.size(), sheet.size};
 }
 
 }

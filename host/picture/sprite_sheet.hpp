@@ -16,10 +16,17 @@ struct SpriteSheetForm {
     bool has_way_back = false; ///< of ping-pong, which else has every picture once, both ends among them
 };
 
+/// What has been written.
+struct SpriteSheet {
+    std::size_t pictures = 0;
+    Size size;
+};
+
 /// Every frame of what is played, row by row on one PNG; and beside it, at sprite_list_path(), where each of
 /// them lies, for how long it is shown, and how the list is to be played. Throws Failure when one cannot be
 /// written, or when the sheet has more pixels than pictures have.
-void write_sprite_sheet(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                        const SpriteSheetForm& form, const TellWork& tell = tell_nobody);
+SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource& source,
+                               const Timeline& timeline, const SpriteSheetForm& form,
+                               const TellWork& tell = tell_nobody);
 
 }

@@ -1,6 +1,7 @@
 #include "host/svg/read_keys.hpp"
 
 #include "host/failure.hpp"
+#include "host/svg/match_hint.hpp"
 #include "host/svg/pose_document.hpp"
 #include "host/svg/svg_text.hpp"
 
@@ -45,6 +46,13 @@ Picture picture_of(const SourceText& source, art::Budget& budget, art::Losses& l
 art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
                             const KeyOptions& options, art::Losses& losses)
 {
+    std::vector<std::string> not_told;
+    return read_svg_keys(drawings, times, options, losses, not_told);
+}
+
+art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
+                            const KeyOptions& options, art::Losses& losses, std::vector<std::string>& notes)
+{
     check_times(drawings.size(), times);
     art::Budget budget;
     std::optional<Picture> canvas;
@@ -60,6 +68,8 @@ art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<cons
                         times[i],
                         "the size of the first one"});
     }
+    if (std::string hint = match_hint(poses); !hint.empty())
+        notes.push_back(std::move(hint));
     return document_of(*canvas, std::move(poses), options, budget, losses);
 }
 

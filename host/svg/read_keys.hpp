@@ -6,6 +6,8 @@
 #include "host/text/source.hpp"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace kfast::svg {
 
@@ -20,5 +22,8 @@ namespace kfast::svg {
 /// when they do not rise, or when more is asked for than art::Budget allows.
 art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
                             const KeyOptions& options, art::Losses& losses);
+/// The same. How other parts would become each other (match_hint.hpp) is added to `notes`.
+art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
+                            const KeyOptions& options, art::Losses& losses, std::vector<std::string>& notes);
 
 }

@@ -31,6 +31,7 @@ FILES = {
     "scene.kfast": "examples/robot-eyes.kfast",
     **{f"{name}.kfast": f"examples/{name}.kfast" for name in ("clock-face", "logo", "robot-eyes")},
     **{f"wink-{number}.svg": f"examples/import/wink-{number}.svg" for number in range(5)},
+    **{f"{name}.svg": f"examples/import/{name}.svg" for name in ("day", "night")},
     **{path.name: path.relative_to(ROOT) for path in (HERE / "readers_files").iterdir()},
 }
 FIRMWARE_BYTES = 134504

@@ -25,7 +25,7 @@ def help_of(*command):
 
 
 def commands_of(*command):
-    return re.findall(r"(?m)^  ([a-z][\w-]*)  +[A-Z]", help_of(*command)) if "SUBCOMMAND" in help_of(*command) else []
+    return re.findall(r"(?m)^  ([a-z][\w-]*)  +[A-Z]", help_of(*command)) if "[OPTIONS] COMMAND" in help_of(*command) else []
 
 
 def unknown_words(arguments):

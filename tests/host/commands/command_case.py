@@ -1,12 +1,15 @@
 """What the tests of the real command share. They are called with its path: <name>_test.py <kfast>."""
 
+import fcntl
 import os
 import pathlib
 import pty
 import resource
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import unittest
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -68,10 +71,12 @@ class CommandTest(unittest.TestCase):
         self.assertTrue(result.stderr.endswith("\n"))
         self.assertEqual(sorted(self.folder.rglob("*")), before, "a refused command leaves no file")
 
-    def written_to_a_terminal(self, *arguments):
-        """On standard error."""
+    def written_to_a_terminal(self, *arguments, stream="stderr", columns=80, environment=None):
+        """On one of the two streams."""
         master, slave = pty.openpty()
-        player = subprocess.Popen([KFAST, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=slave)
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", 40, columns, 0, 0))
+        streams = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, stream: slave}
+        player = subprocess.Popen([KFAST, *arguments], cwd=self.folder, env={**os.environ, **(environment or {})}, **streams)
         os.close(slave)
         written = b""
         while True:

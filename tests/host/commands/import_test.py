@@ -173,6 +173,20 @@ class KeyDrawingTest(ImportCase):
         self.assertNotIn("by their names", self.run_kfast("import", "layers.svg", "--layers", "never",
                                                           "-o", "still.kfast").stdout)
 
+    def test_what_is_the_same_by_its_order_alone_is_told(self):
+        def said(first, second):
+            for name, content in (("a.svg", first), ("b.svg", second)):
+                self.write(name, f'<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90">{content}</svg>')
+            return self.run_kfast("import", "--keys", "a.svg", "b.svg", "--at", "0", "9", "-o", "a.kfast").stdout
+
+        hint = 'name parts alike (id="...") so that they become each other'
+        self.assertIn(hint, said('<path d="M0 0h9v9z"/>', '<path d="M40 0h9v9h-9z"/>'))
+        self.assertIn("of 2 outlines, and of 1 outline: one path each", said('<path d="M0 0h9v9zM20 0h9v9z"/>', '<path d="M0 0h9v9z"/>'))
+        for first, second in (('<path id="sun" d="M0 0h9v9z"/>', '<path id="sun" d="M40 0h9v9h-9z"/>'),
+                              ('<path d="M0 0h9v9z"/>', '<path d="M0 0h9v9z"/>')):
+            self.assertNotIn(hint, said(first, second))
+        self.assertIn(hint, said('<g id="sky"><path d="M0 0h9v9z"/></g>', '<g id="sky"><path d="M9 0h9v9z"/></g>'))
+
     def test_the_scene_is_named_after_the_first(self):
         self.run_kfast("import", "--keys", "pose10.svg", "pose30.svg", "--at", "0", "9")
         self.assertTrue((self.folder / "pose10.kfast").is_file())

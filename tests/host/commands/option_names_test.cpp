@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace kfast::test {
 namespace {
@@ -55,7 +56,7 @@ void add_descriptions(const CommandWords& command, std::map<std::string, std::se
 }
 
 /// Options that mean one thing in all commands, of which each says what is particular to it.
-constexpr std::array described_apart{
+constexpr std::array<std::string_view, 12> described_apart{
     "--board",          // which ones there are: those to fit, or with firmware
     "--device",         // flash takes one alone
     "--firmware",       // what is installed is the default of flash
@@ -118,8 +119,8 @@ TEST_CASE("an option means one thing in all commands")
     for (const auto& [name, texts] : descriptions) {
         CAPTURE(name);
         CAPTURE(texts);
-        const bool is_apart = std::ranges::find(described_apart, name) != described_apart.end();
-        CHECK(texts.size() == 1 || is_apart);
+        if (std::ranges::find(described_apart, name) == described_apart.end())
+            CHECK(texts.size() == 1);
     }
 }
 

@@ -58,6 +58,18 @@ class SheetTest(RenderTest):
         self.assertEqual(self.opened("large.png").tobytes(),
                          small.resize((2 * small.width, 2 * small.height), Image.NEAREST).tobytes())
 
+    def test_a_contact_sheet_of_much_has_smaller_pictures(self):
+        said = self.run_kfast("render", "repeat.kfast", "--contact", "--size", "300x200", "--scale", "16", "-o", "keys.png").stdout
+        self.assertRegex(said, r"^keys.png: 3 keys at 1/2 of their size, 4992x3744, ")
+        self.assertEqual(self.opened("keys.png").size, (4992, 3744))
+        said = self.run_kfast("render", "repeat.kfast", "--contact", "--panel", "ili9341", "--scale", "16", "-o", "keys.png").stdout
+        self.assertIn("3 keys at 1/2 of their size", said)
+
+    def test_a_contact_sheet_of_too_much_is_refused_at_once(self):
+        keys = "".join(f"    key {frame} {{ rect {frame} 1 14 14 }}\n" for frame in range(100))
+        (self.folder / "many.kfast").write_text(f"kfast 1\ncanvas 300 200 fps=30\nobject dot fill=white {{\n{keys}}}\n")
+        self.refuse("render", "many.kfast", "--contact", "--scale", "64", "-o", "keys.png", status=1, says="no room for 100 keys")
+
     def test_limits_and_names(self):
         self.refuse("render", "once.kfast", "--sheet", "2", "-o", "a.gif", status=2, says="a sheet is a .png")
         self.refuse("render", "once.kfast", "--contact", "-o", "a", status=2, says="a contact sheet is a .png")

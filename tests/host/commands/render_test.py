@@ -32,6 +32,30 @@ class UsageTest(RenderTest):
         self.refuse("render", "repeat.kfast", "--time", "", "-o", "b.png", status=2, says="'' is no time")
         self.refuse("render", "repeat.kfast", "--all", "--frame", "1", "-o", "b.png", status=2, says="--frame")
 
+    def test_it_says_what_it_wrote(self):
+        for arguments, says in ((("-o", "a.gif"), "10 frames, 60x40"), (("-o", "a.apng", "--scale", "2"), "10 frames, 120x80"),
+                                (("-o", "a.png"), "1 frame, 60x40"), (("--all", "-o", "a.svg"), "10 frames, 60x40"),
+                                (("-o", "a.png", "--size", "9x8"), "1 frame, 9x8"), (("--contact", "-o", "a.png"), "3 keys, 144x114"),
+                                (("--sheet", "5", "-o", "a.png"), "10 frames and a.json, 300x80")):
+            name = arguments[arguments.index("-o") + 1]
+            said = self.run_kfast("render", "repeat.kfast", *arguments)
+            self.assertEqual(said.stderr, "")
+            size = (self.folder / name).stat().st_size
+            self.assertEqual(said.stdout, f"{name}: {says}, " + (f"{size} bytes\n" if size < 1000 else f"{(size + 500) // 1000} KB\n"))
+        said = self.run_kfast("render", "repeat.kfast", "--all", "-o", "all").stdout
+        self.assertEqual(said, f"all: 10 files, 60x40, {sum(file.stat().st_size for file in (self.folder / 'all').iterdir()) / 1000:.0f} KB\n")
+
+    def test_quiet_it_says_nothing(self):
+        for command in (("render", "repeat.kfast", "-o", "a.gif"), ("compile", "repeat.kfast"), ("export", "--header", "repeat.kfast"),
+                        ("export", "--ild", "repeat.kfast"), ("export", "--wav", "repeat.kfast"), ("config", "pico-st7789", "-o", "a.kdl"),
+                        ("uf2", "pack", "--scene", "repeat.kfast", "-o", "a.uf2"), ("uf2", "unpack", "a.uf2", "-o", "u"), ("man", "m"),
+                        ("new", "n.kfast", "--force")):
+            self.assertNotEqual(self.run_kfast(*command).stdout, "", command)
+            self.assertEqual(self.run_kfast(*command, "-q").stdout, "", command)
+        (self.folder / "dot.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><circle r="4"/></svg>')
+        self.assertEqual(self.run_kfast("import", "dot.svg", "--quiet").stdout, "")
+        self.refuse("render", "nothing.kfast", "-o", "a.gif", "-q", status=1, says="no such file")
+
     def test_endings_in_capitals_and_folders_with_a_dot(self):
         self.render("repeat.kfast", "--all", "-o", "A.GIF")
         self.assertEqual((self.folder / "A.GIF").read_bytes()[:3], b"GIF")

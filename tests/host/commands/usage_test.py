@@ -1,18 +1,19 @@
 """Right and wrong usage of the real command."""
 
+import json
 import os
 import re
 import subprocess
 import unittest
 
-from command_case import KFAST, ROOT, CommandTest
+from command_case import KFAST, ROOT, CommandTest, kfast
 
 
 class UsageTest(CommandTest):
     def test_help_everywhere(self):
         example = re.search(r"Example:\n  kfast preview (\S+)", self.run_kfast("--help").stdout)
         self.assertTrue((ROOT / example[1]).is_file(), "the first example can be typed as it stands")
-        for command in ("compile", "check", "info", "render", "preview", "hash", "export", "config", "wiring", "uf2 pack", "flash",
+        for command in ("compile", "check", "help", "info", "render", "preview", "hash", "export", "config", "wiring", "uf2 pack", "flash",
                         "devices", "play", "live", "pause", "resume", "seek", "speed", "brightness", "upload", "slots",
                         "choose", "erase", "boot", "schema", "completions", "man"):
             self.assertIn(f"  kfast {command} ", self.run_kfast(*command.split(), "--help").stdout)
@@ -23,22 +24,77 @@ class UsageTest(CommandTest):
                 self.assertNotRegex(line, r"^ +-\S+ (TEXT|INT|UINT|FLOAT)", command)
 
     def test_version(self):
-        self.assertRegex(self.run_kfast("--version").stdout, r"^kfast \d+\.\d+\.\d+\n$")
+        for flag in ("--version", "-V", "-v"):
+            self.assertRegex(self.run_kfast(flag).stdout, r"^kfast \d+\.\d+\.\d+\n$")
+
+    def test_help_is_a_command_too(self):
+        for command in ((), ("render",), ("uf2", "pack"), ("help",)):
+            self.assertEqual(self.run_kfast("help", *command).stdout, self.run_kfast(*command, "--help").stdout)
+        self.refuse("help", "rendr", status=2, says='there is no command \'rendr\': did you mean "render"?')
+        self.refuse("help", "uf2", "pck", status=2, says='did you mean "pack"?')
+
+    def test_boards_and_panels_are_listed(self):
+        boards = {row["name"]: row for row in json.loads(self.run_kfast("boards", "--json").stdout)}
+        self.assertEqual(boards["pico"]["panel"], {"name": "st7789", "width": 240, "height": 240, "format": "rgb565"})
+        self.assertIn("beam", boards["pico-xy"])
+        listed = self.run_kfast("boards").stdout.splitlines()
+        self.assertRegex(listed[0], "^BOARD +PROCESSOR +FLASH +RAM +BUS +DISPLAY$")
+        self.assertEqual([line.split()[0] for line in listed[1:]], list(boards))
+        self.assertIn("pico cortex-m0+, 125 MHz 2048 KiB 264 KiB spi, 62.5 MHz st7789 240x240, 65536 colours",
+                      [re.sub(" +", " ", line) for line in listed])
+        for name in boards:
+            self.assertIn(kfast("fit", "repeat.kfast", "--board", name, folder=self.folder).returncode, (0, 1))
+        panels = {row["name"]: row for row in json.loads(self.run_kfast("panels", "--json").stdout)}
+        self.assertEqual(panels["ssd1322"]["format"], "grey4")
+        self.assertFalse(panels["ssd1322"]["draw"] or panels["ssd1322"]["flash"])
+        self.assertTrue(panels["ili9341-parallel"]["flash"])
+        for row in panels.values():
+            for known, command in (("draw", ("hash", "repeat.kfast")), ("fit", ("fit", "repeat.kfast", "--board", "pico"))):
+                self.assertEqual(kfast(*command, "--panel", row["name"], folder=self.folder).returncode != 2, row[known])
+        listed = self.run_kfast("panels").stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in listed[1:]], sorted(panels))
+        self.assertRegex("\n".join(listed), r"\nssd1306 +128x64 +black and white +spi, i2c +render, preview, panel, fit, flash\n")
+
+    def test_help_is_for_people(self):
+        shown = self.run_kfast("render", "--help").stdout
+        for internal in ("[Option", "At most", "Excludes", "NUMBER from", "REQUIRED"):
+            self.assertNotIn(internal, shown)
+        self.assertIn("Each pixel as a square of so many a side (1 to 64)", shown)
+        self.assertRegex(shown, r"-o, --output OUT  +A \.png .* \(needed\)")
+        headings = re.findall(r"(?m)^([A-Z].*):$", shown)
+        self.assertEqual(headings[:3], ["Arguments", "What to draw (one of these; default: frame 0, or all of an animation or a "
+                                        "video)", "Where to write it, and how"])
+        self.assertEqual(headings[-2:], ["Options", "Example"])
+        self.assertIn("Seconds to wait for a device that is silent (0.1 to 3600; default: 10)", self.run_kfast("play", "--help").stdout)
+
+    def test_help_on_a_terminal_has_headings_in_colour_and_short_lines(self):
+        for variables, is_coloured in (({"NO_COLOR": ""}, True), ({"NO_COLOR": "1"}, False)):
+            shown = self.written_to_a_terminal("render", "--help", stream="stdout", environment=variables)
+            self.assertEqual("\x1b[1;36mWhat to play:\x1b[0m" in shown, is_coloured)
+            self.assertEqual("\x1b" in shown, is_coloured)
+            texts = [line for line in re.sub(r"\x1b\[[0-9;]*m", "", shown).splitlines() if line.startswith("  -")]
+            self.assertLessEqual(max(map(len, texts)), 80)
+        self.assertNotIn("\x1b", self.run_kfast("render", "--help").stdout)
 
     def test_wrong_usage(self):
         self.refuse(status=2, says="a command is missing")
         self.refuse("hsh", "repeat.kfast", status=2, says='did you mean "hash"?')
+        listed = self.run_kfast("frobnicate", status=2).stderr
+        self.assertRegex(listed, r"there is no command 'frobnicate': allowed: new, .*, boards, panels, .*, help\nTry")
         self.refuse("hsh", "repeat.kfast", "--size", "9x9", status=2, says='did you mean "hash"?\nTry \'kfast --help\'.')
         self.refuse("uf2", "pck", "--config", "a", status=2, says='did you mean "pack"?')
         self.refuse("hash", status=2, says="FILE is required")
         self.refuse("hash", "repeat.kfast", "--frobnicate", status=2, says="--frobnicate")
         self.refuse("hash", "repeat.kfast", "extra", status=2, says="extra")
+        self.refuse("export", "repeat.kfast", status=2, says="kfast: choose one of --header, --ild, --wav\n")
+        self.refuse("render", "repeat.kfast", "--all", "--contact", "-o", "a.png", status=2,
+                    says="kfast: choose one of --frame, --time, --all, --sheet, --contact\n")
 
     def test_an_option_that_there_is_not_is_told_first(self):
         self.refuse("render", "nothing.kfast", "--scal", "3", status=2, says='no option --scal: did you mean "--scale"?')
         self.refuse("render", "repeat.kfast", "--frme=3", status=2, says='did you mean "--frame"?')
         self.refuse("hash", "repeat.kfast", "--size", "3", "--qqq", status=2, says="no option --qqq: allowed: --")
-        self.refuse("render", "repeat.kfast", "--all", "-f", "gif", status=2, says="no option -f: allowed: -h, -o\n")
+        self.refuse("render", "repeat.kfast", "--all", "-f", "gif", status=2, says="no option -f: allowed: -o, -q, -h\n")
         self.refuse("render", "repeat.kfast", "--frame", "-1", status=2, says="--output is required")
         self.refuse("--vesion", status=2, says='did you mean "--version"?')
         self.refuse("uf2", "pack", "--firmwear", "a.bin", status=2, says='did you mean "--firmware"?')
@@ -48,9 +104,10 @@ class UsageTest(CommandTest):
         page = (ROOT / "docs/commands.md").read_text(encoding="utf-8").split("### Old names")[1]
         rows = re.findall(r"(?m)^\| (`.*`) \| `(.*)` \| `(.*)` \|$", page)
         self.assertGreater(len(rows), 10)
+        values = {"--fit": "cover", "--size": "9x9", "--rate": "9000"}
         for commands, before, now in rows:
             for command in re.findall(r"`(\w+)`", commands):
-                told = self.run_kfast(command, *before.split(), "x" if before.startswith("--f") else "9", "--help")
+                told = self.run_kfast(command, *before.split(), values.get(before, "x"), "--help")
                 self.assertIn(f"kfast: {before} is now called {now}; the old name goes with the next version", told.stderr)
                 self.assertNotRegex(told.stdout, rf"{before.split()[0]}\b(?!-)")
         shown = self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--fit=cover").stdout
@@ -70,6 +127,14 @@ class UsageTest(CommandTest):
                         ["export", "--header", "repeat.kfast"], ["uf2", "unpack", "repeat.kfast"]):
             self.refuse(*command, "-o", "", status=2, says="--output: the name is empty: say where to write")
             self.refuse(*command, "-o", "-", status=2, says="standard output is not written to: say where to write")
+
+    def test_what_another_command_makes_is_not_compiled(self):
+        for name, remedy in (("hello.h", "for a header: kfast export --header repeat.kfast -o hello.h"), ("hello.cpp", "export --header"),
+                             ("hello.gif", "kfast render"), ("hello.uf2", "kfast uf2 pack --scene")):
+            self.refuse("compile", "repeat.kfast", "-o", name, status=2, says=remedy)
+            self.assertFalse((self.folder / name).exists())
+        for name in ("hello", "hello.bin", "hello.kfb"):
+            self.run_kfast("compile", "repeat.kfast", "-o", name)
 
     def test_options_for_files_of_other_programs(self):
         self.run_kfast("compile", "repeat.kfast")

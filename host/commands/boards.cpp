@@ -1,0 +1,92 @@
+#include "host/commands/command.hpp"
+#include "host/commands/json_text.hpp"
+#include "host/commands/panel_list.hpp"
+#include "host/commands/report_options.hpp"
+#include "host/commands/size_text.hpp"
+#include "host/commands/table_lines.hpp"
+#include "host/fit/board_choice.hpp"
+#include "host/fit/board_texts.hpp"
+#include "host/fit/wording.hpp"
+#include "host/picture/format_name.hpp"
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t bytes_of_kib = 1024;
+/// In the order of fit::BusKind.
+constexpr std::array bus_words{"spi", "parallel-8", "parallel-16", "i2c", "dac"};
+
+const char* bus_word(const fit::Bus& bus) { return bus_words[static_cast<std::size_t>(bus.kind)]; }
+
+std::vector<fit::Target> all_boards()
+{
+    std::vector<fit::Target> boards;
+    for (const fit::BoardText& board : fit::board_texts())
+        boards.push_back(fit::chosen_board(std::string{board.name}));
+    return boards;
+}
+
+std::string shown_on(const fit::Target& board)
+{
+    if (board.beam)
+        return "a beam, " + std::to_string(board.beam->rate) + " points a second";
+    return std::string{board.display.name} + ' ' + size_text(board.display.size) + ", " +
+           colours_text(board.display.format);
+}
+
+TableRow row_of(const fit::Target& board)
+{
+    return {board.name,
+            board.processor_name + ", " + fit::frequency_text(board.clock),
+            std::to_string(board.flash / bytes_of_kib) + " KiB",
+            std::to_string(board.ram / bytes_of_kib) + " KiB",
+            std::string{bus_word(board.bus)} + ", " + fit::frequency_text(board.bus.clock),
+            shown_on(board)};
+}
+
+Json json_of(const fit::Target& board)
+{
+    Json json{{"name", board.name},   {"processor", board.processor_name},
+              {"clock", board.clock}, {"flash", board.flash},
+              {"ram", board.ram},     {"bus", {{"kind", bus_word(board.bus)}, {"clock", board.bus.clock}}}};
+    if (board.beam)
+        json["beam"] = {{"rate", board.beam->rate}};
+    else
+        json["panel"] = {{"name", board.display.name},
+                         {"width", board.display.size.width},
+                         {"height", board.display.size.height},
+                         {"format", name_of(board.display.format)}};
+    return json;
+}
+
+void print_boards(bool is_json)
+{
+    std::vector<TableRow> rows{{"BOARD", "PROCESSOR", "FLASH", "RAM", "BUS", "DISPLAY"}};
+    Json json = Json::array();
+    for (const fit::Target& board : all_boards()) {
+        rows.push_back(row_of(board));
+        json.push_back(json_of(board));
+    }
+    std::cout << (is_json ? json_text(json) : table_text(rows));
+}
+
+void declare_boards(CLI::App& app)
+{
+    const auto json = std::make_shared<bool>(false);
+    declare_json(app, *json);
+    app.callback([json] { print_boards(*json); });
+}
+
+}
+
+const Command boards_command{
+    "boards",   "List the boards that 'kfast fit --board' knows", "kfast boards", declare_boards, {},
+    board_group};
+
+}
