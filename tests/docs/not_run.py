@@ -55,12 +55,17 @@ def silent(arguments):
     return [*without(arguments, "--audio"), "--headless", "--press", "n q"]
 
 
+def as_snapshot(arguments):
+    return [*arguments, "--headless", "--snapshot", "beside.png"]
+
+
 KFAST = (
     Instead(r"^kfast flash", dry_flash, "writes to a board in its boot loader: tests/host/commands/flash_test.py", (0, NO_DEVICE)),
     Instead(r"^kfast render .*\.webm", as_gif, "is encoded for seconds: tests/host/commands/render_video_test.py"),
     Instead(r"^kfast panel ", on_no_display, "needs pins of a Linux board: tests/emulation/linux_panel_test.py", (NO_DEVICE,)),
     Instead(r"^kfast install-udev", dry, "writes to /etc as root: tests/host/commands/install_udev_test.py"),
     Instead(r"^kfast preview .*--audio( |$)", silent, "needs a sound card: tests/host/commands/sound_test.py"),
+    Instead(r"^kfast preview .*--beside ", as_snapshot, "is to be seen: tests/host/commands/beside_test.py"),
     Instead(r"^kfast (dis)?arm", on_no_board, "the simulated board has no laser: tests/host/commands/device_test.py", (NO_DEVICE,)),
 )
 
