@@ -241,7 +241,6 @@ constexpr std::array absents{
     Absent{"repeat", "repetitions"},
     Absent{"repeater", "repetitions"},
     Absent{"for", "repetitions"},
-    Absent{"loop", "repetitions"},
     Absent{"let", "variables"},
     Absent{"var", "variables"},
     Absent{"const", "variables"},

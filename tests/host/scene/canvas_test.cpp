@@ -56,7 +56,8 @@ TEST_CASE("a canvas out of range is refused where it is")
     CHECK(canvas("\"\" 9").findings == "2:8 error: a number is expected here");
     CHECK(canvas("9 9 background=0xff0000").findings ==
           "2:23 error: a colour is expected here (write its name or \"#rrggbb\")");
-    CHECK(canvas("9 9 background=salmonella").findings.ends_with("aqua, or \"#rrggbb\")"));
+    CHECK(canvas("9 9 background=salmonella")
+              .findings.ends_with("aqua, another colour of CSS, or \"#rrggbb\")"));
     CHECK(canvas("#nan 9").findings == "2:8 error: this number is out of range (allowed: 1 to 2047)");
     CHECK(canvas("9 9 fps=0.5").findings == "2:16 error: this number is out of range (allowed: 1 to 1000)");
     CHECK(canvas("9 9 fps=#inf").findings == "2:16 error: this number is out of range (allowed: 1 to 1000)");

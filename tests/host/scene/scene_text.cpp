@@ -249,8 +249,8 @@ std::string drawn(std::string_view shape) { return drawn_in(std::nullopt, shape)
 
 std::string drawn_in(const std::optional<std::string>& folder, std::string_view shape)
 {
-    return drawing_and_findings(
-        read_between("kfast 1\ncanvas 100 100\nobject o fill=white {\n", shape, "\n}", 3, 0, folder));
+    return drawing_and_findings(read_between("kfast 1\ncanvas 100 100\nobject o fill=white stroke=white {\n",
+                                             shape, "\n}", 3, 0, folder));
 }
 
 std::string path_drawn(std::string_view data)

@@ -80,7 +80,7 @@ TEST_CASE("shapes of another form are refused")
           "1:12 error: this value is too many for circle (write circle CX CY r=RADIUS)");
     CHECK(drawn("circle 1 2") == "1:1 error: circle needs the property \"r\" (add r=…)");
     CHECK(drawn("circle 1 2 R=3") == "1:1 error: circle needs the property \"r\" (add r=…)\n"
-                                     "1:12 error: circle has no property \"R\" (allowed: r)");
+                                     "1:12 error: circle has no property \"R\" (KFAST calls it \"r\")");
     CHECK(drawn("circle 1 2 r=3 { x }") ==
           "1:18 error: circle takes no nodes inside (write circle CX CY r=RADIUS)");
     CHECK(drawn("ellipse 1 2 rx=3") == "1:1 error: ellipse needs the property \"ry\" (add ry=…)");

@@ -114,7 +114,8 @@ TEST_CASE("a track knows what it is a track of")
 TEST_CASE("a track holds values at different times")
 {
     CHECK(group("track x") == "2:1 error: this track has no values (add { at 0 …; at 30 … })");
-    CHECK(group("track x { key 0 x=1 }") == "2:11 error: a track has no node \"key\" (allowed: at)");
+    CHECK(group("track x { key 0 x=1 }") ==
+          "2:11 error: a track has no node \"key\" (KFAST calls it \"at\")");
     CHECK(group("track x { at 0 }") == "2:11 error: at needs more values (write at TIME VALUE)");
     CHECK(group("track x { at 0 1 2 }") == "2:18 error: this value is too many for at (write at TIME VALUE)");
     CHECK(group("track x { at 0 1 lw=hold }").starts_with("2:18 error: at has no property \"lw\""));
