@@ -7,7 +7,7 @@
 namespace kfast {
 
 /// Fills the pane with one line of text, which is cut where it is too long. `hint` stands at the right edge,
-/// if there is room for it and a few letters of the text.
+/// if there is room for both.
 void draw_status(Painter& painter, Rect pane, std::string_view text, std::string_view hint = {});
 
 }

@@ -16,7 +16,7 @@ bones arm { bone upper 20 20 30 20; pose 0 rest; pose 12 { upper turn=20 } }
 object ball x=4 scale=1.5 fill="#ff0000" stroke=white width=2 {
     key 0 law=accelerate { rect 0 0 8 8 }
     key 20 { rect 0 0 16 8 }
-    track y { at 0 10 law="bezier(0.42,0,0.58,1)"; at 10 30 law=hold; at 40 50 }
+    track y law=constant { at 0 10 law="bezier(0.42,0,0.58,1)"; at 10 30 law=hold; at 40 50 }
     track opacity input=gaze { at -1 0; at 1 1 }
 }
 group pair { key 0 scale=1 rotate=0; key 40 scale=2 rotate=90

@@ -145,9 +145,9 @@ TEST_CASE(
     "at a key, points are numbered as on the way that begins there, and at the last one as on the way there")
 {
     const NamedScene scene{"kfast 1\ncanvas 60 40 frames=20\nobject shape stroke=red width=1 {\n"
-                           "    key 0 { path \"M 0 0 L 20 0 L 20 20\" \"M 30 0 L 50 0\" }\n"
+                           "    key 0 { path \"M 0 0 L 20 0 L 20 20 M 30 0 L 50 0\" }\n"
                            "    key 10 law=hold { path \"M 0 20 L 12 20 L 24 20 L 36 20\" }\n"
-                           "    key 20 { path \"M 4 4 L 9 4\" \"M 4 9 L 9 9\" \"M 4 14 L 9 14\" }\n}\n"};
+                           "    key 20 { path \"M 4 4 L 9 4 M 4 9 L 9 9 M 4 14 L 9 14\" }\n}\n"};
     std::vector<std::vector<SeenStroke>> at;
     for (const int frame : {0, 5, 10, 15, 20})
         look(scene, Time::frame(frame), {60, 40},
@@ -175,10 +175,10 @@ TEST_CASE("skins, backbones and wire frames are numbered so, too, and a single k
         "bones arm { bone upper 10 10 30 10 }\n"
         "object skinned stroke=red width=1 skin=arm bone=upper {\n"
         "    key 0 { path \"M 10 10 L 30 10\" }\n"
-        "    key 20 { path \"M 10 10 L 20 10\" \"M 20 10 L 30 10\" }\n}\n"
+        "    key 20 { path \"M 10 10 L 20 10 M 20 10 L 30 10\" }\n}\n"
         "object worm stroke=red width=1 {\n"
         "    key 0 { path \"M 10 20 L 50 20\"; skeleton { backbone 10 20 30 20 50 20; width 8 } }\n"
-        "    key 20 { path \"M 10 20 L 30 20\" \"M 30 20 L 50 20\"; skeleton { backbone 10 20 30 8 50 14 } "
+        "    key 20 { path \"M 10 20 L 30 20 M 30 20 L 50 20\"; skeleton { backbone 10 20 30 8 50 14 } "
         "}\n}\n"
         "object cage stroke=red width=1 {\n"
         "    key 0 { wire 10 10 0 20 10 0 }\n"
