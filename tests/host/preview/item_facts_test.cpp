@@ -45,7 +45,8 @@ TEST_CASE("values are those of the moment, in the units of the scene language; t
 {
     Facts facts;
     CHECK(in_words(facts.of("ball", Time::frame(0)).values) ==
-          "x 4, y* 10, scale 1.5, rotate 0, opacity* 0.5, fill #ff0000, stroke #ffffff, width 2");
+          "x 4, y* 10, scale 1.5, rotate 0, opacity* 0.5, pivot-x 4, pivot-y 4, fill #ff0000, stroke "
+          "#ffffff, width 2");
     CHECK(in_words(facts.of("ball", Time::frame(5)).values).find("y* 20, ") != std::string::npos);
     CHECK(in_words(facts.of("ball", Time::frame(20)).values).find("y* 30, ") != std::string::npos);
     CHECK(in_words(facts.of("pair", Time::frame(20)).values) ==
