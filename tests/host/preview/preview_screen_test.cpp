@@ -1,17 +1,11 @@
-#include "host/preview/preview_screen.hpp"
-
 #include "host/preview/raster_painter.hpp"
 #include "host/preview/snapshot.hpp"
 #include "host/preview/theme.hpp"
-#include "tests/host/preview/opened_scenes.hpp"
-#include "tests/host/preview/recording_painter.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/host/preview/window_of_halves.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <fstream>
-#include <initializer_list>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -22,67 +16,7 @@ namespace {
 
 using Kind = PointerEvent::Kind;
 
-/// Two objects beside each other; as many frames as the time line of a window has room for.
-constexpr const char* two_halves = R"(kfast 1
-canvas 20 20 fps=10 frames=100
-input gaze min=-1 max=1
-clip blink from=40 to=80
-event 10 step
-object left fill="#ff0000" {
-    key 0 { rect 0 0 10 20 }
-    key 50 { rect 0 0 9 20 }
 }
-object right fill="#00ff00" {
-    key 0 { rect 10 0 10 20 }
-    track opacity input=gaze { at -1 1; at 1 0.5 }
-}
-)";
-
-/// A preview in a window that somebody uses with a mouse.
-struct Window {
-    Window()
-    {
-        viewer.scrub(Time{0});
-        draw();
-    }
-
-    const RecordingPainter& draw(Size size = {900, 600})
-    {
-        painter = RecordingPainter{size};
-        screen.draw(painter, viewer, now);
-        return painter;
-    }
-    void touch(Kind kind, int x, int y, int wheel = 0) { screen.touch({kind, x, y, wheel}, viewer, now); }
-    void press(PreviewKey key) { screen.press(key, viewer, now); }
-    void drag(std::initializer_list<std::pair<int, int>> way)
-    {
-        const auto [first_x, first_y] = *way.begin();
-        touch(Kind::press, first_x, first_y);
-        for (const auto& [x, y] : way)
-            touch(Kind::move, x, y);
-        const auto [last_x, last_y] = *(way.end() - 1);
-        touch(Kind::release, last_x, last_y);
-    }
-    void click(int x, int y) { drag({{x, y}}); }
-    bool has_text(const char* text) const { return painter.find(text) != nullptr; }
-    TimeLine time_line() const
-    {
-        const int height = TimeLine::wanted_height(viewer.time_table());
-        return {viewer.time_table(), {0, 576 - height, 900, height}};
-    }
-    int frame() const { return viewer.playback().frame(); }
-    std::string selected() const { return std::string{viewer.selected_name()}; }
-
-    TemporaryFolder folder;
-    bool is_written = (std::ofstream{folder / "halves.kfast"} << two_halves, true);
-    Viewer::Seconds now{1000};
-    Viewer viewer{open_scene, open_scene(folder / "halves.kfast"), now};
-    PreviewScreen screen;
-    RecordingPainter painter{{1, 1}};
-};
-
-}
-
 TEST_CASE("a window shows the picture, the scene's facts, the time line and the status")
 {
     Window window;
@@ -346,52 +280,6 @@ TEST_CASE("a key that zooms closes the help, as others do")
     REQUIRE(window.viewer.playback().help_open());
     window.screen.press(PreviewKey::zoom_in, window.viewer, window.now);
     CHECK_FALSE(window.viewer.playback().help_open());
-}
-
-TEST_CASE("what is selected is told at the side: its line, its values, and the keys around the moment")
-{
-    Window window;
-    window.viewer.select(window.viewer.time_table().row_named("left")->item);
-    window.draw();
-    for (const char* const text :
-         {"halves.kfast:6", "opacity", "fill", "#ff0000", "shape", "  0: constant", "  50"})
-        CHECK_MESSAGE(window.has_text(text), text);
-}
-
-TEST_CASE("a click on the line opens the editor there")
-{
-    struct Kept : Editor {
-        explicit Kept(std::vector<TextLine>& opened) : opened_{opened} {}
-        void open(const TextLine& at) override { opened_.push_back(at); }
-        std::vector<TextLine>& opened_;
-    };
-    std::vector<TextLine> opened;
-    Window window;
-    window.viewer.let_edit(std::make_unique<Kept>(opened));
-    window.viewer.select(window.viewer.time_table().row_named("right")->item);
-    window.draw();
-    const RecordingPainter::Text* const line = window.painter.find("halves.kfast:10");
-    REQUIRE(line != nullptr);
-    window.click(line->place.x + 5, line->place.y + 30);
-    CHECK(opened.empty());
-    window.click(line->place.x + 5, line->place.y + 5);
-    REQUIRE(opened.size() == 1);
-    CHECK(opened[0].line == 10);
-}
-
-TEST_CASE("a click on the triangle of a row unfolds it, and its quantities have keys to click on")
-{
-    Window window;
-    const RecordingPainter::Text* const triangle = window.painter.find("▸");
-    REQUIRE(triangle != nullptr);
-    window.click(triangle->place.x + 3, triangle->place.y + 3);
-    CHECK(window.selected().empty());
-    window.draw();
-    CHECK(window.has_text("▾"));
-    CHECK(window.has_text("shape"));
-    window.press(PreviewKey::quantities);
-    window.draw();
-    CHECK_FALSE(window.has_text("shape"));
 }
 
 TEST_CASE("a snapshot is the window after a script")
