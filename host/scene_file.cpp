@@ -2,6 +2,7 @@
 
 #include "host/counted.hpp"
 #include "host/failure.hpp"
+#include "host/import/content_kind.hpp"
 #include "host/import/import_scene.hpp"
 #include "host/import/loss_list.hpp"
 #include "host/input_file.hpp"

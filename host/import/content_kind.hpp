@@ -18,6 +18,9 @@ enum class ContentKind : std::uint8_t {
 /// texts and compiled scenes of kfast are.
 std::optional<ContentKind> kind_of(std::string_view content);
 
+/// Whether the content of a file is of a kind that may be imported: no scene text and no compiled scene is.
+inline bool can_import(std::string_view content) { return kind_of(content).has_value(); }
+
 /// The name of the outermost element of an XML text, without its namespace, or "" if there is none.
 std::string_view root_element(std::string_view xml);
 

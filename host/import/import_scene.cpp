@@ -216,8 +216,6 @@ Imported made_of(const art::Document& document, const std::string& name, const O
 
 }
 
-bool can_import(std::string_view content) { return kind_of(content).has_value(); }
-
 Imported import_scene(const std::string& name, std::string content, const Options& options)
 {
     art::Losses losses;

@@ -25,10 +25,6 @@ struct Imported {
     std::vector<std::string> notes; ///< what was taken in one of several ways, and how to have it otherwise
 };
 
-/// Whether the content of a file is, by its first bytes, of a kind that may be imported: no scene text and no
-/// compiled scene is.
-bool can_import(std::string_view content);
-
 /// Makes a scene of the content of another program's file: Lottie (JSON, or dotLottie's zip), SVG or Synfig
 /// (XML, or gzip of it). Throws Failure, which names the file, when the content is damaged, none of these, or
 /// more than art::Budget or a scene allows.
