@@ -122,6 +122,8 @@ std::string plain_text(const std::string& name, std::span<const config::Connecti
 
 void print_wiring(const WiringOptions& options)
 {
+    if (options.settings.config.empty())
+        throw CLI::RequiredError("INPUT");
     const NamedSettings chosen = *SettingsChoice{options.settings}.on(std::nullopt);
     const std::vector<config::Connection> wires = config::wiring(chosen.settings);
     std::cout << (options.json ? json_text(chosen.settings, wires)

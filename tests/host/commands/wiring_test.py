@@ -72,6 +72,8 @@ class WiringTest(CommandTest):
 
     def test_wrong_usage(self):
         self.refuse("wiring", status=2, says="INPUT is required")
+        self.refuse("wiring", "", status=2, says="INPUT is required")
+        self.refuse("wiring", "", "--pin", "dc=8", status=2, says="INPUT is required")
         self.refuse("wiring", "pico-gc9a10", status=1, says='did you mean "pico-gc9a01"?')
 
 
