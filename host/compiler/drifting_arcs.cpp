@@ -5,12 +5,11 @@
 #include "host/compiler/match_by_count.hpp"
 #include "host/compiler/match_by_length.hpp"
 #include "host/in_frames.hpp"
+#include "host/rounded_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -23,7 +22,7 @@ using scene::Sector;
 constexpr double arc_tolerance = 0.75;    ///< px
 constexpr double advised_drift = 0.5;     ///< px; the rest is for rounding
 constexpr double chord_error = 0.02;      ///< px by which a chord strays from what is drawn
-constexpr std::int32_t most_moments = 16; ///< of a way that are looked at
+constexpr std::int32_t max_moments = 16; ///< of a way that are looked at
 constexpr double degrees_apart = 5;       ///< of places on the arc that are looked at
 
 double between(double a, double b, double share) { return a + share * (b - a); }
@@ -74,19 +73,19 @@ std::vector<Spot> stroke_spots(const SegmentPairs& stroke, const Progress& progr
 
 double distance_to(const std::vector<Spot>& line, Spot spot)
 {
-    double least = distance(spot, line.front());
+    double nearest = distance(spot, line.front());
     for (std::size_t i = 1; i < line.size(); ++i)
-        least = std::min(least, distance_to_line(spot, line[i - 1], line[i]));
-    return least;
+        nearest = std::min(nearest, distance_to_line(spot, line[i - 1], line[i]));
+    return nearest;
 }
 
 /// How far the places of an arc are from what stands in its stead, in pixels.
 double drift(const Sector& sector, const std::vector<Spot>& drawn)
 {
-    double most = 0;
+    double farthest = 0;
     for (const Spot spot : arc_spots(sector))
-        most = std::max(most, distance_to(drawn, spot));
-    return most;
+        farthest = std::max(farthest, distance_to(drawn, spot));
+    return farthest;
 }
 
 /// Where an arc is furthest from its circle.
@@ -103,13 +102,22 @@ std::vector<Time> moments_between(Time from, Time to, bool is_time)
     const std::int32_t unit = is_time ? Time::ticks_per_frame : 1;
     const std::int32_t first = from.ticks / unit + 1;
     const std::int32_t last = (to.ticks - 1) / unit;
-    const std::int32_t count = std::min(last - first + 1, most_moments);
+    const std::int32_t count = std::min(last - first + 1, max_moments);
     std::vector<Time> moments;
     for (std::int32_t i = 0; i < count; ++i) {
         const std::int64_t offset = std::int64_t{last - first} * i / std::max(count - 1, 1);
         moments.push_back({(first + static_cast<std::int32_t>(offset)) * unit});
     }
     return moments;
+}
+
+/// What `from` is at the next key if it has other angles there, else null.
+const scene::SectorStroke* other_angles(const scene::SectorStroke& from, const scene::Key& next)
+{
+    const auto to = std::ranges::find(next.sectors, from.stroke, &scene::SectorStroke::stroke);
+    const bool is_other = to != next.sectors.end() &&
+                          (from.sector.from != to->sector.from || from.sector.to != to->sector.to);
+    return is_other ? &*to : nullptr;
 }
 
 class DriftingArcs {
@@ -128,16 +136,15 @@ private:
     {
         if (key.sectors.empty() || key.drawing.strokes.size() != next.drawing.strokes.size())
             return;
+        if (std::ranges::none_of(key.sectors, [&](const auto& from) { return other_angles(from, next); }))
+            return;
         const auto by_length =
             key.match == scene::Match::length ? match_by_length(key.drawing, next.drawing) : std::nullopt;
         const MatchedSegments matched = by_length ? match_by_count(by_length->from, by_length->to)
                                                   : match_by_count(key.drawing, next.drawing);
-        for (const scene::SectorStroke& from : key.sectors) {
-            const auto to = std::ranges::find(next.sectors, from.stroke, &scene::SectorStroke::stroke);
-            if (to != next.sectors.end() &&
-                (from.sector.from != to->sector.from || from.sector.to != to->sector.to))
+        for (const scene::SectorStroke& from : key.sectors)
+            if (const scene::SectorStroke* const to = other_angles(from, next))
                 look_at(key, next, {from.sector, to->sector}, matched.strokes[from.stroke].front());
-        }
     }
 
     void look_at(const scene::Key& key, const scene::Key& next, const Pair<Sector>& sectors,
@@ -157,20 +164,13 @@ private:
     Drift worst_;
 };
 
-std::string text_of(double number)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", number);
-    return text.data();
-}
-
 std::string moment_text(const scene::Scene& scene, Clock clock, Time time)
 {
     if (clock.is_time())
-        return "frame " + text_of(in_frames(time));
+        return "frame " + rounded_text(in_frames(time));
     const scene::Input& input = scene.inputs[clock.input - 1U];
     const double share = static_cast<double>(time.ticks) / whole_input.ticks;
-    return input.name + '=' + text_of(between(input.least, input.most, share) / 1000);
+    return input.name + '=' + rounded_text(between(input.least, input.most, share) / 1000);
 }
 
 /// How many degrees an end may go from key to key so that a chord stays near its circle.
@@ -187,7 +187,8 @@ void warn_of_drift(const scene::Scene& scene, const scene::Object& object, Diagn
     if (worst.by < arc_tolerance)
         return;
     diagnostics.warning(worst.place,
-                        "the arc leaves its circle on the way to the next key, by " + text_of(worst.by) +
+                        "the arc leaves its circle on the way to the next key, by " +
+                            rounded_text(std::round(worst.by * 10) / 10) +
                             " px at " + moment_text(scene, object.clock, worst.time) + ": points go straight",
                         "add a key for every " + std::to_string(step_of(worst.radius)) +
                             " degrees or so, with match=length, or turn an arc that keeps its length");

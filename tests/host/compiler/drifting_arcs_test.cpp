@@ -12,7 +12,7 @@ namespace {
 /// The warnings for one object.
 std::string warnings(const std::string& keys, const std::string& object = "stroke=red")
 {
-    const std::string text = "kfast 1\ncanvas 240 240 frames=101\ninput v min=-50 max=150\nobject o " +
+    const std::string text = "kfast 1\ncanvas 240 240 frames=3000\ninput v min=-50 max=4095\nobject o " +
                              object + " { " + keys +
                              " }\nobject user fill=red input=v { key 0 { circle 9 9 r=1 } }\n";
     Diagnostics diagnostics;
@@ -87,6 +87,16 @@ TEST_CASE("the worst of all ways is named, at a frame or a value of the input")
     CHECK(warnings(keys).find("px at frame 51:") != std::string::npos);
     CHECK(warnings("key 0 { " + arc(0, 90) + " }; key 100 { " + arc(0, 180) + " }", "stroke=red input=v")
               .find("px at v=") != std::string::npos);
+}
+
+TEST_CASE("a moment from 1000 on is written in full")
+{
+    CHECK(warnings("key 2900 { " + arc(0, 90) + " }; key 2902 { " + arc(0, 180) + " }")
+              .find(" px at frame 2901:") != std::string::npos);
+    const std::string by_input =
+        warnings("key 0 { " + arc(0, 90) + " }; key 4095 { " + arc(0, 180) + " }", "stroke=red input=v");
+    CHECK(by_input.find(" px at v=") != std::string::npos);
+    CHECK(by_input.find("e+") == std::string::npos);
 }
 
 }
