@@ -133,9 +133,12 @@ std::vector<std::string> FitReport::reasons() const
 
 std::string FitReport::lateness_text() const
 {
-    if (late.late != 0 || late_with_inputs.late == 0)
-        return late_text(late);
-    return late_text(late_with_inputs) + " while its inputs move";
+    const bool is_by_inputs = late.late == 0 && late_with_inputs.late != 0;
+    const std::string text = late_text(is_by_inputs ? late_with_inputs : late);
+    if (text.empty())
+        return text;
+    return text + (speed.stride > 1 ? " of those looked at" : "") +
+           (is_by_inputs ? " while its inputs move" : "");
 }
 
 FitReport fit_report(const FitWish& wish)

@@ -63,13 +63,19 @@ void SceneRun::visit_turn(Time offset, const VisitFrame& visit)
     }
 }
 
+void SceneRun::visit_presses(const VisitFrame& visit)
+{
+    if (player_.scene().input_count() == 0)
+        return;
+    for (const Time place : {Time{}, whole_input, Time{}})
+        put_inputs_and_draw(place, visit);
+    inputs_.put_usual();
+}
+
 void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
 {
     if (player_.scene().input_count() == 0)
         return;
-    put_inputs_and_draw(Time{}, visit); // as buttons do: all of them pressed at once, and let go
-    put_inputs_and_draw(whole_input, visit);
-    put_inputs_and_draw(Time{}, visit);
     const int turn = std::max(frames_, BusyInputs::turn);
     for (int frame = 0; frame < turn; frame += stride_) {
         if (frame == 0 || stride_ > 1) {

@@ -43,9 +43,11 @@ public:
     void visit_first(Time offset, const VisitFrame& visit);
     /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
-    /// Likewise, while all inputs of the scene are busy (BusyInputs): at least BusyInputs::turn frames, and
-    /// three before them in which all inputs leap from end to end. Nothing if it has none; they stand as
-    /// usual afterwards.
+    /// Three pictures as of buttons that are pressed at once and let go: all inputs leap from end to end.
+    /// Nothing if the scene has none; they stand at their defaults afterwards.
+    void visit_presses(const VisitFrame& visit);
+    /// As visit_turn(), while all inputs of the scene are busy (BusyInputs): at least BusyInputs::turn frames.
+    /// Nothing if it has none; they stand at their defaults afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
     /// A picture in which all drawings among the inputs are noise, after another such picture; nothing if
     /// there are none. They are as usual afterwards.

@@ -85,6 +85,7 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, cons
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
     run.visit_turn(Time{0}, take_into(speed.turn));
     run.visit_turn(Time{Time::ticks_per_frame / 2}, take);
+    run.visit_presses(take);
     run.visit_turn_with_inputs(take_into(speed.busy_turn));
     run.visit_end(take);
     run.visit_noise([&](const FrameWork& frame) { meter.take_noise(frame); });

@@ -68,9 +68,22 @@ TEST_CASE("a scene is looked at with its inputs moving, too")
                            bound + " { key 0 law=hold { rect 0 0 2 2 }; key 1 { rect 0 0 60 40 } }\n");
         const FitReport report = report_of(bytes);
         CHECK(report.speed.frames.size() == 2 * 10 + 3 + 64);
+        CHECK(report.late_with_inputs.frames == 64);
         CHECK(report.speed.frames.front().instructions < report.speed.worst().instructions / 4); // at rest
         CHECK((report.speed.worst().bytes > 60 * 40) == (bound == " input=knob"));
     }
+}
+
+TEST_CASE("pictures that are late only while inputs move are said to be so")
+{
+    Target slow = desk();
+    slow.bus.clock = 600e3;
+    const auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput knob\nobject b fill=lime "
+                                      "input=knob { key 0 law=hold { rect 0 0 2 2 }; key 1 { rect 0 0 60 40 } }\n");
+    const FitReport report = report_of(bytes, slow);
+    CHECK(report.late.late == 0);
+    CHECK(report.late_with_inputs.late > 0);
+    CHECK(report.lateness_text().ends_with(" while its inputs move"));
 }
 
 TEST_CASE("texts are looked at full of the letters that cost most, all of them changing")
