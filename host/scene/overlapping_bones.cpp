@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -71,11 +72,18 @@ private:
             points_[pair].push_back(point);
     }
 
+    /// Whether one of them is posed, or a bone between it and what carries both.
     bool move_apart(BonePair pair) const
     {
-        const Bone& a = bones_[pair.first];
-        const Bone& b = bones_[pair.second];
-        return a.parent != b.parent || has_keys(a) || has_keys(b);
+        std::optional<std::size_t> one = pair.first;
+        std::optional<std::size_t> other = pair.second;
+        while (one != other) {
+            auto& later = one > other ? one : other; // parents stand before their children, and no bone first
+            if (has_keys(bones_[*later]))
+                return true;
+            later = bones_[*later].parent;
+        }
+        return false;
     }
 
     bool overlap(BonePair pair) const
