@@ -9,7 +9,9 @@
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <iostream>
 #include <string_view>
 
@@ -43,7 +45,8 @@ constexpr std::array other_outputs{
 /// By another ending it would be a compiled scene that nobody takes for one.
 void require_scene_name(const CompileOptions& options)
 {
-    const std::string ending = ' ' + fs::path{options.output}.extension().string() + ' ';
+    std::string ending = ' ' + fs::path{options.output}.extension().string() + ' ';
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     for (const auto& [endings, remedy] : other_outputs)
         if (ending.size() > 2 && endings.find(ending) != endings.npos)
             throw CLI::ValidationError("--output", "'" + options.output + "': a compiled scene is a .kfb; " +
