@@ -43,7 +43,7 @@ std::string list_of(const std::vector<Part>& parts, std::string (*text)(std::siz
 /// Three digits: "4.79", "61.2", "256"
 std::string rounded(double number)
 {
-    return number < 1000 ? digits(number, 3) : digits(std::round(number), 12);
+    return number < 999.5 ? digits(number, 3) : digits(std::round(number), 12);
 }
 
 std::string firmware_text(std::size_t bytes, std::size_t available, std::string_view memory,

@@ -50,6 +50,7 @@ TEST_CASE("memory is said in three digits, and no rate beyond what a panel shows
     CHECK(memory_text(1023) == "1023 B");
     CHECK(memory_text(4900) == "4.79 KiB");
     CHECK(memory_text(256 * 1024) == "256 KiB");
+    CHECK(memory_text(1023590) == "1000 KiB");
     CHECK(memory_text(1023 * 1024) == "1023 KiB");
     CHECK(memory_text(1536 * 1024) == "1.5 MiB");
     CHECK(rate_text(1000) == "1000 fps");
