@@ -39,8 +39,9 @@ std::string mistaken_board(const std::string& board)
 {
     if (board == boards.front())
         return {};
-    return "there is no firmware for '" + board +
-           "': " + fit::other_board_text(board).value_or(suggestion(board, boards));
+    if (const auto text = fit::other_board_text(board))
+        return "'" + board + "': " + *text;
+    return "there is no firmware for '" + board + "': " + suggestion(board, boards);
 }
 
 FlashOrder order_of(const FlashOptions& options)

@@ -11,6 +11,7 @@
 #include "host/config/printed_roles.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
+#include "host/fit/other_hardware.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -32,11 +33,13 @@ CLI::ValidationError wrong_pin(const std::string& text, const std::string& reaso
 std::string configuration_of(const std::string& panel)
 {
     const std::vector<std::string_view> known = ready_panels();
-    if (std::ranges::find(known, panel) == known.end())
-        throw CLI::ValidationError(
+    if (std::ranges::find(known, panel) != known.end())
+        return std::string{prefix} + panel;
+    if (const auto remedy = fit::undriven_panel_text(panel))
+        throw CLI::ValidationError("--panel", "'" + visible(panel) + "' is unknown: " + *remedy);
+    throw CLI::ValidationError(
             "--panel", "'" + visible(panel) + "' has no ready configuration: " + suggestion(panel, known) +
                            ", or name a file of settings with --config (docs/config.md)");
-    return std::string{prefix} + panel;
 }
 
 PinRole role_of(const std::string& text, std::string_view word)

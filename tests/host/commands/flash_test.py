@@ -102,6 +102,7 @@ class RefusalTest(FlashTest):
                 (["--beam", "galvo", "--config", "pico-xy-galvo"], 2, "--config"),
                 (["--beam", "scope", "--pin", "ldac=none"], 2, "--pin ldac=none: dac needs a pin for ldac"),
                 (["--pin", "dc"], 2, "'dc': write ROLE=GPIO, like dc=8"),
+                (["--panel", "sh1106"], 2, "'sh1106' is unknown: an SH1106, often sold as an SSD1306"),
                 (["--pin", "rst=3"], 2, "'rst=3': here it is called reset"),
                 (["--pin", "dcc=3"], 2, 'did you mean "dc"?'),
                 (["--pin", "dc=30"], 2, "'dc=30': the number of a GPIO is expected"),
@@ -121,6 +122,7 @@ class RefusalTest(FlashTest):
         self.refused("--no-firmware", "--firmware", "f.bin", status=2, says="--no-firmware")
         self.refused("--board", "pico2", status=2, says="a Pico 2 (RP2350, Cortex-M33) is not supported yet: there is no firmware for it")
         self.refused("--board", "bluepill", status=2, says="there is no firmware for 'bluepill': allowed: pico")
+        self.refused("--board", "esp32", status=2, says="'esp32': an ESP32 (Xtensa LX6) is not supported yet: there is no firmware for it")
         self.refused("--verify-only", "--dry-run", status=2, says="--dry-run")
         self.refused("--device", "E6", status=2, says="excludes --device")
         self.refused("--reset-line", "GPIO17", status=2, says="--reset-line requires --boot-line")
