@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <ostream>
+#include <utility>
 
 namespace kfast {
 namespace {
 
 constexpr std::array renamed_options{
     OldName{"check", "--format", "--json", "json"},
+    OldName{"check", "--format", "", "text"},
     OldName{"check", "--name", "--stdin-filename"},
     OldName{"check", "--size", "--canvas"},
     OldName{"compile", "--size", "--canvas"},
@@ -49,42 +52,47 @@ public:
             if (word == "--")
                 break;
             rest_ = rest_.subspan(1);
-            renamed_.push_back(name_of_now(word));
+            if (auto now = word_of_now(word))
+                renamed_.push_back(*std::move(now));
         }
         renamed_.insert(renamed_.end(), rest_.begin(), rest_.end());
         return renamed_;
     }
 
 private:
-    std::string name_of_now(std::string_view word)
+    /// None for an option that is not needed any more.
+    std::optional<std::string> word_of_now(std::string_view word)
     {
         const std::size_t sign = std::min(word.find('='), word.size());
+        const std::string_view assigned = word.substr(sign); // "=json", or nothing
         const auto* const row = std::ranges::find_if(renamed_options, [&](const OldName& name) {
-            return name.command == command_ && name.before == word.substr(0, sign);
+            return name.command == command_ && name.before == word.substr(0, sign) &&
+                   (name.value.empty() || name.value == value_behind(assigned));
         });
-        if (row == renamed_options.end() || !has_value_of(*row, word.substr(sign)))
+        if (row == renamed_options.end())
             return std::string{word};
+        if (!row->value.empty() && assigned.empty())
+            rest_ = rest_.subspan(1); // the value goes with the option
         note(*row);
-        return std::string{row->now} + std::string{row->value.empty() ? word.substr(sign) : ""};
+        if (row->now.empty())
+            return std::nullopt;
+        return std::string{row->now} + std::string{row->value.empty() ? assigned : ""};
     }
 
-    /// `assigned` is "=json" or nothing; then the value is the next word, which goes with the option.
-    bool has_value_of(const OldName& name, std::string_view assigned)
+    std::string_view value_behind(std::string_view assigned) const
     {
-        if (name.value.empty())
-            return true;
         if (!assigned.empty())
-            return assigned.substr(1) == name.value;
-        if (rest_.empty() || rest_.front() != name.value)
-            return false;
-        rest_ = rest_.subspan(1);
-        return true;
+            return assigned.substr(1);
+        return rest_.empty() ? "" : rest_.front();
     }
 
     void note(const OldName& name) const
     {
-        notes_ << "kfast: " << written(name) << " is now called " << name.now
-               << "; the old name goes with the next version\n";
+        notes_ << "kfast: " << written(name);
+        if (name.now.empty())
+            notes_ << " is the default; the next version drops the option\n";
+        else
+            notes_ << " is now called " << name.now << "; the next version drops the old name\n";
     }
 
     std::span<const char* const> rest_;

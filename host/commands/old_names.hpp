@@ -13,7 +13,7 @@ namespace kfast {
 struct OldName {
     std::string_view command;
     std::string_view before;     ///< "--fit"
-    std::string_view now;        ///< "--scaling"
+    std::string_view now;        ///< "--scaling"; empty: `before value` is what happens without it
     std::string_view value = {}; ///< the one that the flag `now` stands for, as --json for --format json
 };
 

@@ -108,8 +108,11 @@ class UsageTest(CommandTest):
         for commands, before, now in rows:
             for command in re.findall(r"`(\w+)`", commands):
                 told = self.run_kfast(command, *before.split(), values.get(before, "x"), "--help")
-                self.assertIn(f"kfast: {before} is now called {now}; the old name goes with the next version", told.stderr)
+                self.assertIn(f"kfast: {before} is now called {now}; the next version drops the old name", told.stderr)
                 self.assertNotRegex(told.stdout, rf"{before.split()[0]}\b(?!-)")
+        told = self.run_kfast("check", "--format", "text", "repeat.kfast")
+        self.assertEqual(told.stdout, self.run_kfast("check", "repeat.kfast").stdout)
+        self.assertEqual(told.stderr, "kfast: --format text is the default; the next version drops the option\n")
         shown = self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--fit=cover").stdout
         self.assertEqual(shown, self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--scaling", "cover").stdout)
         self.assertNotEqual(shown, self.run_kfast("hash", "repeat.kfast", "--size", "64x32").stdout)
@@ -130,6 +133,7 @@ class UsageTest(CommandTest):
 
     def test_what_another_command_makes_is_not_compiled(self):
         for name, remedy in (("hello.h", "for a header: kfast export --header repeat.kfast -o hello.h"), ("hello.cpp", "export --header"),
+                             ("hello.H", "kfast export --header"),
                              ("hello.gif", "kfast render"), ("hello.uf2", "kfast uf2 pack --scene")):
             self.refuse("compile", "repeat.kfast", "-o", name, status=2, says=remedy)
             self.assertFalse((self.folder / name).exists())
