@@ -21,8 +21,8 @@ constexpr std::string_view linux_board =
 
 constexpr std::string_view wide_spi = "(MHz)40";
 
-/// Clocks and memory are those of the makers' data sheets, memory of flash that of the module that most
-/// people have.
+/// For estimates to begin with: clocks of processors and RAM as in the makers' data sheets, flash as on a
+/// common module, and a clock of SPI that is plausible. None of these boards has been tried.
 constexpr std::array boards{
     OtherBoard{
         {"pico2 pico2w rp2350 rp2350a rp2350b raspberrypipico2", "a Pico 2 (RP2350, Cortex-M33)", related},
@@ -92,7 +92,7 @@ constexpr std::array boards{
         {"teensy teensy4 teensy40 teensy41 imxrt1062", "a Teensy 4 (i.MX RT1062, Cortex-M7)", measured},
         "cortex-m7 clock=(MHz)600",
         "flash=(MiB)2 ram=(KiB)1024",
-        "(MHz)60"},
+        "(MHz)30"},
     OtherBoard{{"stm32h7 stm32h743", "an STM32H743 (Cortex-M7)", measured},
                "cortex-m7 clock=(MHz)480",
                "flash=(MiB)2 ram=(KiB)512",
@@ -101,7 +101,11 @@ constexpr std::array boards{
                "cortex-m7 clock=(MHz)216",
                "flash=(MiB)1 ram=(KiB)320",
                "(MHz)54"},
-    OtherBoard{{"stm32f4 stm32f407 stm32f446 nucleof446re", "an STM32F446 (Cortex-M4)", measured},
+    OtherBoard{{"stm32f407 stm32f407vg", "an STM32F407 (Cortex-M4)", measured},
+               "cortex-m4 clock=(MHz)168",
+               "flash=(MiB)1 ram=(KiB)128",
+               "(MHz)42"},
+    OtherBoard{{"stm32f4 stm32f446 nucleof446re", "an STM32F446 (Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)180",
                "flash=(KiB)512 ram=(KiB)128",
                "(MHz)45"},

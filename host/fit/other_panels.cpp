@@ -12,8 +12,10 @@ constexpr std::string_view not_yet =
 
 constexpr std::array panels{
     OtherName{"sh1106 sh1107 sh1108", "an SH1106, often sold as an SSD1306 of 1.3 inches,", pages},
-    OtherName{"st7565 uc1701 pcd8544 nokia5110 ks0108 st7920 ssd1305", "this controller", pages},
-    OtherName{"ssd1309", "an SSD1309",
+    OtherName{"st7565 uc1701 pcd8544 nokia5110 ks0108", "this controller", pages},
+    OtherName{"st7920", "an ST7920",
+              "takes rows in words of 16 pixels, and has no driver: take one with an SSD1306"},
+    OtherName{"ssd1309 ssd1305", "this controller",
               "has the commands of the SSD1306 for pictures: try ssd1306, which nobody has done yet"},
     OtherName{"epaper eink epd waveshareepaper ssd1680 ssd1681 ssd1675 uc8151 il0373 gdew", "e-paper",
               "takes a second or more for a picture, too long for animations"},

@@ -48,6 +48,7 @@ TEST_CASE("a board that is not supported is called by its name, and described")
     }
     for (const char* const name : {"esp32", "esp32-s3", "ESP32-C3"})
         CHECK(says(other_board_advice(name), "core cortex-m4 clock="));
+    CHECK(says(other_board_advice("STM32F407"), "core cortex-m4 clock=(MHz)168"));
     CHECK_FALSE(other_board_advice("pica"));
     CHECK_FALSE(other_board_advice(""));
     CHECK_FALSE(other_board_advice("-"));
@@ -113,6 +114,8 @@ TEST_CASE("all panels that the preview and settings know are known to fit, and t
     CHECK(says(undriven_panel_text("ssd1322"), "kfast fit alone knows it"));
     CHECK(says(undriven_panel_text("ssd1322"), "--size 256x64 --format grey4"));
     CHECK(says(undriven_panel_text("SH1106"), "pages of 8 rows"));
+    CHECK(says(undriven_panel_text("ST7920"), "words of 16 pixels"));
+    CHECK(says(undriven_panel_text("SSD1305"), "try ssd1306"));
     CHECK(says(undriven_panel_text("e-paper"), "too long for animations"));
     CHECK_FALSE(undriven_panel_text("nothing"));
 }
