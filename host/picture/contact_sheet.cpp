@@ -50,8 +50,8 @@ Size ContactLayout::sheet() const
 std::optional<ContactLayout> contact_layout(std::size_t count, Size picture, std::size_t longest_label,
                                             int scale)
 {
-    constexpr std::size_t most_prints = 1 << 20;
-    if (count > most_prints)
+    constexpr std::size_t max_prints = 1 << 20;
+    if (count > max_prints)
         return std::nullopt;
     const int prints = static_cast<int>(count);
     const Size cell = cell_size(picture, longest_label);
