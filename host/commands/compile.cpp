@@ -46,7 +46,8 @@ constexpr std::array other_outputs{
 void require_scene_name(const CompileOptions& options)
 {
     std::string ending = ' ' + fs::path{options.output}.extension().string() + ' ';
-    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     for (const auto& [endings, remedy] : other_outputs)
         if (ending.size() > 2 && endings.find(ending) != endings.npos)
             throw CLI::ValidationError("--output", "'" + options.output + "': a compiled scene is a .kfb; " +

@@ -37,9 +37,9 @@ std::string configuration_of(const std::string& panel)
         return std::string{prefix} + panel;
     if (const auto remedy = fit::undriven_panel_text(panel))
         throw CLI::ValidationError("--panel", "'" + visible(panel) + "' is unknown: " + *remedy);
-    throw CLI::ValidationError(
-            "--panel", "'" + visible(panel) + "' has no ready configuration: " + suggestion(panel, known) +
-                           ", or name a file of settings with --config (docs/config.md)");
+    throw CLI::ValidationError("--panel", "'" + visible(panel) +
+                                              "' has no ready configuration: " + suggestion(panel, known) +
+                                              ", or name a file of settings with --config (docs/config.md)");
 }
 
 PinRole role_of(const std::string& text, std::string_view word)

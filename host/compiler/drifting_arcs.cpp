@@ -19,11 +19,11 @@ namespace {
 
 using scene::Sector;
 
-constexpr double arc_tolerance = 0.75;    ///< px
-constexpr double advised_drift = 0.5;     ///< px; the rest is for rounding
-constexpr double chord_error = 0.02;      ///< px by which a chord strays from what is drawn
+constexpr double arc_tolerance = 0.75;   ///< px
+constexpr double advised_drift = 0.5;    ///< px; the rest is for rounding
+constexpr double chord_error = 0.02;     ///< px by which a chord strays from what is drawn
 constexpr std::int32_t max_moments = 16; ///< of a way that are looked at
-constexpr double degrees_apart = 5;       ///< of places on the arc that are looked at
+constexpr double degrees_apart = 5;      ///< of places on the arc that are looked at
 
 double between(double a, double b, double share) { return a + share * (b - a); }
 
@@ -115,8 +115,8 @@ std::vector<Time> moments_between(Time from, Time to, bool is_time)
 const scene::SectorStroke* other_angles(const scene::SectorStroke& from, const scene::Key& next)
 {
     const auto to = std::ranges::find(next.sectors, from.stroke, &scene::SectorStroke::stroke);
-    const bool is_other = to != next.sectors.end() &&
-                          (from.sector.from != to->sector.from || from.sector.to != to->sector.to);
+    const bool is_other =
+        to != next.sectors.end() && (from.sector.from != to->sector.from || from.sector.to != to->sector.to);
     return is_other ? &*to : nullptr;
 }
 
@@ -188,8 +188,8 @@ void warn_of_drift(const scene::Scene& scene, const scene::Object& object, Diagn
         return;
     diagnostics.warning(worst.place,
                         "the arc leaves its circle on the way to the next key, by " +
-                            rounded_text(std::round(worst.by * 10) / 10) +
-                            " px at " + moment_text(scene, object.clock, worst.time) + ": points go straight",
+                            rounded_text(std::round(worst.by * 10) / 10) + " px at " +
+                            moment_text(scene, object.clock, worst.time) + ": points go straight",
                         "add a key for every " + std::to_string(step_of(worst.radius)) +
                             " degrees or so, with match=length, or turn an arc that keeps its length");
 }

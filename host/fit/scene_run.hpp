@@ -46,8 +46,8 @@ public:
     /// Three pictures as of buttons that are pressed at once and let go: all inputs leap from end to end.
     /// Nothing if the scene has none; they stand at their defaults afterwards.
     void visit_presses(const VisitFrame& visit);
-    /// As visit_turn(), while all inputs of the scene are busy (BusyInputs): at least BusyInputs::turn frames.
-    /// Nothing if it has none; they stand at their defaults afterwards.
+    /// As visit_turn(), while all inputs of the scene are busy (BusyInputs): at least BusyInputs::turn
+    /// frames. Nothing if it has none; they stand at their defaults afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
     /// A picture in which all drawings among the inputs are noise, after another such picture; nothing if
     /// there are none. They are as usual afterwards.

@@ -78,8 +78,9 @@ TEST_CASE("pictures that are late only while inputs move are said to be so")
 {
     Target slow = desk();
     slow.bus.clock = 600e3;
-    const auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput knob\nobject b fill=lime "
-                                      "input=knob { key 0 law=hold { rect 0 0 2 2 }; key 1 { rect 0 0 60 40 } }\n");
+    const auto bytes =
+        test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput knob\nobject b fill=lime "
+                       "input=knob { key 0 law=hold { rect 0 0 2 2 }; key 1 { rect 0 0 60 40 } }\n");
     const FitReport report = report_of(bytes, slow);
     CHECK(report.late.late == 0);
     CHECK(report.late_with_inputs.late > 0);

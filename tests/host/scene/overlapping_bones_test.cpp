@@ -41,10 +41,11 @@ TEST_CASE("bones that lie apart, or never part, may share points")
     CHECK(findings_of_legs(legs, "pose 0 { l turn=9 }; pose 9 { l turn=1 }", "50 40 80 70") == "");
     CHECK(findings_of_legs(legs, "pose 0 { hip turn=9 }; pose 9 { hip turn=1 }") == "");
     const auto findings_of_feet = [](const std::string& posed) {
-        return read_on_canvas("bones s { bone hip 50 10 50 40 { bone l 50 40 50 60 { bone lf 50 60 50 80 }\n"
-                              "bone r 50 40 50 60 { bone rf 50 60 50 80 } }\npose 0 { " +
-                              posed + " turn=9 }; pose 9 { " + posed +
-                              " turn=1 } }\nobject o stroke=red skin=s { line 50 20 50 30; line 50 70 50 80 }")
+        return read_on_canvas(
+                   "bones s { bone hip 50 10 50 40 { bone l 50 40 50 60 { bone lf 50 60 50 80 }\n"
+                   "bone r 50 40 50 60 { bone rf 50 60 50 80 } }\npose 0 { " +
+                   posed + " turn=9 }; pose 9 { " + posed +
+                   " turn=1 } }\nobject o stroke=red skin=s { line 50 20 50 30; line 50 70 50 80 }")
             .findings;
     };
     CHECK(findings_of_feet("hip") == "");
