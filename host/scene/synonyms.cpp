@@ -9,13 +9,7 @@
 namespace kfast::scene {
 namespace {
 
-struct Synonym {
-    std::string_view word; ///< in small letters, parts joined by "-"
-    std::string_view meaning;
-};
-
-/// Of several meanings the first that may stand in the place of the word.
-constexpr std::array synonyms{
+constexpr std::array synonym_table{
     // properties of items
     Synonym{"rotation", "rotate"},
     Synonym{"rotation", "turn"},
@@ -25,13 +19,11 @@ constexpr std::array synonyms{
     Synonym{"rotation-y", "rotate-y"},
     Synonym{"rotation-z", "rotate-z"},
     Synonym{"alpha", "opacity"},
-    Synonym{"transparency", "opacity"},
     Synonym{"z-index", "order"},
     Synonym{"layer", "order"},
     Synonym{"depth", "z"},
     Synonym{"visibility", "visible"},
     Synonym{"display", "visible"},
-    Synonym{"hidden", "visible"},
     Synonym{"translate-x", "x"},
     Synonym{"translate-y", "y"},
     Synonym{"translate-z", "z"},
@@ -94,7 +86,6 @@ constexpr std::array synonyms{
     Synonym{"corners", "sides"},
     Synonym{"sides", "points"},
     Synonym{"tips", "points"},
-    Synonym{"rotation", "turn"},
     Synonym{"rotate", "turn"},
     // of texts
     Synonym{"font-size", "size"},
@@ -289,6 +280,8 @@ bool is_among(std::span<const std::string_view> known, std::string_view word)
 
 }
 
+std::span<const Synonym> synonyms() { return synonym_table; }
+
 std::string remedy_of_absent(std::string_view word)
 {
     const auto absent = std::ranges::find(absents, plain(word), &Absent::word);
@@ -303,10 +296,10 @@ std::string_view meaning_among(std::span<const std::string_view> known, std::str
     const std::string name = plain(word);
     if (const auto same = std::ranges::find(known, name); same != known.end())
         return *same;
-    const auto synonym = std::ranges::find_if(synonyms, [&](const Synonym& candidate) {
+    const auto synonym = std::ranges::find_if(synonym_table, [&](const Synonym& candidate) {
         return candidate.word == name && is_among(known, candidate.meaning);
     });
-    return synonym == synonyms.end() ? std::string_view{} : synonym->meaning;
+    return synonym == synonym_table.end() ? std::string_view{} : synonym->meaning;
 }
 
 std::string word_remedy(std::string_view word, std::span<const std::string_view> known)

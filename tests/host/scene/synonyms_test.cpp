@@ -5,7 +5,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace kfast::test {
 namespace {
@@ -75,16 +79,36 @@ TEST_CASE("what there is not is said with the page that has another way")
     CHECK(scene::remedy_of_absent("circle") == "");
 }
 
-TEST_CASE("a word of the language is nowhere taken for another one of the same place")
+TEST_CASE("each word of another program stands once with each meaning, as it is looked up")
+{
+    std::set<std::pair<std::string_view, std::string_view>> rows;
+    for (const scene::Synonym& row : scene::synonyms()) {
+        CAPTURE(row.word);
+        CAPTURE(row.meaning);
+        CHECK(rows.emplace(row.word, row.meaning).second);
+        CHECK(row.word != row.meaning);
+        CHECK(scene::meaning_among(std::array{row.meaning}, row.word) == row.meaning);
+    }
+}
+
+TEST_CASE("no word that a node has is one of another program there")
 {
     const auto words = scene::vocabulary();
     for (const scene::NodeWords& node : words.nodes) {
-        std::vector<std::string_view> names;
+        std::set<std::string_view> names;
         for (const scene::PropertyWords& property : node.properties)
-            names.push_back(property.name);
-        for (const std::string_view name : names)
-            CHECK(scene::meaning_among(names, name) == name);
+            names.insert(property.name);
+        for (const scene::Synonym& row : scene::synonyms()) {
+            CAPTURE(node.id);
+            CAPTURE(row.word);
+            CAPTURE(row.meaning);
+            CHECK_FALSE((names.contains(row.word) && names.contains(row.meaning)));
+        }
     }
+}
+
+TEST_CASE("other words have a suggestion")
+{
     CHECK(scene::word_remedy("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
           "did you mean \"circle\"?");
     CHECK(scene::word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) ==
