@@ -44,13 +44,6 @@ Picture picture_of(const SourceText& source, art::Budget& budget, art::Losses& l
 }
 
 art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
-                            const KeyOptions& options, art::Losses& losses)
-{
-    std::vector<std::string> not_told;
-    return read_svg_keys(drawings, times, options, losses, not_told);
-}
-
-art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
                             const KeyOptions& options, art::Losses& losses, std::vector<std::string>& notes)
 {
     check_times(drawings.size(), times);

@@ -19,10 +19,8 @@ namespace kfast::svg {
 ///
 /// `times` are frames, one for each drawing; the first is 0 or more, and they rise. Throws Failure, which
 /// names the file and the place, when a text is no drawing, when there are not as many times as drawings or
-/// when they do not rise, or when more is asked for than art::Budget allows.
-art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
-                            const KeyOptions& options, art::Losses& losses);
-/// The same. How other parts would become each other (match_hint.hpp) is added to `notes`.
+/// when they do not rise, or when more is asked for than art::Budget allows. How other parts would become
+/// each other (match_hint.hpp) is added to `notes`.
 art::Document read_svg_keys(std::span<const SourceText> drawings, std::span<const double> times,
                             const KeyOptions& options, art::Losses& losses, std::vector<std::string>& notes);
 

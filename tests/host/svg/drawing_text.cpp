@@ -32,7 +32,8 @@ art::Document read_drawings(const std::vector<std::string>& contents, const std:
     std::vector<SourceText> sources;
     for (std::size_t i = 0; i < contents.size(); ++i)
         sources.push_back({"pose" + std::to_string(i) + ".svg", drawing(contents[i])});
-    return svg::read_svg_keys(sources, times, options, losses);
+    std::vector<std::string> notes;
+    return svg::read_svg_keys(sources, times, options, losses, notes);
 }
 
 const art::Node* found(const std::vector<art::Node>& nodes, std::string_view name)

@@ -28,9 +28,10 @@ std::string nested(const std::string& name, int depth, const std::string& conten
 std::string keys_failure(std::size_t drawings, const std::vector<double>& times)
 {
     art::Losses losses;
+    std::vector<std::string> notes;
     const std::vector<SourceText> sources(drawings, SourceText{"pose.svg", drawing("<circle r='3'/>")});
     try {
-        svg::read_svg_keys(sources, times, {}, losses);
+        svg::read_svg_keys(sources, times, {}, losses, notes);
     } catch (const Failure& failure) {
         return failure.what();
     }
