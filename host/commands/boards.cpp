@@ -5,11 +5,11 @@
 #include "host/commands/size_text.hpp"
 #include "host/commands/table_lines.hpp"
 #include "host/fit/board_choice.hpp"
+#include "host/fit/board_reader.hpp"
 #include "host/fit/board_texts.hpp"
 #include "host/fit/wording.hpp"
 #include "host/picture/format_name.hpp"
 
-#include <array>
 #include <iostream>
 #include <memory>
 
@@ -17,12 +17,6 @@ namespace kfast {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t bytes_of_kib = 1024;
-/// In the order of fit::BusKind.
-constexpr std::array bus_words{"spi", "parallel-8", "parallel-16", "i2c", "dac"};
-
-const char* bus_word(const fit::Bus& bus) { return bus_words[static_cast<std::size_t>(bus.kind)]; }
 
 std::vector<fit::Target> all_boards()
 {
@@ -44,17 +38,20 @@ TableRow row_of(const fit::Target& board)
 {
     return {board.name,
             board.processor_name + ", " + fit::frequency_text(board.clock),
-            std::to_string(board.flash / bytes_of_kib) + " KiB",
-            std::to_string(board.ram / bytes_of_kib) + " KiB",
-            std::string{bus_word(board.bus)} + ", " + fit::frequency_text(board.bus.clock),
+            fit::memory_text(board.flash),
+            fit::memory_text(board.ram),
+            std::string{fit::word_of(board.bus.kind)} + ", " + fit::frequency_text(board.bus.clock),
             shown_on(board)};
 }
 
 Json json_of(const fit::Target& board)
 {
-    Json json{{"name", board.name},   {"processor", board.processor_name},
-              {"clock", board.clock}, {"flash", board.flash},
-              {"ram", board.ram},     {"bus", {{"kind", bus_word(board.bus)}, {"clock", board.bus.clock}}}};
+    Json json{{"name", board.name},
+              {"processor", board.processor_name},
+              {"clock", board.clock},
+              {"flash", board.flash},
+              {"ram", board.ram},
+              {"bus", {{"kind", fit::word_of(board.bus.kind)}, {"clock", board.bus.clock}}}};
     if (board.beam)
         json["beam"] = {{"rate", board.beam->rate}};
     else

@@ -196,6 +196,11 @@ void read_board(const kdl::Node& node, Target& target, Reading& reading)
 
 }
 
+std::string_view word_of(BusKind kind)
+{
+    return std::ranges::find(bus_words, kind, &Word<BusKind>::meaning)->name;
+}
+
 std::optional<Target> read_board(const SourceText& source, Diagnostics& diagnostics)
 {
     const kdl::Document document = kdl::parse(source.text, diagnostics);

@@ -1,7 +1,6 @@
 #include "host/fit/display.hpp"
 
 #include "firmware/controller_facts.hpp"
-#include "host/fit/other_hardware.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
@@ -78,10 +77,6 @@ std::vector<std::string_view> display_names()
     return names;
 }
 
-std::string display_suggestion(std::string_view name)
-{
-    const auto known = other_panel_text(name);
-    return known ? *known : suggestion(name, display_names());
-}
+std::string display_suggestion(std::string_view name) { return suggestion(name, display_names()); }
 
 }

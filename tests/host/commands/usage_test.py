@@ -40,7 +40,7 @@ class UsageTest(CommandTest):
         listed = self.run_kfast("boards").stdout.splitlines()
         self.assertRegex(listed[0], "^BOARD +PROCESSOR +FLASH +RAM +BUS +DISPLAY$")
         self.assertEqual([line.split()[0] for line in listed[1:]], list(boards))
-        self.assertIn("pico cortex-m0+, 125 MHz 2048 KiB 264 KiB spi, 62.5 MHz st7789 240x240, 65536 colours",
+        self.assertIn("pico cortex-m0+, 125 MHz 2 MiB 264 KiB spi, 62.5 MHz st7789 240x240, 65536 colours",
                       [re.sub(" +", " ", line) for line in listed])
         for name in boards:
             self.assertIn(kfast("fit", "repeat.kfast", "--board", name, folder=self.folder).returncode, (0, 1))
