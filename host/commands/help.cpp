@@ -31,16 +31,6 @@ void declare_help(CLI::App& app)
 
 }
 
-std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
-{
-    const bool is_help = arguments.size() > 1 && arguments[1] == "help";
-    if (!is_help || (arguments.size() > 2 && arguments[2].starts_with('-')))
-        return arguments;
-    arguments.erase(arguments.begin() + 1);
-    arguments.emplace_back("--help");
-    return arguments;
-}
-
 const Command help_command{
     "help", "Print the help of kfast, or of a command", "kfast help render", declare_help, {}, help_group};
 

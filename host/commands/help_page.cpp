@@ -155,4 +155,14 @@ std::string help_of(const CLI::App& app)
     return help_page(words_of_command(app, name), style_of_standard_output());
 }
 
+std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
+{
+    const bool is_help = arguments.size() > 1 && arguments[1] == "help";
+    if (!is_help || (arguments.size() > 2 && arguments[2].starts_with('-')))
+        return arguments;
+    arguments.erase(arguments.begin() + 1);
+    arguments.emplace_back("--help");
+    return arguments;
+}
+
 }

@@ -309,7 +309,6 @@ class FitTest(CommandTest):
         self.assertEqual(report["late"], {"frames": 30, "late": 12, "left_out": 10})
 
     def test_no_rate_that_nobody_sees(self):
-        self.write("still.kfast", NAMED)
         told = self.run_kfast("fit", "repeat.kfast", *self.board(bus="parallel-16 clock=(MHz)60")).stdout
         self.assertIn("by bus      more than 1000 fps\n", told)
 
