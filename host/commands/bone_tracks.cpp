@@ -1,8 +1,8 @@
 #include "host/commands/bone_tracks.hpp"
 
-#include "host/commands/clock_facts.hpp"
 #include "host/commands/track_facts.hpp"
 #include "host/law_text.hpp"
+#include "host/written_moment.hpp"
 
 #include <array>
 #include <iomanip>
@@ -67,7 +67,7 @@ Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t nu
         return facts;
     }
     facts["smooth"] = false;
-    tell_input(scene, keys.keys().beats().clock(), facts);
+    add_input(scene, keys.keys().beats().clock(), facts);
     facts["keys"] = QuantityFacts{scene, bone, quantity}.of(keys.keys());
     return facts;
 }

@@ -2,6 +2,7 @@
 
 #include "host/commands/fit_memory_print.hpp"
 #include "host/commands/json_text.hpp"
+#include "host/commands/size_text.hpp"
 #include "host/counted.hpp"
 #include "host/fit/wording.hpp"
 #include "host/in_frames.hpp"
@@ -144,11 +145,10 @@ std::string fit_text(const FitFacts& facts)
     const Display& display = target.display;
     const Speed& speed = report.speed;
     std::string text = file + " on " + visible(target.name) + '\n';
-    text += fit_line(
-        "board", target.processor_name + " at " + frequency_text(target.clock) + ", " +
-                     std::string{display.name} + (display.name.empty() ? "" : " ") +
-                     std::to_string(display.size.width) + 'x' + std::to_string(display.size.height) + ' ' +
-                     std::string{name_of(display.format)} + ", bus at " + frequency_text(target.bus.clock));
+    text += fit_line("board", target.processor_name + " at " + frequency_text(target.clock) + ", " +
+                                  std::string{display.name} + (display.name.empty() ? "" : " ") +
+                                  size_text(display.size) + ' ' + std::string{name_of(display.format)} +
+                                  ", bus at " + frequency_text(target.bus.clock));
     text += memory_lines(report.flash, report.ram, target, "bands");
     text += fit_line("first", time_text(speed.first));
     text += fit_line("median", time_text(speed.median()));

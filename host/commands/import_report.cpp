@@ -1,6 +1,7 @@
 #include "host/commands/import_report.hpp"
 
 #include "host/commands/json_text.hpp"
+#include "host/commands/size_text.hpp"
 #include "host/counted.hpp"
 #include "host/text/glyph.hpp"
 
@@ -39,11 +40,11 @@ std::string advice(const ImportReport& report)
 std::string import_text(const ImportReport& report, importing::ListLength length)
 {
     const importing::Extent& extent = report.imported.extent;
-    std::string text =
-        report.scene + ": " + counted(extent.figures, "object") + ", " + counted(extent.keys, "key") + ", " +
-        counted(extent.points, "point") + "; " + counted(report.imported.compiled.bytes.size(), "byte") +
-        " compiled, " + counted(report.block_bytes, "byte") + " of memory at " +
-        std::to_string(report.canvas.width) + 'x' + std::to_string(report.canvas.height) + '\n';
+    std::string text = report.scene + ": " + counted(extent.figures, "object") + ", " +
+                       counted(extent.keys, "key") + ", " + counted(extent.points, "point") + "; " +
+                       counted(report.imported.compiled.bytes.size(), "byte") + " compiled, " +
+                       counted(report.block_bytes, "byte") + " of memory at " + size_text(report.canvas) +
+                       '\n';
     for (const std::string& note : report.imported.notes)
         text += visible(note) + '\n';
     const art::Losses& losses = report.imported.losses;

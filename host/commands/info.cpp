@@ -1,6 +1,5 @@
 #include "core/beam/beam_profile.hpp"
 #include "host/commands/bone_tracks.hpp"
-#include "host/commands/clock_facts.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/glyph_text.hpp"
 #include "host/commands/ilda_info.hpp"
@@ -10,6 +9,7 @@
 #include "host/commands/option_groups.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/report_options.hpp"
+#include "host/commands/size_text.hpp"
 #include "host/commands/summary.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
@@ -20,6 +20,7 @@
 #include "host/preview/key_times.hpp"
 #include "host/scene_file.hpp"
 #include "host/text/glyph.hpp"
+#include "host/written_moment.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -167,7 +168,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
 
 std::string size_text(const Json& size)
 {
-    return std::to_string(size["width"].get<int>()) + 'x' + std::to_string(size["height"].get<int>());
+    return size_text(Size{size["width"].get<int>(), size["height"].get<int>()});
 }
 
 /// `at` is what stands in front of the first: ", at frames ".

@@ -1,22 +1,19 @@
 #include "host/commands/summary.hpp"
 
 #include "core/player.hpp"
+#include "host/commands/size_text.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
 #include "host/in_frames.hpp"
 #include "host/picture/timeline.hpp"
-
-#include <iomanip>
-#include <sstream>
+#include "host/rounded_text.hpp"
 
 namespace kfast {
 
 std::string length_text(const SceneView& scene)
 {
     const double frames = in_frames(timeline_of(scene).stretch.end);
-    std::ostringstream text;
-    text << std::setprecision(12) << frames << (frames == 1 ? " frame" : " frames");
-    return text.str();
+    return rounded_text(frames) + (frames == 1 ? " frame" : " frames");
 }
 
 std::string contents_summary(const SceneFile& scene)
@@ -29,7 +26,7 @@ std::string summary(const SceneFile& scene)
 {
     const Size canvas = scene.view.canvas();
     return contents_summary(scene) + ", " + counted(Player::block_bytes(scene.view, canvas), "byte") +
-           " of memory at " + std::to_string(canvas.width) + 'x' + std::to_string(canvas.height);
+           " of memory at " + size_text(canvas);
 }
 
 }

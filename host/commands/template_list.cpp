@@ -2,6 +2,7 @@
 
 #include "host/commands/clip_names.hpp"
 #include "host/commands/json_text.hpp"
+#include "host/commands/table_lines.hpp"
 #include "host/picture/player_source.hpp"
 #include "host/preview/borrowed_terminal.hpp"
 #include "host/preview/half_blocks.hpp"
@@ -75,13 +76,10 @@ std::string side_by_side(std::span<const Thumbnail> pictures)
 
 std::string template_lines(std::span<const SceneTemplate> templates)
 {
-    std::size_t width = 0;
+    std::vector<TableRow> rows;
     for (const SceneTemplate& one : templates)
-        width = std::max(width, one.name.size());
-    std::string text;
-    for (const SceneTemplate& one : templates)
-        text.append(padded(one.name, width + 2)).append(one.summary()).append("\n");
-    return text;
+        rows.push_back({std::string{one.name}, std::string{one.summary()}});
+    return table_text(rows);
 }
 
 std::string template_json(std::span<const SceneTemplate> templates)

@@ -1,11 +1,11 @@
 #include "host/commands/track_facts.hpp"
 
-#include "host/commands/clock_facts.hpp"
 #include "host/law_text.hpp"
 #include "host/property_name.hpp"
 #include "host/property_value.hpp"
 #include "host/rounded_text.hpp"
 #include "host/text/glyph.hpp"
+#include "host/written_moment.hpp"
 
 #include <algorithm>
 
@@ -75,7 +75,7 @@ Json track_facts(const SceneView& scene, const TrackView& track)
         facts["value"] = value_of(scene, track.property, track.value);
     } else {
         facts["smooth"] = track.is_smooth;
-        tell_input(scene, track.keys.beats().clock(), facts);
+        add_input(scene, track.keys.beats().clock(), facts);
         facts["keys"] = keys_of(scene, track);
     }
     return facts;
@@ -97,6 +97,12 @@ std::string track_text(const Json& facts)
         separator = ", ";
     }
     return text;
+}
+
+void add_input(const SceneView& scene, Clock clock, Json& facts)
+{
+    if (!clock.is_time())
+        facts["input"] = input_of(scene, clock).name;
 }
 
 void add_name(const std::vector<std::string>& names, std::size_t place, Json& facts)
