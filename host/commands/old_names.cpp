@@ -10,16 +10,26 @@ namespace kfast {
 namespace {
 
 constexpr std::array renamed_options{
-    OldName{"check", "--format", "--json", "json"}, OldName{"check", "--format", "", "text"},
-    OldName{"check", "--name", "--stdin-filename"}, OldName{"check", "--size", "--canvas"},
-    OldName{"compile", "--size", "--canvas"},       OldName{"export", "--invert", "--mirror"},
-    OldName{"export", "--name", "--array-name"},    OldName{"export", "--rate", "--sample-rate"},
-    OldName{"fit", "--size", "--canvas"},           OldName{"flash", "--serial", "--device"},
-    OldName{"hash", "--fit", "--scaling"},          OldName{"import", "--size", "--canvas"},
-    OldName{"info", "--rate", "--point-rate"},      OldName{"preview", "--fit", "--scaling"},
-    OldName{"preview", "--invert", "--mirror"},     OldName{"preview", "--keys", "--press"},
-    OldName{"preview", "--rate", "--sample-rate"},  OldName{"render", "--fit", "--scaling"},
-    OldName{"simulate", "--flash", "--flash-file"}, OldName{"simulate", "--frames", "--print-frames"},
+    OldName{"check", "--format", "--json", "json"},
+    OldName{"check", "--format", "", "text"}, // the default by now
+    OldName{"check", "--name", "--stdin-filename"},
+    OldName{"check", "--size", "--canvas"},
+    OldName{"compile", "--size", "--canvas"},
+    OldName{"export", "--invert", "--mirror"},
+    OldName{"export", "--name", "--array-name"},
+    OldName{"export", "--rate", "--sample-rate"},
+    OldName{"fit", "--size", "--canvas"},
+    OldName{"flash", "--serial", "--device"},
+    OldName{"hash", "--fit", "--scaling"},
+    OldName{"import", "--size", "--canvas"},
+    OldName{"info", "--rate", "--point-rate"},
+    OldName{"preview", "--fit", "--scaling"},
+    OldName{"preview", "--invert", "--mirror"},
+    OldName{"preview", "--keys", "--press"},
+    OldName{"preview", "--rate", "--sample-rate"},
+    OldName{"render", "--fit", "--scaling"},
+    OldName{"simulate", "--flash", "--flash-file"},
+    OldName{"simulate", "--frames", "--print-frames"},
 };
 
 std::string written(const OldName& name)
