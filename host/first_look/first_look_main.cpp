@@ -65,10 +65,15 @@ public:
     {
         Keyboard keyboard;
         BorrowedTerminal terminal{keyboard};
-        const Seconds begin = kfast::steady_now();
+        Seconds begin = kfast::steady_now();
         const Seconds frame_length{1000.0 / timeline_.frame_rate};
         for (int frame = 0; frame < frames_ && !quits_ && !terminal.is_to_end();
              frame = std::max(frame + 1, static_cast<int>((kfast::steady_now() - begin) / frame_length))) {
+            const Seconds before = kfast::steady_now();
+            if (terminal.stop_if_asked()) {
+                begin += kfast::steady_now() - before;
+                lines_ = 0;
+            }
             draw(frame % timeline_.frame_count());
             wait(keyboard, begin + frame_length * (frame + 1));
         }
