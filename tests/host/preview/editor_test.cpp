@@ -109,6 +109,11 @@ TEST_CASE("the text is opened where the selected object stands, or at its first 
     preview.wait();
     preview.press({PreviewKey::edit});
     CHECK(opened.back() == TextLine{file, 7});
+    const fs::path dropped = preview.folder / "dropped.kfast";
+    write(dropped, "kfast 1\ncanvas 16 16\nobjekt lamp\n");
+    preview.viewer.open(dropped, preview.now);
+    preview.press({PreviewKey::edit});
+    CHECK(opened.back() == TextLine{dropped, 3});
 }
 
 TEST_CASE("without an editor, and of a compiled scene, it is told why nothing opens")
