@@ -95,6 +95,12 @@ TEST_CASE("an editor that is not there, or fails, is told once")
     CHECK(editor.take_failure().empty());
 }
 
+TEST_CASE("an editor in the terminal is ended by the key that the preview is spared from")
+{
+    const Editors killed{"kill -INT $$; exit 3; true {file}", "", ""};
+    CHECK_NOTHROW(edit_in_terminal({"a", 1}));
+}
+
 TEST_CASE("the text is opened where the selected object stands, or at its first mistake")
 {
     std::vector<TextLine> opened;
