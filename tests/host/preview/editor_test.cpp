@@ -65,6 +65,9 @@ TEST_CASE("editors that take the terminal are known")
     CHECK(takes_terminal("vim"));
     CHECK(takes_terminal("/usr/bin/nano -w"));
     CHECK(takes_terminal("emacs -nw"));
+    for (const char* const name :
+         {"editor", "/usr/bin/sensible-editor", "/usr/bin/vim.tiny", "vim.basic -n", "nvi"})
+        CHECK_MESSAGE(takes_terminal(name), name);
     CHECK_FALSE(takes_terminal("emacs"));
     CHECK_FALSE(takes_terminal("code -w"));
     CHECK_FALSE(takes_terminal("whatever"));
