@@ -130,6 +130,15 @@ TEST_CASE("without an editor, and of a compiled scene, it is told why nothing op
     Preview preview;
     preview.press({PreviewKey::edit});
     CHECK(preview.viewer.notice().find("from a window or a terminal") != std::string::npos);
+    const auto compiled = open_scene(preview.folder / "lamp.kfast");
+    const std::vector<std::byte>& bytes = compiled->scene.bytes;
+    write(preview.folder / "lamp.kfb", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    std::vector<TextLine> opened;
+    preview.viewer.let_edit(std::make_unique<FakeEditor>(opened));
+    preview.viewer.open(preview.folder / "lamp.kfb", preview.now);
+    preview.press({PreviewKey::edit});
+    CHECK(preview.viewer.notice() == "lamp.kfb is compiled: edit the text that it was made from");
+    CHECK(opened.empty());
 }
 
 TEST_CASE("what is unfolded stays so when the file is saved, and other files begin folded")
