@@ -1,4 +1,4 @@
-#include "host/preview/board_pace.hpp"
+#include "host/preview/board_changes.hpp"
 
 #include "core/player.hpp"
 #include "host/fit/speed.hpp"
