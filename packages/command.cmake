@@ -25,3 +25,10 @@ include(${CMAKE_CURRENT_LIST_DIR}/install_written_files.cmake)
 ")
     install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/install_written_files.cmake COMPONENT kfast)
 endif()
+
+# What starts the command of the tar that needs no installation: scripts/portable_tar.py.
+if(NOT KFAST_SANITIZE) # whose libraries are not linked statically
+    add_executable(kfast_launcher portable/launcher.c)
+    target_compile_definitions(kfast_launcher PRIVATE _GNU_SOURCE)
+    target_link_options(kfast_launcher PRIVATE -static)
+endif()

@@ -66,6 +66,7 @@ endfunction()
 kfast_indented(LICENCE_TEXT ${PROJECT_SOURCE_DIR}/LICENSE)
 kfast_indented(NOTICE_TEXT ${PROJECT_SOURCE_DIR}/NOTICE)
 
+# Where there is no mail, the changelog has <>: dpkg-parsechangelog reads no name without them.
 # kfast_debian_texts(<package> <component>): the changelog and the copyright that Debian wants.
 function(kfast_debian_texts PACKAGE COMPONENT)
     set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/debian/${PACKAGE})

@@ -16,7 +16,6 @@
 #include "host/picture/svg.hpp"
 #include "host/picture/video.hpp"
 
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
@@ -60,13 +59,6 @@ SvgSource svg_source_of(const Rendering& job)
     return {job.scene.view, panel_size(picture, job.scene.view), picture.fit};
 }
 
-fs::path numbered(const fs::path& folder, int frame, const char* ending)
-{
-    char name[32];
-    std::snprintf(name, sizeof name, "%04d%s", frame, ending);
-    return folder / name;
-}
-
 Size drawn_size(const Rendering& job)
 {
     const Size size = shown_size(job.options.picture, job.scene.view);
@@ -97,7 +89,7 @@ Rendered render_folder(const Rendering& job, const char* ending, Write write)
     std::uintmax_t bytes = 0;
     for (int frame = 0; frame < count; ++frame) {
         job.tell(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
-        const fs::path file = numbered(job.output, frame, ending);
+        const fs::path file = job.output / (frame_digits(frame) + ending);
         write(file, job.timeline.frame_time(frame));
         bytes += written_bytes(file);
     }

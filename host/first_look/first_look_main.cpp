@@ -4,9 +4,7 @@
 #include "host/picture/player_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/borrowed_terminal.hpp"
-#include "host/preview/half_blocks.hpp"
 #include "host/preview/steady_now.hpp"
-#include "host/preview/terminal_colours.hpp"
 #include "host/reported_compile.hpp"
 
 #include <algorithm>
@@ -65,10 +63,15 @@ public:
     {
         Keyboard keyboard;
         BorrowedTerminal terminal{keyboard};
-        const Seconds begin = kfast::steady_now();
+        Seconds begin = kfast::steady_now();
         const Seconds frame_length{1000.0 / timeline_.frame_rate};
         for (int frame = 0; frame < frames_ && !quits_ && !terminal.is_to_end();
              frame = std::max(frame + 1, static_cast<int>((kfast::steady_now() - begin) / frame_length))) {
+            const Seconds before = kfast::steady_now();
+            if (terminal.stop_if_asked()) {
+                begin += kfast::steady_now() - before;
+                lines_ = 0;
+            }
             draw(frame % timeline_.frame_count());
             wait(keyboard, begin + frame_length * (frame + 1));
         }
@@ -76,17 +79,16 @@ public:
 
     std::string text_of(int frame)
     {
-        const kfast::Size cells = kfast::terminal_size();
-        return half_blocks(widen(source_.show(timeline_.frame_time(frame))),
-                           {cells.width, std::max(1, cells.height - 2)}, kfast::terminal_colours());
+        return kfast::terminal_picture(widen(source_.show(timeline_.frame_time(frame))));
     }
 
 private:
     void draw(int frame)
     {
         const std::string text = text_of(frame);
-        const std::string way_back = lines_ == 0 ? "" : "\x1b[" + std::to_string(lines_) + 'A';
-        kfast::write_to_terminal(way_back + text);
+        const kfast::Size size = kfast::terminal_size();
+        kfast::write_to_terminal(kfast::way_back(lines_, size_, size) + text);
+        size_ = size;
         lines_ = std::count(text.begin(), text.end(), '\n');
     }
 
@@ -103,6 +105,7 @@ private:
     kfast::Timeline timeline_;
     int frames_;
     bool quits_ = false;
+    kfast::Size size_{};       ///< of the terminal when it was drawn last
     std::ptrdiff_t lines_ = 0; ///< of the picture that was drawn last
 };
 

@@ -1,5 +1,6 @@
 #include "host/picture/timeline.hpp"
 
+#include <cstdio>
 #include <cstdlib>
 
 namespace kfast {
@@ -53,5 +54,12 @@ double Timeline::seconds(std::int64_t ticks) const
 }
 
 Timeline timeline_of(const SceneView& scene) { return {scene.frame_rate(), stretch_of(scene)}; }
+
+std::string frame_digits(int frame)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "%04d", frame);
+    return text;
+}
 
 }

@@ -2,6 +2,8 @@
 
 #include "core/playhead.hpp"
 
+#include <string>
+
 namespace kfast {
 
 /// What is played of a scene and how fast, and which frames that has: 0 ... L-1, for `once` also L, its end.
@@ -24,5 +26,8 @@ struct Timeline {
 };
 
 Timeline timeline_of(const SceneView& scene);
+
+/// As names of files have its number, "0012".
+std::string frame_digits(int frame);
 
 }

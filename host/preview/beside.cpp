@@ -1,6 +1,7 @@
 #include "host/preview/beside.hpp"
 
 #include "host/counted.hpp"
+#include "host/picture/picture_part.hpp"
 #include "host/preview/area.hpp"
 #include "host/preview/panel_pictures.hpp"
 #include "host/preview/text_columns.hpp"
@@ -39,16 +40,11 @@ std::optional<Beside> beside(Viewer& viewer)
 Picture joined(const Picture& left, const Picture& right)
 {
     const int gap = gap_of(left);
-    Picture both{{left.size.width + gap + right.size.width, std::max(left.size.height, right.size.height)},
-                 {}};
-    const auto pixel = [](const Picture& picture, int x, int y) {
-        const bool is_there = x >= 0 && x < picture.size.width && y < picture.size.height;
-        return is_there ? picture.at(x, y) : theme::backdrop;
-    };
-    for (int y = 0; y < both.size.height; ++y)
-        for (int x = 0; x < both.size.width; ++x)
-            both.pixels.push_back(x < left.size.width ? pixel(left, x, y)
-                                                      : pixel(right, x - left.size.width - gap, y));
+    Picture both =
+        plain_picture(left.size.width + gap + right.size.width, std::max(left.size.height, right.size.height),
+                      theme::backdrop, "both pictures");
+    put(left, both, 0, 0);
+    put(right, both, left.size.width + gap, 0);
     return both;
 }
 

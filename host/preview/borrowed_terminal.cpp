@@ -1,6 +1,8 @@
 #include "host/preview/borrowed_terminal.hpp"
 
 #include "host/failure.hpp"
+#include "host/preview/half_blocks.hpp"
+#include "host/preview/terminal_colours.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,6 +91,19 @@ Size terminal_size()
     if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
         return {80, 24};
     return {size.ws_col, size.ws_row};
+}
+
+std::string terminal_picture(const Picture& picture)
+{
+    const Size size = terminal_size();
+    return half_blocks(picture, {size.width, std::max(1, size.height - 2)}, terminal_colours());
+}
+
+std::string way_back(std::ptrdiff_t lines, Size before, Size now)
+{
+    if (lines == 0)
+        return {};
+    return before == now ? "\x1b[" + std::to_string(lines) + 'A' : "\x1b[2J\x1b[H";
 }
 
 bool can_play_in_terminal()

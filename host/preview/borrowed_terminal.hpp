@@ -1,9 +1,12 @@
 #pragma once
 
 #include "core/size.hpp"
+#include "host/picture/picture.hpp"
 #include "host/preview/keyboard.hpp"
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace kfast {
@@ -37,6 +40,13 @@ private:
 
 /// How many characters the terminal that standard output is has; 80x24 where it does not say.
 Size terminal_size();
+
+/// The picture as text, as large as fits the terminal that standard output is with two lines below it.
+std::string terminal_picture(const Picture& picture);
+
+/// Back over so many lines, to draw others in their place. Where the terminal had another size when they were
+/// drawn, they may have been wrapped anew: then it clears all.
+std::string way_back(std::ptrdiff_t lines, Size before, Size now);
 
 /// Whether standard output is a terminal that pictures can be drawn on one above the other.
 bool can_play_in_terminal();

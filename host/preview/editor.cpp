@@ -17,9 +17,34 @@ extern char** environ; // NOLINT: POSIX declares it nowhere
 namespace kfast {
 namespace {
 
+constexpr std::array keys_that_end{SIGINT, SIGQUIT};
+
 constexpr const char* other_editor = "set KFAST_EDITOR to another one";
 
 std::string in_quotation_marks(const std::string& editor) { return '"' + editor + '"'; }
+
+/// Keys end the program that is started, whether or not this one is spared from them.
+class EndedByKeys {
+public:
+    EndedByKeys()
+    {
+        sigset_t ending{};
+        ::sigemptyset(&ending);
+        for (const int number : keys_that_end)
+            ::sigaddset(&ending, number);
+        ::posix_spawnattr_init(&attributes_);
+        ::posix_spawnattr_setsigdefault(&attributes_, &ending);
+        ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+    }
+    ~EndedByKeys() { ::posix_spawnattr_destroy(&attributes_); }
+    EndedByKeys(const EndedByKeys&) = delete;
+    EndedByKeys& operator=(const EndedByKeys&) = delete;
+
+    const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+private:
+    posix_spawnattr_t attributes_{};
+};
 
 pid_t started(const std::string& editor, const TextLine& at)
 {
@@ -27,8 +52,10 @@ pid_t started(const std::string& editor, const TextLine& at)
     std::string option = "-c";
     std::string command = editor_command(editor, at);
     std::array<char*, 4> arguments{shell.data(), option.data(), command.data(), nullptr};
+    const EndedByKeys ended_by_keys;
     pid_t process = 0;
-    if (const int error = ::posix_spawn(&process, "/bin/sh", nullptr, nullptr, arguments.data(), environ))
+    if (const int error = ::posix_spawn(&process, "/bin/sh", nullptr, ended_by_keys.attributes(),
+                                        arguments.data(), environ))
         throw Failure("the editor " + in_quotation_marks(editor) +
                       " cannot be started: " + std::strerror(error));
     return process;
@@ -54,25 +81,24 @@ int status_at_end(pid_t process)
     return status;
 }
 
-/// While it lives, keys that end or stop programs are for the editor alone.
+/// While it lives, keys that end programs are for the editor alone.
 class SparedFromKeys {
 public:
     SparedFromKeys()
     {
-        for (std::size_t i = 0; i < signals.size(); ++i)
-            before_[i] = std::signal(signals[i], SIG_IGN);
+        for (std::size_t i = 0; i < keys_that_end.size(); ++i)
+            before_[i] = std::signal(keys_that_end[i], SIG_IGN);
     }
     ~SparedFromKeys()
     {
-        for (std::size_t i = 0; i < signals.size(); ++i)
-            std::signal(signals[i], before_[i]);
+        for (std::size_t i = 0; i < keys_that_end.size(); ++i)
+            std::signal(keys_that_end[i], before_[i]);
     }
     SparedFromKeys(const SparedFromKeys&) = delete;
     SparedFromKeys& operator=(const SparedFromKeys&) = delete;
 
 private:
-    static constexpr std::array signals{SIGINT, SIGQUIT};
-    std::array<void (*)(int), signals.size()> before_{};
+    std::array<void (*)(int), keys_that_end.size()> before_{};
 };
 
 bool has_terminal() { return ::isatty(STDIN_FILENO) != 0 && ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }

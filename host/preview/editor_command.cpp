@@ -24,8 +24,11 @@ constexpr std::string_view by_colon = "{file}:{line}";
 constexpr std::string_view by_goto = "-g {file}:{line}";
 
 constexpr std::array forms{
+    Form{"editor", by_plus, true},
+    Form{"sensible-editor", by_plus, true},
     Form{"vi", by_plus, true},
     Form{"vim", by_plus, true},
+    Form{"nvi", by_plus, true},
     Form{"nvim", by_plus, true},
     Form{"view", by_plus, true},
     Form{"nano", by_plus, true},
@@ -60,13 +63,14 @@ constexpr std::array forms{
     Form{"idea", "--line {line} {file}"},
 };
 
-/// Without options and folders.
+/// Without options, folders and what Debian tells variants by, as in vim.tiny.
 std::string_view program_of(std::string_view editor)
 {
     const std::size_t begin = std::min(editor.find_first_not_of(' '), editor.size());
     editor.remove_prefix(begin);
     editor = editor.substr(0, editor.find(' '));
-    return editor.substr(editor.rfind('/') + 1);
+    editor.remove_prefix(editor.rfind('/') + 1);
+    return editor.substr(0, editor.find('.'));
 }
 
 const Form* form_of(std::string_view editor)
@@ -119,15 +123,16 @@ std::string editor_command(std::string_view editor, const TextLine& at)
 bool takes_terminal(std::string_view editor)
 {
     const Form* const form = form_of(editor);
-    const bool is_told_so =
+    const bool has_terminal_option =
         editor.find(" -nw") != std::string_view::npos || editor.find(" -t") != std::string_view::npos;
-    return form != nullptr && (form->takes_terminal || (form->name.starts_with("emacs") && is_told_so));
+    return form != nullptr &&
+           (form->takes_terminal || (form->name.starts_with("emacs") && has_terminal_option));
 }
 
-std::optional<std::size_t> line_of_mistake(std::span<const std::string> told, const fs::path& file)
+std::optional<std::size_t> line_of_mistake(std::span<const std::string> messages, const fs::path& file)
 {
     const std::string beginning = file.string() + ':';
-    for (const std::string& text : told) {
+    for (const std::string& text : messages) {
         if (!text.starts_with(beginning))
             continue;
         std::size_t line = 0;

@@ -1,7 +1,8 @@
 #include "host/preview/output_name.hpp"
 
+#include "host/picture/timeline.hpp"
+
 #include <algorithm>
-#include <cstdio>
 #include <unistd.h>
 
 namespace kfast {
@@ -45,12 +46,7 @@ fs::path new_output_name(const fs::path& scene, const std::string& suffix, const
     return name;
 }
 
-std::string frame_suffix(int frame)
-{
-    char text[16];
-    std::snprintf(text, sizeof text, "-%04d", frame);
-    return text;
-}
+std::string frame_suffix(int frame) { return '-' + frame_digits(frame); }
 
 std::string plain_name(std::string_view name)
 {

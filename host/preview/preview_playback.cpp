@@ -88,6 +88,9 @@ void PreviewPlayback::advance_to(Seconds now)
 
 void PreviewPlayback::advance_as_board(Seconds now)
 {
+    constexpr double longest_delay = 1; // seconds: more, as after a sleep of the computer, is left out
+    if ((now - anchor_).count() - board_clock_.next() > longest_delay)
+        restart_clock(now);
     while (playing_ && !wants_to_quit_ && board_clock_.is_due((now - anchor_).count())) {
         const std::int64_t ticks = board_clock_.frame() * frame_ticks;
         play(ticks - std::exchange(played_, ticks));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/board_pace.hpp"
+#include "host/preview/board_changes.hpp"
 #include "host/preview/fit_check.hpp"
 #include "host/preview/onion_skin.hpp"
 #include "host/preview/opened_scene.hpp"

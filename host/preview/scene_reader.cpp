@@ -21,7 +21,7 @@ std::vector<std::string> lines_of(const std::string& text)
 }
 
 SceneReader::SceneReader(Opener opener, const OpenedScene& first)
-    : opener_{std::move(opener)}, errors_{lines_of(first.mistakes)}
+    : opener_{std::move(opener)}, tried_{first.file}, errors_{lines_of(first.mistakes)}
 {
     if (!errors_.empty()) {
         failed_ = Failed{first.file, first.read};
@@ -58,6 +58,7 @@ std::optional<fs::path> SceneReader::changed(Seconds now)
 ReadScene SceneReader::read(const fs::path& file, FileWatch& tried)
 {
     errors_.clear();
+    tried_ = file;
     try {
         ReadScene read_now{opener_(file), nullptr};
         read_now.layers = std::make_unique<SceneLayers>(*read_now.scene);

@@ -37,6 +37,8 @@ public:
     std::optional<std::filesystem::path> changed(Seconds now);
 
     const std::filesystem::path& file() const { return file_; }
+    /// The one of the last attempt, which errors() are of.
+    const std::filesystem::path& tried() const { return tried_; }
     /// Of the last attempt, line by line; empty when it went well.
     const std::vector<std::string>& errors() const { return errors_; }
 
@@ -51,6 +53,7 @@ private:
 
     Opener opener_;
     std::filesystem::path file_;
+    std::filesystem::path tried_;
     FileWatch watch_; ///< of all files that what was read last depends on
     std::optional<Failed> failed_;
     std::vector<std::string> errors_;

@@ -3,8 +3,8 @@
 #include "host/failure.hpp"
 #include "host/preview/beside.hpp"
 #include "host/preview/borrowed_terminal.hpp"
-#include "host/preview/half_blocks.hpp"
 #include "host/preview/steady_now.hpp"
+#include "host/preview/terminal_colours.hpp"
 #include "host/preview/terminal_text.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ public:
                                       other ? other->caption : "",
                                       has_keys && !is_help_open ? help_hint : ""};
         const TerminalText drawn = terminal_text(content, size, colours_);
-        write_to_terminal(way_back(size) + drawn.text);
+        write_to_terminal(way_back(lines_, size_, size) + drawn.text);
         size_ = size;
         lines_ = drawn.lines;
     }
@@ -61,14 +61,6 @@ public:
     }
 
 private:
-    /// Lines may have been wrapped anew in a terminal of another size.
-    std::string way_back(Size size) const
-    {
-        if (lines_ == 0)
-            return {};
-        return size_ == size ? "\x1b[" + std::to_string(lines_) + 'A' : "\x1b[2J\x1b[H";
-    }
-
     TerminalColours colours_ = terminal_colours();
     OpenHelp help_{preview_help(PreviewFront::terminal)};
     Size size_{}; ///< of the terminal when it was drawn last
@@ -196,10 +188,6 @@ private:
 
 void play_in_terminal(Viewer& viewer, Keyboard& keyboard) { TerminalPreview{viewer, keyboard}.play(); }
 
-void write_as_text(const Picture& picture)
-{
-    const Size size = terminal_size();
-    write_to_terminal(half_blocks(picture, {size.width, std::max(1, size.height - 2)}, terminal_colours()));
-}
+void write_as_text(const Picture& picture) { write_to_terminal(terminal_picture(picture)); }
 
 }

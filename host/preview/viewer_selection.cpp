@@ -30,9 +30,10 @@ std::optional<TextLine> Viewer::selected_line() const
 
 TextLine Viewer::line_to_edit() const
 {
+    const std::filesystem::path& tried = reader_.tried();
+    if (const auto mistake = line_of_mistake(errors(), tried))
+        return {tried, *mistake};
     const OpenedScene& scene = *shown_.scene;
-    if (const auto mistake = line_of_mistake(errors(), scene.file))
-        return {scene.file, *mistake};
     if (!scene.scene.was_text)
         throw Failure(scene.file.filename().string() + " is compiled: edit the text that it was made from");
     return selected_line().value_or(TextLine{scene.file});

@@ -1,6 +1,7 @@
 #include "host/input_file.hpp"
 
 #include "host/failure.hpp"
+#include "host/program_file.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <doctest/doctest.h>
@@ -57,6 +58,23 @@ TEST_CASE("the remedy fits what the file is to be")
     CHECK(failure(folder / ".", font_input).ends_with("this is a folder: name a .ttf or .otf file in it"));
     CHECK(failure(folder / "empty", font_input).ends_with("the file is empty: copy it again"));
     CHECK(failure(folder / "larger", font_input).find("more than any font needs") != std::string::npos);
+}
+
+TEST_CASE("a program is the file that the system runs")
+{
+    CHECK(program_file("/usr/bin/kfast", "kfast") == "/usr/bin/kfast");
+    CHECK(program_file("/home/somebody/ld/kfast", "/usr/bin/other") == "/home/somebody/ld/kfast");
+    CHECK(program_file(std::nullopt, "/usr/bin/kfast") == "/usr/bin/kfast");
+    CHECK_FALSE(program_file(std::nullopt, "kfast").has_value());
+    CHECK(program_file()->filename() == "file_test");
+    CHECK_FALSE(has_own_libraries());
+}
+
+TEST_CASE("behind a loader it is the file by which the loader was started")
+{
+    CHECK(program_file("/opt/kfast/lib/kfast/ld.so", "/opt/kfast/bin/kfast") == "/opt/kfast/bin/kfast");
+    CHECK(program_file("/lib64/ld-linux-x86-64.so.2", "/opt/kfast/bin/kfast") == "/opt/kfast/bin/kfast");
+    CHECK_FALSE(program_file("/opt/kfast/lib/kfast/ld.so", "kfast").has_value());
 }
 
 }

@@ -67,7 +67,7 @@ class PortableCommand(unittest.TestCase):
 
     def test_previews_in_the_terminal_and_without_a_display(self):
         self.assertIn("\x1b[", self.kfast("preview", "/work/eyes.kfast", "--terminal", "--loops", "1", TERM="xterm", COLUMNS="80"))
-        self.kfast("preview", "/work/eyes.kfast", "--headless", "--keys", "n q")
+        self.kfast("preview", "/work/eyes.kfast", "--headless", "--press", "n q")
 
     def test_draws_in_a_window_without_drivers_of_graphics_cards(self):
         said = self.kfast("preview", "/work/eyes.kfast", "--loops", "1", SDL_VIDEODRIVER="dummy", XDG_RUNTIME_DIR="/work")

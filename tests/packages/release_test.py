@@ -59,7 +59,7 @@ class Release(unittest.TestCase):
         lines = (self.made / "SHA256SUMS").read_text().splitlines()
         self.assertEqual(len(lines) + 1, len(list(self.made.iterdir())))
 
-    def test_a_picture_moves_on_each_display_without_a_computer(self):
+    def test_each_uf2_has_firmware_settings_and_scene(self):
         images = list(self.made.glob("*.uf2"))
         self.assertEqual(7, len(images))
         for image in images:
@@ -89,8 +89,9 @@ class Release(unittest.TestCase):
     def test_files_of_others_are_not_replaced(self):
         folder = self.copied("shared")
         (folder / "diary.txt").write_text("dear diary")
-        result = self.call("arduino", "--no-build", "--folder", folder, status=1)
+        result = self.call("uf2", "--folder", folder, status=1)
         self.assertIn("diary.txt", result.stderr)
+        self.assertEqual("", result.stdout, "nothing is built before")
         self.assertTrue((folder / "diary.txt").is_file())
 
     def test_addresses_that_are_missing_are_told(self):

@@ -4,6 +4,7 @@ import os
 import pty
 import re
 import select
+import signal
 import subprocess
 import sys
 import time
@@ -33,7 +34,21 @@ def in_terminal(*arguments, keys=""):
             written += os.read(terminal, 65536)
         except OSError:  # its other end is closed
             break
+    else:
+        os.kill(child, signal.SIGKILL)
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), written.decode()
+
+
+def changed_state(child, terminal):
+    """The status of wait() once the child is stopped or ends, while what it draws is read."""
+    deadline = time.monotonic() + 30
+    while time.monotonic() < deadline:
+        if select.select([terminal], [], [], 0.05)[0]:
+            os.read(terminal, 65536)
+        process, status = os.waitpid(child.pid, os.WNOHANG | os.WUNTRACED)
+        if process == child.pid:
+            return status
+    raise AssertionError("it goes on")
 
 
 class FirstLookTest(unittest.TestCase):
@@ -52,6 +67,21 @@ class FirstLookTest(unittest.TestCase):
 
     def test_q_ends_it(self):
         self.assertEqual(in_terminal(SCENE, "1000000", keys="q")[0], 0)
+
+    def test_it_stops_and_goes_on_as_a_shell_asks(self):
+        terminal, its_side = pty.openpty()
+        self.addCleanup(os.close, terminal)
+        self.addCleanup(os.close, its_side)
+        child = subprocess.Popen([FIRST_LOOK, SCENE, "1000000"], stdin=subprocess.DEVNULL, stdout=its_side, process_group=0,
+                                 env={**os.environ, "TERM": "xterm-256color"})
+        self.addCleanup(child.wait)
+        self.addCleanup(child.kill)
+        self.assertTrue(os.read(terminal, 65536))  # it has taken the terminal
+        child.send_signal(signal.SIGTSTP)
+        self.assertTrue(os.WIFSTOPPED(changed_state(child, terminal)))
+        child.send_signal(signal.SIGCONT)
+        child.send_signal(signal.SIGTERM)
+        self.assertEqual(-signal.SIGTERM, os.waitstatus_to_exitcode(changed_state(child, terminal)))
 
     def test_mistakes_are_named(self):
         for arguments, status, words in [((SCENE,), 2, "usage"), ((SCENE, "0"), 2, "usage"), ((SCENE, "1x"), 2, "usage"),

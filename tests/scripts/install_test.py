@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import select
 import signal
 import tempfile
 import time
@@ -115,17 +116,29 @@ class PackagesTest(InstallCase):
         self.assertIn("through sudo", result.stdout)
         self.assertRegex(self.machine.calls("sudo")[-1], "^sudo setsid --wait env DEBIAN_FRONTEND=noninteractive .*apt-get")
 
+    def printed_until(self, process, words):
+        printed = b""
+        while words.encode() not in printed:
+            self.assertTrue(select.select([process.stdout], [], [], 30)[0], f"no '{words}' in {printed}")
+            more = os.read(process.stdout.fileno(), 4096)
+            self.assertTrue(more, f"no '{words}' in {printed}")
+            printed += more
+        return printed.decode()
+
     def test_a_stop_while_packages_are_installed_waits_for_dpkg(self):
         self.machine.has("lists")
-        process = self.machine.begin(INSTALL, "boards", INSTALL_SECONDS="3")
+        self.machine.has("slow")
+        process = self.machine.begin(INSTALL, "boards")
+        out = self.printed_until(process, "Installing 12 packages ... ")
         deadline = time.monotonic() + 30
-        while not [line for line in self.machine.calls("apt-get") if "--download" not in line and "--print" not in line]:
+        while not (self.machine.state / "installing").exists():
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.05)
-        time.sleep(0.3)
         os.killpg(process.pid, signal.SIGINT)
-        out, _ = process.communicate(timeout=30)
-        self.assertEqual(130, process.returncode)
+        out += self.printed_until(process, "stopping when they are installed")
+        (self.machine.state / "slow").unlink()
+        out += process.communicate(timeout=30)[0]
+        self.assertEqual(130, process.returncode, out)
         self.assertIn("stopping when they are installed", out)
         self.assertIn("gcc-arm-none-eabi", self.machine.installed())
 

@@ -28,7 +28,8 @@ case " $* " in
     for name in $(names "$@"); do touch "$STATE/fetched-$name"; done ;;
 *" install "*)
     echo "debconf: delaying package configuration, since apt-utils is not installed" >&2
-    sleep "${INSTALL_SECONDS:-0}"
+    touch "$STATE/installing"
+    while [ -e "$STATE/slow" ]; do sleep 0.05; done
     [ ! -e "$STATE/full-disk" ] || { echo "dpkg: error: No space left on device" >&2; exit 100; }
     names "$@" >>"$STATE/installed" ;;
 esac

@@ -1,4 +1,4 @@
-#include "host/preview/board_pace.hpp"
+#include "host/preview/board_changes.hpp"
 
 #include "core/player.hpp"
 #include "host/fit/speed.hpp"
@@ -64,6 +64,20 @@ TEST_CASE("events of frames that a board leaves out are passed all the same, and
     told.state.press(PreviewKey::play_pause, after(50));
     told.state.advance_to(after(50.5));
     CHECK(told.state.time() == paused);
+}
+
+TEST_CASE("after a break a board goes on where it stood, and does not draw what it has missed")
+{
+    PreviewPlayback state = playback(Loop::repeat);
+    int pictures = 0;
+    state.pace_by([&](Time) { return ++pictures, 0.05; }, start);
+    state.advance_to(after(0.35));
+    CHECK(pictures == 4);
+    state.advance_to(after(3600));
+    CHECK(pictures == 5);
+    CHECK(state.frame() == 3);
+    state.advance_to(after(3600.15));
+    CHECK(state.frame() == 4);
 }
 
 TEST_CASE("a picture takes as long as the fit report says")

@@ -65,6 +65,9 @@ TEST_CASE("editors that take the terminal are known")
     CHECK(takes_terminal("vim"));
     CHECK(takes_terminal("/usr/bin/nano -w"));
     CHECK(takes_terminal("emacs -nw"));
+    for (const char* const name :
+         {"editor", "/usr/bin/sensible-editor", "/usr/bin/vim.tiny", "vim.basic -n", "nvi"})
+        CHECK_MESSAGE(takes_terminal(name), name);
     CHECK_FALSE(takes_terminal("emacs"));
     CHECK_FALSE(takes_terminal("code -w"));
     CHECK_FALSE(takes_terminal("whatever"));
@@ -95,6 +98,12 @@ TEST_CASE("an editor that is not there, or fails, is told once")
     CHECK(editor.take_failure().empty());
 }
 
+TEST_CASE("an editor in the terminal is ended by the key that the preview is spared from")
+{
+    const Editors killed{"kill -INT $$; exit 3; true {file}", "", ""};
+    CHECK_NOTHROW(edit_in_terminal({"a", 1}));
+}
+
 TEST_CASE("the text is opened where the selected object stands, or at its first mistake")
 {
     std::vector<TextLine> opened;
@@ -109,6 +118,11 @@ TEST_CASE("the text is opened where the selected object stands, or at its first 
     preview.wait();
     preview.press({PreviewKey::edit});
     CHECK(opened.back() == TextLine{file, 7});
+    const fs::path dropped = preview.folder / "dropped.kfast";
+    write(dropped, "kfast 1\ncanvas 16 16\nobjekt lamp\n");
+    preview.viewer.open(dropped, preview.now);
+    preview.press({PreviewKey::edit});
+    CHECK(opened.back() == TextLine{dropped, 3});
 }
 
 TEST_CASE("without an editor, and of a compiled scene, it is told why nothing opens")
@@ -116,6 +130,15 @@ TEST_CASE("without an editor, and of a compiled scene, it is told why nothing op
     Preview preview;
     preview.press({PreviewKey::edit});
     CHECK(preview.viewer.notice().find("from a window or a terminal") != std::string::npos);
+    const auto compiled = open_scene(preview.folder / "lamp.kfast");
+    const std::vector<std::byte>& bytes = compiled->scene.bytes;
+    write(preview.folder / "lamp.kfb", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    std::vector<TextLine> opened;
+    preview.viewer.let_edit(std::make_unique<FakeEditor>(opened));
+    preview.viewer.open(preview.folder / "lamp.kfb", preview.now);
+    preview.press({PreviewKey::edit});
+    CHECK(preview.viewer.notice() == "lamp.kfb is compiled: edit the text that it was made from");
+    CHECK(opened.empty());
 }
 
 TEST_CASE("what is unfolded stays so when the file is saved, and other files begin folded")

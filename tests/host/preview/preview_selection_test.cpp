@@ -1,5 +1,6 @@
 #include "tests/host/preview/window_of_halves.hpp"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <memory>
 #include <vector>
@@ -50,6 +51,20 @@ TEST_CASE("a click on the triangle of a row unfolds it, and its quantities have 
     window.press(PreviewKey::quantities);
     window.draw();
     CHECK_FALSE(window.has_text("shape"));
+
+    window.press(PreviewKey::quantities);
+    const TimeTable table = window.viewer.unfolded_table();
+    const int height = TimeLine::wanted_height(table);
+    const TimeLine line{table, {0, 576 - height, 900, height}};
+    const auto shape = std::ranges::find_if(table.rows, [](const TimeRow& row) {
+        return row.is_quantity && row.name == "shape" && row.keys.size() == 2;
+    });
+    REQUIRE(shape != table.rows.end());
+    const Rect row = line.row(static_cast<std::size_t>(shape - table.rows.begin()));
+    window.draw();
+    CHECK(window.frame() == 0);
+    window.click(static_cast<int>(line.x_of(Time::frame(50))) + 2, row.y + 5);
+    CHECK(window.frame() == 50);
 }
 
 }
