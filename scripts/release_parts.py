@@ -61,8 +61,8 @@ def version():
 
 def seconds():
     """The time that all files say: that of the commit, so that it makes the same files whenever it is built."""
-    told = os.environ.get("SOURCE_DATE_EPOCH")
-    return int(told or call("git", "log", "-1", "--format=%ct", folder=ROOT))
+    epoch = os.environ.get("SOURCE_DATE_EPOCH")
+    return int(epoch or call("git", "log", "-1", "--format=%ct", folder=ROOT))
 
 
 def debian_files(architectures):

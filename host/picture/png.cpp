@@ -29,14 +29,14 @@ std::vector<std::byte> encoded_png(const Picture& picture)
 
 Picture decoded_png(std::string_view bytes)
 {
-    constexpr png_uint_32 most_side = 4096;
+    constexpr png_uint_32 max_side = 4096;
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
         throw Failure(std::string("is no PNG: ") + image.message);
     const std::unique_ptr<png_image, void (*)(png_image*)> reading{&image, &png_image_free};
-    if (image.width > most_side || image.height > most_side)
-        throw Failure("is a PNG of more than " + std::to_string(most_side) + " pixels at a side");
+    if (image.width > max_side || image.height > max_side)
+        throw Failure("is a PNG of more than " + std::to_string(max_side) + " pixels at a side");
     image.format = PNG_FORMAT_RGB;
     std::vector<std::uint8_t> channels(PNG_IMAGE_SIZE(image));
     const png_color below{0, 0, 0};

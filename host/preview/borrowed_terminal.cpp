@@ -65,7 +65,7 @@ void BorrowedTerminal::give_back()
     std::signal(SIGTSTP, SIG_DFL);
 }
 
-void BorrowedTerminal::lend(const std::function<void()>& use)
+void BorrowedTerminal::suspend_for(const std::function<void()>& use)
 {
     give_back();
     use();

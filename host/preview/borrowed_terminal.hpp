@@ -29,7 +29,7 @@ public:
     bool stop_if_asked();
 
     /// Gives it back while `use`, which throws nothing, runs another program in it.
-    void lend(const std::function<void()>& use);
+    void suspend_for(const std::function<void()>& use);
 
 private:
     void take();

@@ -20,7 +20,7 @@ struct ItemName {
 std::optional<ItemName> name_of(std::optional<std::size_t> item, const TimeTable& table);
 /// The other way round.
 std::optional<std::size_t> item_of(const ItemName& name, const TimeTable& table);
-/// Likewise of several, without those that there are not.
+/// Those of several, without those that there are not.
 std::vector<ItemName> names_of(const std::set<std::size_t>& items, const TimeTable& table);
 std::set<std::size_t> items_of(const std::vector<ItemName>& names, const TimeTable& table);
 /// So many rows further down; past either end there is none, and behind that the other end.

@@ -52,7 +52,7 @@ struct ItemFacts {
     struct Way {
         std::string name;  ///< of a quantity, "y"; of one that goes by an input "y by gaze"
         std::string begin; ///< the key before: "10: 40, accelerate"; empty if there is none
-        std::string end;   ///< likewise the key after
+        std::string end;   ///< the key after, in the same way
     };
     std::vector<ItemValue> values;
     std::vector<Way> ways; ///< of all quantities with more than one key

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr InputKind picture_input{"picture", "a .png file", "write it again"};
-constexpr std::size_t most_pixels = std::size_t{1} << 26; // 256 MB
+constexpr std::size_t max_pixels = std::size_t{1} << 26; // 256 MB
 
 std::string in_words(Size size) { return std::to_string(size.width) + 'x' + std::to_string(size.height); }
 
@@ -64,7 +64,7 @@ void PanelPictures::read(const fs::path& file, int frame, Size panel)
         throw Failure(file.string() + " has " + in_words(picture.size) +
                       " pixels and the panel of the preview " + in_words(panel) +
                       ": choose the same one with --panel or --size");
-    if ((pictures_.size() + 1) * picture.pixels.size() > most_pixels)
+    if ((pictures_.size() + 1) * picture.pixels.size() > max_pixels)
         throw Failure(file.parent_path().string() +
                       " has more pictures than the preview keeps: leave some out");
     pictures_.insert_or_assign(frame, std::move(picture));

@@ -103,14 +103,14 @@ private:
 /// Gives the terminal to the editor, and takes it back.
 class EditorInstead final : public Editor {
 public:
-    using Lend = std::function<void(const std::function<void()>&)>;
+    using Run = std::function<void(const std::function<void()>&)>;
 
-    explicit EditorInstead(Lend lend) : lend_{std::move(lend)} {}
+    explicit EditorInstead(Run run) : run_{std::move(run)} {}
 
     void open(const TextLine& at) override
     {
         std::string failure;
-        lend_([&] {
+        run_([&] {
             try {
                 edit_in_terminal(at);
             } catch (const std::exception& thrown) { // once the terminal is ours again
@@ -122,14 +122,14 @@ public:
     }
 
 private:
-    Lend lend_;
+    Run run_;
 };
 
 class TerminalPreview {
 public:
     TerminalPreview(Viewer& viewer, Keyboard& keyboard) : viewer_{viewer}, keyboard_{keyboard}
     {
-        viewer_.let_edit(std::make_unique<EditorInstead>([this](const auto& use) { lend_terminal(use); }));
+        viewer_.let_edit(std::make_unique<EditorInstead>([this](const auto& use) { run_in_terminal(use); }));
     }
     ~TerminalPreview() { viewer_.let_edit(nullptr); }
     TerminalPreview(const TerminalPreview&) = delete;
@@ -160,10 +160,10 @@ private:
         return true;
     }
 
-    void lend_terminal(const std::function<void()>& use)
+    void run_in_terminal(const std::function<void()>& use)
     {
         const Seconds before = now();
-        terminal_.lend(use);
+        terminal_.suspend_for(use);
         stood_still_ += now() - before;
         screen_.begin_anew();
     }

@@ -22,7 +22,7 @@ struct ViewOptions {
     bool board_speed = false; ///< play as slowly as the board would
     /// The place of an item in SceneFile::item_names; none is selected at first.
     std::optional<std::size_t> selected = {};
-    /// Items whose keys stand on the time line by quantity, in rows of their own; likewise.
+    /// Items whose keys stand on the time line by quantity, in rows of their own: their places, as above.
     std::set<std::size_t> unfolded = {};
 };
 

@@ -122,7 +122,7 @@ void Viewer::set_pace(Seconds now)
         return playback_->pace_by({}, now);
     if (shown_.scene->is_beam) {
         view_.board_speed = false;
-        return notify("only boards with a panel set the speed here: fit tells what a beam can do");
+        return notify("only boards with a panel set the speed here: kfast fit shows what a beam can do");
     }
     const auto seconds = [this](Time moment) { return shown_.layers->board_seconds(*playback_, moment); };
     playback_->pace_by(seconds, now);

@@ -82,12 +82,13 @@ public:
     const ViewOptions& view() const { return view_; }
     /// What the panel holds now. Valid until the next call of a member.
     const Frame& frame();
-    /// The picture to show now, with the onion skin if that is wanted. Likewise.
+    /// The picture to show now, with the onion skin if that is wanted. Valid as frame() is.
     const Picture& picture();
-    /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Likewise.
+    /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Valid as
+    /// frame() is.
     const Overlay& overlay(double scale);
     const TimeTable& time_table() const { return shown_.layers->table(); }
-    /// The same with rows for the quantities that are unfolded. Likewise.
+    /// The same with rows for the quantities that are unfolded. Valid as frame() is.
     const TimeTable& unfolded_table() { return shown_.layers->table(view_.unfolded); }
     /// Of the selected item at this moment; nothing if none is selected.
     std::optional<ItemFacts> selected_facts();

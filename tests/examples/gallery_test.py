@@ -53,9 +53,9 @@ class GalleryTest(unittest.TestCase):
         listed = json.loads(kfast("new", "--list", "--json"))
         self.assertEqual({one["name"]: one["summary"] for one in listed}, summaries)
         for one in listed:
-            told = json.loads(kfast("info", ROOT / f"examples/gallery/{one['name']}.kfast", "--json"))
-            self.assertEqual(one["inputs"], [row["name"] for row in told["inputs"]])
-            self.assertEqual(one["clips"], [row["name"] for row in told["clips"]])
+            facts = json.loads(kfast("info", ROOT / f"examples/gallery/{one['name']}.kfast", "--json"))
+            self.assertEqual(one["inputs"], [row["name"] for row in facts["inputs"]])
+            self.assertEqual(one["clips"], [row["name"] for row in facts["clips"]])
 
     def test_the_page_shows_them_in_the_same_order(self):
         order = [one["name"] for one in json.loads(kfast("new", "--list", "--json"))]

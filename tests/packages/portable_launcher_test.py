@@ -52,8 +52,8 @@ class Launcher(unittest.TestCase):
 
     def test_leaves_the_environment_as_it_is(self):
         result = self.run_it(self.launcher, env={"PATH": os.environ["PATH"], "LAMP": "lit"})
-        told = {line.split("=")[0] for line in result.stdout.splitlines() if line.startswith("env ")}
-        self.assertEqual({"env PATH", "env LAMP", "env PWD"}, told | {"env PWD"})
+        environment = {line.split("=")[0] for line in result.stdout.splitlines() if line.startswith("env ")}
+        self.assertEqual({"env PATH", "env LAMP", "env PWD"}, environment | {"env PWD"})
 
     def test_alone_it_says_what_is_missing(self):
         self.loader.unlink()

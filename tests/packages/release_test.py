@@ -94,11 +94,11 @@ class Release(unittest.TestCase):
         self.assertEqual("", result.stdout, "nothing is built before")
         self.assertTrue((folder / "diary.txt").is_file())
 
-    def test_addresses_that_are_missing_are_told(self):
-        told = self.call("arduino", "--dry-run").stderr
+    def test_warns_of_addresses_that_are_missing(self):
+        warnings = self.call("arduino", "--dry-run").stderr
         facts = (ROOT / "packages/project.json").read_text()
         for name in "mail", "url":
-            self.assertEqual(f'"{name}": null' in facts, f"packages/project.json has no {name} yet" in told)
+            self.assertEqual(f'"{name}": null' in facts, f"packages/project.json has no {name} yet" in warnings)
 
     def test_a_part_that_there_is_not(self):
         result = self.call("portabel", status=2)
