@@ -159,7 +159,7 @@ TEST_CASE(
     REQUIRE(at.size() == 5);
     CHECK(at[0].size() == 2);
     CHECK(at[1].size() == 2);
-    for (const std::size_t i : {2, 3, 4})
+    for (const std::size_t i : {2U, 3U, 4U})
         CHECK(at[i].size() == 3);
     REQUIRE(at[0][0].points.size() == at[1][0].points.size());
     for (std::size_t i = 0; i < at[0][0].points.size(); ++i) // half of the way from their places at the key
