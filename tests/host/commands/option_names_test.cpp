@@ -38,6 +38,7 @@ struct Renamed {
 Renamed renamed(const std::vector<std::string>& words)
 {
     std::vector<const char*> arguments;
+    arguments.reserve(words.size());
     for (const std::string& word : words)
         arguments.push_back(word.c_str());
     std::ostringstream notes;
