@@ -24,7 +24,7 @@ It runs from wherever this folder is; a link to ./kfast in a folder of PATH is e
 and talk to them without being root: sudo ./kfast install-udev. Texts and examples are in share/doc/kfast.
 
 The libraries in lib/kfast are those of Debian 12, unchanged. Their licences are in share/doc/kfast/libraries, where
-packages.txt names the packages and their sources, with versions: https://snapshot.debian.org has them.
+packages.txt names the packages and their sources, with versions: the archive of Debian's snapshots has them.
 """
 
 

@@ -36,12 +36,12 @@ class PortableCommand(unittest.TestCase):
         output_of(ROOT / "scripts/release", "portable", "--architecture", "amd64", "--no-build", "--folder", folder / "release")
         (cls.tar,) = (folder / "release").glob("*.tar.gz")
         cls.root = folder / "root"
-        for name in "proc", "dev", "work":
+        for name in "proc", "dev", "try":
             (cls.root / name).mkdir(parents=True)
         with tarfile.open(cls.tar) as tar:
             tar.extractall(cls.root)
         (cls.folder,) = cls.root.glob("kfast-*")
-        shutil.copy(ROOT / "examples/robot-eyes.kfast", cls.root / "work/eyes.kfast")
+        shutil.copy(ROOT / "examples/robot-eyes.kfast", cls.root / "try/eyes.kfast")
 
     def kfast(self, *arguments, status=0, mount=MAY_MOUNT, **environment):
         """What it prints, started as /kfast-VERSION-linux-x86_64/kfast."""
@@ -53,28 +53,28 @@ class PortableCommand(unittest.TestCase):
         return result.stdout + result.stderr
 
     def test_the_root_has_nothing_else(self):
-        self.assertEqual({"proc", "dev", "work", self.folder.name}, {path.name for path in self.root.iterdir()})
+        self.assertEqual({"proc", "dev", "try", self.folder.name}, {path.name for path in self.root.iterdir()})
 
     def test_tells_its_version(self):
         self.assertIn(self.folder.name.split("-")[1], self.kfast("--version"))
 
     def test_compiles_draws_and_measures(self):
-        self.kfast("compile", "/work/eyes.kfast", "-o", "/work/eyes.kfb")
-        self.assertIn("150 frames", self.kfast("info", "/work/eyes.kfb"))
-        self.kfast("render", "/work/eyes.kfast", "-o", "/work/eyes.png")
-        self.assertEqual(b"\x89PNG", (self.root / "work/eyes.png").read_bytes()[:4])
-        self.assertIn("fits", self.kfast("fit", "/work/eyes.kfast", "--board", "pico"))
+        self.kfast("compile", "/try/eyes.kfast", "-o", "/try/eyes.kfb")
+        self.assertIn("150 frames", self.kfast("info", "/try/eyes.kfb"))
+        self.kfast("render", "/try/eyes.kfast", "-o", "/try/eyes.png")
+        self.assertEqual(b"\x89PNG", (self.root / "try/eyes.png").read_bytes()[:4])
+        self.assertIn("fits", self.kfast("fit", "/try/eyes.kfast", "--board", "pico"))
 
     def test_previews_in_the_terminal_and_without_a_display(self):
-        self.assertIn("\x1b[", self.kfast("preview", "/work/eyes.kfast", "--terminal", "--loops", "1", TERM="xterm", COLUMNS="80"))
-        self.kfast("preview", "/work/eyes.kfast", "--headless", "--press", "n q")
+        self.assertIn("\x1b[", self.kfast("preview", "/try/eyes.kfast", "--terminal", "--loops", "1", TERM="xterm", COLUMNS="80"))
+        self.kfast("preview", "/try/eyes.kfast", "--headless", "--press", "n q")
 
     def test_draws_in_a_window_without_drivers_of_graphics_cards(self):
-        said = self.kfast("preview", "/work/eyes.kfast", "--loops", "1", SDL_VIDEODRIVER="dummy", XDG_RUNTIME_DIR="/work")
+        said = self.kfast("preview", "/try/eyes.kfast", "--loops", "1", SDL_VIDEODRIVER="dummy", XDG_RUNTIME_DIR="/try")
         self.assertNotIn("error", said)
 
     def test_finds_its_firmware_and_names_itself(self):
-        said = self.kfast("flash", "/work/eyes.kfast", "--panel", "st7789", "--dry-run")
+        said = self.kfast("flash", "/try/eyes.kfast", "--panel", "st7789", "--dry-run")
         self.assertIn("firmware of ", said)
         for mount in {MAY_MOUNT, False}:
             listed = self.kfast("config", "--list", mount=mount)
