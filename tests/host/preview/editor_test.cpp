@@ -86,7 +86,7 @@ TEST_CASE("KFAST_EDITOR goes before VISUAL before EDITOR, and without any the re
 
 TEST_CASE("an editor that is not there, or fails, is told once")
 {
-    const Editors missing{"/no/such/editor", "", ""};
+    const Editors missing{"/no/such/program", "", ""};
     EditorBeside editor;
     CHECK(failure_of(editor, {"a", 1}).empty());
     std::string failure;
@@ -94,7 +94,7 @@ TEST_CASE("an editor that is not there, or fails, is told once")
         failure = editor.take_failure();
         ::usleep(10'000);
     }
-    CHECK(failure == "the editor \"/no/such/editor\" is not there: set KFAST_EDITOR to another one");
+    CHECK(failure == "the editor \"/no/such/program\" is not there: set KFAST_EDITOR to another one");
     CHECK(editor.take_failure().empty());
 }
 
