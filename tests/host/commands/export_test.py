@@ -89,7 +89,7 @@ class ExportTest(CommandTest):
         self.assertEqual(len(self.numbers("a.h", "a", "c", "c99")) - 3, len(self.compiled()))
 
     def test_wrong_usage(self):
-        self.refuse("export", "once.kfast", status=2, says="1 option from [--header,--ild,--wav] is required")
+        self.refuse("export", "once.kfast", status=2, says="choose one of --header, --ild, --wav")
         self.refuse("export", "--header", status=2, says="FILE is required")
         self.refuse("export", "--header", "once.kfast", "-o", "once.kfast", status=1, says="overwrite the scene")
         self.refuse("export", "--header", "once.kfast", "-o", "none/a.h", status=1, says="create the folder first")
