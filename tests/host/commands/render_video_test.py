@@ -63,7 +63,7 @@ class VideoTest(RenderTest):
                 for number in numbers:
                     os.close(number)
 
-            subprocess.run([KFAST, "render", "repeat.kfast", "--all", "-o", "out.mp4"], cwd=self.folder, env=environment,
+            subprocess.run([KFAST, "render", "-q", "repeat.kfast", "--all", "-o", "out.mp4"], cwd=self.folder, env=environment,
                            preexec_fn=close, timeout=120, check=True)
             self.assertEqual(json.loads((self.folder / "out.mp4").read_text())["bytes"], 10 * 60 * 40 * 3)
             (self.folder / "out.mp4").unlink()
