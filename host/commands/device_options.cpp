@@ -37,9 +37,6 @@ void declare_talk_options(CLI::App& app, DeviceOptions& options)
 
 std::vector<DeviceAddress> attached_for(const std::vector<std::string>& names)
 {
-    const auto is_simulated = [](const std::string& name) {
-        return name == "sim" || name.starts_with("sim:");
-    };
     if (!names.empty() && std::ranges::all_of(names, is_simulated))
         return {};
     return attached_devices();

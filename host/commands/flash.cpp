@@ -11,6 +11,8 @@
 #include "host/failure.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/interruption.hpp"
+#include "host/link/device_choice.hpp"
+#include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <array>
@@ -42,6 +44,15 @@ std::string mistaken_board(const std::string& board)
     if (const auto text = fit::other_board_text(board))
         return "'" + board + "': " + *text;
     return "there is no firmware for '" + board + "': " + suggestion(board, boards);
+}
+
+std::string mistaken_device(const std::string& serial)
+{
+    if (!is_simulated(serial))
+        return {};
+    return "flash needs a board of its own; 'kfast play' and 'kfast upload' reach the simulator with "
+           "--device " +
+           visible(serial);
 }
 
 FlashOrder order_of(const FlashOptions& options)
@@ -154,6 +165,7 @@ void declare_place(CLI::App& app, FlashOptions& options)
     CLI::Option* const serial = app.add_option("--device", options.place.serial,
                                                "The board that runs KFAST and has this serial number")
                                     ->type_name("SERIAL")
+                                    ->check(CLI::Validator{mistaken_device, ""})
                                     ->excludes(port)
                                     ->group(option_group::device);
     CLI::Option* const drive =

@@ -5,6 +5,7 @@
 #include "host/fit/slack.hpp"
 #include "host/fit/wording.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -60,9 +61,8 @@ void check_outlines(const FitReport& report, std::vector<std::string>& shortages
 }
 
 /// What has to become less for more frames: pixels that change, or what there is to compute.
-std::string bottleneck_of(const FitReport& report)
+std::string bottleneck_of(const FitReport& report, const FrameCost& frame)
 {
-    const FrameCost& frame = report.speed.median();
     if (frame.bus_seconds > frame.cpu_seconds)
         return "the bus takes longest, " + milliseconds_text(frame.bus_seconds) + " for " +
                bytes_text(frame.bytes);
@@ -73,14 +73,26 @@ std::string bottleneck_of(const FitReport& report)
     return text;
 }
 
+/// "60 fps leave 16.7 ms for each"
+std::string room_text(double rate)
+{
+    return rate_text(rate) + " leave " + milliseconds_text(1 / rate) + " for each";
+}
+
+bool is_too_long(double seconds, const FitReport& report) { return seconds * report.wanted_rate > slack; }
+
 std::string slowness_of(const FitReport& report)
 {
-    const double seconds = report.speed.median().seconds();
-    if (seconds * report.wanted_rate <= slack)
-        return {};
-    return "speed: every second frame takes " + milliseconds_text(seconds) + " or more, but " +
-           rate_text(report.wanted_rate) + " leave " + milliseconds_text(1 / report.wanted_rate) +
-           " for each; " + rate_text(1 / seconds) + " can be reached: " + bottleneck_of(report);
+    const FrameCost& median = report.speed.median();
+    if (is_too_long(median.seconds(), report))
+        return "speed: every second frame takes " + milliseconds_text(median.seconds()) + " or more, but " +
+               room_text(report.wanted_rate) + "; " + rate_text(1 / median.seconds()) +
+               " can be reached: " + bottleneck_of(report, median);
+    if (report.late_with_inputs.is_all())
+        return "speed: while its inputs move all pictures are late, the worst takes " +
+               milliseconds_text(std::ranges::max(report.speed.busy_turn)) + ", but " +
+               room_text(report.wanted_rate) + ": " + bottleneck_of(report, report.speed.worst());
+    return {};
 }
 
 void note_bus(const Target& target, std::vector<std::string>& notes)
@@ -135,8 +147,11 @@ std::string FitReport::lateness_text() const
 {
     const bool is_by_inputs = late.late == 0 && late_with_inputs.late != 0;
     const std::string text = late_text(is_by_inputs ? late_with_inputs : late);
+    if (text.empty() && is_too_long(speed.leap, *this))
+        return "late while its inputs leap: at worst " + rate_text(1 / speed.leap) + " of " +
+               rate_text(wanted_rate);
     if (text.empty())
-        return text;
+        return {};
     return text + (speed.stride > 1 ? " of those looked at" : "") +
            (is_by_inputs ? " while its inputs move" : "");
 }

@@ -42,7 +42,8 @@ struct FitReport {
 
     /// Why it does not fit: shortages and slowness. None if it does.
     std::vector<std::string> reasons() const;
-    /// "12 of 76 pictures late": although it fits. Empty if none is late.
+    /// "12 of 76 pictures late": although it fits, and whether that is while its inputs move or leap alone.
+    /// Empty if none is late.
     std::string lateness_text() const;
     bool fits() const { return shortages.empty() && slowness.empty(); }
 };

@@ -12,6 +12,8 @@ struct Lateness {
     std::size_t frames = 0;
     std::size_t late = 0;     ///< are not there when the next one is due, or not at all
     std::size_t left_out = 0; ///< of these: their time has passed before they are begun
+
+    bool is_all() const { return late != 0 && late == frames; }
 };
 
 /// `seconds` are those that the frames take, in their order.

@@ -85,7 +85,10 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, cons
     run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
     run.visit_turn(Time{0}, take_into(speed.turn));
     run.visit_turn(Time{Time::ticks_per_frame / 2}, take);
-    run.visit_presses(take);
+    run.visit_presses([&](const FrameWork& frame) {
+        take(frame);
+        speed.leap = std::max(speed.leap, speed.frames.back().seconds());
+    });
     run.visit_turn_with_inputs(take_into(speed.busy_turn));
     run.visit_end(take);
     run.visit_noise([&](const FrameWork& frame) { meter.take_noise(frame); });

@@ -39,6 +39,7 @@ struct Speed {
     std::optional<LargestOutlines> overfull; ///< of the first picture that is not complete for want of room
     std::vector<double> turn;                ///< seconds of the scene's frames, in their order
     std::vector<double> busy_turn;           ///< the same with its inputs moving; empty if it has none
+    double leap = 0;                         ///< seconds of the dearest picture in which they leap
     Limits by_cpu;
     Limits by_bus;
     int stride = 1; ///< of how many frames one was looked at

@@ -5,8 +5,6 @@
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <string_view>
 
 namespace kfast {
 namespace {
@@ -42,14 +40,14 @@ DeviceAddress only_one(std::span<const DeviceAddress> attached)
     return attached.front();
 }
 
-std::optional<DeviceAddress> simulated(std::string_view name)
+constexpr std::string_view usual_simulated = "sim";
+constexpr std::string_view simulated_at = "sim:";
+
+DeviceAddress simulated(std::string_view name)
 {
-    if (name == "sim")
-        return DeviceAddress{DeviceAddress::Way::socket, sim_socket_path(), {}};
-    constexpr std::string_view prefix = "sim:";
-    if (name.starts_with(prefix))
-        return DeviceAddress{DeviceAddress::Way::socket, std::string{name.substr(prefix.size())}, {}};
-    return std::nullopt;
+    return {DeviceAddress::Way::socket,
+            name == usual_simulated ? sim_socket_path() : std::string{name.substr(simulated_at.size())},
+            {}};
 }
 
 DeviceAddress with_serial(const std::string& serial, std::span<const DeviceAddress> attached)
@@ -78,6 +76,8 @@ public:
 
 }
 
+bool is_simulated(std::string_view name) { return name == usual_simulated || name.starts_with(simulated_at); }
+
 std::vector<DeviceAddress> chosen_addresses(std::span<const std::string> names,
                                             std::span<const DeviceAddress> attached)
 {
@@ -88,8 +88,8 @@ std::vector<DeviceAddress> chosen_addresses(std::span<const std::string> names,
         if (name == "all") {
             require_one(attached);
             std::ranges::for_each(attached, [&](const DeviceAddress& device) { choice.add(device); });
-        } else if (const auto address = simulated(name)) {
-            choice.add(*address);
+        } else if (is_simulated(name)) {
+            choice.add(simulated(name));
         } else {
             choice.add(with_serial(name, attached));
         }

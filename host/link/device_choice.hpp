@@ -4,9 +4,13 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
+
+/// `sim` or `sim:PATH`
+bool is_simulated(std::string_view name);
 
 /// The devices that are asked for, each once: by serial number; `all` that are attached; `sim` or
 /// `sim:PATH`, a simulated board. Without any name, the only one that is attached.

@@ -91,8 +91,10 @@ std::vector<FitLine> beginning(bool fits, const fit::Target& board)
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board)
 {
     std::vector<FitLine> lines = beginning(report.fits(), board);
-    if (report.fits() && report.late.late + report.late_with_inputs.late != 0)
-        lines.insert(lines.begin() + 1, {"but " + report.lateness_text()});
+    if (const std::string late = report.lateness_text(); report.fits() && !late.empty()) {
+        lines.front().verdict = Verdict::neutral;
+        lines.insert(lines.begin() + 1, {"but " + late});
+    }
     lines.push_back({panel_text(board.display)});
     add_rate(report, lines);
     add_scene_memory(report.flash, report.ram, board, lines);

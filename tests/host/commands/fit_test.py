@@ -308,6 +308,14 @@ class FitTest(CommandTest):
         report = self.report("jump.kfast", *self.board(bus="i2c clock=(kHz)200"))
         self.assertEqual(report["late"], {"frames": 30, "late": 12, "left_out": 10})
 
+    def test_pictures_that_are_late_where_inputs_leap(self):
+        self.write("knob.kfast", "kfast 1\ncanvas 60 40 frames=64\ninput knob\n"
+                                 "object a fill=red { rect 0 0 9 40; track x input=knob { at 0 0; at 1 51 } }\n")
+        told = self.run_kfast("fit", "knob.kfast", *self.board(bus="i2c clock=(kHz)350")).stdout
+        self.assertRegex(told, r"(?m)^  fits        yes, but late while its inputs leap: at worst 8 fps of 30 fps$")
+        told = self.run_kfast("fit", "knob.kfast", *self.board()).stdout
+        self.assertRegex(told, r"(?m)^  fits        yes$")
+
     def test_no_rate_that_nobody_sees(self):
         told = self.run_kfast("fit", "repeat.kfast", *self.board(bus="parallel-16 clock=(MHz)60")).stdout
         self.assertIn("by bus      more than 1000 fps\n", told)

@@ -125,6 +125,9 @@ class RefusalTest(FlashTest):
         self.refused("--board", "esp32", status=2, says="'esp32': an ESP32 (Xtensa LX6) is not supported yet: there is no firmware for it")
         self.refused("--verify-only", "--dry-run", status=2, says="--dry-run")
         self.refused("--device", "E6", status=2, says="excludes --device")
+        for device in ("sim", "sim:/run/board.sock"):
+            self.refuse("flash", "once.kfast", "--device", device, status=2,
+                        says=f"flash needs a board of its own; 'kfast play' and 'kfast upload' reach the simulator with --device {device}\n")
         self.refused("--reset-line", "GPIO17", status=2, says="--reset-line requires --boot-line")
         self.refused("--gpio-chip", "0", status=2, says="--gpio-chip requires --reset-line")
 

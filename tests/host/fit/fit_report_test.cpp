@@ -85,6 +85,25 @@ TEST_CASE("pictures that are late only while inputs move are said to be so")
     CHECK(report.late.late == 0);
     CHECK(report.late_with_inputs.late > 0);
     CHECK(report.lateness_text().ends_with(" while its inputs move"));
+    CHECK(report.fits());
+}
+
+TEST_CASE("a scene whose pictures are all late while its inputs move is too slow, though it rests for long")
+{
+    const auto bytes = test::compiled("kfast 1\ncanvas 60 40 frames=100\ninput knob\nobject b fill=lime { "
+                                      "rect 0 0 40 40; track x input=knob { at 0 0; at 1 20 } }\n");
+    CHECK(report_of(bytes).fits());
+    Target slow = desk();
+    slow.bus.clock = 50e3;
+    const FitReport report = report_of(bytes, slow);
+    CHECK(report.late.late == 0);
+    CHECK(report.late_with_inputs.is_all());
+    CAPTURE(report.slowness);
+    CHECK(
+        report.slowness.starts_with("speed: while its inputs move all pictures are late, the worst takes "));
+    CHECK(report.slowness.find(" ms, but 30 fps leave 33.3 ms for each: the bus takes longest, ") !=
+          std::string::npos);
+    CHECK(!report.fits());
 }
 
 TEST_CASE("texts are looked at full of the letters that cost most, all of them changing")
