@@ -8,7 +8,7 @@
 namespace kfast {
 
 using Kind = PaintStep::Kind;
-using Change = PaintStep::Change;
+using StepChange = PaintStep::Change;
 
 /// Sweeps both pictures over single rows.
 class RowSearch {
@@ -36,7 +36,7 @@ public:
             const std::uint16_t begin = end_;
             coming_borders_.count = 0;
             const bool runs_through = sweep(i, row);
-            if (step.change == Change::outlines)
+            if (step.change == StepChange::outlines)
                 compare(shown_.steps()[step.partner], row, runs_through, spans_from(begin), changed);
             else
                 mark_all(step, row, spans_from(begin), changed);
@@ -177,7 +177,7 @@ void ChangedStrips::begin(const TracedPicture& shown, const TracedPicture& comin
     strip_ = {};
     for (const TracedPicture* picture : {&shown, &coming})
         for (const PaintStep& step : picture->steps())
-            if (step.change != Change::none && step.layer.top < step.layer.bottom) {
+            if (step.change != StepChange::none && step.layer.top < step.layer.bottom) {
                 row_ = std::min<int>(row_, step.layer.top);
                 bottom_ = std::max<int>(bottom_, step.layer.bottom);
             }

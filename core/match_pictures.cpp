@@ -8,7 +8,7 @@ namespace kfast {
 namespace {
 
 using Kind = PaintStep::Kind;
-using Change = PaintStep::Change;
+using StepChange = PaintStep::Change;
 
 /// Steps that may have appeared or vanished in one place before the rest is taken to be new.
 constexpr std::size_t look_ahead = 8;
@@ -17,7 +17,7 @@ void forget_partners(TracedPicture& picture)
 {
     for (PaintStep& step : picture.steps()) {
         step.partner = PaintStep::no_partner;
-        step.change = Change::all;
+        step.change = StepChange::all;
         step.top = step.layer.top;
         step.bottom = step.layer.bottom;
     }
@@ -36,14 +36,14 @@ bool has_same_outlines(const TracedPicture& shown, const PaintStep& before, cons
            shown.outlines.is_equal(before.layer.outlines, coming.outlines, after.layer.outlines);
 }
 
-Change change_between(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
+StepChange change_between(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
                       const PaintStep& after, std::uint32_t moved)
 {
     if (after.kind != Kind::layer)
-        return Change::none;
+        return StepChange::none;
     if (before.layer.colour != after.layer.colour || before.layer.rule != after.layer.rule)
-        return Change::all;
-    return has_same_outlines(shown, before, coming, after, moved) ? Change::none : Change::outlines;
+        return StepChange::all;
+    return has_same_outlines(shown, before, coming, after, moved) ? StepChange::none : StepChange::outlines;
 }
 
 void join(TracedPicture& shown, std::size_t before, TracedPicture& coming, std::size_t after,
@@ -106,9 +106,9 @@ void change_blended(TracedPicture& picture, TracedPicture& other)
         depth += step.kind == Kind::begin_blend ? 1 : step.kind == Kind::end_blend ? -1 : 0;
         if (depth == 0)
             continue;
-        step.change = Change::all;
+        step.change = StepChange::all;
         if (step.partner != PaintStep::no_partner)
-            other.steps()[step.partner].change = Change::all;
+            other.steps()[step.partner].change = StepChange::all;
     }
 }
 

@@ -72,6 +72,17 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/projection.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/band.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/chain_builder.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/coverage.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/dirty.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/far_contour.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline_store.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/row_parts.cpp
     ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp

@@ -1,0 +1,131 @@
+#include "core/raster/band.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast::raster {
+
+void Band::begin(const OutlineStore& store, std::span<const PaintStep> steps, Size panel)
+{
+    *this = {};
+    store_ = &store;
+    steps_ = steps;
+    panel_ = panel;
+}
+
+int Band::row_count() const { return std::min(1 << store_->band_bits(), panel_.height - top_row()); }
+
+void Band::advance()
+{
+    ++number_;
+    const std::int32_t height = grid << store_->band_bits();
+    top_ = number_ * height;
+    bottom_ = top_ + height;
+    std::uint32_t shown = std::exchange(first_, Chain::none);
+    std::uint32_t hidden = std::exchange(hidden_, Chain::none);
+    last_ = Chain::none;
+    for (std::uint32_t list : {shown, hidden})
+        for (std::uint32_t next; list != Chain::none; list = next) {
+            Chain& passed = chain(list);
+            next = passed.next;
+            if (passed.bottom <= top_)
+                continue;
+            move_on(passed);
+            insert(list);
+        }
+    for (std::uint32_t place = store_->first_in(number_), next; place != Chain::none; place = next) {
+        Chain& begun = chain(place);
+        next = begun.next;
+        begun.slot = steps_[begun.layer].slot;
+        insert(place);
+    }
+}
+
+void Band::take_slots()
+{
+    for (std::uint32_t place = first_; place != Chain::none; place = chain(place).next)
+        chain(place).slot = steps_[chain(place).layer].slot;
+}
+
+/// A part of the band's height counts as a part of a winding: pieces that end within the band add up to whole
+/// ones.
+void Band::wind(SlotMask even_odd)
+{
+    const std::int32_t whole = bottom_ - top_;
+    for (std::uint32_t place = first_; place != Chain::none;) {
+        Chain& chain = store_->chain(place);
+        place = chain.next;
+        std::int32_t& winding = windings_[chain.slot];
+        chain.winding = winding;
+        const std::int32_t right = winding + chain.height;
+        chain.is_border = (winding == 0) != (right == 0);
+        if ((even_odd & bit_of(chain.slot)) != 0)
+            chain.is_border = (((winding + whole / 2) ^ (right + whole / 2)) & whole) != 0;
+        winding = right;
+    }
+    if (hidden_ != Chain::none) // what closes the outlines is missing
+        windings_.fill(0);
+}
+
+/// From the band above.
+void Band::move_on(Chain& chain)
+{
+    chain.crossings += std::uint32_t{sizeof(Crossing)} << store_->band_bits();
+    const auto above = static_cast<std::uint32_t>(top_ - (chain.top & -grid));
+    while (store_->bend(chain.bends)->y <= above)
+        chain.bends -= std::uint32_t{sizeof(Bend)};
+}
+
+/// A piece that ends within the band reaches the pixel of its end, at least, and so does the piece that goes
+/// on from there. So pieces of an outline that belong together overlap, and where no piece is, all rows of
+/// the band are alike.
+void Band::find_columns(Chain& chain) const
+{
+    const std::int32_t from = std::max(top_, chain.top);
+    const std::int32_t to = std::min(bottom_, chain.bottom);
+    const Crossing* x = crossings(chain) + floor_pixel(from - top_);
+    std::int32_t low = *x;
+    std::int32_t high = low;
+    const auto reach = [&](std::int32_t at) {
+        low = std::min(low, at);
+        high = std::max(high, at);
+    };
+    for (int rows = ceil_pixel(to - top_) - floor_pixel(from - top_); rows != 0; --rows)
+        reach(*++x);
+    chain.is_whole = to - from == bottom_ - top_;
+    const Bend* bend = bends(chain);
+    const auto end = static_cast<std::uint32_t>(to - (chain.top & -grid));
+    for (; bend->y <= end; --bend) {
+        reach(bend->x);
+        chain.is_whole = false;
+    }
+    const bool is_cut = chain.bottom == panel_.height * grid; // what is cut off would go on through the band
+    const std::int32_t height = (is_cut ? bottom_ : to) - from;
+    chain.height = static_cast<std::int16_t>(chain.runs_down ? height : -height);
+    const int begin = floor_pixel(low) + chain.left;
+    const int behind = (chain.is_whole ? ceil_pixel(high) : floor_pixel(high) + 1) + chain.left;
+    chain.begin = static_cast<std::int16_t>(std::max(begin, 0));
+    chain.end = static_cast<std::int16_t>(std::max(behind, chain.begin + 1));
+}
+
+/// Mostly behind the last one: chains come in the order of the band above.
+void Band::insert(std::uint32_t place)
+{
+    Chain& added = chain(place);
+    find_columns(added);
+    if (added.begin >= panel_.width) {
+        added.next = std::exchange(hidden_, place);
+        return;
+    }
+    std::uint32_t* link = &first_;
+    if (last_ != Chain::none && chain(last_).begin <= added.begin)
+        link = &chain(last_).next;
+    while (*link != Chain::none && chain(*link).begin <= added.begin)
+        link = &chain(*link).next;
+    added.next = *link;
+    *link = place;
+    if (added.next == Chain::none)
+        last_ = place;
+}
+
+}

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/raster/chain.hpp"
+#include "core/raster/outline_store.hpp"
+#include "core/raster/paint_step.hpp"
+#include "core/raster/slots.hpp"
+#include "core/size.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace kfast::raster {
+
+/// The chains that reach into a band of rows, in a list from left to right by their first columns; bands
+/// come from the top down.
+class Band {
+public:
+    /// In front of the first band of a picture; `store` and `steps` must outlive it. Chains to the right of
+    /// the panel are left out.
+    void begin(const OutlineStore& store, std::span<const PaintStep> steps, Size panel);
+    /// To the next band. Chains that begin there have the slots of their layers.
+    void advance();
+    /// All chains have the slots of their layers, which may have changed.
+    void take_slots();
+    /// Finds the winding numbers, and what is a border; `even_odd` are the layers with this rule.
+    void wind(SlotMask even_odd);
+
+    int number() const { return number_; }
+    /// Of the panel.
+    int top_row() const { return number_ << store_->band_bits(); }
+    int row_count() const;
+    /// A band is 2^height_bits() high, in the grid.
+    int height_bits() const { return grid_bits + store_->band_bits(); }
+
+    /// Place of the first chain of the list; Chain::none at its end.
+    std::uint32_t first() const { return first_; }
+    Chain& chain(std::uint32_t place) const { return store_->chain(place); }
+    /// x where the chain crosses the band's upper border, in the grid; then come the borders below. Only
+    /// those within the chain mean anything.
+    const Crossing* crossings(const Chain& chain) const { return store_->crossing(chain.crossings); }
+    const Bend* bends(const Chain& chain) const { return store_->bend(chain.bends); }
+    /// Nothing lies in this band, nor begins in it.
+    bool is_empty() const { return first_ == Chain::none; }
+
+private:
+    void move_on(Chain& chain);
+    void find_columns(Chain& chain) const;
+    void insert(std::uint32_t place);
+
+    const OutlineStore* store_ = nullptr;
+    std::uint32_t first_ = Chain::none;
+    std::uint32_t last_ = Chain::none;
+    std::uint32_t hidden_ = Chain::none; ///< chains of the band to the right of the panel
+    std::span<const PaintStep> steps_;
+    Size panel_;
+    int number_ = -1;
+    std::int32_t top_ = 0;                            ///< of the band
+    std::int32_t bottom_ = 0;                         ///< of the band
+    std::array<std::int32_t, slot_count> windings_{}; ///< all 0 between bands
+};
+
+}

@@ -1,0 +1,237 @@
+#pragma once
+
+#include "core/raster/band.hpp"
+#include "core/raster/dirty.hpp"
+#include "core/raster/layer_row.hpp"
+#include "core/raster/paint_step.hpp"
+#include "core/raster/slots.hpp"
+#include "core/raster/tile.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::raster {
+
+/// Paints regions of a band.
+///
+/// What a pixel becomes depends on the picture alone: on every way its layers are laid on each other from the
+/// lowest upwards, with the same coverages. Most regions have one edge between two colours; that has a way
+/// of its own.
+template <class Cells>
+class BandPainter {
+public:
+    using Cell = typename Cells::Cell;
+
+    /// `backdrops` has room for a tile for each depth of groups.
+    BandPainter(const Band& band, std::span<const PaintStep> steps, const Slots& slots, LayerRow& row,
+                std::span<Cell> backdrops)
+        : band_{band}, steps_{steps}, slots_{slots}, row_{row}, backdrops_{backdrops}
+    {
+    }
+
+    /// What of a region lies in the columns of the tile.
+    void paint(const Region& region, const Tile<Cells>& tile)
+    {
+        if (!region.has_slots)
+            return paint_steps(region, tile);
+        const SlotMask crossing = layers_in(region);
+        if (((region.inside | crossing) & slots_.grouped) != 0)
+            return paint_steps(region, tile);
+        if (crossing == 0)
+            return fill_all(tile, Cells::cell(flat(region.inside)));
+        if (!paint_single_edge(region, crossing, tile))
+            paint_layers(region, crossing, tile);
+    }
+
+private:
+    SlotMask layers_in(const Region& region) const
+    {
+        SlotMask layers = 0;
+        for (std::uint32_t place = region.first; place != region.behind; place = band_.chain(place).next)
+            layers |= bit_of(band_.chain(place).slot);
+        return layers;
+    }
+
+    /// The ink where these layers cover everything. None is in a group.
+    std::uint32_t flat(SlotMask layers) const
+    {
+        const SlotMask top = top_bit(layers);
+        if (top == 0)
+            return slots_.background_ink;
+        const Slots::Layer& layer = slots_.layer(number_of(top));
+        if ((top & slots_.clear) == 0)
+            return layer.ink;
+        return Cells::mixed(flat(layers & ~top), layer.ink, layer.share);
+    }
+
+    static void fill_all(const Tile<Cells>& tile, Cell cell)
+    {
+        Cell* at = tile.cells;
+        for (int row = 0; row != tile.rows; ++row, at += tile.stride)
+            fill(at, tile.columns, cell);
+    }
+
+    /// False if the region has anything else.
+    bool paint_single_edge(const Region& region, SlotMask crossing, const Tile<Cells>& tile) const
+    {
+        const Chain& chain = band_.chain(region.first);
+        if (chain.next != region.behind || !chain.is_whole || !chain.is_border ||
+            (region.inside & (crossing - 1)) != 0 || (crossing & slots_.clear) != 0)
+            return false;
+        const std::uint32_t below = flat(region.inside & ~crossing);
+        const std::uint32_t ink = slots_.layer(chain.slot).ink;
+        const bool is_inside = (region.inside & crossing) != 0;
+        const Cell left = Cells::cell(is_inside ? ink : below);
+        const Cell right = Cells::cell(is_inside ? below : ink);
+        const std::int32_t start = (tile.left - chain.left) * grid;
+        const Crossing* x = band_.crossings(chain) + tile.first_row;
+        Cell* at = tile.cells;
+        for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
+            const RowEdge edge = edge_between(x[0] - start, x[1] - start);
+            const auto cell_of = [&](std::int32_t coverage) {
+                const std::uint32_t share = Cells::share(is_inside ? full_coverage - coverage : coverage);
+                return Cells::cell(Cells::mixed(below, ink, share));
+            };
+            int begin = std::clamp(edge.pixel(), 0, tile.columns);
+            fill(at, begin, left);
+            if (edge.is_steep()) {
+                if (begin == edge.pixel() && begin != tile.columns)
+                    at[begin++] = cell_of(edge.steep_coverage());
+            } else {
+                CoverageRun run;
+                cover(edge, tile.columns, run);
+                for (; begin != run.end; ++begin)
+                    at[begin] = cell_of(run.pixels[static_cast<std::size_t>(begin - run.begin)]);
+            }
+            fill(at + begin, tile.columns - begin, right);
+        }
+        return true;
+    }
+
+    /// From the topmost opaque layer that covers all of the region.
+    void paint_layers(const Region& region, SlotMask crossing, const Tile<Cells>& tile)
+    {
+        const SlotMask solid = top_bit(region.inside & ~crossing & ~slots_.clear);
+        fill_all(tile, Cells::cell(flat(solid)));
+        SlotMask rest = (region.inside | crossing) & (solid - 1);
+        for (unsigned slot = slot_count - 1; rest != 0; --slot) {
+            const SlotMask bit = bit_of(slot);
+            if ((rest & bit) == 0)
+                continue;
+            rest &= ~bit;
+            paint_layer(region, *slots_.layer(slot).coming, slots_.layer(slot).ink, slots_.layer(slot).share,
+                        tile);
+        }
+    }
+
+    void paint_layer(const Region& region, const PaintStep& step, std::uint32_t ink, std::uint32_t opacity,
+                     const Tile<Cells>& tile)
+    {
+        const auto number = static_cast<std::uint16_t>(&step - steps_.data());
+        if (!row_.begin(band_, region, number, step.rule, tile.left, tile.columns)) {
+            for (int row = 0; row != tile.rows; ++row)
+                lay(tile.cells + row * tile.stride, 0, tile.columns, ink, opacity);
+            return;
+        }
+        Cell* at = tile.cells;
+        for (int row = 0; row != tile.rows; ++row, at += tile.stride) {
+            const auto lay_span = [&](int begin, int end, std::int32_t coverage) {
+                const std::uint32_t share = Cells::share(coverage);
+                if (share != 0)
+                    lay(at, begin, end, ink,
+                        opacity == Cells::full_share ? share : product_of_shares<Cells>(share, opacity));
+            };
+            if (row_.find_edges(tile.first_row + row))
+                lay_between_edges(tile.columns, lay_span);
+            else
+                row_.sum_up(tile.first_row + row, lay_span);
+        }
+    }
+
+    template <class LaySpan>
+    void lay_between_edges(int columns, LaySpan lay_span) const
+    {
+        bool is_inside = row_.is_inside_at_left();
+        int column = 0;
+        for (std::size_t i = 0; i != row_.edge_count(); ++i) {
+            const RowEdge& edge = row_.edge(i);
+            CoverageRun run;
+            cover(edge, columns, run);
+            if (is_inside && column != run.begin)
+                lay_span(column, run.begin, full_coverage);
+            for (int pixel = run.begin; pixel != run.end; ++pixel) {
+                const std::int32_t coverage = run.pixels[static_cast<std::size_t>(pixel - run.begin)];
+                lay_span(pixel, pixel + 1, is_inside ? full_coverage - coverage : coverage);
+            }
+            column = run.end;
+            is_inside = !is_inside;
+        }
+        if (is_inside && column != columns)
+            lay_span(column, columns, full_coverage);
+    }
+
+    static void lay(Cell* at, int begin, int end, std::uint32_t ink, std::uint32_t share)
+    {
+        if (share == Cells::full_share)
+            return fill(at + begin, end - begin, Cells::cell(ink));
+        for (Cell* cell = at + begin; cell != at + end; ++cell)
+            *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), ink, share));
+    }
+
+    /// Step by step, with groups.
+    void paint_steps(const Region& region, const Tile<Cells>& tile)
+    {
+        fill_all(tile, Cells::cell(slots_.background_ink));
+        std::size_t depth = 0;
+        for (const PaintStep& step : steps_) {
+            if (step.kind == PaintStep::Kind::begin_group)
+                keep(tile, backdrop(depth++));
+            else if (step.kind == PaintStep::Kind::end_group)
+                fade(tile, backdrop(--depth), opacity_share<Cells>(step.opacity));
+            else if (is_in(region, step))
+                paint_layer(region, step, Cells::ink(step.colour), opacity_share<Cells>(step.colour.opacity),
+                            tile);
+        }
+    }
+
+    bool is_in(const Region& region, const PaintStep& step) const
+    {
+        if (region.has_slots && step.slot != PaintStep::no_slot && (region.inside & bit_of(step.slot)) != 0)
+            return true;
+        const auto number = static_cast<std::uint16_t>(&step - steps_.data());
+        for (std::uint32_t place = region.first; place != region.behind; place = band_.chain(place).next)
+            if (band_.chain(place).layer == number)
+                return true;
+        return false;
+    }
+
+    static void keep(const Tile<Cells>& tile, Cell* to)
+    {
+        for (int row = 0; row != tile.rows; ++row)
+            to = std::copy_n(tile.cells + row * tile.stride, tile.columns, to);
+    }
+
+    static void fade(const Tile<Cells>& tile, const Cell* before, std::uint32_t share)
+    {
+        for (int row = 0; row != tile.rows; ++row)
+            for (Cell *cell = tile.cells + row * tile.stride, *const end = cell + tile.columns; cell != end;
+                 ++cell, ++before)
+                *cell = Cells::cell(Cells::mixed(Cells::ink_of(*before), Cells::ink_of(*cell), share));
+    }
+
+    Cell* backdrop(std::size_t depth) const
+    {
+        return backdrops_.data() +
+               depth * static_cast<std::size_t>(tile_columns << (band_.height_bits() - grid_bits));
+    }
+
+    const Band& band_;
+    std::span<const PaintStep> steps_;
+    const Slots& slots_;
+    LayerRow& row_;
+    std::span<Cell> backdrops_;
+};
+
+}

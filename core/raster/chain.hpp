@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/raster/grid.hpp"
+
+#include <cstdint>
+
+namespace kfast::raster {
+
+/// x where a chain crosses a border between rows, in the grid, counted from Chain::left.
+using Crossing = std::uint16_t;
+
+/// A corner of a chain that is kept besides its crossings: x like these, y counted from the border of a row
+/// at or above the chain's top.
+struct Bend {
+    static constexpr std::uint16_t no_y = 0xFFFF; ///< stands behind the last one
+
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+};
+
+/// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
+/// and what it is in the band of rows that is looked at.
+///
+/// Of its corners these are kept: x at its top, at each border of a row that it crosses, and at its bottom
+/// (crossings), and those that lie too far from the line between two of these (bends). So in a row without
+/// bends it is one straight edge.
+struct Chain {
+    static constexpr std::uint32_t none = 0; ///< no chain has this place
+
+    std::int32_t top = 0;
+    std::int32_t bottom = 0;
+    std::uint32_t crossings = 0; ///< place of that at the band's upper border; those below it follow
+    std::uint32_t bends = 0;     ///< place of the first one in the band; the others precede it in memory
+    std::uint32_t next = none;   ///< place of the next chain of a list
+    std::int16_t left = 0;       ///< column
+    std::uint16_t layer = 0;
+    bool runs_down = true; ///< as the outline was drawn
+
+    bool is_whole = false;    ///< it crosses the band from border to border without bends
+    bool is_border = false;   ///< its layer is inside on one side of it, and outside on the other
+    std::uint8_t slot = 0;    ///< of the layer in the band
+    std::int16_t begin = 0;   ///< first column that it touches in the band
+    std::int16_t end = 0;     ///< column behind the last one
+    std::int16_t height = 0;  ///< of its part of the band in the grid; negative if it does not run down
+    std::uint16_t words = 0;  ///< of memory, with its crossings and bends
+    std::int32_t winding = 0; ///< around its layer's outlines to the left of it, times the height of the band
+};
+
+static_assert(sizeof(Chain) == 40 && sizeof(Bend) == 4);
+
+}

@@ -1,0 +1,130 @@
+#include "core/raster/coverage.hpp"
+
+#include "core/raster/reciprocal.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast::raster {
+namespace {
+
+/// Of an edge that is `width` wide: how much of its row lies to the left of a point on it.
+class Ramp {
+public:
+    explicit Ramp(std::uint32_t width)
+    {
+        for (; width > 256; ++shift_)
+            width = (width + 1) >> 1;
+        inverse_ = reciprocals[width];
+    }
+
+    /// The area to the right of the edge in a pixel that it enters `length` before its right border.
+    std::int32_t triangle(std::uint32_t length) const
+    {
+        return static_cast<std::int32_t>((length * length * inverse_) >> (shift_ - 1));
+    }
+    /// The same of a pixel that it crosses from side to side, `length` behind its begin.
+    std::int32_t slice(std::uint32_t length) const
+    {
+        return static_cast<std::int32_t>(((length + grid / 2) * inverse_) >> (shift_ - 8));
+    }
+    /// `height` times the part of the width that is `length`.
+    std::int32_t part(std::int32_t height, std::uint32_t length) const
+    {
+        return height * static_cast<std::int32_t>((length * inverse_) >> (shift_ - 10)) >> 10;
+    }
+
+private:
+    std::uint32_t inverse_;
+    unsigned shift_ = 16;
+};
+
+}
+
+void cover(const RowEdge& edge, int columns, CoverageRun& run)
+{
+    const int first = edge.pixel();
+    const int behind = std::max(ceil_pixel(edge.high), first + 1);
+    run.begin = std::clamp(first, 0, columns);
+    run.end = std::clamp(behind, 0, columns);
+    if (run.begin == run.end)
+        return;
+    std::uint16_t* out = run.pixels.data();
+    if (behind == first + 1) {
+        *out = static_cast<std::uint16_t>(edge.steep_coverage());
+        return;
+    }
+    const Ramp ramp{static_cast<std::uint32_t>(edge.high - edge.low)};
+    for (int pixel = run.begin; pixel != run.end; ++pixel) {
+        const std::int32_t left = pixel * grid;
+        std::int32_t coverage;
+        if (pixel == first)
+            coverage = ramp.triangle(static_cast<std::uint32_t>(left + grid - edge.low));
+        else if (pixel + 1 == behind)
+            coverage = full_coverage - ramp.triangle(static_cast<std::uint32_t>(edge.high - left));
+        else
+            coverage = std::min(ramp.slice(static_cast<std::uint32_t>(left - edge.low)), full_coverage);
+        *out++ = static_cast<std::uint16_t>(coverage);
+    }
+}
+
+/// What lies to the left of the tile counts from its first pixel on.
+void CoverageSums::put(int column, std::int32_t area, int columns)
+{
+    if (column < columns)
+        sums_[static_cast<std::size_t>(std::max(column, 0))] += area;
+}
+
+void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
+{
+    constexpr std::int32_t unit = full / full_coverage;
+    CoverageRun run;
+    cover(edge, columns, run);
+    std::int32_t before = 0;
+    for (int pixel = run.begin; pixel != run.end; ++pixel) {
+        const std::int32_t coverage = run.pixels[static_cast<std::size_t>(pixel - run.begin)];
+        put(pixel, (coverage - before) * direction * unit, columns);
+        before = coverage;
+    }
+    put(std::max(ceil_pixel(edge.high), edge.pixel() + 1), (full_coverage - before) * direction * unit,
+        columns);
+}
+
+void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)
+{
+    constexpr std::int32_t whole = 2 * grid; // the width of a pixel, on both ends of the part
+    static_assert(part_height * whole == full);
+    // The part of it within a pixel; `ends` is how far its ends lie to the right of the pixel's left border.
+    const auto put_part = [&](int column, std::int32_t part, std::int32_t ends) {
+        put(column, part * (whole - ends), columns);
+        put(column + 1, part * ends, columns);
+    };
+    if (a > b)
+        std::swap(a, b);
+    int column = floor_pixel(a);
+    const int last = floor_pixel(b);
+    if (column == last)
+        return put_part(column, height, (a & (grid - 1)) + (b & (grid - 1)));
+    if (column >= columns)
+        return;
+    if (last < 0)
+        return put(0, height * whole, columns);
+    const Ramp ramp{static_cast<std::uint32_t>(b - a)};
+    std::int32_t done = 0;
+    std::int32_t from = a & (grid - 1);
+    if (column < 0) {
+        column = 0;
+        from = 0;
+        done = ramp.part(height, static_cast<std::uint32_t>(-a));
+        put(0, done * whole, columns);
+    }
+    for (; column < last && column < columns; ++column) {
+        const std::int32_t part = ramp.part(height, static_cast<std::uint32_t>((column + 1) * grid - a));
+        put_part(column, part - done, from + grid);
+        done = part;
+        from = 0;
+    }
+    put_part(last, height - done, b & (grid - 1));
+}
+
+}

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/raster/grid.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast::raster {
+
+/// Pixels of a row that are painted at a time: a tile.
+inline constexpr int tile_columns = 64;
+
+/// A pixel that is covered wholly.
+inline constexpr std::int32_t full_coverage = 256;
+
+/// Coverages of the pixels `begin` up to `end`.
+struct CoverageRun {
+    int begin = 0;
+    int end = 0;
+    std::array<std::uint16_t, tile_columns> pixels;
+};
+
+/// A straight edge through a row, from its upper border to its lower one or the other way: x where it begins,
+/// and where it ends further to the right, in the grid.
+struct RowEdge {
+    std::int32_t low;
+    std::int32_t high;
+
+    int pixel() const { return floor_pixel(low); }
+    /// It stays within one pixel.
+    bool is_steep() const { return high <= (pixel() + 1) * grid; }
+    /// How much of that pixel lies to the right of the edge.
+    std::int32_t steep_coverage() const { return 4 * (pixel() + 1) * grid - 2 * (low + high); }
+};
+
+constexpr RowEdge edge_between(std::int32_t a, std::int32_t b)
+{
+    return a < b ? RowEdge{a, b} : RowEdge{b, a};
+}
+
+/// How much of the pixels that an edge touches lies to the right of it, within 0 … `columns`.
+void cover(const RowEdge& edge, int columns, CoverageRun& run);
+
+/// Sums up the areas between edges and the right border of a tile, for one row:
+///
+///     sums          +a  +b  0   0  -c  -d  0      what an edge adds to its pixels
+///     coverage       a a+b  1   1 1-c  0   0      the sum of all up to a pixel
+class CoverageSums {
+public:
+    /// Of a pixel that is covered once.
+    static constexpr std::int32_t full = full_coverage << 9;
+    /// Of an edge from one border of the row to the other.
+    static constexpr std::int32_t part_height = 1024;
+
+    /// The edge of an outline that runs down if `direction` is 1, and up if it is -1.
+    void add(const RowEdge& edge, std::int32_t direction, int columns);
+    /// A part of an edge, from x = a to b; `height` is negative if the outline runs up.
+    void add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns);
+
+    /// What pixel `column` adds; it is forgotten.
+    std::int32_t take(int column)
+    {
+        const std::int32_t sum = sums_[static_cast<std::size_t>(column)];
+        sums_[static_cast<std::size_t>(column)] = 0;
+        return sum;
+    }
+
+    /// The first pixel from `column` on that something was added to; `columns` if there is none.
+    int next(int column, int columns) const
+    {
+        while (column != columns && sums_[static_cast<std::size_t>(column)] == 0)
+            ++column;
+        return column;
+    }
+
+private:
+    void put(int column, std::int32_t area, int columns);
+
+    std::array<std::int32_t, tile_columns + 1> sums_{};
+};
+
+}

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/raster/band.hpp"
+#include "core/raster/record.hpp"
+#include "core/raster/slots.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::raster {
+
+/// Columns of a band that are drawn.
+struct Region {
+    std::int16_t begin = 0;
+    std::int16_t end = 0;
+    SlotMask inside = 0;                ///< layers that cover its left border
+    std::uint32_t first = Chain::none;  ///< its first chain, in the list of the band
+    std::uint32_t behind = Chain::none; ///< the first chain that is not in it any more
+    bool has_slots = true;              ///< its chains have; else `inside` is 0
+};
+
+/// Regions of a band from left to right.
+class RegionList {
+public:
+    static constexpr std::size_t max_count = 24;
+
+    std::span<const Region> regions() const { return {regions_.data(), count_}; }
+    std::size_t size() const { return count_; }
+    Region& back() { return regions_[count_ - 1]; }
+
+    void clear() { count_ = 0; }
+    /// Without chains and columns: these are added to back(). If there is no room, the last one takes it in,
+    /// with all that lies between.
+    void add(int begin, SlotMask inside, std::uint32_t first)
+    {
+        if (count_ < max_count) {
+            Region& added = regions_[count_++];
+            added.begin = static_cast<std::int16_t>(begin);
+            added.inside = inside;
+            added.first = first;
+            added.has_slots = true;
+        }
+        extend(begin, first);
+    }
+    /// The last one goes on to there.
+    void extend(int end, std::uint32_t behind)
+    {
+        back().end = static_cast<std::int16_t>(end);
+        back().behind = behind;
+    }
+    /// Leaves `count` of them.
+    void shrink(std::size_t count) { count_ = count; }
+
+private:
+    std::array<Region, max_count> regions_;
+    std::size_t count_ = 0;
+};
+
+/// Finds what of a band differs from what the panel shows, `shown` by borders and by steps.
+///
+/// Chains of both pictures are gone through from left to right. What overlaps, directly or by others, is a
+/// cluster: dirty if its layers have moved or look different. Between clusters all rows are alike, so that
+/// the layers on either side tell whether a gap is dirty.
+///
+///     shown    |---|     |---|           |---|
+///     coming     |---|   |---|                   |---|
+///              dirty     clean    dirty  gap     dirty
+void find_dirty(const Band& band, std::span<const Record::Border> shown,
+                std::span<const PaintStep> shown_steps, const Slots& slots, int columns, RegionList& dirty);
+
+/// All columns of a band, as if nothing were known of the panel.
+void find_all(const Band& band, const Slots& slots, int columns, RegionList& regions);
+
+/// What lies in some columns of a band, with all chains that they are in one cluster with.
+Region region_between(const Band& band, int begin, int end);
+
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/raster/grid.hpp"
+
+#include <cstdint>
+
+namespace kfast::raster {
+
+/// Edges of such a contour are at most so long in either direction.
+inline constexpr std::int32_t max_far_edge = 250 * grid;
+
+/// Moves what lies outside of the box with these corners to its borders, and divides long edges; what the
+/// contour encloses within the box stays as it is. The contour is what lies between `first` and `end`; there
+/// is room for more corners behind it, up to `limit`. Returns its new end; null if there is no room.
+Corner* cut_far_contour(Corner* first, Corner* end, Corner* limit, Corner upper_left, Corner lower_right);
+
+}

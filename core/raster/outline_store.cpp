@@ -1,0 +1,235 @@
+#include "core/raster/outline_store.hpp"
+
+#include "core/raster/chain_builder.hpp"
+#include "core/raster/far_contour.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+namespace kfast::raster {
+namespace {
+
+constexpr int max_band_bits = 3;           ///< borders of such bands are borders of lower ones
+constexpr std::int32_t margin = 32 * grid; ///< to the left and right of the panel
+constexpr std::int32_t reach = 1 << ChainBuilder::reach_bits;
+/// All corners on such a panel and its margins are in reach.
+constexpr int small_panel = (reach - 2 * margin) / grid - 1;
+
+/// Where an edge crosses a height that lies between its ends.
+Corner corner_on(Corner upper, Corner lower, std::int32_t y)
+{
+    return {interpolate(upper.x, lower.x, y - upper.y, lower.y - upper.y), y};
+}
+
+}
+
+OutlineStore::OutlineStore(std::span<std::byte> storage, std::span<std::uint32_t> heads, Size panel,
+                           int band_bits)
+    : bytes_{storage.data()}, heads_{heads}, size_{storage.size()}, panel_{panel},
+      band_bits_{band_bits}, is_large_{panel.width > small_panel || panel.height > small_panel}
+{
+    clear();
+}
+
+void OutlineStore::clear()
+{
+    chains_ = bytes_ + size_;
+    begin_contour();
+    needed_ = 0;
+    is_full_ = false;
+    std::ranges::fill(heads_, Chain::none);
+}
+
+void OutlineStore::begin_contour()
+{
+    corners_end_ = reinterpret_cast<Corner*>(bytes_);
+    behind_ = reinterpret_cast<Corner*>(chains_);
+}
+
+bool OutlineStore::find_room(std::size_t bytes)
+{
+    const auto free = static_cast<std::size_t>(reinterpret_cast<std::byte*>(behind_) -
+                                               reinterpret_cast<std::byte*>(corners_end_));
+    needed_ = std::max(needed_, size_ - free + bytes);
+    is_full_ = is_full_ || bytes > free;
+    return !is_full_;
+}
+
+void OutlineStore::add(Corner corner)
+{
+    if (corners_end_ + 1 > behind_)
+        is_full_ = true;
+    else
+        *corners_end_++ = corner;
+}
+
+void OutlineStore::add_behind(Corner corner)
+{
+    if (corners_end_ + 1 > behind_)
+        is_full_ = true;
+    else
+        *--behind_ = corner;
+}
+
+void OutlineStore::close()
+{
+    corners_end_ = std::copy(behind_, reinterpret_cast<Corner*>(chains_), corners_end_);
+    behind_ = reinterpret_cast<Corner*>(chains_);
+    if (find_room(0) && !add_runs()) {
+        corners_end_ = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
+                                       {panel_.width * grid + margin, panel_.height * grid});
+        if (corners_end_ == nullptr || !add_runs())
+            is_full_ = true;
+    }
+    begin_contour();
+}
+
+/// Where the outline turns from down to up or from up to down for the first time; null if it encloses
+/// nothing.
+Corner* OutlineStore::first_turn() const
+{
+    std::int32_t sense = 0;
+    for (Corner* corner = first_corner(); corner + 1 < corners_end_; ++corner) {
+        const std::int32_t rise = corner[1].y - corner->y;
+        if (rise == 0)
+            continue;
+        if (sense != 0 && (rise ^ sense) < 0)
+            return corner;
+        sense = rise;
+    }
+    return sense == 0 ? nullptr : corners_end_ - 1; // it turns where it closes, at the latest
+}
+
+/// Begins where the contour turns, so that no chain is cut in two. False, and nothing added, if corners are
+/// out of reach.
+bool OutlineStore::add_runs()
+{
+    Corner* const end = corners_end_;
+    Corner* const turn = first_turn();
+    if (turn == nullptr || !find_room(sizeof(Corner) * static_cast<std::size_t>(turn + 1 - first_corner())))
+        return true;
+    std::byte* const mark = chains_;
+    corners_end_ = std::copy(first_corner(), turn + 1, end);
+    if (find_runs(turn, corners_end_ - 1))
+        return true;
+    remove_chains(mark);
+    corners_end_ = end;
+    return false;
+}
+
+/// Divides the corners from `run` to `last`, where they turn again, into runs that go all the way down or up.
+bool OutlineStore::find_runs(Corner* run, Corner* last)
+{
+    std::int32_t sense = 0;
+    for (Corner* corner = run; corner != last; ++corner) {
+        const std::int32_t rise = corner[1].y - corner->y;
+        if ((rise != 0 && sense != 0 && (rise ^ sense) < 0) || (is_large_ && is_far(*run, corner[1]))) {
+            if (!add_run(run, corner, sense > 0))
+                return false;
+            run = corner;
+            sense = 0;
+        }
+        if (rise != 0)
+            sense = rise;
+    }
+    return add_run(run, last, sense > 0);
+}
+
+/// Level edges at an end that lies on the border of a band, however high it is, tell nothing of the band.
+/// Others belong to what is not alike in all rows, also if a long outline was divided so that nothing else is
+/// left in a run.
+bool OutlineStore::add_run(Corner* first, Corner* last, bool runs_down)
+{
+    const auto is_level = [](const Corner& a, const Corner& b) {
+        return a.y == b.y && (a.y & ((grid << max_band_bits) - 1)) == 0;
+    };
+    while (last != first && is_level(last[-1], *last))
+        --last;
+    while (last != first && is_level(*first, first[1]))
+        ++first;
+    return runs_down ? add_cut(first, last, 1) : add_cut(last, first, -1);
+}
+
+/// Cuts off what lies above or below the panel. Corners are put back: the next run has them, too.
+bool OutlineStore::add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step)
+{
+    const std::int32_t height = panel_.height * grid;
+    if (top == bottom || bottom->y <= 0 || top->y >= height)
+        return true;
+    while (top[step].y <= 0)
+        top += step;
+    while (bottom[-step].y >= height)
+        bottom -= step;
+    const Corner whole_top = *top;
+    const Corner whole_bottom = *bottom;
+    if (top->y < 0)
+        *top = corner_on(*top, top[step], 0);
+    if (bottom->y > height)
+        *bottom = corner_on(bottom[-step], whole_bottom, height);
+    const bool is_added = add_chain(top, bottom, step);
+    *top = whole_top;
+    *bottom = whole_bottom;
+    return is_added;
+}
+
+bool OutlineStore::add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step)
+{
+    const auto corners = static_cast<std::size_t>((bottom - top) * step + 1);
+    if (!find_room(ChainBuilder::room_for(corners, top->y, bottom->y) + sizeof(Chain)))
+        return true;
+    const std::int32_t left = is_large_ ? (top->x & -grid) - reach / 2 : -margin;
+    ChainBuilder builder;
+    if (!builder.build(top, bottom, step, left, chains_))
+        return false;
+    std::byte* const end = chains_;
+    chains_ = builder.memory_begin() - sizeof(Chain);
+    behind_ = reinterpret_cast<Corner*>(chains_);
+    auto* const chain = new (chains_) Chain;
+    chain->top = top->y;
+    chain->bottom = bottom->y;
+    chain->left = static_cast<std::int16_t>(floor_pixel(left));
+    chain->layer = layer_;
+    chain->runs_down = step > 0;
+    chain->words = static_cast<std::uint16_t>((end - chains_) / 4);
+    rewind(*chain);
+    return true;
+}
+
+void OutlineStore::rewind(int band_bits)
+{
+    band_bits_ = band_bits;
+    std::ranges::fill(heads_, Chain::none);
+    for (std::byte* at = chains_; at != bytes_ + size_; at += 4 * reinterpret_cast<Chain*>(at)->words)
+        rewind(*reinterpret_cast<Chain*>(at));
+}
+
+void OutlineStore::rewind(Chain& chain)
+{
+    const std::uint32_t place = place_of(&chain);
+    const std::uint32_t crossings =
+        place + 4U * chain.words - ChainBuilder::crossing_bytes(chain.top, chain.bottom);
+    const int row = floor_pixel(chain.top);
+    const int band = row >> band_bits_;
+    const auto rows_above = static_cast<std::uint32_t>(row - (band << band_bits_));
+    chain.crossings = crossings - rows_above * std::uint32_t{sizeof(Crossing)};
+    chain.bends = crossings - std::uint32_t{sizeof(Bend)};
+    chain.next = std::exchange(heads_[static_cast<std::size_t>(band)], place);
+}
+
+/// Those that were added since the mark.
+void OutlineStore::remove_chains(std::byte* mark)
+{
+    chains_ = mark;
+    behind_ = reinterpret_cast<Corner*>(chains_);
+    rewind(band_bits_);
+}
+
+bool OutlineStore::is_far(Corner from, Corner to)
+{
+    return std::abs(to.x - from.x) >= reach / 2 - grid ||
+           std::abs(to.y - from.y) >= ChainBuilder::max_height - grid;
+}
+
+}

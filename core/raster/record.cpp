@@ -1,0 +1,63 @@
+#include "core/raster/record.hpp"
+
+#include <algorithm>
+
+namespace kfast::raster {
+namespace {
+
+constexpr std::uint16_t max_layer = 0x7FFF;
+
+}
+
+Record::Record(std::span<Border> borders, std::span<std::uint8_t> counts) : borders_{borders}, counts_{counts}
+{
+    forget();
+}
+
+void Record::forget()
+{
+    std::ranges::fill(counts_, unknown);
+    written_ = borders_.data();
+}
+
+void Record::begin_picture()
+{
+    read_ = std::copy_backward(borders_.data(), written_, borders_.data() + borders_.size());
+    written_ = borders_.data();
+}
+
+std::span<const Record::Border> Record::begin_band(int band)
+{
+    const std::size_t count = is_known(band) ? counts_[static_cast<std::size_t>(band)] : 0U;
+    const std::span<const Border> shown{read_, count};
+    read_ += count;
+    band_ = band;
+    band_end_ = written_;
+    has_room_ = true;
+    return shown;
+}
+
+void Record::add(const Chain& chain)
+{
+    has_room_ = has_room_ && band_end_ != read_ && chain.layer <= max_layer;
+    if (!has_room_)
+        return;
+    band_end_->begin = chain.begin;
+    band_end_->end = chain.end;
+    band_end_->layer = chain.layer & max_layer;
+    band_end_->is_border = chain.is_border ? 1 : 0;
+    ++band_end_;
+}
+
+void Record::drop_band() { counts_[static_cast<std::size_t>(band_)] = unknown; }
+
+void Record::end_band()
+{
+    const auto count = band_end_ - written_;
+    has_room_ = has_room_ && count < unknown;
+    counts_[static_cast<std::size_t>(band_)] = has_room_ ? static_cast<std::uint8_t>(count) : unknown;
+    if (has_room_)
+        written_ = band_end_;
+}
+
+}

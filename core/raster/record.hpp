@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/raster/chain.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::raster {
+
+/// What the panel shows: where the borders of layers ran in each band of rows of the last picture. It is read
+/// band by band while that of the coming picture is written into the same memory:
+///
+///     | written >   free   | still to be read |
+///
+/// A band that finds no room is not known, and drawn whole the next time.
+class Record {
+public:
+    /// A chain as it was in a band.
+    struct Border {
+        std::int16_t begin = 0; ///< columns, as in Chain
+        std::int16_t end = 0;
+        std::uint16_t layer : 15 = 0; ///< number of the step
+        std::uint16_t is_border : 1 = 0;
+    };
+
+    Record() = default;
+    /// `counts` has an element for each band.
+    Record(std::span<Border> borders, std::span<std::uint8_t> counts);
+
+    /// Nothing is known of the panel.
+    void forget();
+    /// From the first band on.
+    void begin_picture();
+
+    bool is_known(int band) const { return counts_[static_cast<std::size_t>(band)] != unknown; }
+    /// Of the next band: what was in it, until add() is called; nothing if it is not known.
+    std::span<const Border> begin_band(int band);
+    /// Chains of the band in the coming picture.
+    void add(const Chain& chain);
+    void end_band();
+    /// It is not known what the panel shows of it.
+    void drop_band();
+
+private:
+    static constexpr std::uint8_t unknown = 0xFF;
+
+    std::span<Border> borders_;
+    std::span<std::uint8_t> counts_;
+    Border* read_ = nullptr;
+    Border* written_ = nullptr;  ///< of all bands that are finished
+    Border* band_end_ = nullptr; ///< of the band
+    int band_ = 0;
+    bool has_room_ = true; ///< for the band
+};
+
+static_assert(sizeof(Record::Border) == 6);
+
+}

@@ -1,0 +1,367 @@
+#include "core/raster/renderer.hpp"
+
+#include "core/block_cutter.hpp"
+#include "core/raster/band_painter.hpp"
+#include "core/raster/packing.hpp"
+
+#include <algorithm>
+
+namespace kfast::raster {
+namespace {
+
+constexpr int default_band_bits = 2; ///< 4 rows
+
+/// The bands of a panel that is so narrow that a row of it may have no room for 4 rows of 8 pixels.
+constexpr int band_count(Size panel)
+{
+    return panel.width < 32 ? panel.height
+                            : (panel.height + (1 << default_band_bits) - 1) >> default_band_bits;
+}
+
+constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
+/// How the lent block is divided.
+struct BlockPlan {
+    std::size_t outlines; ///< bytes of each part
+    std::size_t steps;
+    std::size_t heads;
+    std::size_t backdrops;
+    std::size_t record;
+    std::size_t counts;
+
+    BlockPlan(const RendererNeeds& needs, Size panel, std::size_t tile_bytes)
+        : outlines{needs.outline_bytes}, steps{needs.steps * sizeof(PaintStep)},
+          heads{static_cast<std::size_t>(band_count(panel)) * 4}, backdrops{needs.group_depth * tile_bytes},
+          record{whole_words(needs.record_bytes)}, counts{whole_words(
+                                                       static_cast<std::size_t>(band_count(panel)))}
+    {
+    }
+
+    std::size_t size() const { return outlines + 2 * steps + heads + backdrops + record + counts; }
+};
+
+/// As high as the granularity asks for, else 4 rows, if so many rows of its width find room in a row of the
+/// panel for each row of it.
+int band_bits_for(Size granularity, int columns)
+{
+    int bits = default_band_bits;
+    while (1 << bits < granularity.height)
+        ++bits;
+    while (1 << bits > granularity.height && granularity.width << bits > columns)
+        --bits;
+    return bits;
+}
+
+int rounded_down(int value, int unit) { return value & -unit; }
+int rounded_up(int value, int unit) { return (value + unit - 1) & -unit; }
+
+}
+
+std::size_t Renderer::block_bytes(const RendererNeeds& needs, Size panel)
+{
+    return BlockPlan{needs, panel, tile_bytes}.size();
+}
+
+Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, std::span<std::byte> block)
+    : panel_{panel}
+{
+    const BlockPlan plan{needs, panel, tile_bytes};
+    BlockCutter cutter{block};
+    const std::span<std::byte> outlines = cutter.cut(plan.outlines);
+    picture_.storage = cutter.cut_as<PaintStep>(plan.steps);
+    shown_storage_ = cutter.cut_as<PaintStep>(plan.steps);
+    picture_.outlines =
+        OutlineStore{outlines, cutter.cut_as<std::uint32_t>(plan.heads), panel, default_band_bits};
+    backdrops_ = cutter.cut(plan.backdrops);
+    const auto borders = cutter.cut_as<Record::Border>(plan.record);
+    record_ = Record{borders, cutter.cut_as<std::uint8_t>(plan.counts)};
+    slots_.background = background;
+}
+
+void Renderer::begin(std::uint32_t moved)
+{
+    if (progress_ == Progress::begun)
+        forget();
+    progress_ = Progress::none;
+    is_fresh_ = true;
+    moved_ |= moved;
+}
+
+void Renderer::forget()
+{
+    record_.forget();
+    shown_count_ = 0;
+    knows_panel_ = false;
+    progress_ = Progress::none;
+}
+
+/// In front of the first band.
+void Renderer::begin_pass(int band_bits)
+{
+    if (!is_fresh_ || picture_.outlines.band_bits() != band_bits)
+        picture_.outlines.rewind(band_bits);
+    is_fresh_ = false;
+    next_row_ = 0;
+    band_.begin(picture_.outlines, picture_.steps(), panel_);
+}
+
+void Renderer::begin_changes(int band_bits)
+{
+    // Where a picture ends for want of room, nothing tells what changes.
+    if (picture_.outlines.is_full() || picture_.outlines.band_bits() != band_bits)
+        forget();
+    begin_pass(band_bits);
+    record_.begin_picture();
+    slots_.set_pictures(picture_.steps(), shown_storage_.first(shown_count_), knows_panel_, moved_);
+    regions_.clear();
+    drawn_regions_ = 0;
+    progress_ = Progress::begun;
+}
+
+void Renderer::end_changes()
+{
+    progress_ = Progress::done;
+    knows_panel_ = !picture_.outlines.is_full();
+    if (!knows_panel_)
+        return;
+    shown_count_ = picture_.step_count;
+    std::ranges::copy(picture_.steps(), shown_storage_.begin());
+    moved_ = 0;
+}
+
+/// To those layers that have chains in the band.
+bool Renderer::assign_slots(std::span<const Record::Border> shown)
+{
+    slots_.clear_marks();
+    for (std::uint32_t place = band_.first(); place != Chain::none; place = band_.chain(place).next)
+        Slots::mark(picture_.storage[band_.chain(place).layer]);
+    for (const Record::Border& border : shown)
+        Slots::mark(shown_storage_[border.layer]);
+    const bool have_slots = slots_.assign();
+    band_.take_slots();
+    return have_slots;
+}
+
+template <class Cells>
+bool Renderer::next_band(bool is_known, std::span<const Record::Border> shown)
+{
+    if (!slots_.hold_all()) {
+        if (!assign_slots(shown)) {
+            regions_.clear();
+            regions_.add(0, 0, band_.first());
+            regions_.extend(panel_.width, Chain::none);
+            regions_.back().has_slots = false;
+            return false;
+        }
+        slots_.set_inks<Cells>();
+    }
+    band_.wind(slots_.even_odd);
+    if (is_known)
+        find_dirty(band_, shown, shown_storage_, slots_, panel_.width, regions_);
+    else
+        find_all(band_, slots_, panel_.width, regions_);
+    return true;
+}
+
+/// False if there is none.
+template <class Cells>
+bool Renderer::next_dirty_band()
+{
+    const int last = (panel_.height - 1) >> picture_.outlines.band_bits();
+    while (band_.number() < last) {
+        band_.advance();
+        const bool is_known = knows_panel_ && record_.is_known(band_.number());
+        const std::span<const Record::Border> shown = record_.begin_band(band_.number());
+        if (next_band<Cells>(is_known, shown))
+            keep_band();
+        else
+            record_.drop_band();
+        drawn_columns_ = 0;
+        drawn_regions_ = 0;
+        if (regions_.size() != 0)
+            return true;
+    }
+    return false;
+}
+
+void Renderer::keep_band()
+{
+    for (std::uint32_t place = band_.first(); place != Chain::none; place = band_.chain(place).next)
+        record_.add(band_.chain(place));
+    record_.end_band();
+}
+
+/// Regions that are still to be drawn, as far as the gaps between them have at most `gap` columns. Empty if
+/// there is none.
+Rect Renderer::next_window(Size granularity, int gap)
+{
+    Rect window{.y = band_.top_row(), .height = band_.row_count()};
+    for (const Region& region : regions_.regions().subspan(drawn_regions_)) {
+        const int end = std::min(rounded_up(region.end, granularity.width), panel_.width);
+        if (end <= drawn_columns_) {
+            ++drawn_regions_;
+            continue;
+        }
+        const int begin = std::max(rounded_down(region.begin, granularity.width), drawn_columns_);
+        if (window.width == 0)
+            window.x = begin;
+        else if (begin > window.x + window.width + gap)
+            break;
+        window.width = end - window.x;
+    }
+    return window;
+}
+
+template <class Cells>
+void Renderer::draw_tile(const Tile<Cells>& tile)
+{
+    using Cell = typename Cells::Cell;
+    BandPainter<Cells> painter{
+        band_,
+        picture_.steps(),
+        slots_,
+        row_,
+        {reinterpret_cast<Cell*>(backdrops_.data()), backdrops_.size() / sizeof(Cell)}};
+    const int right = tile.left + tile.columns;
+    int column = tile.left;
+    const auto paint_to = [&](const Region& region, int end) {
+        Tile<Cells> part = tile;
+        part.cells += column - tile.left;
+        part.left = column;
+        part.columns = end - column;
+        painter.paint(region, part);
+        column = end;
+    };
+    for (const Region& region : regions_.regions().subspan(drawn_regions_)) {
+        if (region.end <= column)
+            continue;
+        if (region.begin <= column && region.end >= right && column == tile.left)
+            return painter.paint(region, tile);
+        if (region.begin >= right)
+            break;
+        if (region.begin > column)
+            paint_to(region_between(band_, column, region.begin), region.begin);
+        paint_to(region, std::min<int>(region.end, right));
+    }
+    if (column < right)
+        paint_to(region_between(band_, column, right), right);
+}
+
+/// An area of the band.
+template <PixelFormat format>
+void Renderer::draw_area(Rect area, std::span<std::byte> pixels)
+{
+    using Pack = Packing<format>;
+    using Cells = typename Pack::Cells;
+    using Cell = typename Cells::Cell;
+    constexpr int cells_of_tile = static_cast<int>(tile_bytes / sizeof(Cell));
+    const int columns = std::min(tile_columns, (cells_of_tile / area.height) & -8);
+    alignas(4) std::array<Cell, Pack::is_direct ? 1 : cells_of_tile> cells;
+    const std::size_t stride = row_bytes(format, area.width);
+    for (int x = 0; x < area.width; x += columns) {
+        Tile<Cells> tile{.left = area.x + x,
+                         .columns = std::min(columns, area.width - x),
+                         .first_row = area.y - band_.top_row(),
+                         .rows = area.height};
+        std::byte* const first = pixels.data() + row_bytes(format, x);
+        if constexpr (Pack::is_direct) {
+            tile.cells = reinterpret_cast<Cell*>(first);
+            tile.stride = area.width;
+            draw_tile(tile);
+        } else {
+            tile.cells = cells.data();
+            tile.stride = columns;
+            draw_tile(tile);
+            for (int row = 0; row != area.height; ++row)
+                Pack::pack(tile.cells + row * columns, tile.columns,
+                           first + static_cast<std::size_t>(row) * stride, tile.left, area.y + row);
+        }
+    }
+    if constexpr (Pack::is_direct)
+        Pack::finish(reinterpret_cast<Cell*>(pixels.data()),
+                     static_cast<std::size_t>(area.width * area.height));
+}
+
+template <PixelFormat format>
+std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes)
+{
+    using Cells = typename Packing<format>::Cells;
+    if (progress_ == Progress::done)
+        return {};
+    if (progress_ == Progress::none) {
+        begin_changes(band_bits_for(granularity, panel_.width));
+        slots_.set_inks<Cells>();
+    }
+    std::size_t count = 0;
+    while (count != max_changes) {
+        const int rows = band_.number() < 0 ? 1 : band_.row_count();
+        const int gap = area_bytes * 8 / (bits_per_pixel(format) * rows);
+        Rect area = next_window(granularity, gap);
+        if (regions_.size() == 0 || area.width == 0) {
+            if (next_dirty_band<Cells>())
+                continue;
+            end_changes();
+            break;
+        }
+        if (row_bytes(format, area.width) * static_cast<std::size_t>(rows) > pixels.size()) {
+            if (count != 0)
+                break; // it may find room in the next call
+            const auto room = static_cast<int>(pixels.size()) / rows * 8 / bits_per_pixel(format);
+            area.width = rounded_down(room, granularity.width);
+        }
+        const std::size_t bytes = row_bytes(format, area.width) * static_cast<std::size_t>(rows);
+        draw_area<format>(area, pixels.first(bytes));
+        changes_[count++] = {area, pixels.first(bytes)};
+        pixels = pixels.subspan(bytes);
+        drawn_columns_ = area.x + area.width;
+    }
+    return {changes_.data(), count};
+}
+
+template <PixelFormat format>
+void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
+{
+    using Cells = typename Packing<format>::Cells;
+    if (progress_ == Progress::begun)
+        forget();
+    const std::size_t stride = row_bytes(format, panel_.width);
+    if (first_row == 0 || first_row != next_row_) {
+        begin_pass(default_band_bits);
+        slots_.set_pictures(picture_.steps(), {}, false, 0);
+        slots_.set_inks<Cells>();
+    }
+    for (; rows > 0;) {
+        while (band_.number() < first_row >> default_band_bits) {
+            band_.advance();
+            next_band<Cells>(false, {});
+            drawn_regions_ = 0;
+        }
+        const int band_end = std::min(band_.top_row() + (1 << default_band_bits), panel_.height);
+        const int part = std::min(rows, band_end - first_row);
+        draw_area<format>({0, first_row, panel_.width, part},
+                          pixels.first(stride * static_cast<std::size_t>(part)));
+        pixels = pixels.subspan(stride * static_cast<std::size_t>(part));
+        first_row += part;
+        rows -= part;
+    }
+    next_row_ = first_row;
+}
+
+template void Renderer::draw_rows<PixelFormat::rgb565>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size, int);
+template void Renderer::draw_rows<PixelFormat::rgb565_be>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>, Size,
+                                                                                int);
+template void Renderer::draw_rows<PixelFormat::rgb444>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size, int);
+template void Renderer::draw_rows<PixelFormat::rgb666>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size, int);
+template void Renderer::draw_rows<PixelFormat::grey4>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size, int);
+template void Renderer::draw_rows<PixelFormat::mono1>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size, int);
+template void Renderer::draw_rows<PixelFormat::mono1_dithered>(int, int, std::span<std::byte>);
+template std::span<const Change> Renderer::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>,
+                                                                                     Size, int);
+
+}

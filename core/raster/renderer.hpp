@@ -1,0 +1,105 @@
+#pragma once
+
+#include "core/colour.hpp"
+#include "core/pixel_format.hpp"
+#include "core/raster/band.hpp"
+#include "core/raster/change.hpp"
+#include "core/raster/dirty.hpp"
+#include "core/raster/layer_row.hpp"
+#include "core/raster/picture.hpp"
+#include "core/raster/record.hpp"
+#include "core/raster/slots.hpp"
+#include "core/raster/tile.hpp"
+#include "core/size.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::raster {
+
+/// Rows that a panel takes together, at most.
+inline constexpr int max_granularity_height = 8;
+
+/// What a scene needs of the memory of a renderer.
+struct RendererNeeds {
+    std::size_t outline_bytes = 0; ///< a multiple of 4
+    std::size_t record_bytes = 0;  ///< too little costs bytes on the bus, not pixels
+    std::size_t steps = 0;
+    std::size_t group_depth = 0;
+};
+
+/// Draws pictures band by band (README.md).
+///
+///     picture() is filled -> begin() -> draw_changes() until it returns nothing, or draw_rows()
+class Renderer {
+public:
+    static std::size_t block_bytes(const RendererNeeds& needs, Size panel);
+
+    /// `block` is aligned to 4, has block_bytes() and must outlive the renderer.
+    Renderer(const RendererNeeds& needs, Size panel, Colour background, std::span<std::byte> block);
+
+    Picture& picture() { return picture_; }
+    const Picture& picture() const { return picture_; }
+    /// The picture was filled anew. `moved` has a bit for each input that has moved since it was the last
+    /// time.
+    void begin(std::uint32_t moved);
+    /// What the panel shows is not known any more.
+    void forget();
+
+    /// Draws rows of the picture into rows x row_bytes(format, panel width) bytes, aligned to 2 if pixels are
+    /// 16 bits. Calls for rows from the top down are cheap.
+    template <PixelFormat format>
+    void draw_rows(int first_row, int rows, std::span<std::byte> pixels);
+
+    /// Draws the next areas in which the picture differs from what the panel shows; none when all is drawn,
+    /// and the panel shows it. `pixels` has room for granularity.height whole rows. Places and sizes of areas
+    /// are multiples of `granularity`, but for areas that end with the panel; its sides are powers of two,
+    /// and it is no higher than max_granularity_height. `area_bytes` is what an area costs besides its
+    /// pixels. Areas hold until the next call.
+    template <PixelFormat format>
+    std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
+
+private:
+    enum class Progress : std::uint8_t { none, begun, done };
+
+    static constexpr std::size_t max_changes = 12;
+    static constexpr std::size_t tile_bytes = 512; ///< of cells
+
+    void begin_pass(int band_bits);
+    void begin_changes(int band_bits);
+    void end_changes();
+    bool assign_slots(std::span<const Record::Border> shown);
+    template <class Cells>
+    bool next_band(bool is_known, std::span<const Record::Border> shown);
+    template <class Cells>
+    bool next_dirty_band();
+    void keep_band();
+    Rect next_window(Size granularity, int gap);
+    template <PixelFormat format>
+    void draw_area(Rect area, std::span<std::byte> pixels);
+    template <class Cells>
+    void draw_tile(const Tile<Cells>& tile);
+
+    Size panel_;
+    Picture picture_;
+    std::span<PaintStep> shown_storage_;
+    std::size_t shown_count_ = 0;
+    Record record_;
+    std::span<std::byte> backdrops_; ///< tile_bytes for each depth of groups
+    Slots slots_;
+    Band band_;
+    RegionList regions_;
+    LayerRow row_;
+    std::uint32_t moved_ = 0;       ///< since what the panel shows was begun
+    int drawn_columns_ = 0;         ///< of the band: areas to the left of here are drawn
+    std::size_t drawn_regions_ = 0; ///< all before it lie to the left of there
+    int next_row_ = 0;              ///< that draw_rows() may go on with
+    Progress progress_ = Progress::none;
+    bool is_fresh_ = false; ///< no pass has gone through the outlines
+    bool knows_panel_ = false;
+    std::array<Change, max_changes> changes_;
+};
+
+}

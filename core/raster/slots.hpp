@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/colour.hpp"
+#include "core/raster/cells.hpp"
+#include "core/raster/paint_step.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::raster {
+
+/// A set of slots, a bit for each.
+using SlotMask = std::uint32_t;
+
+inline constexpr int slot_count = 32;
+
+constexpr SlotMask bit_of(unsigned slot) { return SlotMask{1} << slot; }
+
+/// The lowest bit of a mask that is not 0: what lies on top.
+constexpr SlotMask top_bit(SlotMask mask) { return mask & (0U - mask); }
+
+/// The number of the lowest bit. A Cortex-M0 has no instruction for it: a de Bruijn sequence.
+constexpr unsigned number_of(SlotMask bit)
+{
+#if defined(__ARM_ARCH_6M__)
+    constexpr std::array<std::uint8_t, 32> places{0,  1,  28, 2,  29, 14, 24, 3,  30, 22, 20,
+                                                  15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
+                                                  16, 7,  26, 12, 18, 6,  11, 5,  10, 9};
+    return places[bit * 0x077C'B531U >> 27];
+#else
+    return static_cast<unsigned>(__builtin_ctz(bit));
+#endif
+}
+
+/// Layers of the coming picture and of the one that the panel shows, in one order: slot 31 for the lowest of
+/// a set of layers, and so on upwards. A layer that both have has one slot.
+class Slots {
+public:
+    /// What is in one slot.
+    struct Layer {
+        const PaintStep* coming = nullptr;
+        const PaintStep* shown = nullptr;
+        std::uint32_t ink = 0;   ///< of the coming picture, see cells.hpp
+        std::uint32_t share = 0; ///< likewise, of its opacity
+    };
+
+    Colour background; ///< opaque
+    std::uint32_t background_ink = 0;
+
+    /// The steps of both pictures, whose partners are found. If `may_be_same`, outlines whose Still is the
+    /// same in both are the same, unless inputs that they depend on have `moved`, a bit for each.
+    void set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown, bool may_be_same,
+                      std::uint32_t moved);
+    /// All layers have slots of their own; if not, assign() gives slots to the layers of a band.
+    bool hold_all() const { return hold_all_; }
+    void clear_marks();
+    static void mark(PaintStep& layer) { layer.slot = 0; }
+    /// Gives slots to the layers that are marked. False if they are too many: some have a wrong one.
+    bool assign();
+
+    template <class Cells>
+    void set_inks()
+    {
+        background_ink = Cells::ink(background);
+        for (unsigned slot = free_; slot != slot_count; ++slot)
+            if (Layer& layer = layers_[slot]; layer.coming != nullptr) {
+                layer.ink = Cells::ink(layer.coming->colour);
+                layer.share = opacity_share<Cells>(layer.coming->colour.opacity);
+            }
+    }
+
+    const Layer& layer(unsigned slot) const { return layers_[slot]; }
+    /// Whether a pixel that the layers `coming` cover wholly looks as the layers `shown` made it look.
+    bool looks_same(SlotMask coming, SlotMask shown) const;
+    /// Whether one opaque layer lies above all of `touched`, in both pictures; the masks are of the layers
+    /// that cover a place wholly, but for `touched`.
+    bool is_hidden(SlotMask coming, SlotMask shown, SlotMask touched) const;
+
+    SlotMask same = 0;       ///< outlines and rule are those of the shown picture
+    SlotMask recoloured = 0; ///< colour or opacity, or that of a group around it, is another one
+    SlotMask clear = 0;      ///< of the coming picture: not opaque, or within a group
+    SlotMask shown_clear = 0;
+    SlotMask grouped = 0;  ///< of the coming picture, within a group
+    SlotMask even_odd = 0; ///< of the coming picture
+
+private:
+    bool put(PaintStep* coming, PaintStep* shown);
+
+    std::array<Layer, slot_count> layers_;
+    std::span<PaintStep> coming_;
+    std::span<PaintStep> shown_;
+    std::uint32_t moved_ = 0;
+    unsigned free_ = slot_count;
+    bool may_be_same_ = false;
+    bool has_same_groups_ = false;
+    bool hold_all_ = true;
+};
+
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/raster/cells.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast::raster {
+
+/// Pixels of a few rows of a band that are painted together.
+template <class Cells>
+struct Tile {
+    using Cell = typename Cells::Cell;
+
+    Cell* cells = nullptr; ///< the leftmost pixel of the first row
+    int stride = 0;        ///< cells from a row to the next
+    int left = 0;          ///< column of the panel
+    int columns = 0;       ///< at most tile_columns
+    int first_row = 0;     ///< of the band
+    int rows = 0;
+
+    Cell* row(int row) const { return cells + (row - first_row) * stride; }
+};
+
+template <class Cell>
+void fill(Cell* at, int count, Cell cell)
+{
+    for (Cell* const end = at + count; at != end; ++at)
+        *at = cell;
+}
+
+/// Pairs of cells in words.
+inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
+{
+    if (count > 0 && (reinterpret_cast<std::uintptr_t>(at) & 2) != 0) {
+        *at++ = cell;
+        --count;
+    }
+    const std::uint32_t both = cell * 0x0001'0001U;
+    auto* word = reinterpret_cast<std::uint32_t*>(at);
+    for (; count >= 2; count -= 2)
+        *word++ = both;
+    if (count > 0)
+        *reinterpret_cast<std::uint16_t*>(word) = cell;
+}
+
+}

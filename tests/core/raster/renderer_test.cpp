@@ -1,0 +1,178 @@
+#include "core/raster/renderer.hpp"
+#include "tests/core/raster/panel_model.hpp"
+#include "tests/core/raster/random_picture.hpp"
+#include "tests/rounds.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace kfast::raster {
+namespace {
+
+constexpr Colour background{10, 40, 90};
+
+/// A renderer with memory of its own, exactly as much as it asks for.
+class OwnedRenderer {
+public:
+    OwnedRenderer(const RendererNeeds& needs, Size panel)
+        : block_(Renderer::block_bytes(needs, panel) / 4), renderer_{
+                                                               needs, panel, background,
+                                                               std::as_writable_bytes(std::span{block_})}
+    {
+    }
+
+    Renderer& operator*() { return renderer_; }
+    Renderer* operator->() { return &renderer_; }
+
+private:
+    std::vector<std::uint32_t> block_;
+    Renderer renderer_;
+};
+
+/// How a panel is driven.
+struct Drive {
+    Size panel{60, 50};
+    Size granularity{1, 1};
+    int rows = 8; ///< that fit into the memory for areas
+    std::size_t record_bytes = 8000;
+    std::size_t outline_bytes = 40000;
+    int layers = 4;
+    bool has_groups = false;
+};
+
+RendererNeeds needs_of(const Drive& drive)
+{
+    return {.outline_bytes = drive.outline_bytes,
+            .record_bytes = drive.record_bytes,
+            .steps = 200,
+            .group_depth = 1};
+}
+
+template <PixelFormat format>
+std::vector<std::byte> whole_picture(const RandomPicture& picture, const Drive& drive, std::mt19937& random)
+{
+    OwnedRenderer renderer{needs_of(drive), drive.panel};
+    picture.show(*renderer, drive.has_groups);
+    const std::size_t stride = row_bytes(format, drive.panel.width);
+    std::vector<std::uint32_t> words(stride * static_cast<std::size_t>(drive.panel.height) / 4 + 1);
+    const auto pixels =
+        std::as_writable_bytes(std::span{words}).first(stride * static_cast<std::size_t>(drive.panel.height));
+    for (int row = 0; row < drive.panel.height;) {
+        const int rows = std::min(1 + static_cast<int>(random() % 7), drive.panel.height - row);
+        renderer->draw_rows<format>(row, rows, pixels.subspan(stride * static_cast<std::size_t>(row)));
+        row += rows;
+    }
+    return {pixels.begin(), pixels.end()};
+}
+
+/// After every picture the panel must show what a renderer draws that knows nothing of those before.
+template <PixelFormat format>
+void check_changes(const Drive& drive, std::uint32_t seed, int pictures)
+{
+    CAPTURE(seed);
+    CAPTURE(static_cast<int>(format));
+    std::mt19937 random{seed};
+    RandomPicture picture{drive.panel, seed, drive.layers};
+    OwnedRenderer renderer{needs_of(drive), drive.panel};
+    PanelModel<format> panel{drive.panel, drive.granularity};
+    for (int i = 0; i < pictures; ++i) {
+        CAPTURE(i);
+        picture.show(*renderer, drive.has_groups);
+        panel.take(*renderer, drive.rows);
+        REQUIRE(panel.is_sound());
+        const auto whole = whole_picture<format>(picture, drive, random);
+        const auto differing = std::ranges::mismatch(whole, panel.pixels());
+        const auto place = static_cast<std::size_t>(differing.in1 - whole.begin());
+        CAPTURE(place / row_bytes(format, drive.panel.width));
+        CAPTURE(place % row_bytes(format, drive.panel.width));
+        REQUIRE(place == whole.size());
+        picture.step();
+    }
+}
+
+template <PixelFormat format>
+void check_many(Drive drive, int seeds)
+{
+    for (int seed = 0; seed < test::rounds(seeds); ++seed) {
+        drive.has_groups = seed % 3 == 0;
+        drive.record_bytes = seed % 4 == 0 ? 96 : seed % 4 == 1 ? 0 : 8000;
+        check_changes<format>(drive, static_cast<std::uint32_t>(seed), 6);
+    }
+}
+
+}
+
+TEST_CASE("a panel shows what a whole picture would, in every format")
+{
+    check_many<PixelFormat::rgb565>({}, 240);
+    check_many<PixelFormat::rgb565_be>({.panel = {61, 47}, .rows = 1}, 60);
+    check_many<PixelFormat::rgb444>({.panel = {50, 33}, .granularity = {2, 1}, .rows = 2}, 60);
+    check_many<PixelFormat::rgb666>({.panel = {33, 70}}, 60);
+    check_many<PixelFormat::grey4>({.panel = {64, 40}, .granularity = {2, 1}, .rows = 3}, 60);
+    check_many<PixelFormat::mono1>({.panel = {60, 45}, .granularity = {8, 8}}, 60);
+    check_many<PixelFormat::mono1_dithered>({.panel = {52, 40}, .granularity = {8, 1}, .rows = 1}, 60);
+}
+
+TEST_CASE("panels may be as small as a pixel, and larger than chains reach")
+{
+    for (const Size panel : {Size{1, 1}, Size{3, 5}, Size{31, 2}, Size{2, 90}})
+        check_many<PixelFormat::rgb565>({.panel = panel, .rows = 1}, 24);
+    check_many<PixelFormat::mono1>({.panel = {8, 30}, .granularity = {8, 1}, .rows = 1}, 24);
+    check_many<PixelFormat::rgb565>({.panel = {1100, 40}, .outline_bytes = 400000}, 24);
+    check_many<PixelFormat::rgb565>({.panel = {40, 1300}, .outline_bytes = 400000}, 24);
+}
+
+TEST_CASE("layers may be more than there are slots")
+{
+    check_many<PixelFormat::rgb565>({.outline_bytes = 400000, .layers = 40}, 24);
+    check_many<PixelFormat::rgb565>({.panel = {20, 300}, .outline_bytes = 400000, .layers = 60}, 12);
+}
+
+TEST_CASE("a picture without room for its outlines is drawn as far as it goes")
+{
+    for (const unsigned bytes : {0U, 64U, 256U, 1024U})
+        check_many<PixelFormat::rgb565>({.outline_bytes = bytes}, 24);
+}
+
+TEST_CASE("a picture that has not changed sends nothing")
+{
+    RandomPicture picture{{60, 50}, 3, 4};
+    OwnedRenderer renderer{needs_of({}), {60, 50}};
+    PanelModel<PixelFormat::rgb565> panel{{60, 50}, {1, 1}};
+    picture.show(*renderer, false);
+    panel.take(*renderer, 8);
+    const std::size_t whole = panel.sent_bytes();
+    CHECK(whole == 60 * 50 * 2);
+    picture.show(*renderer, false);
+    panel.take(*renderer, 8);
+    CHECK(panel.sent_bytes() == whole);
+    renderer->forget();
+    panel.take(*renderer, 8);
+    CHECK(panel.sent_bytes() == 2 * whole);
+}
+
+TEST_CASE("outlines find room in what they are said to need")
+{
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        CAPTURE(seed);
+        const RandomPicture picture{{60, 50}, seed, 5};
+        OwnedRenderer roomy{needs_of({}), {60, 50}};
+        picture.show(*roomy, false);
+        REQUIRE(!roomy->picture().outlines.is_full());
+        const std::size_t needed = (roomy->picture().outlines.needed_bytes() + 3) / 4 * 4;
+        OwnedRenderer exact{needs_of({.outline_bytes = needed}), {60, 50}};
+        picture.show(*exact, false);
+        CHECK(!exact->picture().outlines.is_full());
+        CHECK(exact->picture().outlines.needed_bytes() == roomy->picture().outlines.needed_bytes());
+        OwnedRenderer tight{needs_of({.outline_bytes = needed - 4}), {60, 50}};
+        picture.show(*tight, false);
+        CHECK(tight->picture().outlines.is_full());
+    }
+}
+
+}
