@@ -1,6 +1,7 @@
-#include "host/commands/command.hpp"
+#include "host/commands/command_line.hpp"
 
 #include <fcntl.h>
+#include <initializer_list>
 #include <unistd.h>
 
 namespace {

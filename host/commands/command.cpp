@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 
 #include "firmware/version.hpp"
+#include "host/commands/command_line.hpp"
 #include "host/commands/help_page.hpp"
 #include "host/commands/old_names.hpp"
 #include "host/commands/usage_mistake.hpp"

@@ -68,7 +68,4 @@ extern const Command help_command;
 /// Adds all of them to `kfast`.
 void declare_commands(CLI::App& kfast);
 
-/// The whole program. Returns its exit status (exit_status.hpp).
-int run_command_line(int count, const char* const* arguments);
-
 }

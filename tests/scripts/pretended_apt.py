@@ -4,6 +4,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -28,9 +29,10 @@ case " $* " in
     for name in $(names "$@"); do touch "$STATE/fetched-$name"; done ;;
 *" install "*)
     echo "debconf: delaying package configuration, since apt-utils is not installed" >&2
-    touch "$STATE/installing"
-    while [ -e "$STATE/slow" ]; do sleep 0.05; done
-    [ ! -e "$STATE/full-disk" ] || { echo "dpkg: error: No space left on device" >&2; exit 100; }
+    for name in $(names "$@"); do
+        while [ -e "$STATE/slow-$name" ]; do touch "$STATE/installing-$name"; sleep 0.05; done
+        [ ! -e "$STATE/too-large-$name" ] || { echo "dpkg: error: No space left on device" >&2; exit 100; }
+    done
     names "$@" >>"$STATE/installed" ;;
 esac
 """
@@ -43,7 +45,8 @@ PROGRAMS = {
     "dpkg": 'echo "dpkg $*" >>"$CALLS"; [ "$1" != --audit ] || cat "$STATE/half-installed" 2>/dev/null; '
             '[ "$1" != --configure ] || rm "$STATE/half-installed"',
     "id": 'echo "${USER_NUMBER:-0}"',
-    "sudo": 'echo "sudo $*" >>"$CALLS"; [ "$1" != -n ] || shift; exec "$@"',
+    "sudo": 'echo "sudo $*" >>"$CALLS"; if [ "$1" = -n ]; then [ ! -e "$STATE/asks-for-password" ] || exit 1; shift; fi; '
+            'USER_NUMBER=0 exec "$@"',
     "node": "exit 0",
     "npm": 'echo "npm $*" >>"$CALLS"; eval "$NPM"',
 }
@@ -83,6 +86,13 @@ class PretendedMachine:
         process = self.begin(*command, **more)
         out, errors = process.communicate(timeout=60)
         return subprocess.CompletedProcess(command, process.returncode, out, errors)
+
+    def wait_for(self, fact, seconds=30):
+        deadline = time.monotonic() + seconds
+        while not (self.state / fact).exists():
+            if time.monotonic() > deadline:
+                raise AssertionError(f"no {fact} within {seconds} seconds")
+            time.sleep(0.05)
 
     def calls(self, start=""):
         lines = (self.folder / "calls").read_text(encoding="utf-8").splitlines()
