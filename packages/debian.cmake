@@ -18,14 +18,16 @@ execute_process(COMMAND date --utc --rfc-email --date=@${KFAST_CHANGED}
 string(JSON KFAST_AUTHOR GET ${KFAST_PROJECT} author)
 string(JSON KFAST_MAIL GET ${KFAST_PROJECT} mail)
 string(JSON KFAST_URL GET ${KFAST_PROJECT} url)
+# A maintainer without an address is no maintainer to Debian's tools. What ends in .invalid reaches nobody.
+if(NOT KFAST_MAIL)
+    set(KFAST_MAIL kfast@kfast.invalid)
+endif()
+set(KFAST_MAINTAINER "${KFAST_AUTHOR} <${KFAST_MAIL}>")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kfast)
 set(CPACK_PACKAGE_VENDOR ${KFAST_AUTHOR})
-set(CPACK_PACKAGE_CONTACT ${KFAST_AUTHOR})
-if(KFAST_MAIL)
-    string(APPEND CPACK_PACKAGE_CONTACT " <${KFAST_MAIL}>")
-endif()
+set(CPACK_PACKAGE_CONTACT ${KFAST_MAINTAINER})
 if(KFAST_URL)
     set(CPACK_DEBIAN_PACKAGE_HOMEPAGE ${KFAST_URL})
 endif()
@@ -66,7 +68,6 @@ endfunction()
 kfast_indented(LICENCE_TEXT ${PROJECT_SOURCE_DIR}/LICENSE)
 kfast_indented(NOTICE_TEXT ${PROJECT_SOURCE_DIR}/NOTICE)
 
-# Where there is no mail, the changelog has <>: dpkg-parsechangelog reads no name without them.
 # kfast_debian_texts(<package> <component>): the changelog and the copyright that Debian wants.
 function(kfast_debian_texts PACKAGE COMPONENT)
     set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/debian/${PACKAGE})

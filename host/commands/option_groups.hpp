@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
+#include <utility>
 
 namespace kfast {
 
@@ -41,17 +41,17 @@ inline constexpr std::array<std::string_view, 18> in_order{
 /// While it lives, what is added to `app` stands under this heading.
 class OptionHeading {
 public:
-    OptionHeading(CLI::App& app, const char* group) : app_{app}, before_{app.option_defaults()->get_group()}
+    OptionHeading(CLI::App& app, const char* group) : app_{app}, before_{*app.option_defaults()}
     {
         app.option_defaults()->group(group);
     }
-    ~OptionHeading() { app_.option_defaults()->group(before_); }
+    ~OptionHeading() { *app_.option_defaults() = std::move(before_); }
     OptionHeading(const OptionHeading&) = delete;
     OptionHeading& operator=(const OptionHeading&) = delete;
 
 private:
     CLI::App& app_;
-    std::string before_;
+    CLI::OptionDefaults before_;
 };
 
 /// By which headings are sorted.

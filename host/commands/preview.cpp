@@ -4,6 +4,7 @@
 #include "host/commands/number_range.hpp"
 #include "host/commands/option_groups.hpp"
 #include "host/commands/preview_opener.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/fit/board_texts.hpp"
 #include "host/picture/png.hpp"
@@ -66,6 +67,9 @@ void preview_headless(const PreviewOptions& options, PreviewOpener& opener,
     if (options.snapshot.empty())
         return play_script(viewer, script, std::cout);
     write_png(options.snapshot, snapshot(viewer, script, options.window, std::cout));
+    std::cout << written_picture_text(options.snapshot, "the window", options.window,
+                                      written_bytes(options.snapshot))
+              << '\n';
 }
 
 void preview_in_window(const PreviewOptions& options, PictureWindow& window, PreviewOpener& opener,

@@ -6,7 +6,6 @@
 #include "host/commands/output_path.hpp"
 #include "host/commands/rendering.hpp"
 #include "host/commands/report_options.hpp"
-#include "host/commands/size_text.hpp"
 #include "host/commands/work_bar.hpp"
 #include "host/failure.hpp"
 #include "host/scene_file.hpp"
@@ -69,8 +68,8 @@ void render_scene(const RenderOptions& options)
     const Rendering job{options, scene, chosen_timeline(options.play, scene.view), output, bar->teller()};
     const Rendered done = render_subject(job, subject, kind);
     bar.reset();
-    report_stream(options.quiet) << output.string() << ": " << done.contents << ", " << size_text(done.size)
-                                 << ", " << file_size_text(done.bytes) << '\n';
+    report_stream(options.quiet) << written_picture_text(output, done.contents, done.size, done.bytes)
+                                 << '\n';
 }
 
 void declare_subject(CLI::App& app, RenderOptions& options)

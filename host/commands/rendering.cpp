@@ -3,6 +3,7 @@
 #include "host/commands/contact_prints.hpp"
 #include "host/commands/output_folder.hpp"
 #include "host/commands/output_path.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/commands/time_text.hpp"
 #include "host/counted.hpp"
 #include "host/picture/apng.hpp"
@@ -63,14 +64,6 @@ Size drawn_size(const Rendering& job)
 {
     const Size size = shown_size(job.options.picture, job.scene.view);
     return {size.width * job.options.scale, size.height * job.options.scale};
-}
-
-/// None of what is no file, a device for instance.
-std::uintmax_t written_bytes(const fs::path& file)
-{
-    std::error_code is_no_file;
-    const std::uintmax_t bytes = fs::file_size(file, is_no_file);
-    return is_no_file ? 0 : bytes;
 }
 
 Rendered rendered(const Rendering& job, std::size_t frames)

@@ -1,10 +1,12 @@
 #include "host/commands/report_options.hpp"
 #include "host/commands/option_groups.hpp"
+#include "host/commands/size_text.hpp"
 #include "host/counted.hpp"
 #include "host/rounded_text.hpp"
 
 #include <cmath>
 #include <iostream>
+#include <system_error>
 
 namespace kfast {
 
@@ -35,6 +37,19 @@ std::string file_size_text(std::uintmax_t bytes)
     if (kilobytes < kilo)
         return std::to_string(kilobytes) + " KB";
     return rounded_text(std::round(static_cast<double>(kilobytes) / 100) / 10) + " MB";
+}
+
+std::uintmax_t written_bytes(const std::filesystem::path& file)
+{
+    std::error_code is_no_file;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, is_no_file);
+    return is_no_file ? 0 : bytes;
+}
+
+std::string written_picture_text(const std::filesystem::path& output, const std::string& contents, Size size,
+                                 std::uintmax_t bytes)
+{
+    return output.string() + ": " + contents + ", " + size_text(size) + ", " + file_size_text(bytes);
 }
 
 }

@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/option_groups.hpp"
 #include "host/commands/picture_options.hpp"
+#include "host/commands/report_options.hpp"
 #include "host/config/config_input.hpp"
 #include "host/interruption.hpp"
 #include "host/link/sim_socket.hpp"
@@ -94,6 +95,12 @@ BoardSettings settings_of(const SimulateOptions& options)
     return settings;
 }
 
+void write_last(const Frame& shown, const std::string& file)
+{
+    write_png(file, widen(shown));
+    std::cout << written_picture_text(file, "1 frame", shown.size, written_bytes(file)) << '\n';
+}
+
 void simulate(const SimulateOptions& options)
 {
     const BoardSettings settings = settings_of(options);
@@ -112,7 +119,7 @@ void simulate(const SimulateOptions& options)
                        plug,
                        watcher});
     if (!options.picture.empty() && !watcher.last().pixels.empty())
-        write_png(options.picture, widen(watcher.last()));
+        write_last(watcher.last(), options.picture);
 }
 
 void declare_simulated_panel(CLI::App& app, SimulateOptions& options)

@@ -164,13 +164,24 @@ private:
     Drift worst_;
 };
 
+/// Rounded to a power of ten that is a thousandth of its range or less: of 0 to 4095 it is a whole number, of
+/// 0 to 100 one with a digit behind the point.
+std::string value_text(const scene::Input& input, Time time)
+{
+    const double share = static_cast<double>(time.ticks) / whole_input.ticks;
+    const double least = input.least / 1000.0;
+    const double most = input.most / 1000.0;
+    const double step = std::pow(10, std::floor(std::log10((most - least) / 1000)));
+    return rounded_text(std::round(between(least, most, share) / step) * step);
+}
+
+/// "frame 51" or, of an object that an input moves, "level=12.5".
 std::string moment_text(const scene::Scene& scene, Clock clock, Time time)
 {
     if (clock.is_time())
         return "frame " + rounded_text(in_frames(time));
     const scene::Input& input = scene.inputs[clock.input - 1U];
-    const double share = static_cast<double>(time.ticks) / whole_input.ticks;
-    return input.name + '=' + rounded_text(between(input.least, input.most, share) / 1000);
+    return input.name + '=' + value_text(input, time);
 }
 
 /// How many degrees an end may go from key to key so that a chord stays near its circle.

@@ -21,9 +21,13 @@ constexpr std::string_view linux_board =
 
 constexpr std::string_view wide_spi = "(MHz)40";
 
-/// For estimates to begin with: clocks of processors and RAM as in the makers' data sheets, flash as on a
-/// common module, and a clock of SPI that is plausible. None of these boards has been tried.
+/// For estimates to begin with. Clocks of processors and memory are those of the pages that stand beside
+/// them; RAM is that which a program has in one piece, also where the chip has more. The clocks of SPI are
+/// plausible and no more, but for 40 MHz of an ESP32 (https://esp32.com/viewtopic.php?p=5483) and 32 MHz of
+/// an nRF52840 (https://github.com/adafruit/Adafruit_nRF52_Arduino/pull/360). None of these boards has been
+/// tried.
 constexpr std::array boards{
+    // https://docs.zephyrproject.org/4.1.0/boards/raspberrypi/rpi_pico2/doc/index.html
     OtherBoard{
         {"pico2 pico2w rp2350 rp2350a rp2350b raspberrypipico2", "a Pico 2 (RP2350, Cortex-M33)", related},
         "cortex-m4 clock=(MHz)150",
@@ -31,27 +35,36 @@ constexpr std::array boards{
         "(MHz)37.5"},
     OtherBoard{{"picow picoh picowh rp2040 raspberrypipico xiaorp2040 rp2040zero", "a board with an RP2040",
                 same_as_pico}},
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/espressif32/esp32dev.rst
+    // https://docs.espressif.com/projects/esp-idf/en/latest/api-guides/memory-types.html
     OtherBoard{{"esp32 esp32wroom esp32wrover esp32dev", "an ESP32 (Xtensa LX6)", foreign},
                "cortex-m4 clock=(MHz)240 cycles=2",
                "flash=(MiB)4 ram=(KiB)320",
                wide_spi},
+    // https://www.espressif.com/sites/default/files/documentation/
+    // esp32-s2-wroom_esp32-s2-wroom-i_datasheet_en.pdf
     OtherBoard{{"esp32s2", "an ESP32-S2 (Xtensa LX7)", foreign},
                "cortex-m4 clock=(MHz)240 cycles=2",
                "flash=(MiB)4 ram=(KiB)320",
                wide_spi},
+    // https://docs.zephyrproject.org/boards/adafruit/qt_py_esp32s3/doc/index.html
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/espressif32/esp32-s3-devkitc-1.rst
     OtherBoard{{"esp32s3 xiaoesp32s3 nanoesp32", "an ESP32-S3 (Xtensa LX7)", foreign},
                "cortex-m4 clock=(MHz)240 cycles=2",
-               "flash=(MiB)8 ram=(KiB)512",
+               "flash=(MiB)8 ram=(KiB)320",
                wide_spi},
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/espressif32/esp32-c3-devkitm-1.rst
     OtherBoard{{"esp32c3 xiaoesp32c3", "an ESP32-C3 (RISC-V)", foreign},
                "cortex-m4 clock=(MHz)160 cycles=2",
-               "flash=(MiB)4 ram=(KiB)400",
+               "flash=(MiB)4 ram=(KiB)320",
                wide_spi},
+    // https://docs.platformio.org/en/stable/boards/espressif32/esp32-c6-devkitc-1.html
     OtherBoard{{"esp32c6", "an ESP32-C6 (RISC-V)", foreign},
                "cortex-m4 clock=(MHz)160 cycles=2",
-               "flash=(MiB)4 ram=(KiB)512",
+               "flash=(MiB)8 ram=(KiB)320",
                wide_spi},
-    OtherBoard{{"esp8266 nodemcu wemosd1 d1mini", "an ESP8266 (Xtensa LX106)", foreign},
+    // https://docs.platformio.org/en/latest/frameworks/esp8266-nonos-sdk.html
+    OtherBoard{{"esp8266 nodemcu wemosd1 d1mini", "an ESP8266 (Xtensa L106)", foreign},
                "cortex-m4 clock=(MHz)80 cycles=2",
                "flash=(MiB)4 ram=(KiB)80",
                wide_spi},
@@ -59,52 +72,67 @@ constexpr std::array boards{
                 "avr atmega328 "
                 "atmega328p atmega2560 atmega32u4 attiny attiny85",
                 "an Arduino with an AVR", too_small}},
+    // https://docs.zephyrproject.org/boards/arduino/uno_r4/doc/index.html
     OtherBoard{{"unor4 arduinounor4 ra4m1", "an Arduino Uno R4 (RA4M1, Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)48",
                "flash=(KiB)256 ram=(KiB)32",
                "(MHz)24"},
+    // https://docs.zephyrproject.org/latest/boards/sparkfun/samd21_dev_breakout/doc/index.html
     OtherBoard{
         {"samd21 arduinozero zero mkrzero xiao featherm0 trinketm0", "a SAMD21 (Cortex-M0+)", measured},
         "cortex-m0+ clock=(MHz)48",
         "flash=(KiB)256 ram=(KiB)32",
         "(MHz)12"},
+    // https://github.com/adafruit/Adafruit-ItsyBitsy-M4-Express-PCB
     OtherBoard{{"samd51 featherm4 itsybitsym4", "a SAMD51 (Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)120",
                "flash=(KiB)512 ram=(KiB)192",
                "(MHz)24"},
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/nordicnrf52/nrf52840_dk.rst
     OtherBoard{{"nrf52840 nano33ble feather52840 xiaoble nicenano", "an nRF52840 (Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)64",
                "flash=(MiB)1 ram=(KiB)256",
                "(MHz)32"},
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/nordicnrf52/calliopemini_v3.rst
     OtherBoard{{"microbit microbitv2 nrf52833", "a micro:bit (nRF52833, Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)64",
                "flash=(KiB)512 ram=(KiB)128",
                "(MHz)32"},
+    // https://docs.zephyrproject.org/boards/nordic/nrf5340dk/doc/index.html
+    // https://elixir.bootlin.com/zephyr/v2.4.0/source/dts/arm/nordic/nrf5340_cpuapp_qkaa.dtsi
     OtherBoard{{"nrf5340 nrf53", "an nRF5340 (Cortex-M33)", related},
                "cortex-m4 clock=(MHz)128",
                "flash=(MiB)1 ram=(KiB)512",
                "(MHz)32"},
+    // https://doc.riot-os.org/boards/nucleo-u575zi-q
     OtherBoard{{"stm32u5 stm32u575", "an STM32U5 (Cortex-M33)", related},
                "cortex-m4 clock=(MHz)160",
                "flash=(MiB)2 ram=(KiB)768",
                "(MHz)40"},
+    // https://docs.zephyrproject.org/3.7.0/boards/pjrc/teensy4/doc/index.html
+    // https://docs.platformio.org/en/latest/boards/teensy/teensy41.html
     OtherBoard{
         {"teensy teensy4 teensy40 teensy41 imxrt1062", "a Teensy 4 (i.MX RT1062, Cortex-M7)", measured},
         "cortex-m7 clock=(MHz)600",
-        "flash=(MiB)2 ram=(KiB)1024",
+        "flash=(MiB)2 ram=(KiB)512",
         "(MHz)30"},
+    // https://docs.zephyrproject.org/4.0.0/boards/weact/mini_stm32h743/doc/index.html
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/ststm32/nucleo_h743zi.rst
     OtherBoard{{"stm32h7 stm32h743", "an STM32H743 (Cortex-M7)", measured},
                "cortex-m7 clock=(MHz)480",
                "flash=(MiB)2 ram=(KiB)512",
                "(MHz)60"},
+    // https://docs.kernel.org/6.3/_sources/arm/stm32/stm32f746-overview.rst.txt
     OtherBoard{{"stm32f7 stm32f746 nucleof746zg", "an STM32F746 (Cortex-M7)", measured},
                "cortex-m7 clock=(MHz)216",
                "flash=(MiB)1 ram=(KiB)320",
                "(MHz)54"},
+    // https://github.com/platformio/platformio-docs/blob/develop/boards/ststm32/disco_f407vg.rst
     OtherBoard{{"stm32f407 stm32f407vg", "an STM32F407 (Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)168",
                "flash=(MiB)1 ram=(KiB)128",
                "(MHz)42"},
+    // https://docs.zephyrproject.org/boards/st/nucleo_f446re/doc/index.html
     OtherBoard{{"stm32f4 stm32f446 nucleof446re", "an STM32F446 (Cortex-M4)", measured},
                "cortex-m4 clock=(MHz)180",
                "flash=(KiB)512 ram=(KiB)128",

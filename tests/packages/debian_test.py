@@ -1,7 +1,9 @@
 """The packages that cpack makes: debian_test.py <CPackConfig.cmake>."""
 
+import gzip
 import os
 import pathlib
+import re
 import stat
 import subprocess
 import sys
@@ -50,6 +52,17 @@ class Debian(unittest.TestCase):
         self.assertTrue((root / "usr/share/doc/kfast/copyright").is_file())
         self.assertTrue((root / "usr/share/doc/kfast/changelog.gz").is_file())
         self.assertFalse((root / "usr/include").exists())
+
+    def test_their_changelogs_are_debians_and_name_the_maintainer(self):
+        for name in self.packages:
+            log = self.unpacked(name) / f"usr/share/doc/{name}/changelog.gz"
+            read = subprocess.run(["dpkg-parsechangelog", "-l", "-"], input=gzip.decompress(log.read_bytes()), capture_output=True,
+                                  check=True, timeout=60)
+            self.assertEqual(b"", read.stderr)
+            fields = dict(line.split(": ", 1) for line in read.stdout.decode().splitlines() if re.match(r"\w+: ", line))
+            self.assertEqual([name, self.field(name, "Version")], [fields["Source"], fields["Version"]])
+            self.assertRegex(fields["Maintainer"], r"^[^<>]+ <[^@\s<>]+@[^@\s<>]+\.[^@\s<>]+>$")
+            self.assertEqual(self.field(name, "Maintainer"), fields["Maintainer"])
 
     def test_udev_is_told_of_the_rule_where_there_is_one(self):
         script = self.unpacked("kfast") / "DEBIAN/postinst"

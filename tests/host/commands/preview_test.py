@@ -323,7 +323,8 @@ class ScriptTest(CommandTest):
     def test_a_snapshot_is_the_window_after_the_keys(self):
         sizes = []
         for keys, size in (("tab", "320x240"), ("tab e", "900x600")):
-            self.keys(keys, "--snapshot", "window.png", "--window", size)
+            written = self.keys(keys, "--snapshot", "window.png", "--window", size).splitlines()[-1]
+            self.assertRegex(written, rf"^window\.png: the window, {size}, \d+ KB$")
             head = (self.folder / "window.png").read_bytes()[:24]
             self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
             sizes.append(struct.unpack(">II", head[16:]))

@@ -97,6 +97,7 @@ class SimulateTest(CommandTest):
         board = self.simulated("--picture", "card.png")
         board.wait_for(lambda: "nothing plays: no scene\n" in board.told.read_text())
         self.assertEqual(board.stop(signal.SIGINT), 0)
+        self.assertRegex(board.told.read_text(), r"\ncard\.png: 1 frame, 240x240, \d+ (bytes|KB)\n$")
         with Image.open(self.folder / "card.png") as card:
             self.assertEqual(card.size, (240, 240))
             self.assertGreater(len(card.getcolors(10_000)), 4)

@@ -10,9 +10,10 @@ namespace kfast::test {
 namespace {
 
 /// The warnings for one object.
-std::string warnings(const std::string& keys, const std::string& object = "stroke=red")
+std::string warnings(const std::string& keys, const std::string& object = "stroke=red",
+                     const std::string& range = "min=-50 max=4095")
 {
-    const std::string text = "kfast 1\ncanvas 240 240 frames=3000\ninput v min=-50 max=4095\nobject o " +
+    const std::string text = "kfast 1\ncanvas 240 240 frames=3000\ninput v " + range + "\nobject o " +
                              object + " { " + keys +
                              " }\nobject user fill=red input=v { key 0 { circle 9 9 r=1 } }\n";
     Diagnostics diagnostics;
@@ -93,10 +94,20 @@ TEST_CASE("a moment from 1000 on is written in full")
 {
     CHECK(warnings("key 2900 { " + arc(0, 90) + " }; key 2902 { " + arc(0, 180) + " }")
               .find(" px at frame 2901:") != std::string::npos);
-    const std::string by_input =
-        warnings("key 0 { " + arc(0, 90) + " }; key 4095 { " + arc(0, 180) + " }", "stroke=red input=v");
-    CHECK(by_input.find(" px at v=") != std::string::npos);
-    CHECK(by_input.find("e+") == std::string::npos);
+}
+
+TEST_CASE("a value of an input is rounded as its range asks for")
+{
+    const auto at_value = [](const std::string& last, const std::string& range) {
+        const std::string found =
+            warnings("key 0 { " + arc(0, 90) + " }; key " + last + " { " + arc(0, 180) + " }",
+                     "stroke=red input=v", range);
+        const std::size_t begin = found.find(" px at ") + 7;
+        return found.substr(begin, found.find(':', begin) - begin);
+    };
+    CHECK(at_value("4095", "min=-50 max=4095") == "v=1911");
+    CHECK(at_value("100", "min=0 max=100") == "v=46.7");
+    CHECK(at_value("1", "min=0 max=1") == "v=0.467");
 }
 
 }
