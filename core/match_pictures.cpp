@@ -37,7 +37,7 @@ bool has_same_outlines(const TracedPicture& shown, const PaintStep& before, cons
 }
 
 StepChange change_between(const TracedPicture& shown, const PaintStep& before, const TracedPicture& coming,
-                      const PaintStep& after, std::uint32_t moved)
+                          const PaintStep& after, std::uint32_t moved)
 {
     if (after.kind != Kind::layer)
         return StepChange::none;
