@@ -7,11 +7,12 @@
 
 namespace kfast {
 
-/// What a track stores, in the unit of the scene language: `stored` pixels, degrees, shares of 1. Not of
-/// colours, nor of what jumps, which are numbers of another kind.
+/// Converts what a track stores of a property (core/property.hpp) to the unit that the scene language has for
+/// it: pixels, degrees, or a share of 1. Not for colours, which are no numbers; `order` and `visible` stay as
+/// they are.
 double written_amount(Property property, double stored);
 
-/// "#rrggbb", with the opacity behind it unless the colour is opaque.
+/// Returns "#rrggbb", or "#rrggbbaa" of a colour that is not opaque.
 std::string colour_text(Colour colour);
 
 }

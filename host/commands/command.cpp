@@ -91,9 +91,9 @@ void declare_commands(CLI::App& kfast)
     kfast.formatter_fn(
         [](const CLI::App* app, const std::string&, CLI::AppFormatMode) { return help_of(*app); });
     kfast.set_version_flag("-V,-v,--version", std::string("kfast ") + version);
-    kfast.footer(
-        "Example:\n  kfast preview examples/first-light.kfast\n\n'kfast help COMMAND' tells more.\n\n" +
-        exit_status_list());
+    kfast.footer("Example:\n  kfast preview examples/first-light.kfast\n\n'kfast help COMMAND' prints its "
+                 "options.\n\n" +
+                 exit_status_list());
     for (const Command* command : commands) {
         CLI::App* app = kfast.add_subcommand(command->name, command->summary)->group(command->group);
         app->footer(std::string("Example:\n  ") + command->example);

@@ -15,7 +15,7 @@
 namespace kfast {
 
 /// What a scene is drawn on, as chosen by --size, --scaling, --format, --panel and --beam, and what its
-/// inputs are told.
+/// inputs are set to.
 struct PictureOptions {
     std::optional<Size> size; ///< none: the canvas of the scene
     Fit fit = Fit::contain;

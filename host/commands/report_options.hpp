@@ -10,17 +10,19 @@
 
 namespace kfast {
 
-/// How a command reports what it has done or found. The values must outlive the parsing of `app`.
+/// How a command reports what it has done or found. The values must outlive the parsing of `app`; the options
+/// are returned, so that others can exclude them.
 
-/// Adds --json: to standard output goes JSON in place of the text.
+/// Adds --json, with which a command prints JSON to standard output in place of its text.
 CLI::Option* declare_json(CLI::App& app, bool& json);
-/// Adds -q, --quiet: nothing is printed but errors, and warnings of what is wrong with a scene.
+/// Adds -q, --quiet, with which a command prints nothing but errors and warnings about a scene.
 CLI::Option* declare_quiet(CLI::App& app, bool& quiet);
 
-/// Where a command reports what it has written: standard output, or nowhere if it is to be quiet.
+/// Where a command reports what it has written: standard output, or a stream that discards everything if it
+/// is to be quiet. Lives as long as the program.
 std::ostream& report_stream(bool quiet);
 
-/// "310 bytes", "110 KB", "1.2 MB", of 1000 bytes each as in lists of files.
+/// The size of a file in units of 1000 bytes, as lists of files have it: "310 bytes", "110 KB", "1.2 MB".
 std::string file_size_text(std::uintmax_t bytes);
 
 /// The size of a file that has been written; 0 of what is no file, such as a device.

@@ -77,7 +77,7 @@ std::unique_ptr<PictureWindow> open_window(const SimulateOptions& options, Size 
     if (!window)
         std::cerr << "kfast: " << PictureWindow::no_window()
                   << ", so the board is not to be seen: "
-                     "--print-frames tells what it shows\n";
+                     "--print-frames prints what it shows\n";
     return window;
 }
 

@@ -5,14 +5,15 @@
 
 namespace kfast {
 
-/// Cells of a line, from left to right.
+/// The cells of a line, from left to right. A byte counts as a column, so that they should be ASCII.
 using TableRow = std::vector<std::string>;
 
-/// Every row as a line: the cells of a column begin below each other, two spaces behind the widest one of the
-/// column before. No line ends in spaces. Rows may have different numbers of cells.
+/// Writes every row as a line without its end. The cells of a column begin below each other, two spaces
+/// behind the widest cell of the column before; `indent` stands before each line, and no line ends in spaces.
+/// Rows may have different numbers of cells.
 std::vector<std::string> table_lines(const std::vector<TableRow>& rows, const std::string& indent = "");
 
-/// The same as a text, for standard output.
+/// Returns the same lines, not indented, as one text in which each of them ends with "\n".
 std::string table_text(const std::vector<TableRow>& rows);
 
 }

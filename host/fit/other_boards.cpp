@@ -201,7 +201,7 @@ std::optional<std::string> other_board_text(std::string_view name)
 
 std::optional<std::string> other_board_advice(std::string_view name)
 {
-    const auto text = other_board_text(name);
+    auto text = other_board_text(name);
     if (!text)
         return std::nullopt;
     const OtherBoard& board = *board_called(name);

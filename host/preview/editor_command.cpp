@@ -63,7 +63,7 @@ constexpr std::array forms{
     Form{"idea", "--line {line} {file}"},
 };
 
-/// Without options, folders and what Debian tells variants by, as in vim.tiny.
+/// Without options, folders and the suffix of a variant of Debian, as in vim.tiny.
 std::string_view program_of(std::string_view editor)
 {
     const std::size_t begin = std::min(editor.find_first_not_of(' '), editor.size());

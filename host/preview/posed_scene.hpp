@@ -41,7 +41,7 @@ public:
     /// moment outside of the scene is its beginning or its end.
     void visit(Time moment, const Visit& visit);
 
-    /// Where all clocks stand at a moment, as for a visit. Holds until an input is told.
+    /// Where all clocks stand at a moment, as for a visit. Valid until an input is set.
     Moment at(Time moment);
     /// Of that place in SceneFile::item_names; nothing if there is none.
     std::optional<ItemView> item(std::size_t number) const;

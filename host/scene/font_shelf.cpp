@@ -43,10 +43,8 @@ std::span<const std::string_view> FontShelf::bundled_names()
 {
     static const auto names = [] {
         std::vector<std::string_view> list;
-        for (const FilledFace& face : filled_faces)
-            list.push_back(face.name);
-        for (const HersheyFace& face : hershey_faces())
-            list.push_back(face.name);
+        std::ranges::transform(filled_faces, std::back_inserter(list), &FilledFace::name);
+        std::ranges::transform(hershey_faces(), std::back_inserter(list), &HersheyFace::name);
         return list;
     }();
     return names;

@@ -69,11 +69,11 @@ std::optional<double> ticks_per(const kdl::Value& value, Reading& reading)
 std::string remedy_of(std::string_view colour, const Palette& palette)
 {
     const std::string_view function = colour.substr(0, std::min(colour.find('('), colour.size()));
-    if (const std::string absent = remedy_of_absent(function); !absent.empty())
+    if (std::string absent = remedy_of_absent(function); !absent.empty())
         return absent;
     if (function != colour)
         return "write \"#rrggbb\"";
-    if (const std::string close = did_you_mean(colour, palette.names()); !close.empty())
+    if (std::string close = did_you_mean(colour, palette.names()); !close.empty())
         return close;
     return suggestion("", palette.common_names()) + ", another colour of CSS, or \"#rrggbb\"";
 }

@@ -23,7 +23,7 @@ std::string failure(const fs::path& path, const InputKind& kind = scene_input)
 
 void create(const fs::path& path, std::uintmax_t size)
 {
-    std::ofstream{path};
+    const std::ofstream empty{path};
     fs::resize_file(path, size);
 }
 

@@ -291,9 +291,9 @@ class FitTest(CommandTest):
         self.assertEqual([part["name"] for part in report["reserved"]], ["code and drivers", "slots"])
         for memory, total in (("flash", flash["reserved"]), ("ram", ram["reserved"])):
             self.assertEqual(sum(part[memory] for part in report["reserved"]), total)
-        told = self.run_kfast("fit", "repeat.kfast", "--board", "pico").stdout
-        self.assertIn(f"  scene       {flash['scene']} B of 256 KiB for scenes\n  block       ", told)
-        self.assertRegex(told, r"  firmware    1.75 MiB of 2 MiB of flash: player [\d.]+ KiB, code and drivers [\d.]+ KiB, slots 1.5 MiB\n"
+        printed = self.run_kfast("fit", "repeat.kfast", "--board", "pico").stdout
+        self.assertIn(f"  scene       {flash['scene']} B of 256 KiB for scenes\n  block       ", printed)
+        self.assertRegex(printed, r"  firmware    1.75 MiB of 2 MiB of flash: player [\d.]+ KiB, code and drivers [\d.]+ KiB, slots 1.5 MiB\n"
                                r"  +[\d.]+ KiB of 264 KiB of RAM: bands 30 KiB, static [\d.]+ K?i?B, stack [\d.]+ KiB, code and drivers")
 
     def test_pictures_that_are_late(self):
@@ -303,8 +303,8 @@ class FitTest(CommandTest):
         self.assertTrue(report["fits"])
         self.assertEqual(report["late"], {"frames": 30, "late": 2, "left_out": 0})
         self.assertIsNone(report["late_with_inputs"])
-        told = self.run_kfast("fit", "jump.kfast", *self.board(bus="i2c clock=(kHz)800")).stdout
-        self.assertIn("  fits        yes, but 2 of 30 pictures late\n", told)
+        printed = self.run_kfast("fit", "jump.kfast", *self.board(bus="i2c clock=(kHz)800")).stdout
+        self.assertIn("  fits        yes, but 2 of 30 pictures late\n", printed)
         report = self.report("jump.kfast", *self.board(bus="i2c clock=(kHz)200"))
         self.assertEqual(report["late"], {"frames": 30, "late": 12, "left_out": 10})
 
@@ -317,14 +317,14 @@ class FitTest(CommandTest):
         self.assertRegex(told, r"(?m)^  fits        yes$")
 
     def test_no_rate_that_nobody_sees(self):
-        told = self.run_kfast("fit", "repeat.kfast", *self.board(bus="parallel-16 clock=(MHz)60")).stdout
-        self.assertIn("by bus      more than 1000 fps\n", told)
+        printed = self.run_kfast("fit", "repeat.kfast", *self.board(bus="parallel-16 clock=(MHz)60")).stdout
+        self.assertIn("by bus      more than 1000 fps\n", printed)
 
     def test_hardware_that_is_not_supported_yet(self):
         self.refuse("fit", "repeat.kfast", "--board", "pico2", status=1,
                     says="a Pico 2 (RP2350, Cortex-M33) is not supported yet")
-        told = self.run_kfast("fit", "repeat.kfast", "--board", "ESP32-S3", status=1).stderr
-        self.write("my-esp32s3.kdl", told[told.index("board my-esp32s3 {"):])
+        printed = self.run_kfast("fit", "repeat.kfast", "--board", "ESP32-S3", status=1).stderr
+        self.write("my-esp32s3.kdl", printed[printed.index("board my-esp32s3 {"):])
         self.assertEqual(self.report("repeat.kfast", "--board", "my-esp32s3.kdl")["board"], "my-esp32s3")
         self.refuse("fit", "repeat.kfast", "--board", "uno", status=1, says="take a board of 32 bits")
         self.refuse("fit", "repeat.kfast", *self.board(), "--panel", "sh1106", status=2, says="pages of 8 rows")
@@ -350,8 +350,8 @@ class FitTest(CommandTest):
                 self.refuse("render", "repeat.kfast", "--panel", name, "-o", f"{name}.png", status=2,
                             says=f"kfast fit alone knows it, for it has no driver yet; its picture is that of --size {size}")
                 self.refuse("config", "settings.kdl", "-o", f"{name}.uf2", status=1, says="kfast fit alone knows it")
-        told = self.run_kfast("fit", "repeat.kfast", "--board", "pico", "--panel", "zzzzzzzz", status=2).stderr
-        self.assertIn("allowed: " + ", ".join(sorted(names)), told)
+        printed = self.run_kfast("fit", "repeat.kfast", "--board", "pico", "--panel", "zzzzzzzz", status=2).stderr
+        self.assertIn("allowed: " + ", ".join(sorted(names)), printed)
 
     def test_known_boards_and_panels(self):
         for board in ("blackpill", "lm3s6965evb", "pico"):

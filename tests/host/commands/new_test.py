@@ -64,9 +64,9 @@ class GalleryTest(CommandTest):
     def test_a_new_scene_is_that_of_the_gallery(self):
         for scene in GALLERY:
             with self.subTest(scene=scene.name):
-                told = self.run_kfast("new", "mine.kfast", "--force", "--like", scene.stem).stdout
+                printed = self.run_kfast("new", "mine.kfast", "--force", "--like", scene.stem).stdout
                 self.assertEqual((self.folder / "mine.kfast").read_bytes(), scene.read_bytes())
-                self.assertIn("kfast preview mine.kfast", told)
+                self.assertIn("kfast preview mine.kfast", printed)
 
     def test_a_name_that_there_is_not(self):
         self.refuse("new", "mine.kfast", "--like", "gage", status=2, says='did you mean "gauge"?')

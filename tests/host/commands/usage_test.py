@@ -107,12 +107,12 @@ class UsageTest(CommandTest):
         values = {"--fit": "cover", "--size": "9x9", "--rate": "9000"}
         for commands, before, now in rows:
             for command in re.findall(r"`(\w+)`", commands):
-                told = self.run_kfast(command, *before.split(), values.get(before, "x"), "--help")
-                self.assertIn(f"kfast: {before} is now called {now}; the next version drops the old name", told.stderr)
-                self.assertNotRegex(told.stdout, rf"{before.split()[0]}\b(?!-)")
-        told = self.run_kfast("check", "--format", "text", "repeat.kfast")
-        self.assertEqual(told.stdout, self.run_kfast("check", "repeat.kfast").stdout)
-        self.assertEqual(told.stderr, "kfast: --format text is the default; the next version drops the option\n")
+                printed = self.run_kfast(command, *before.split(), values.get(before, "x"), "--help")
+                self.assertIn(f"kfast: {before} is now called {now}; the next version drops the old name", printed.stderr)
+                self.assertNotRegex(printed.stdout, rf"{before.split()[0]}\b(?!-)")
+        printed = self.run_kfast("check", "--format", "text", "repeat.kfast")
+        self.assertEqual(printed.stdout, self.run_kfast("check", "repeat.kfast").stdout)
+        self.assertEqual(printed.stderr, "kfast: --format text is the default; the next version drops the option\n")
         shown = self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--fit=cover").stdout
         self.assertEqual(shown, self.run_kfast("hash", "repeat.kfast", "--size", "64x32", "--scaling", "cover").stdout)
         self.assertNotEqual(shown, self.run_kfast("hash", "repeat.kfast", "--size", "64x32").stdout)

@@ -23,14 +23,14 @@ class WiringTest(CommandTest):
         self.assertFalse(any(line.endswith(" ") for line in told.splitlines()))
 
     def test_a_module_without_cs(self):
-        told = self.run_kfast("wiring", "pico-st7789").stdout
-        self.assertIn("No CS on your module? --pin select=none", told)
-        self.assertRegex(told, r"(?m)^ .*\| 22 GP17 +CS$")
-        told = self.run_kfast("wiring", "pico-st7789", "--pin", "select=none").stdout
-        self.assertTrue(told.startswith("pico-st7789 with select=none: st7789 by spi"))
-        self.assertNotIn("No CS", told)
-        self.assertNotIn("CS", told.split("The Pico from above")[1])
-        self.assertRegex(told, r"\n  CS +GND +pin 38 +right +if there is such a pin: always selected\n")
+        printed = self.run_kfast("wiring", "pico-st7789").stdout
+        self.assertIn("No CS on your module? --pin select=none", printed)
+        self.assertRegex(printed, r"(?m)^ .*\| 22 GP17 +CS$")
+        printed = self.run_kfast("wiring", "pico-st7789", "--pin", "select=none").stdout
+        self.assertTrue(printed.startswith("pico-st7789 with select=none: st7789 by spi"))
+        self.assertNotIn("No CS", printed)
+        self.assertNotIn("CS", printed.split("The Pico from above")[1])
+        self.assertRegex(printed, r"\n  CS +GND +pin 38 +right +if there is such a pin: always selected\n")
         for other in ("pico-ssd1306-i2c", "pico-ili9341-parallel", "pico-xy-galvo"):
             self.assertNotIn("No CS", self.run_kfast("wiring", other).stdout)
         self.refuse("wiring", "pico-st7789", "--pin", "select=18", status=2, says="--pin select=18")

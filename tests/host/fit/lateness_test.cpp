@@ -44,7 +44,7 @@ TEST_CASE("what is late is said with how much of it is left out")
           "12 of 76 pictures late, 5 of them left out");
 }
 
-TEST_CASE("memory is said in three digits, and no rate beyond what a panel shows")
+TEST_CASE("memory, rates and frequencies are said in few digits, and no rate beyond what a panel shows")
 {
     CHECK(memory_text(0) == "0 B");
     CHECK(memory_text(1023) == "1023 B");
@@ -57,6 +57,9 @@ TEST_CASE("memory is said in three digits, and no rate beyond what a panel shows
     CHECK(rate_text(103'220.4) == "more than 1000 fps");
     CHECK(rate_text(std::numeric_limits<double>::infinity()) == "more than 1000 fps");
     CHECK(rate_text(24.48) == "24.4 fps");
+    CHECK(frequency_text(1e6) == "1 MHz");
+    CHECK(frequency_text(62.5e6) == "62.5 MHz");
+    CHECK(frequency_text(999e3) == "999 kHz");
 }
 
 TEST_CASE("the firmware has its parts by name, apart from the scene")
@@ -65,7 +68,7 @@ TEST_CASE("the firmware has its parts by name, apart from the scene")
     target.flash = 2 << 20;
     target.ram = 256 << 10;
     target.reserved = {{.name = "slots", .flash = 1 << 20}, {.ram = 10 << 10}};
-    const FlashNeed flash{.player = 50 << 10, .scene = 300, .reserved = target.reserved_flash()};
+    const FlashNeed flash{.player = 50 << 10, .scene = 300 << 10, .reserved = target.reserved_flash()};
     CHECK(firmware_flash_text(flash, target) == "1.05 MiB of 2 MiB of flash: player 50 KiB, slots 1 MiB");
     CHECK(flash.room(target.flash) == (1 << 20) - (50 << 10));
     const RamNeed ram{.block = 5000, .bands = 8 << 10, .stack = 9 << 10, .reserved = target.reserved_ram()};

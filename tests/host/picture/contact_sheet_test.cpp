@@ -30,6 +30,7 @@ TEST_CASE("a contact sheet that has no room is none")
 {
     CHECK_FALSE(contact_layout(1687, {240, 240}, 15));
     CHECK(contact_layout(1687, {80, 80}, 15));
+    CHECK_FALSE(contact_layout(2, {10, longest_picture_side}, 1));
     CHECK(contact_layout(3, {300, 200}, 11, 1));
     CHECK_FALSE(contact_layout(3, {300, 200}, 11, 16));
     CHECK_FALSE(contact_layout(std::size_t{1} << 40, {1, 1}, 1));

@@ -54,16 +54,16 @@ TEST_CASE("what a board shows stands still between its frames, and goes on as ev
 
 TEST_CASE("events of frames that a board leaves out are passed all the same, and a pause begins anew")
 {
-    Told told;
-    told.state.pace_by([](Time) { return 0.9; }, start);
-    told.state.advance_to(after(0.95));
-    CHECK(told.passed().find("step") != std::string::npos);
-    told.state.press(PreviewKey::play_pause, after(1));
-    told.state.advance_to(after(50));
-    const Time paused = told.state.time();
-    told.state.press(PreviewKey::play_pause, after(50));
-    told.state.advance_to(after(50.5));
-    CHECK(told.state.time() == paused);
+    Told run;
+    run.state.pace_by([](Time) { return 0.9; }, start);
+    run.state.advance_to(after(0.95));
+    CHECK(run.passed().find("step") != std::string::npos);
+    run.state.press(PreviewKey::play_pause, after(1));
+    run.state.advance_to(after(50));
+    const Time paused = run.state.time();
+    run.state.press(PreviewKey::play_pause, after(50));
+    run.state.advance_to(after(50.5));
+    CHECK(run.state.time() == paused);
 }
 
 TEST_CASE("after a break a board goes on where it stood, and does not draw what it has missed")

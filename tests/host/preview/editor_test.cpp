@@ -47,7 +47,7 @@ std::string failure_of(Editor& editor, const TextLine& at)
 
 }
 
-TEST_CASE("an editor is told the line in its own way, and a file with a quote is one word")
+TEST_CASE("an editor gets the line in its own way, and a file with a quote is one word")
 {
     const TextLine at{"/tmp/my 'eyes'.kfast", 17};
     const std::string file = "'/tmp/my '\\''eyes'\\''.kfast'";
@@ -73,7 +73,7 @@ TEST_CASE("editors that take the terminal are known")
     CHECK_FALSE(takes_terminal("whatever"));
 }
 
-TEST_CASE("KFAST_EDITOR goes before VISUAL before EDITOR, and without any the remedy is told")
+TEST_CASE("KFAST_EDITOR goes before VISUAL before EDITOR, and without any there is a remedy")
 {
     CHECK((Editors{"code", "vim", "nano"}, chosen_editor()) == "code");
     CHECK((Editors{"", "vim", "nano"}, chosen_editor()) == "vim");
@@ -84,7 +84,7 @@ TEST_CASE("KFAST_EDITOR goes before VISUAL before EDITOR, and without any the re
           "no editor is set: set KFAST_EDITOR, VISUAL or EDITOR, as in EDITOR=nano");
 }
 
-TEST_CASE("an editor that is not there, or fails, is told once")
+TEST_CASE("an editor that is not there, or fails, is reported once")
 {
     const Editors missing{"/no/such/program", "", ""};
     EditorBeside editor;
@@ -125,7 +125,7 @@ TEST_CASE("the text is opened where the selected object stands, or at its first 
     CHECK(opened.back() == TextLine{dropped, 3});
 }
 
-TEST_CASE("without an editor, and of a compiled scene, it is told why nothing opens")
+TEST_CASE("without an editor, and of a compiled scene, the reason is shown why nothing opens")
 {
     Preview preview;
     preview.press({PreviewKey::edit});
@@ -159,7 +159,7 @@ TEST_CASE("what is unfolded stays so when the file is saved, and other files beg
     CHECK(preview.viewer.unfolded_table().rows.size() == 3);
 }
 
-TEST_CASE("playing as a board is told with its name, and goes on when the file is saved")
+TEST_CASE("playing as a board is shown with its name, and goes on when the file is saved")
 {
     Preview preview;
     preview.press({PreviewKey::board_speed});

@@ -7,7 +7,7 @@
 
 namespace kfast::test {
 
-TEST_CASE("what is selected is told at the side: its line, its values, and the keys around the moment")
+TEST_CASE("what is selected is described at the side: its line, its values, and the keys around the moment")
 {
     Window window;
     window.viewer.select(window.viewer.time_table().row_named("left")->item);

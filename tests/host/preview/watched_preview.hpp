@@ -56,7 +56,7 @@ struct Preview {
     /// Long enough for what was written to be noticed.
     void wait(double seconds = 1)
     {
-        for (double passed = 0; passed < seconds; passed += 0.1) {
+        for (const Seconds end = now + Seconds{seconds}; now < end;) {
             now += Seconds{0.1};
             viewer.attend(now);
         }

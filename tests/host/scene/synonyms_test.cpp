@@ -48,6 +48,7 @@ TEST_CASE("words of CSS and SVG are translated")
                 "ease-in-out"));
     CHECK(calls(in_object("", "key 0 law=linear { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "constant"));
     CHECK(calls(in_object("strokeWidth=2"), "width"));
+    CHECK(calls(in_object("Stroke-Width=2"), "width"));
     CHECK(calls(in_object("scale_x=2"), "scale-x"));
     CHECK(calls(in_object("", "circle 9 9 r=1; track rotation { at 0 0; at 9 1 }"), "rotate"));
     CHECK(calls(read_on_canvas("layer { object o fill=red { circle 9 9 r=1 } }").findings, "group"));
