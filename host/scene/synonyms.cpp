@@ -258,13 +258,11 @@ constexpr std::array absents{
     Absent{"audio", "sounds"},
 };
 
-constexpr std::size_t longest_word = 40;
-
 /// As the tables have it: strokeWidth and stroke_width as stroke-width.
 std::string plain(std::string_view word)
 {
     std::string text;
-    for (const char letter : word.substr(0, longest_word)) {
+    for (const char letter : word) {
         const auto code = static_cast<unsigned char>(letter);
         if (std::isupper(code) != 0 && !text.empty() && text.back() != '-')
             text += '-';
