@@ -1,20 +1,20 @@
 #pragma once
 
-#include "core/corner_at.hpp"
-#include "core/outline_store.hpp"
+#include "core/raster/grid.hpp"
+#include "core/raster/outline_store.hpp"
 
 namespace kfast {
 
 /// Turns the strokes of a filled drawing into contours. A stroke that is not closed is filled as if it were.
 class FillOutline {
 public:
-    explicit FillOutline(OutlineStore& outlines) : outlines_{outlines} {}
+    explicit FillOutline(raster::OutlineStore& outlines) : outlines_{outlines} {}
 
-    void begin(Point at) { start_ = last_ = corner_at(at); }
+    void begin(Point at) { start_ = last_ = raster::corner_at(at); }
 
     void line_to(Point to)
     {
-        const Corner corner = corner_at(to);
+        const raster::Corner corner = raster::corner_at(to);
         if (corner == last_)
             return;
         outlines_.add(last_);
@@ -24,7 +24,7 @@ public:
     /// Closes the stroke by way of `hub` (docs/design.md, "Fills of broken strokes").
     void end(Point hub)
     {
-        if (corner_at(hub) != start_)
+        if (raster::corner_at(hub) != start_)
             line_to(hub);
         if (last_ != start_)
             outlines_.add(last_);
@@ -32,9 +32,9 @@ public:
     }
 
 private:
-    OutlineStore& outlines_;
-    Corner start_;
-    Corner last_; ///< not added yet: it may be the start again
+    raster::OutlineStore& outlines_;
+    raster::Corner start_;
+    raster::Corner last_; ///< not added yet: it may be the start again
 };
 
 }

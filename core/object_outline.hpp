@@ -12,7 +12,7 @@ namespace kfast {
 class ObjectOutline {
 public:
     /// Of the fill, until stroke_with() is called.
-    ObjectOutline(OutlineStore& outlines, const Sight& sight)
+    ObjectOutline(raster::OutlineStore& outlines, const Sight& sight)
         : outlines_{outlines}, sight_{sight}, fill_{outlines}
     {
     }
@@ -26,7 +26,7 @@ public:
 private:
     void line_to(Point seen);
 
-    OutlineStore& outlines_;
+    raster::OutlineStore& outlines_;
     Sight sight_;
     FillOutline fill_;
     std::optional<StrokeOutline> stroke_;

@@ -1,30 +1,22 @@
 #pragma once
 
 #include "core/canvas_map.hpp"
-#include "core/changed_strips.hpp"
-#include "core/coverage_row.hpp"
 #include "core/live_scene.hpp"
 #include "core/pixel_format.hpp"
+#include "core/raster/change.hpp"
+#include "core/raster/renderer.hpp"
 #include "core/result.hpp"
-#include "core/row_painter.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
 #include "core/time.hpp"
-#include "core/traced_picture.hpp"
-#include "core/tracer.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace kfast {
 
-/// An area of a panel and what is to be seen there, row by row; every row starts on a byte.
-struct Change {
-    Rect area;
-    std::span<const std::byte> pixels;
-};
+using raster::Change;
 
 /// Draws any moment of a scene, rows from the top down, in memory that the caller lends.
 ///
@@ -44,7 +36,8 @@ public:
 
     /// In its place at once, for a small stack: what create() returns is copied. As for create(), but `block`
     /// has block_bytes(), no more and no less.
-    Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
+    [[gnu::cold, gnu::noinline]] Player(const SceneView& scene, Size panel, Fit fit,
+                                        std::span<std::byte> block);
 
     /// Computes the outlines of the picture at `time`. Any time is allowed: the scene's loop mode decides
     /// what it stands for.
@@ -71,46 +64,18 @@ public:
 
     Size panel() const { return panel_; }
     /// The picture that show() has computed.
-    const TracedPicture& picture() const { return pictures_[coming_]; }
+    const raster::Picture& picture() const { return renderer_.picture(); }
+    /// How much of what the panel shows is not known, once draw_changes() has drawn it: for want of room,
+    /// these bands of rows are drawn whole the next time.
+    int unrecorded_bands() const { return renderer_.unrecorded_bands(); }
 
 private:
-    /// How far draw_changes() has come with the picture.
-    enum class Progress : std::uint8_t { none, begun, done };
-
-    TracedPicture& coming() { return pictures_[coming_]; }
-    TracedPicture& shown() { return pictures_[1 - coming_]; }
     void trace(Time time);
-    void begin_changes();
-    const Strip& next_whole_rows(int rows);
-    template <PixelFormat format>
-    void paint_strip(const Strip& strip, std::span<std::byte> pixels);
-    template <PixelFormat format>
-    void paint_whole_row(int row, std::span<std::byte> pixels);
-    std::size_t lowest_seen_step(std::span<const RowWindow> windows,
-                                 std::span<const CoveredSpan> spans) const;
-    template <PixelFormat format>
-    void paint_swept(std::span<const RowWindow> windows, int row, std::span<const CoveredSpan> spans);
-    template <PixelFormat format>
-    void sweep_and_paint(std::span<const RowWindow> windows, int row);
-    template <class Paint>
-    void sweep_layer(std::size_t step, int row, Paint& paint);
-    template <PixelFormat format>
-    RowPainter<format> painter(std::span<const RowWindow> windows, int row);
 
     Size panel_;
-    Colour background_;
-    std::uint32_t moved_since_shown_ = 0;  ///< a bit for each input that has, since shown() was traced
-    std::uint32_t moved_since_coming_ = 0; ///< likewise, since coming() was
-    std::array<TracedPicture, 2> pictures_;
-    std::uint8_t coming_ = 0;
-    Progress progress_ = Progress::none;
-    bool knows_panel_ = false; ///< the other picture is what the panel shows
-    CoverageRow coverage_;
-    ChangedStrips strips_;
-    Strip whole_rows_;
-    std::array<Change, RunList::most> changes_;
-    std::span<std::byte> backdrops_; ///< a row of the panel for each depth of blending
-    int next_row_ = 0;
+    raster::Renderer renderer_;
+    std::uint32_t moved_ = 0; ///< a bit for each input that has, since the picture was traced
+    int next_row_ = 0;        ///< of draw_rows()
 };
 
 extern template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);

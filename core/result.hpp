@@ -23,6 +23,12 @@ class [[nodiscard]] Result {
 public:
     constexpr Result(T value) : value_{std::move(value)} {}
     constexpr Result(Error error) : error_{error} {}
+    /// Makes the value in its place, which a small stack may have no room to copy.
+    template <class... Arguments>
+    constexpr explicit Result(std::in_place_t, Arguments&&... arguments)
+        : value_{std::in_place, std::forward<Arguments>(arguments)...}
+    {
+    }
 
     constexpr explicit operator bool() const { return value_.has_value(); }
 

@@ -29,11 +29,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/bone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/canvas_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/carried_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/chain_edge.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/changed_strips.cpp
     ${CMAKE_CURRENT_LIST_DIR}/code_point.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/coverage_row.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/covered_span.cpp
     ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
     ${CMAKE_CURRENT_LIST_DIR}/drawing_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
@@ -59,10 +55,8 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/live_texts.cpp
     ${CMAKE_CURRENT_LIST_DIR}/live_wires.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/match_pictures.cpp
     ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/object_strokes.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
     ${CMAKE_CURRENT_LIST_DIR}/paint_order.cpp
@@ -76,6 +70,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/chain_builder.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/coverage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/dirty.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/edge_group.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/far_contour.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
@@ -83,8 +78,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/row_parts.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/run_list.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_on_panel.cpp
@@ -92,13 +85,10 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/sight.cpp
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/slab_sweep.cpp
     ${CMAKE_CURRENT_LIST_DIR}/space.cpp
     ${CMAKE_CURRENT_LIST_DIR}/still.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_form.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_outline.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/sweep.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/sweep_line.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time_code.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track.cpp

@@ -1,9 +1,9 @@
 #include "core/stroke_outline.hpp"
 
 #include "core/angle.hpp"
-#include "core/corner_at.hpp"
 #include "core/flatten.hpp"
 #include "core/held_point.hpp"
+#include "core/raster/grid.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
@@ -127,7 +127,7 @@ struct StrokeOutline::Bend {
 
 // A single corner on either side will do where a tip is no more than 1/64 px longer than the round of the
 // pen, that is half_width (1 - cos) / 4, and the turn less than 29 degrees: then slight_meeting() is as near.
-StrokeOutline::StrokeOutline(OutlineStore& outlines, const Pen& pen, int coarseness)
+StrokeOutline::StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness)
     : outlines_{outlines}, pen_{pen}, slight_bend_{static_cast<std::int32_t>(
                                           (1U << 31) / std::max<std::uint32_t>(
                                                            static_cast<std::uint32_t>(pen.half_width.raw()),
@@ -200,7 +200,7 @@ StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
 /// Tips, and sides of strokes at the border of what is held, would lie further out than Fixed can subtract.
 void StrokeOutline::add(Side side, Point at)
 {
-    const Corner corner = corner_at({held_on_panel(at.x), held_on_panel(at.y)});
+    const raster::Corner corner = raster::corner_at({held_on_panel(at.x), held_on_panel(at.y)});
     if (side == Side::right)
         outlines_.add(corner);
     else

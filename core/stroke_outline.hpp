@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/heading.hpp"
-#include "core/outline_store.hpp"
+#include "core/raster/outline_store.hpp"
 #include "core/stroke_style.hpp"
 
 #include <cstdint>
@@ -25,7 +25,7 @@ int most_corners_of_half_turn(Fixed half_width);
 class StrokeOutline {
 public:
     /// `coarseness` makes the pieces of arcs that often twice as long.
-    StrokeOutline(OutlineStore& outlines, const Pen& pen, int coarseness);
+    StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
 
     void begin(Point at);
     /// Points closer than 1/256 px to the one before are passed over: their direction would be noise.
@@ -56,7 +56,7 @@ private:
     void cap(Point at, Point side);
     void dot();
 
-    OutlineStore& outlines_;
+    raster::OutlineStore& outlines_;
     Pen pen_;
     std::int32_t slight_bend_; ///< 1 - cosine, in Q30
     int arc_step_;             ///< in 1/48 quarter turn

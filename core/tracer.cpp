@@ -6,7 +6,6 @@
 #include "core/live_drawing_trace.hpp"
 #include "core/opacity.hpp"
 #include "core/paint_order.hpp"
-#include "core/sweep.hpp"
 #include "core/work.hpp"
 
 #include <utility>
@@ -28,7 +27,6 @@ void Tracer::run()
 {
     picture_.coarseness = 0;
     trace_scene();
-    last_ = nullptr; // what it shares may be finer than what finds room
     while (picture_.outlines.is_full() && picture_.coarseness < coarsest) {
         ++picture_.coarseness;
         trace_scene();
@@ -60,8 +58,6 @@ void Tracer::trace(const ItemView& item, const Context& outer)
     context.is_leaf = item.is_leaf();
     work_for(context.path);
     did(Work::item);
-    if (copy_still(context))
-        return;
     const ItemState state{on_panel_.scene, item, moment_};
     context.still = outer.still & state.still();
     picture_.still = picture_.still & context.still;
@@ -73,9 +69,9 @@ void Tracer::trace(const ItemView& item, const Context& outer)
     if (context.opacity == 255 || !has_several_layers(on_panel_.scene, item))
         return trace(item, state, context);
     const auto opacity = static_cast<std::uint8_t>(std::exchange(context.opacity, 255));
-    add_step(PaintStep::Kind::begin_blend, context);
+    add_step(raster::PaintStep::Kind::begin_group, context);
     trace(item, state, context);
-    add_step(PaintStep::Kind::end_blend, context).opacity = opacity;
+    add_step(raster::PaintStep::Kind::end_group, context).opacity = opacity;
 }
 
 void Tracer::trace(const ItemView& item, const ItemState& state, const Context& context)
@@ -85,37 +81,6 @@ void Tracer::trace(const ItemView& item, const ItemState& state, const Context& 
     if (item.kind == ItemKind::live)
         return trace_live(item, state, context);
     trace(on_panel_.scene.items_in(item), context);
-}
-
-/// Takes over what shows an object that has not moved since the last picture.
-bool Tracer::copy_still(const Context& context)
-{
-    if (last_ == nullptr || !context.is_leaf)
-        return false;
-    const std::span<const PaintStep> steps = last_->steps();
-    const std::size_t furthest = std::min(steps.size(), last_step_ + look_ahead);
-    std::size_t first = last_step_;
-    while (first < furthest && steps[first].item != context.path)
-        ++first;
-    std::size_t end = first;
-    while (end < steps.size() && steps[end].item == context.path &&
-           steps[end].still.holds(moment_.time(), moved_))
-        ++end;
-    const bool is_still = first < furthest && (end == steps.size() || steps[end].item != context.path);
-    if (!is_still)
-        return false;
-    for (const PaintStep& step : steps.subspan(first, end - first))
-        copy(step);
-    last_step_ = end;
-    return true;
-}
-
-void Tracer::copy(const PaintStep& step)
-{
-    PaintStep& copied = picture_.add_step(step);
-    picture_.still = picture_.still & step.still;
-    copied.layer.outlines = picture_.outlines.copy(last_->outlines, step.layer.outlines);
-    copied.layer.rewind();
 }
 
 void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
@@ -195,21 +160,21 @@ void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const 
     add_layer(state.stroke(), FillRule::nonzero, context, trace_placed);
 }
 
-PaintStep& Tracer::add_step(PaintStep::Kind kind, const Context& context)
+raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context& context)
 {
-    return picture_.add_step({.kind = kind, .item = context.path, .still = context.still});
+    return picture_.add_step({.kind = kind, .item = context.path});
 }
 
 template <class Trace>
 void Tracer::add_layer(Colour colour, FillRule rule, const Context& context, Trace trace)
 {
-    const OutlineRange mark = picture_.outlines.mark();
-    trace();
-    PaintStep& step = add_step(PaintStep::Kind::layer, context);
-    step.layer = layer_of(picture_.outlines, picture_.outlines.range_from(mark));
+    raster::PaintStep& step = add_step(raster::PaintStep::Kind::layer, context);
     colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, context.opacity));
-    step.layer.colour = colour;
-    step.layer.rule = rule;
+    step.colour = colour;
+    step.rule = rule;
+    picture_.outlines.begin_layer(static_cast<std::uint16_t>(picture_.step_count - 1));
+    trace();
+    step.outlines = picture_.outlines.fingerprint();
 }
 
 }

@@ -5,10 +5,10 @@
 #include "core/moment.hpp"
 #include "core/object_outline.hpp"
 #include "core/object_strokes.hpp"
+#include "core/raster/picture.hpp"
 #include "core/scene_on_panel.hpp"
 #include "core/space.hpp"
 #include "core/stroke_outline.hpp"
-#include "core/traced_picture.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,11 +18,8 @@ namespace kfast {
 /// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
 class Tracer {
 public:
-    /// What `last` shares with the moment is copied; nothing is if it is null. `moved` has a bit for each
-    /// input that has moved since then.
-    Tracer(const SceneOnPanel& scene, const Moment& moment, TracedPicture& picture, const TracedPicture* last,
-           std::uint32_t moved)
-        : on_panel_{scene}, moment_{moment}, picture_{picture}, last_{last}, moved_{moved}
+    Tracer(const SceneOnPanel& scene, const Moment& moment, raster::Picture& picture)
+        : on_panel_{scene}, moment_{moment}, picture_{picture}
     {
     }
 
@@ -40,7 +37,6 @@ private:
     };
 
     static constexpr std::uint8_t coarsest = 8;
-    static constexpr std::size_t look_ahead = 8; ///< steps that may have vanished since the last picture
 
     void trace_scene();
     void trace(ItemCursor items, const Context& context);
@@ -53,9 +49,7 @@ private:
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
     [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
                                                   const ItemState& state, const Context& context);
-    bool copy_still(const Context& context);
-    void copy(const PaintStep& step);
-    PaintStep& add_step(PaintStep::Kind kind, const Context& context);
+    raster::PaintStep& add_step(raster::PaintStep::Kind kind, const Context& context);
     template <class FirstPoint, class Trace>
     void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
                     FirstPoint first_point, Trace trace);
@@ -64,10 +58,7 @@ private:
 
     const SceneOnPanel& on_panel_;
     Moment moment_;
-    TracedPicture& picture_;
-    const TracedPicture* last_;
-    std::uint32_t moved_;
-    std::size_t last_step_ = 0; ///< of `last_`, from which on still items are looked for
+    raster::Picture& picture_;
 };
 
 }

@@ -33,29 +33,31 @@ enum class Work : std::uint8_t {
     slight_bend,     ///< likewise, a corner on each side
     corner,          ///< of an outline
     chain,           ///< of an outline
-    copied_corner,   ///< of an outline that stands still
-    copied_chain,    ///< likewise
+    crossing,        ///< of a border between rows
     // From outlines to pixels.
-    strip,         ///< of rows that are drawn together
-    searched_row,  ///< for changes
-    step_visit,    ///< of a row to a step of the picture
-    swept_row,     ///< of a layer
-    straight_part, ///< of a chain within a row that it runs through without a corner
-    bent_part,     ///< likewise any other one
-    edge,          ///< entered
-    slab,          ///< between chains that disturb each other
-    slab_edge,     ///< of a slab
-    flat_edge,     ///< in more than one pixel of a row
-    crossed_pixel, ///< by such an edge
-    cell,          ///< of coverage, read
-    span,          ///< of even coverage
-    compared,      ///< stretch of two coverages
-    marked,        ///< stretch between two borders
-    inserted_run,  ///< into a list of runs, not behind the last one
-    fill,          ///< of a stretch
+    step,           ///< compared with the last picture
+    band,           ///< of rows
+    band_chain,     ///< in a band
+    straight_chain, ///< likewise one that is straight
+    border,         ///< of the record, read
+    region,         ///< of a tile, painted
+    edge_row,       ///< of a region with a single edge
+    flat_pixel,     ///< crossed by an edge that is not steep
+    chain_visit,    ///< to see whether a chain of a region belongs to a layer
+    layer,          ///< laid on a region
+    layer_row,      ///< of that
+    layer_edge,     ///< through such a row
+    sum_row,        ///< in which areas are summed up
+    row_chain,      ///< a chain in it
+    sum_part,       ///< of an edge in it
+    sum_pixel,      ///< in it
+    edge_group,     ///< of edges that overlap within a pixel
+    line_crossing,  ///< of a line through it
+    span,           ///< of even coverage
+    fill,           ///< of a stretch
     filled_pixel,
     blended_pixel,
-    faded_pixel, ///< of a layer that is transparent as a whole
+    faded_pixel, ///< of a group
 };
 
 inline constexpr std::uint8_t work_kinds = static_cast<std::uint8_t>(Work::faded_pixel) + 1;

@@ -46,7 +46,7 @@ template <PanelBoard B, class Animation>
 void draw_frame(B& board, Animation& player)
 {
     using P = PanelOf<B>;
-    static_assert(P::granularity.height <= tallest_group);
+    static_assert(P::granularity.height <= raster::max_granularity_height);
     std::array bands = board.bands();
     for (bool is_first = true; true; is_first = false) {
         if constexpr (ListeningBoard<B>)

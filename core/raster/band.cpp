@@ -1,5 +1,7 @@
 #include "core/raster/band.hpp"
 
+#include "core/work.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -17,6 +19,7 @@ int Band::row_count() const { return std::min(1 << store_->band_bits(), panel_.h
 
 void Band::advance()
 {
+    did(Work::band);
     ++number_;
     const std::int32_t height = grid << store_->band_bits();
     top_ = number_ * height;
@@ -39,6 +42,7 @@ void Band::advance()
         begun.slot = steps_[begun.layer].slot;
         insert(place);
     }
+    work_for(0);
 }
 
 void Band::take_slots()
@@ -70,6 +74,8 @@ void Band::wind(SlotMask even_odd)
 /// From the band above.
 void Band::move_on(Chain& chain)
 {
+    if (chain.is_straight)
+        return;
     chain.crossings += std::uint32_t{sizeof(Crossing)} << store_->band_bits();
     const auto above = static_cast<std::uint32_t>(top_ - (chain.top & -grid));
     while (store_->bend(chain.bends)->y <= above)
@@ -83,21 +89,26 @@ void Band::find_columns(Chain& chain) const
 {
     const std::int32_t from = std::max(top_, chain.top);
     const std::int32_t to = std::min(bottom_, chain.bottom);
-    const Crossing* x = crossings(chain) + floor_pixel(from - top_);
-    std::int32_t low = *x;
+    const int first = floor_pixel(from - top_);
+    const int last = ceil_pixel(to - top_);
+    std::int32_t low = crossing(chain, first);
     std::int32_t high = low;
     const auto reach = [&](std::int32_t at) {
         low = std::min(low, at);
         high = std::max(high, at);
     };
-    for (int rows = ceil_pixel(to - top_) - floor_pixel(from - top_); rows != 0; --rows)
-        reach(*++x);
     chain.is_whole = to - from == bottom_ - top_;
-    const Bend* bend = bends(chain);
-    const auto end = static_cast<std::uint32_t>(to - (chain.top & -grid));
-    for (; bend->y <= end; --bend) {
-        reach(bend->x);
-        chain.is_whole = false;
+    if (chain.is_straight) {
+        reach(crossing(chain, last));
+    } else {
+        const Crossing* const x = store_->crossing(chain.crossings);
+        for (int row = first + 1; row <= last; ++row)
+            reach(x[row]);
+        const auto end = static_cast<std::uint32_t>(to - (chain.top & -grid));
+        for (const Bend* bend = bends(chain); bend->y <= end; --bend) {
+            reach(bend->x);
+            chain.is_whole = false;
+        }
     }
     const bool is_cut = chain.bottom == panel_.height * grid; // what is cut off would go on through the band
     const std::int32_t height = (is_cut ? bottom_ : to) - from;
@@ -108,10 +119,19 @@ void Band::find_columns(Chain& chain) const
     chain.end = static_cast<std::int16_t>(std::max(behind, chain.begin + 1));
 }
 
+const Crossing* Band::crossings_of_line(const Chain& chain, BandCrossings& room) const
+{
+    for (int row = 0; row <= 1 << store_->band_bits(); ++row)
+        room[static_cast<std::size_t>(row)] = crossing(chain, row);
+    return room.data();
+}
+
 /// Mostly behind the last one: chains come in the order of the band above.
 void Band::insert(std::uint32_t place)
 {
     Chain& added = chain(place);
+    work_for(steps_[added.layer].item);
+    did(added.is_straight ? Work::straight_chain : Work::band_chain);
     find_columns(added);
     if (added.begin >= panel_.width) {
         added.next = std::exchange(hidden_, place);

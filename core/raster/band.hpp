@@ -30,6 +30,7 @@ public:
     /// Of the panel.
     int top_row() const { return number_ << store_->band_bits(); }
     int row_count() const;
+    int panel_width() const { return panel_.width; }
     /// A band is 2^height_bits() high, in the grid.
     int height_bits() const { return grid_bits + store_->band_bits(); }
 
@@ -37,8 +38,17 @@ public:
     std::uint32_t first() const { return first_; }
     Chain& chain(std::uint32_t place) const { return store_->chain(place); }
     /// x where the chain crosses the band's upper border, in the grid; then come the borders below. Only
-    /// those within the chain mean anything.
-    const Crossing* crossings(const Chain& chain) const { return store_->crossing(chain.crossings); }
+    /// those within the chain mean anything. They are put into `room`, if they are not kept.
+    const Crossing* crossings(const Chain& chain, BandCrossings& room) const
+    {
+        return chain.is_straight ? crossings_of_line(chain, room) : store_->crossing(chain.crossings);
+    }
+    /// Of these, the one at the border above a row of the band.
+    Crossing crossing(const Chain& chain, int row) const
+    {
+        return chain.is_straight ? crossing_of(chain, store_->line(chain), floor_pixel(top_) + row)
+                                 : store_->crossing(chain.crossings)[row];
+    }
     const Bend* bends(const Chain& chain) const { return store_->bend(chain.bends); }
     /// Nothing lies in this band, nor begins in it.
     bool is_empty() const { return first_ == Chain::none; }
@@ -47,6 +57,7 @@ private:
     void move_on(Chain& chain);
     void find_columns(Chain& chain) const;
     void insert(std::uint32_t place);
+    const Crossing* crossings_of_line(const Chain& chain, BandCrossings& room) const;
 
     const OutlineStore* store_ = nullptr;
     std::uint32_t first_ = Chain::none;

@@ -6,6 +6,7 @@
 #include "core/raster/paint_step.hpp"
 #include "core/raster/slots.hpp"
 #include "core/raster/tile.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -34,6 +35,7 @@ public:
     /// What of a region lies in the columns of the tile.
     void paint(const Region& region, const Tile<Cells>& tile)
     {
+        did(Work::region);
         if (!region.has_slots)
             return paint_steps(region, tile);
         const SlotMask crossing = layers_in(region);
@@ -49,8 +51,10 @@ private:
     SlotMask layers_in(const Region& region) const
     {
         SlotMask layers = 0;
-        for (std::uint32_t place = region.first; place != region.behind; place = band_.chain(place).next)
+        for (std::uint32_t place = region.first; place != region.behind; place = band_.chain(place).next) {
+            did(Work::chain_visit);
             layers |= bit_of(band_.chain(place).slot);
+        }
         return layers;
     }
 
@@ -85,8 +89,11 @@ private:
         const bool is_inside = (region.inside & crossing) != 0;
         const Cell left = Cells::cell(is_inside ? ink : below);
         const Cell right = Cells::cell(is_inside ? below : ink);
+        work_for(slots_.layer(chain.slot).coming->item);
+        did(Work::edge_row, static_cast<std::uint32_t>(tile.rows));
         const std::int32_t start = (tile.left - chain.left) * grid;
-        const Crossing* x = band_.crossings(chain) + tile.first_row;
+        BandCrossings room;
+        const Crossing* x = band_.crossings(chain, room) + tile.first_row;
         Cell* at = tile.cells;
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
             const RowEdge edge = edge_between(x[0] - start, x[1] - start);
@@ -129,6 +136,8 @@ private:
     void paint_layer(const Region& region, const PaintStep& step, std::uint32_t ink, std::uint32_t opacity,
                      const Tile<Cells>& tile)
     {
+        work_for(step.item);
+        did(Work::layer);
         const auto number = static_cast<std::uint16_t>(&step - steps_.data());
         if (!row_.begin(band_, region, number, step.rule, tile.left, tile.columns)) {
             for (int row = 0; row != tile.rows; ++row)
@@ -137,7 +146,9 @@ private:
         }
         Cell* at = tile.cells;
         for (int row = 0; row != tile.rows; ++row, at += tile.stride) {
+            did(Work::layer_row);
             const auto lay_span = [&](int begin, int end, std::int32_t coverage) {
+                did(Work::span);
                 const std::uint32_t share = Cells::share(coverage);
                 if (share != 0)
                     lay(at, begin, end, ink,
@@ -176,12 +187,13 @@ private:
     {
         if (share == Cells::full_share)
             return fill(at + begin, end - begin, Cells::cell(ink));
+        did(Work::blended_pixel, static_cast<std::uint32_t>(end - begin));
         for (Cell* cell = at + begin; cell != at + end; ++cell)
             *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), ink, share));
     }
 
     /// Step by step, with groups.
-    void paint_steps(const Region& region, const Tile<Cells>& tile)
+    [[gnu::cold, gnu::noinline]] void paint_steps(const Region& region, const Tile<Cells>& tile)
     {
         fill_all(tile, Cells::cell(slots_.background_ink));
         std::size_t depth = 0;
@@ -215,6 +227,7 @@ private:
 
     static void fade(const Tile<Cells>& tile, const Cell* before, std::uint32_t share)
     {
+        did(Work::faded_pixel, static_cast<std::uint32_t>(tile.rows * tile.columns));
         for (int row = 0; row != tile.rows; ++row)
             for (Cell *cell = tile.cells + row * tile.stride, *const end = cell + tile.columns; cell != end;
                  ++cell, ++before)
@@ -223,8 +236,7 @@ private:
 
     Cell* backdrop(std::size_t depth) const
     {
-        return backdrops_.data() +
-               depth * static_cast<std::size_t>(tile_columns << (band_.height_bits() - grid_bits));
+        return backdrops_.data() + depth * (tile_bytes / sizeof(Cell));
     }
 
     const Band& band_;

@@ -2,6 +2,7 @@
 
 #include "core/raster/grid.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace kfast::raster {
@@ -16,6 +17,20 @@ struct Bend {
 
     std::uint16_t x = 0;
     std::uint16_t y = 0;
+};
+
+/// Bands are at most 2^max_band_bits rows high. Borders of such bands are borders of lower ones.
+inline constexpr int max_band_bits = 3;
+
+/// Where a chain crosses the borders between the rows of a band.
+using BandCrossings = std::array<Crossing, (1 << max_band_bits) + 1>;
+
+/// A long edge that is a chain of its own.
+struct StraightLine {
+    std::int32_t slope = 0; ///< how far it goes to the right over each row, in 1/1024 of the grid
+    std::int32_t first = 0; ///< x where it crosses the first border below its upper end, likewise
+    Crossing top = 0;       ///< x at its upper end
+    Crossing bottom = 0;    ///< x at its lower end
 };
 
 /// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
@@ -34,7 +49,8 @@ struct Chain {
     std::uint32_t next = none;   ///< place of the next chain of a list
     std::int16_t left = 0;       ///< column
     std::uint16_t layer = 0;
-    bool runs_down = true; ///< as the outline was drawn
+    bool runs_down : 1 = true;    ///< as the outline was drawn
+    bool is_straight : 1 = false; ///< a StraightLine stands in for its crossings
 
     bool is_whole = false;    ///< it crosses the band from border to border without bends
     bool is_border = false;   ///< its layer is inside on one side of it, and outside on the other
@@ -47,5 +63,16 @@ struct Chain {
 };
 
 static_assert(sizeof(Chain) == 40 && sizeof(Bend) == 4);
+
+/// x where a straight chain crosses the upper border of a row of the panel; beyond its ends, that of the end.
+constexpr Crossing crossing_of(const Chain& chain, const StraightLine& line, int row)
+{
+    const int below_top = row - floor_pixel(chain.top);
+    if (below_top <= 0)
+        return line.top;
+    if (row >= ceil_pixel(chain.bottom))
+        return line.bottom;
+    return static_cast<Crossing>((line.first + (below_top - 1) * line.slope) >> 10);
+}
 
 }

@@ -8,10 +8,11 @@
 namespace kfast::raster {
 namespace {
 
-/// How far a corner may lie from the line that replaces it, in the grid: horizontally ...
-constexpr std::int32_t tolerance = grid / 8;
-/// ... and half as far vertically. Either is at most 1/16 of a pixel's area.
-constexpr std::int32_t flat_tolerance = grid / 16;
+/// How far a corner may lie from the line that replaces it, in the grid: horizontally, which is 1/26 of a
+/// pixel's area at most ...
+constexpr std::int32_t tolerance = 5;
+/// ... and vertically, 1/21 of it.
+constexpr std::int32_t flat_tolerance = 3;
 
 /// Slopes of two edges that meet in a row which both of them leave differ by no more than this, in 1/65536,
 /// if the corner is certainly within the tolerance: it is off by a quarter of what they differ, at most.
@@ -76,7 +77,7 @@ bool ChainBuilder::build(const Corner* at, const Corner* last, std::ptrdiff_t st
             slope_above = no_slope;
         } else {
             const std::int32_t slope = slope_of(next_x - x, next_y - y);
-            std::int32_t fine = (x << 10) + 512 + (slope >> grid_bits) * to_border;
+            std::int32_t fine = first_crossing(x, slope, to_border);
             if (last_bend_ != row_bends_) {
                 if (is_slight_turn(slope_above, slope))
                     last_bend_ = row_bends_;

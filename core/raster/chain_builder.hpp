@@ -11,7 +11,7 @@ namespace kfast::raster {
 /// Turns corners that go down all the way into what is kept of a chain.
 ///
 ///     row border  ----x------------   crossing
-///                      \               corner within 1/8 px of the line between both crossings: dropped
+///                      \               corner within 5/64 px of the line between both crossings: dropped
 ///                       ·
 ///     row border  -------x---------   crossing
 ///                         \____.       corners further away: kept as bends

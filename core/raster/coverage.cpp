@@ -1,6 +1,7 @@
 #include "core/raster/coverage.hpp"
 
 #include "core/raster/reciprocal.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -54,6 +55,7 @@ void cover(const RowEdge& edge, int columns, CoverageRun& run)
         *out = static_cast<std::uint16_t>(edge.steep_coverage());
         return;
     }
+    did(Work::flat_pixel, static_cast<std::uint32_t>(run.end - run.begin));
     const Ramp ramp{static_cast<std::uint32_t>(edge.high - edge.low)};
     for (int pixel = run.begin; pixel != run.end; ++pixel) {
         const std::int32_t left = pixel * grid;
@@ -77,6 +79,7 @@ void CoverageSums::put(int column, std::int32_t area, int columns)
 
 void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
 {
+    did(Work::sum_part);
     constexpr std::int32_t unit = full / full_coverage;
     CoverageRun run;
     cover(edge, columns, run);
@@ -92,6 +95,7 @@ void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
 
 void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)
 {
+    did(Work::sum_part);
     constexpr std::int32_t whole = 2 * grid; // the width of a pixel, on both ends of the part
     static_assert(part_height * whole == full);
     // The part of it within a pixel; `ends` is how far its ends lie to the right of the pixel's left border.

@@ -58,6 +58,15 @@ public:
     /// A part of an edge, from x = a to b; `height` is negative if the outline runs up.
     void add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns);
 
+    /// So many times a whole row, from a column on.
+    void add_windings(int column, std::int32_t windings, int columns)
+    {
+        put(column, windings * full, columns);
+    }
+
+    /// Of edges to the left of the tile, in the grid; negative if outlines run up.
+    void add_height(std::int32_t height) { sums_[0] += height * (full / grid); }
+
     /// What pixel `column` adds; it is forgotten.
     std::int32_t take(int column)
     {

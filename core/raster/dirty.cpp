@@ -1,5 +1,7 @@
 #include "core/raster/dirty.hpp"
 
+#include "core/work.hpp"
+
 #include <algorithm>
 
 namespace kfast::raster {
@@ -60,6 +62,7 @@ private:
                 dirty_.back().behind = place_;
                 read_chain();
             } else {
+                did(Work::border);
                 const SlotMask bit = bit_of(steps_[border_->layer].slot);
                 end = std::max<int>(end, border_->end);
                 touched |= bit;
@@ -138,7 +141,7 @@ Region region_between(const Band& band, int begin, int end)
             region.first = place;
         }
     };
-    while (place != Chain::none && band.chain(place).begin < end) {
+    while (place != Chain::none && band.chain(place).begin < std::max(end, cluster_end)) {
         const Chain& chain = band.chain(place);
         if (chain.begin >= cluster_end)
             begin_cluster();

@@ -74,6 +74,6 @@ void find_dirty(const Band& band, std::span<const Record::Border> shown,
 void find_all(const Band& band, const Slots& slots, int columns, RegionList& regions);
 
 /// What lies in some columns of a band, with all chains that they are in one cluster with.
-Region region_between(const Band& band, int begin, int end);
+[[gnu::cold, gnu::noinline]] Region region_between(const Band& band, int begin, int end);
 
 }

@@ -13,7 +13,7 @@ public:
 
     void add(Corner corner)
     {
-        if (end_ == limit_)
+        if (end_ + 1 > limit_) // its place need not be a whole number of corners away
             has_overflown_ = true;
         else
             *end_++ = corner;
@@ -30,24 +30,26 @@ private:
 
 /// Writes a contour anew, edge by edge: add_edge(list, from, to) adds what stands for the way behind `from`.
 template <class AddEdge>
-Corner* rewrite(Corner* first, Corner* end, Corner* limit, AddEdge add_edge)
+[[gnu::cold, gnu::noinline]] CutContour rewrite(Corner* first, CutContour contour, Corner* limit,
+                                                AddEdge add_edge)
 {
-    if (end == nullptr)
-        return nullptr;
-    CornerList list{end, limit};
-    Corner from = end[-1];
-    for (const Corner* to = first; to != end; ++to) {
+    if (contour.end == nullptr)
+        return contour;
+    CornerList list{contour.end, limit};
+    Corner from = contour.end[-1];
+    for (const Corner* to = first; to != contour.end; ++to) {
         add_edge(list, from, *to);
         from = *to;
     }
-    return list.has_overflown() ? nullptr : std::copy(end, list.end(), first);
+    Corner* const end = list.has_overflown() ? nullptr : std::copy(contour.end, list.end(), first);
+    return {end, std::max(contour.peak, list.end())};
 }
 
 /// Moves what lies beyond two lines to these: `along` is Corner::x for upright lines, then `across` is y.
-Corner* clamp(Corner* first, Corner* end, Corner* limit, std::int32_t Corner::*along,
-              std::int32_t Corner::*across, std::int32_t low, std::int32_t high)
+CutContour clamp(Corner* first, CutContour contour, Corner* limit, std::int32_t Corner::*along,
+                 std::int32_t Corner::*across, std::int32_t low, std::int32_t high)
 {
-    return rewrite(first, end, limit, [=](CornerList& list, Corner from, Corner to) {
+    return rewrite(first, contour, limit, [=](CornerList& list, Corner from, Corner to) {
         const auto add_crossing = [&](std::int32_t line) {
             if ((from.*along < line) == (to.*along < line) || from.*along == line || to.*along == line)
                 return;
@@ -65,9 +67,9 @@ Corner* clamp(Corner* first, Corner* end, Corner* limit, std::int32_t Corner::*a
     });
 }
 
-Corner* divide_edges(Corner* first, Corner* end, Corner* limit)
+CutContour divide_edges(Corner* first, CutContour contour, Corner* limit)
 {
-    return rewrite(first, end, limit, [](CornerList& list, Corner from, Corner to) {
+    return rewrite(first, contour, limit, [](CornerList& list, Corner from, Corner to) {
         const std::int32_t length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
         const std::int32_t pieces = length / max_far_edge + 1;
         for (std::int32_t i = 1; i < pieces; ++i)
@@ -78,11 +80,12 @@ Corner* divide_edges(Corner* first, Corner* end, Corner* limit)
 
 }
 
-Corner* cut_far_contour(Corner* first, Corner* end, Corner* limit, Corner upper_left, Corner lower_right)
+CutContour cut_far_contour(Corner* first, Corner* end, Corner* limit, Corner upper_left, Corner lower_right)
 {
-    end = clamp(first, end, limit, &Corner::y, &Corner::x, upper_left.y, lower_right.y);
-    end = clamp(first, end, limit, &Corner::x, &Corner::y, upper_left.x, lower_right.x);
-    return divide_edges(first, end, limit);
+    CutContour contour{end, end};
+    contour = clamp(first, contour, limit, &Corner::y, &Corner::x, upper_left.y, lower_right.y);
+    contour = clamp(first, contour, limit, &Corner::x, &Corner::y, upper_left.x, lower_right.x);
+    return divide_edges(first, contour, limit);
 }
 
 }

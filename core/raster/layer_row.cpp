@@ -1,5 +1,7 @@
 #include "core/raster/layer_row.hpp"
 
+#include "core/work.hpp"
+
 #include <algorithm>
 
 namespace kfast::raster {
@@ -11,6 +13,15 @@ enum class Way : std::uint8_t {
     straight, ///< from border to border, as one edge
     other,
 };
+
+constexpr int no_pixel = 1 << 20; ///< further to the right than any
+
+void insert_by_pixel(std::span<RowChain> chains, std::size_t place, const RowChain& added)
+{
+    for (; place != 0 && chains[place - 1].first > added.first; --place)
+        chains[place] = chains[place - 1];
+    chains[place] = added;
+}
 
 Way way_through(const Band& band, const Chain& chain, int row)
 {
@@ -46,6 +57,7 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
     for (std::uint32_t place = region.first; place != region.behind;) {
         const Chain& chain = band.chain(place);
         place = chain.next;
+        did(Work::chain_visit);
         if (chain.layer != layer)
             continue;
         if (!has_any)
@@ -58,16 +70,10 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
     return has_any;
 }
 
-bool LayerRow::is_inside(std::int32_t winding) const
-{
-    return rule_ == FillRule::nonzero ? winding != 0 : (winding >> band_->height_bits() & 1) != 0;
-}
-
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
 {
-    const Crossing* const x = band_->crossings(chain) + row;
     const std::int32_t left = (left_ - chain.left) * grid;
-    return edge_between(x[0] - left, x[1] - left);
+    return edge_between(band_->crossing(chain, row) - left, band_->crossing(chain, row + 1) - left);
 }
 
 bool LayerRow::find_edges(int row)
@@ -75,11 +81,11 @@ bool LayerRow::find_edges(int row)
     edge_count_ = 0;
     if (!has_few_)
         return false;
-    const std::int32_t whole = 1 << band_->height_bits();
-    std::int32_t winding = winding_;
+    std::int32_t winding = winding_ >> band_->height_bits();
     int past = -1; // the last pixel of the edge before
     for (std::size_t i = 0; i != chain_count_; ++i) {
         const Chain& chain = *chains_[i];
+        did(Work::layer_edge);
         const Way way = way_through(*band_, chain, row);
         if (way == Way::none)
             continue;
@@ -89,51 +95,240 @@ bool LayerRow::find_edges(int row)
         if (edge.pixel() <= past || edge.high > columns_ * grid)
             return false;
         past = floor_pixel(edge.high);
-        const std::int32_t right = winding + (chain.runs_down ? whole : -whole);
-        if (is_inside(winding) != is_inside(right))
+        const std::int32_t right = winding + (chain.runs_down ? 1 : -1);
+        if (is_inside(rule_, winding) != is_inside(rule_, right))
             edges_[edge_count_++] = edge;
         winding = right;
     }
     return true;
 }
 
+/// Chains of the layer whose columns overlap in the band are looked at together: a group of edges that share
+/// pixels has no others.
 void LayerRow::add_row(int row)
 {
-    for (std::uint32_t place = first_; place != behind_;) {
+    did(Work::sum_row);
+    did(Work::sum_pixel, static_cast<std::uint32_t>(columns_));
+    std::int32_t winding = (winding_ >> band_->height_bits()) + add_left_of_panel(row);
+    Cluster cluster{first_, first_};
+    int end = 0; // of its columns
+    for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
         const Chain& chain = band_->chain(place);
-        place = chain.next;
+        did(Work::chain_visit);
+        if (chain.layer != layer_)
+            continue;
+        if (chain.begin > end) {
+            cluster.behind = place;
+            winding = add_cluster(cluster, row, winding);
+            cluster.first = place;
+        }
+        end = std::max<int>(end, chain.end);
+    }
+    cluster.behind = behind_;
+    add_cluster(cluster, row, winding);
+}
+
+/// Calls visit(chain) for the chains of the layer that reach the row, or lie left of the panel in it.
+template <class Visit>
+void LayerRow::each_left_chain(int row, Visit visit) const
+{
+    for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
+        const Chain& chain = band_->chain(place);
+        if (chain.begin != 0)
+            return;
         if (chain.layer != layer_)
             continue;
         const Way way = way_through(*band_, chain, row);
-        if (way == Way::straight)
-            sums_.add(edge_of(chain, row), chain.runs_down ? 1 : -1, columns_);
-        else if (way == Way::other)
-            add_parts(chain, row);
+        if (way == Way::none)
+            continue;
+        did(Work::row_chain);
+        visit(row_chain(chain, row, way == Way::straight));
     }
 }
 
-/// Of a chain that begins, ends or bends in the row.
-void LayerRow::add_parts(const Chain& chain, int row)
+/// Chains that lie left of the panel, and of a group that reaches into it, count by their heights alone,
+/// however many they are. Returns the winding to the right of them.
+std::int32_t LayerRow::add_left_of_panel(int row)
 {
-    constexpr std::int32_t unit = CoverageSums::part_height / grid;
+    begin_ = -left_;
+    for (int before = no_pixel; before != begin_;) {
+        before = begin_;
+        each_left_chain(row, [&](const RowChain& chain) {
+            if (chain.last >= begin_)
+                begin_ = std::min(begin_, chain.first);
+        });
+    }
+    std::int32_t height = 0;
+    each_left_chain(row, [&](const RowChain& chain) {
+        if (chain.last >= begin_)
+            return;
+        add_chain(chain, columns_, sums_);
+        height += chain.height();
+    });
+    return height / grid;
+}
+
+/// Calls visit(chain, its first column in the band), until that returns false, for all chains of the layer in
+/// the cluster that reach the panel within the row. Some to the right are in a higher band, but not in a
+/// lower one.
+template <class Visit>
+void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
+{
+    const int right = band_->panel_width() - left_;
+    for (std::uint32_t place = cluster.first; place != cluster.behind; place = band_->chain(place).next) {
+        const Chain& chain = band_->chain(place);
+        did(Work::chain_visit);
+        if (chain.layer != layer_)
+            continue;
+        const Way way = way_through(*band_, chain, row);
+        if (way == Way::none)
+            continue;
+        did(Work::row_chain);
+        const RowChain found = row_chain(chain, row, way == Way::straight);
+        if (found.first < right && found.last >= begin_ && !visit(found, chain.begin - left_))
+            return;
+    }
+}
+
+/// Chains come in the order of their columns in the band: what lies left of these is complete. Returns the
+/// winding to the right of the cluster.
+std::int32_t LayerRow::add_cluster(const Cluster& cluster, int row, std::int32_t winding)
+{
+    std::size_t count = 0;
+    int done = -no_pixel; // groups to the left of here are added
+    bool is_crowd = false;
+    each_chain(cluster, row, [&](const RowChain& chain, int begin) {
+        if (count == max_group || begin >= columns_)
+            winding = add_groups(count, begin, winding);
+        if (begin >= columns_ && (count == 0 || group_[0].first >= columns_)) {
+            count = 0;
+            return false; // nothing of the tile is left
+        }
+        is_crowd = count == max_group;
+        if (is_crowd)
+            done = std::min(begin, group_[0].first);
+        else
+            insert_by_pixel(group_, count++, chain);
+        return !is_crowd;
+    });
+    return is_crowd ? add_crowd(cluster, row, done, winding) : add_groups(count, no_pixel, winding);
+}
+
+/// Of the first `count` chains of group_, whose count becomes that of the others, the groups that end before
+/// a pixel. Returns the winding to the right of them.
+std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t winding)
+{
+    std::size_t begin = 0;
+    while (begin != count) {
+        std::size_t end = begin;
+        int last = group_[begin].last;
+        for (; end != count && group_[end].first <= last; ++end)
+            last = std::max(last, group_[end].last);
+        if (last >= limit)
+            break;
+        winding = add_group(std::span{group_}.subspan(begin, end - begin), rule_, winding, columns_, sums_);
+        begin = end;
+    }
+    std::copy(group_.begin() + static_cast<std::ptrdiff_t>(begin),
+              group_.begin() + static_cast<std::ptrdiff_t>(count), group_.begin());
+    count -= begin;
+    return winding;
+}
+
+/// From a pixel on, if there are so many chains that each group has to be looked for.
+std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std::int32_t winding)
+{
+    for (;;) {
+        const int last = end_of_group(cluster, row, begin);
+        if (last == no_pixel)
+            return winding;
+        std::size_t count = 0;
+        const auto each_of_group = [&](auto visit) {
+            each_chain(cluster, row, [&](const RowChain& chain, int) {
+                if (chain.first >= begin && chain.first <= last)
+                    visit(chain);
+                return true;
+            });
+        };
+        each_of_group([&](const RowChain& chain) {
+            if (count < max_group)
+                group_[count] = chain;
+            ++count;
+        });
+        if (count <= max_group)
+            winding = add_group(std::span{group_}.first(count), rule_, winding, columns_, sums_);
+        else
+            winding = add_large_group(each_of_group, count, winding);
+        begin = last + 1;
+    }
+}
+
+/// Line by line, unless it is so large that its areas have to add up.
+template <class EachChain>
+std::int32_t LayerRow::add_large_group(EachChain each_chain, std::size_t count, std::int32_t winding)
+{
+    int first = no_pixel;
+    int last = -no_pixel;
+    std::int32_t height = 0;
+    each_chain([&](const RowChain& chain) {
+        first = std::min(first, chain.first);
+        last = std::max(last, chain.last);
+        height += chain.height();
+        if (count > Line::max_count)
+            add_chain(chain, columns_, sums_);
+    });
+    const std::int32_t right = winding + height / grid;
+    if (count > Line::max_count)
+        return right;
+    begin_inside(first, rule_, winding, columns_, sums_);
+    for (int number = 0; number != Line::count_in_row; ++number) {
+        Line line{number};
+        each_chain([&](const RowChain& chain) { line.add(chain); });
+        line.add_inside(rule_, winding, columns_, sums_);
+    }
+    end_inside(last + 1, rule_, right, columns_, sums_);
+    return right;
+}
+
+/// The last pixel of the first group whose pixels lie at `begin` or further to the right; no_pixel if there
+/// is none.
+int LayerRow::end_of_group(const Cluster& cluster, int row, int begin) const
+{
+    int last = no_pixel;
+    each_chain(cluster, row, [&](const RowChain& chain, int) {
+        if (chain.first >= begin)
+            last = std::min(last, chain.first);
+        return true;
+    });
+    for (int before = no_pixel; before != last;) {
+        before = last;
+        each_chain(cluster, row, [&](const RowChain& chain, int) {
+            if (chain.first >= begin && chain.first <= last)
+                last = std::max(last, chain.last);
+            return true;
+        });
+    }
+    return last;
+}
+
+RowChain LayerRow::row_chain(const Chain& chain, int row, bool is_straight) const
+{
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
-    const std::int32_t from = std::max(top, chain.top) - origin;
-    const std::int32_t to = std::min(top + grid, chain.bottom) - origin;
     const std::int32_t left = (left_ - chain.left) * grid;
-    const Crossing* const crossings = band_->crossings(chain) + row;
-    std::int32_t x = crossings[0] - left;
-    std::int32_t y = from;
-    const auto line_to = [&](std::int32_t next_x, std::int32_t next_y) {
-        const std::int32_t height = (next_y - y) * unit;
-        sums_.add_part(x, next_x, chain.runs_down ? height : -height, columns_);
-        x = next_x;
-        y = next_y;
-    };
-    for (const Bend* bend = band_->bends(chain); bend->y <= to; --bend)
-        if (bend->y > from || from == chain.top - origin)
-            line_to(bend->x - left, bend->y);
-    line_to(crossings[1] - left, to);
+    RowChain found;
+    found.top_x = band_->crossing(chain, row) - left;
+    found.bottom_x = band_->crossing(chain, row + 1) - left;
+    found.bend = band_->bends(chain);
+    found.left = left;
+    found.top = top - origin;
+    found.from = std::max<std::int32_t>(chain.top - top, 0);
+    found.to = std::min(chain.bottom - top, grid);
+    found.runs_down = chain.runs_down;
+    found.is_straight = is_straight;
+    found.begins = chain.top >= top;
+    found.find_pixels();
+    return found;
 }
 
 std::int32_t LayerRow::coverage_of(std::int32_t sum) const

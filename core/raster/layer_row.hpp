@@ -3,6 +3,7 @@
 #include "core/raster/band.hpp"
 #include "core/raster/coverage.hpp"
 #include "core/raster/dirty.hpp"
+#include "core/raster/edge_group.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,15 +13,13 @@ namespace kfast::raster {
 
 /// What one layer covers of a part of a band, row by row: by its edges where these are apart, by sums of
 /// areas where they share a pixel, begin, end or bend.
-///
-/// Where outlines of a layer overlap within a pixel, their areas add up to one pixel at most.
 class LayerRow {
 public:
     /// The chains of a layer that lie in a region; columns are counted from `left` from now on, and end at
     /// `columns`. False if there are none.
     bool begin(const Band& band, const Region& region, std::uint16_t layer, FillRule rule, int left,
                int columns);
-    bool is_inside_at_left() const { return is_inside(winding_); }
+    bool is_inside_at_left() const { return kfast::is_inside(rule_, winding_ >> band_->height_bits()); }
 
     /// Finds the edges of a row of the band between what is inside and what is outside. False if they do not
     /// tell the coverage: then sum_up() does.
@@ -45,10 +44,27 @@ public:
 private:
     static constexpr std::size_t max_edges = 8;
 
-    bool is_inside(std::int32_t winding) const;
+    /// Chains of the band that follow each other.
+    struct Cluster {
+        std::uint32_t first = Chain::none;
+        std::uint32_t behind = Chain::none;
+    };
+
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
-    void add_parts(const Chain& chain, int row);
+    template <class Visit>
+    void each_left_chain(int row, Visit visit) const;
+    std::int32_t add_left_of_panel(int row);
+    template <class Visit>
+    void each_chain(const Cluster& cluster, int row, Visit visit) const;
+    std::int32_t add_groups(std::size_t& count, int limit, std::int32_t winding);
+    std::int32_t add_cluster(const Cluster& cluster, int row, std::int32_t winding);
+    [[gnu::cold, gnu::noinline]] std::int32_t add_crowd(const Cluster& cluster, int row, int begin,
+                                                        std::int32_t winding);
+    template <class EachChain>
+    std::int32_t add_large_group(EachChain each_chain, std::size_t count, std::int32_t winding);
+    int end_of_group(const Cluster& cluster, int row, int begin) const;
+    RowChain row_chain(const Chain& chain, int row, bool is_straight) const;
     RowEdge edge_of(const Chain& chain, int row) const;
 
     const Band* band_ = nullptr;
@@ -58,12 +74,14 @@ private:
     FillRule rule_ = FillRule::nonzero;
     int left_ = 0;
     int columns_ = 0;
+    int begin_ = 0;            ///< pixels of chains that are left of here do not matter in the row
     std::int32_t winding_ = 0; ///< to the left of all chains, in the unit of Chain::winding
     bool has_few_ = false;     ///< chains: they are in the list
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
     std::array<const Chain*, max_edges> chains_;
     std::array<RowEdge, max_edges> edges_;
+    std::array<RowChain, max_group> group_;
     CoverageSums sums_;
 };
 

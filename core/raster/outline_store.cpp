@@ -2,6 +2,8 @@
 
 #include "core/raster/chain_builder.hpp"
 #include "core/raster/far_contour.hpp"
+#include "core/raster/reciprocal.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,11 +13,32 @@
 namespace kfast::raster {
 namespace {
 
-constexpr int max_band_bits = 3;           ///< borders of such bands are borders of lower ones
 constexpr std::int32_t margin = 32 * grid; ///< to the left and right of the panel
 constexpr std::int32_t reach = 1 << ChainBuilder::reach_bits;
 /// All corners on such a panel and its margins are in reach.
 constexpr int small_panel = (reach - 2 * margin) / grid - 1;
+
+/// An edge that is higher is a chain of its own, which takes less memory: crossings would take more than a
+/// straight line and a further chain.
+constexpr std::int32_t long_edge = 40 * grid;
+/// How far the corners of a run lie apart: a chain has no room for more.
+class Reach {
+public:
+    explicit Reach(Corner first) : left_{first.x}, right_{first.x}, y_{first.y} {}
+
+    /// False if a corner lies too far away.
+    bool take(Corner corner)
+    {
+        left_ = std::min(left_, corner.x);
+        right_ = std::max(right_, corner.x);
+        return right_ - left_ < reach / 2 - grid && std::abs(corner.y - y_) < ChainBuilder::max_height - grid;
+    }
+
+private:
+    std::int32_t left_;
+    std::int32_t right_;
+    std::int32_t y_;
+};
 
 /// Where an edge crosses a height that lies between its ends.
 Corner corner_on(Corner upper, Corner lower, std::int32_t y)
@@ -59,6 +82,7 @@ bool OutlineStore::find_room(std::size_t bytes)
 
 void OutlineStore::add(Corner corner)
 {
+    did(Work::corner);
     if (corners_end_ + 1 > behind_)
         is_full_ = true;
     else
@@ -67,6 +91,7 @@ void OutlineStore::add(Corner corner)
 
 void OutlineStore::add_behind(Corner corner)
 {
+    did(Work::corner);
     if (corners_end_ + 1 > behind_)
         is_full_ = true;
     else
@@ -77,10 +102,16 @@ void OutlineStore::close()
 {
     corners_end_ = std::copy(behind_, reinterpret_cast<Corner*>(chains_), corners_end_);
     behind_ = reinterpret_cast<Corner*>(chains_);
+    for (const Corner* corner = first_corner(); corner != corners_end_; ++corner)
+        fingerprint_.add(*corner);
+    fingerprint_.end_contour();
     if (find_room(0) && !add_runs()) {
-        corners_end_ = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
-                                       {panel_.width * grid + margin, panel_.height * grid});
-        if (corners_end_ == nullptr || !add_runs())
+        const CutContour cut = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
+                                               {panel_.width * grid + margin, panel_.height * grid});
+        corners_end_ = cut.peak;
+        find_room(0);
+        corners_end_ = cut.end;
+        if (cut.end == nullptr || !add_runs())
             is_full_ = true;
     }
     begin_contour();
@@ -119,20 +150,29 @@ bool OutlineStore::add_runs()
     return false;
 }
 
-/// Divides the corners from `run` to `last`, where they turn again, into runs that go all the way down or up.
+/// Divides the corners from `run` to `last`, where they turn again, into runs that go all the way down or up,
+/// and long edges.
 bool OutlineStore::find_runs(Corner* run, Corner* last)
 {
     std::int32_t sense = 0;
+    bool was_long = false;
+    Reach reached{*run};
     for (Corner* corner = run; corner != last; ++corner) {
         const std::int32_t rise = corner[1].y - corner->y;
-        if ((rise != 0 && sense != 0 && (rise ^ sense) < 0) || (is_large_ && is_far(*run, corner[1]))) {
+        const bool is_long = std::abs(rise) > long_edge;
+        const bool turns = rise != 0 && sense != 0 && (rise ^ sense) < 0;
+        const bool is_far = is_large_ && !reached.take(corner[1]);
+        if (turns || (corner != run && (is_long || was_long || is_far))) {
             if (!add_run(run, corner, sense > 0))
                 return false;
             run = corner;
             sense = 0;
+            reached = Reach{*run};
+            reached.take(corner[1]);
         }
         if (rise != 0)
             sense = rise;
+        was_long = is_long;
     }
     return add_run(run, last, sense > 0);
 }
@@ -174,27 +214,58 @@ bool OutlineStore::add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step)
     return is_added;
 }
 
+/// False if corners are out of reach.
 bool OutlineStore::add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step)
 {
+    const std::int32_t left = is_large_ ? (top->x & -grid) - reach / 2 : -margin;
+    if (top + step == bottom && ChainBuilder::crossing_bytes(top->y, bottom->y) > sizeof(StraightLine))
+        return add_straight(*top, *bottom, left, step > 0);
     const auto corners = static_cast<std::size_t>((bottom - top) * step + 1);
     if (!find_room(ChainBuilder::room_for(corners, top->y, bottom->y) + sizeof(Chain)))
         return true;
-    const std::int32_t left = is_large_ ? (top->x & -grid) - reach / 2 : -margin;
     ChainBuilder builder;
     if (!builder.build(top, bottom, step, left, chains_))
         return false;
+    did(Work::crossing, ChainBuilder::crossing_bytes(top->y, bottom->y) / sizeof(Crossing));
+    rewind(put_chain(builder.memory_begin(), *top, *bottom, left, step > 0));
+    return true;
+}
+
+bool OutlineStore::add_straight(Corner top, Corner bottom, std::int32_t left, bool runs_down)
+{
+    const std::int32_t top_x = top.x - left;
+    const std::int32_t bottom_x = bottom.x - left;
+    if (((top_x | bottom_x) & -reach) != 0 || bottom.y - (top.y & -grid) > ChainBuilder::max_height)
+        return false;
+    if (!find_room(sizeof(Chain) + sizeof(Bend) + sizeof(StraightLine)))
+        return true;
+    auto* const line = new (chains_ - sizeof(StraightLine)) StraightLine;
+    line->top = static_cast<Crossing>(top_x);
+    line->bottom = static_cast<Crossing>(bottom_x);
+    line->slope = slope_of(bottom_x - top_x, bottom.y - top.y);
+    line->first = first_crossing(top_x, line->slope, grid - (top.y & (grid - 1)));
+    auto* const bend = new (reinterpret_cast<std::byte*>(line) - sizeof(Bend)) Bend{0, Bend::no_y};
+    Chain& chain = put_chain(reinterpret_cast<std::byte*>(bend), top, bottom, left, runs_down);
+    chain.is_straight = true;
+    rewind(chain);
+    return true;
+}
+
+/// In front of its bends.
+Chain& OutlineStore::put_chain(std::byte* bends, Corner top, Corner bottom, std::int32_t left, bool runs_down)
+{
     std::byte* const end = chains_;
-    chains_ = builder.memory_begin() - sizeof(Chain);
+    chains_ = bends - sizeof(Chain);
     behind_ = reinterpret_cast<Corner*>(chains_);
+    did(Work::chain);
     auto* const chain = new (chains_) Chain;
-    chain->top = top->y;
-    chain->bottom = bottom->y;
+    chain->top = top.y;
+    chain->bottom = bottom.y;
     chain->left = static_cast<std::int16_t>(floor_pixel(left));
     chain->layer = layer_;
-    chain->runs_down = step > 0;
+    chain->runs_down = runs_down;
     chain->words = static_cast<std::uint16_t>((end - chains_) / 4);
-    rewind(*chain);
-    return true;
+    return *chain;
 }
 
 void OutlineStore::rewind(int band_bits)
@@ -208,13 +279,18 @@ void OutlineStore::rewind(int band_bits)
 void OutlineStore::rewind(Chain& chain)
 {
     const std::uint32_t place = place_of(&chain);
-    const std::uint32_t crossings =
-        place + 4U * chain.words - ChainBuilder::crossing_bytes(chain.top, chain.bottom);
+    const std::uint32_t end = place + 4U * chain.words;
     const int row = floor_pixel(chain.top);
     const int band = row >> band_bits_;
-    const auto rows_above = static_cast<std::uint32_t>(row - (band << band_bits_));
-    chain.crossings = crossings - rows_above * std::uint32_t{sizeof(Crossing)};
-    chain.bends = crossings - std::uint32_t{sizeof(Bend)};
+    if (chain.is_straight) {
+        chain.crossings = end - std::uint32_t{sizeof(StraightLine)};
+        chain.bends = chain.crossings - std::uint32_t{sizeof(Bend)};
+    } else {
+        const std::uint32_t crossings = end - ChainBuilder::crossing_bytes(chain.top, chain.bottom);
+        const auto rows_above = static_cast<std::uint32_t>(row - (band << band_bits_));
+        chain.crossings = crossings - rows_above * std::uint32_t{sizeof(Crossing)};
+        chain.bends = crossings - std::uint32_t{sizeof(Bend)};
+    }
     chain.next = std::exchange(heads_[static_cast<std::size_t>(band)], place);
 }
 
@@ -224,12 +300,6 @@ void OutlineStore::remove_chains(std::byte* mark)
     chains_ = mark;
     behind_ = reinterpret_cast<Corner*>(chains_);
     rewind(band_bits_);
-}
-
-bool OutlineStore::is_far(Corner from, Corner to)
-{
-    return std::abs(to.x - from.x) >= reach / 2 - grid ||
-           std::abs(to.y - from.y) >= ChainBuilder::max_height - grid;
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/raster/chain.hpp"
+#include "core/raster/fingerprint.hpp"
 #include "core/raster/grid.hpp"
 #include "core/size.hpp"
 
@@ -24,7 +25,13 @@ public:
     /// Forgets all outlines.
     void clear();
     /// Contours belong to this layer from now on.
-    void begin_layer(std::uint16_t layer) { layer_ = layer; }
+    void begin_layer(std::uint16_t layer)
+    {
+        layer_ = layer;
+        fingerprint_ = {};
+    }
+    /// Of the contours of the layer that were closed.
+    Fingerprint fingerprint() const { return fingerprint_; }
 
     /// A contour comes from both of its ends at once: its corners in order are those that were added, then
     /// those that were added behind, the last of these first. So both sides of a line can be drawn as it is
@@ -51,6 +58,22 @@ public:
         return reinterpret_cast<const Crossing*>(bytes_ + place);
     }
     const Bend* bend(std::uint32_t place) const { return reinterpret_cast<const Bend*>(bytes_ + place); }
+    const StraightLine& line(const Chain& chain) const
+    {
+        return *reinterpret_cast<const StraightLine*>(bytes_ + chain.crossings);
+    }
+    /// Calls visit(chain) for each of them.
+    template <class Visit>
+    void each_chain(Visit visit) const
+    {
+        for (const std::byte* at = chains_; at != bytes_ + size_;) {
+            const auto& chain = *reinterpret_cast<const Chain*>(at);
+            at += chain_bytes(chain);
+            visit(chain);
+        }
+    }
+    /// What a chain takes.
+    static std::size_t chain_bytes(const Chain& chain) { return 4U * chain.words; }
 
     int band_bits() const { return band_bits_; }
 
@@ -64,9 +87,10 @@ private:
     bool add_run(Corner* first, Corner* last, bool runs_down);
     bool add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step);
     bool add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step);
+    bool add_straight(Corner top, Corner bottom, std::int32_t left, bool runs_down);
+    Chain& put_chain(std::byte* bends, Corner top, Corner bottom, std::int32_t left, bool runs_down);
     void rewind(Chain& chain);
     void remove_chains(std::byte* mark);
-    static bool is_far(Corner from, Corner to);
     std::uint32_t place_of(const void* at) const
     {
         return static_cast<std::uint32_t>(static_cast<const std::byte*>(at) - bytes_);
@@ -82,6 +106,7 @@ private:
     Size panel_;
     int band_bits_ = 0;
     std::uint16_t layer_ = 0;
+    Fingerprint fingerprint_;
     bool is_large_ = false; ///< the panel: chains are counted from columns of their own
     bool is_full_ = false;
 };

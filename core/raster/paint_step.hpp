@@ -2,7 +2,7 @@
 
 #include "core/colour.hpp"
 #include "core/fill_rule.hpp"
-#include "core/still.hpp"
+#include "core/raster/fingerprint.hpp"
 
 #include <cstdint>
 
@@ -22,9 +22,9 @@ struct PaintStep {
     Kind kind = Kind::layer;
     std::uint8_t opacity = 255; ///< only of end_group
     FillRule rule = FillRule::nonzero;
-    Colour colour;          ///< only of layers
+    Colour colour = {};     ///< only of layers
     std::uint32_t item = 0; ///< tells the items of a scene apart, wherever symbols are used
-    Still still = {};       ///< around the moment of the picture: for how long outlines stay as they are
+    Fingerprint outlines = {};
 
     // What comparing pictures has found.
     std::uint16_t partner = no_partner; ///< number of the same step of the other picture

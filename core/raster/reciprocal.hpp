@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/raster/grid.hpp"
+
 #include <array>
 #include <cstdint>
 
@@ -30,6 +32,13 @@ inline std::int32_t slope_of(std::int32_t width, std::int32_t rise)
         static_cast<std::int32_t>((static_cast<std::uint32_t>(width) << 16) -
                                   static_cast<std::uint32_t>(slope) * static_cast<std::uint32_t>(rise));
     return slope + ((((rest >> 6) * inverse) >> 10) >> shift);
+}
+
+/// Where an edge crosses the first border of a row, `height` below x, in 1/1024 of the grid and rounded to
+/// its nearest; each further one is a slope further to the right.
+constexpr std::int32_t first_crossing(std::int32_t x, std::int32_t slope, std::int32_t height)
+{
+    return (x << 10) + 512 + (slope >> grid_bits) * height;
 }
 
 }

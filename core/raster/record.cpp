@@ -26,6 +26,11 @@ void Record::begin_picture()
     written_ = borders_.data();
 }
 
+int Record::unknown_count(int bands) const
+{
+    return static_cast<int>(std::ranges::count(counts_.first(static_cast<std::size_t>(bands)), unknown));
+}
+
 std::span<const Record::Border> Record::begin_band(int band)
 {
     const std::size_t count = is_known(band) ? counts_[static_cast<std::size_t>(band)] : 0U;

@@ -33,6 +33,8 @@ public:
     /// From the first band on.
     void begin_picture();
 
+    /// How many of the first `bands` are not known.
+    int unknown_count(int bands) const;
     bool is_known(int band) const { return counts_[static_cast<std::size_t>(band)] != unknown; }
     /// Of the next band: what was in it, until add() is called; nothing if it is not known.
     std::span<const Border> begin_band(int band);

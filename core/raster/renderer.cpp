@@ -3,6 +3,7 @@
 #include "core/block_cutter.hpp"
 #include "core/raster/band_painter.hpp"
 #include "core/raster/packing.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ struct BlockPlan {
     std::size_t record;
     std::size_t counts;
 
-    BlockPlan(const RendererNeeds& needs, Size panel, std::size_t tile_bytes)
+    BlockPlan(const RendererNeeds& needs, Size panel)
         : outlines{needs.outline_bytes}, steps{needs.steps * sizeof(PaintStep)},
           heads{static_cast<std::size_t>(band_count(panel)) * 4}, backdrops{needs.group_depth * tile_bytes},
           record{whole_words(needs.record_bytes)}, counts{whole_words(
@@ -52,6 +53,18 @@ int band_bits_for(Size granularity, int columns)
     return bits;
 }
 
+/// As wide as another area, which ends where it begins: its pixels follow those of the other one.
+bool lies_below(Rect area, Rect above)
+{
+    return area.x == above.x && area.width == above.width && area.y == above.y + above.height;
+}
+
+void extend(Change& change, int rows, std::size_t bytes)
+{
+    change.area.height += rows;
+    change.pixels = {change.pixels.data(), change.pixels.size() + bytes};
+}
+
 int rounded_down(int value, int unit) { return value & -unit; }
 int rounded_up(int value, int unit) { return (value + unit - 1) & -unit; }
 
@@ -59,13 +72,13 @@ int rounded_up(int value, int unit) { return (value + unit - 1) & -unit; }
 
 std::size_t Renderer::block_bytes(const RendererNeeds& needs, Size panel)
 {
-    return BlockPlan{needs, panel, tile_bytes}.size();
+    return BlockPlan{needs, panel}.size();
 }
 
 Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, std::span<std::byte> block)
     : panel_{panel}
 {
-    const BlockPlan plan{needs, panel, tile_bytes};
+    const BlockPlan plan{needs, panel};
     BlockCutter cutter{block};
     const std::span<std::byte> outlines = cutter.cut(plan.outlines);
     picture_.storage = cutter.cut_as<PaintStep>(plan.steps);
@@ -78,13 +91,12 @@ Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, st
     slots_.background = background;
 }
 
-void Renderer::begin(std::uint32_t moved)
+void Renderer::begin()
 {
     if (progress_ == Progress::begun)
         forget();
     progress_ = Progress::none;
     is_fresh_ = true;
-    moved_ |= moved;
 }
 
 void Renderer::forget()
@@ -95,6 +107,12 @@ void Renderer::forget()
     progress_ = Progress::none;
 }
 
+int Renderer::unrecorded_bands() const
+{
+    const int bits = picture_.outlines.band_bits();
+    return record_.unknown_count((panel_.height + (1 << bits) - 1) >> bits);
+}
+
 /// In front of the first band.
 void Renderer::begin_pass(int band_bits)
 {
@@ -103,6 +121,7 @@ void Renderer::begin_pass(int band_bits)
     is_fresh_ = false;
     next_row_ = 0;
     band_.begin(picture_.outlines, picture_.steps(), panel_);
+    did(Work::step, static_cast<std::uint32_t>(picture_.step_count + shown_count_));
 }
 
 void Renderer::begin_changes(int band_bits)
@@ -112,7 +131,7 @@ void Renderer::begin_changes(int band_bits)
         forget();
     begin_pass(band_bits);
     record_.begin_picture();
-    slots_.set_pictures(picture_.steps(), shown_storage_.first(shown_count_), knows_panel_, moved_);
+    slots_.set_pictures(picture_.steps(), shown_storage_.first(shown_count_));
     regions_.clear();
     drawn_regions_ = 0;
     progress_ = Progress::begun;
@@ -126,7 +145,6 @@ void Renderer::end_changes()
         return;
     shown_count_ = picture_.step_count;
     std::ranges::copy(picture_.steps(), shown_storage_.begin());
-    moved_ = 0;
 }
 
 /// To those layers that have chains in the band.
@@ -195,7 +213,9 @@ void Renderer::keep_band()
 /// there is none.
 Rect Renderer::next_window(Size granularity, int gap)
 {
-    Rect window{.y = band_.top_row(), .height = band_.row_count()};
+    Rect window;
+    window.y = band_.top_row();
+    window.height = band_.row_count();
     for (const Region& region : regions_.regions().subspan(drawn_regions_)) {
         const int end = std::min(rounded_up(region.end, granularity.width), panel_.width);
         if (end <= drawn_columns_) {
@@ -277,6 +297,7 @@ void Renderer::draw_area(Rect area, std::span<std::byte> pixels)
                            first + static_cast<std::size_t>(row) * stride, tile.left, area.y + row);
         }
     }
+    work_for(0);
     if constexpr (Pack::is_direct)
         Pack::finish(reinterpret_cast<Cell*>(pixels.data()),
                      static_cast<std::size_t>(area.width * area.height));
@@ -311,7 +332,11 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
         }
         const std::size_t bytes = row_bytes(format, area.width) * static_cast<std::size_t>(rows);
         draw_area<format>(area, pixels.first(bytes));
-        changes_[count++] = {area, pixels.first(bytes)};
+        // Whole rows go together; else slow buses take long ways without a break.
+        if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area))
+            extend(changes_[count - 1], area.height, bytes);
+        else
+            changes_[count++] = {area, pixels.first(bytes)};
         pixels = pixels.subspan(bytes);
         drawn_columns_ = area.x + area.width;
     }
@@ -327,7 +352,7 @@ void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
     const std::size_t stride = row_bytes(format, panel_.width);
     if (first_row == 0 || first_row != next_row_) {
         begin_pass(default_band_bits);
-        slots_.set_pictures(picture_.steps(), {}, false, 0);
+        slots_.set_pictures(picture_.steps(), {});
         slots_.set_inks<Cells>();
     }
     for (; rows > 0;) {

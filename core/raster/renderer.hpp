@@ -38,15 +38,18 @@ public:
     static std::size_t block_bytes(const RendererNeeds& needs, Size panel);
 
     /// `block` is aligned to 4, has block_bytes() and must outlive the renderer.
-    Renderer(const RendererNeeds& needs, Size panel, Colour background, std::span<std::byte> block);
+    [[gnu::cold, gnu::noinline]] Renderer(const RendererNeeds& needs, Size panel, Colour background,
+                                          std::span<std::byte> block);
 
     Picture& picture() { return picture_; }
     const Picture& picture() const { return picture_; }
-    /// The picture was filled anew. `moved` has a bit for each input that has moved since it was the last
-    /// time.
-    void begin(std::uint32_t moved);
+    /// The picture was filled anew.
+    void begin();
     /// What the panel shows is not known any more.
     void forget();
+
+    /// Bands of the panel that are drawn whole the next time, for want of room to record what they show.
+    int unrecorded_bands() const;
 
     /// Draws rows of the picture into rows x row_bytes(format, panel width) bytes, aligned to 2 if pixels are
     /// 16 bits. Calls for rows from the top down are cheap.
@@ -64,13 +67,12 @@ public:
 private:
     enum class Progress : std::uint8_t { none, begun, done };
 
-    static constexpr std::size_t max_changes = 12;
-    static constexpr std::size_t tile_bytes = 512; ///< of cells
+    static constexpr std::size_t max_changes = 4;
 
     void begin_pass(int band_bits);
-    void begin_changes(int band_bits);
+    [[gnu::cold, gnu::noinline]] void begin_changes(int band_bits);
     void end_changes();
-    bool assign_slots(std::span<const Record::Border> shown);
+    [[gnu::cold, gnu::noinline]] bool assign_slots(std::span<const Record::Border> shown);
     template <class Cells>
     bool next_band(bool is_known, std::span<const Record::Border> shown);
     template <class Cells>
@@ -92,7 +94,6 @@ private:
     Band band_;
     RegionList regions_;
     LayerRow row_;
-    std::uint32_t moved_ = 0;       ///< since what the panel shows was begun
     int drawn_columns_ = 0;         ///< of the band: areas to the left of here are drawn
     std::size_t drawn_regions_ = 0; ///< all before it lie to the left of there
     int next_row_ = 0;              ///< that draw_rows() may go on with

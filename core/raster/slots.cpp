@@ -31,21 +31,17 @@ bool is_same_group(const PaintStep& step, std::span<const PaintStep> others)
            (step.partner != PaintStep::no_partner && step.opacity == others[step.partner].opacity);
 }
 
-/// Outlines do not change as long as nothing moves that they come from.
-bool has_same_outlines(const PaintStep& shown, const PaintStep& coming, std::uint32_t moved)
+bool has_same_outlines(const PaintStep& a, const PaintStep& b)
 {
-    return shown.still == coming.still && (shown.still.inputs & moved) == 0 && shown.rule == coming.rule;
+    return a.outlines == b.outlines && a.rule == b.rule;
 }
 
 }
 
-void Slots::set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown, bool may_be_same,
-                         std::uint32_t moved)
+void Slots::set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown)
 {
     coming_ = coming;
     shown_ = shown;
-    moved_ = moved;
-    may_be_same_ = may_be_same;
     match(shown, coming);
     std::size_t layers = find_groups(coming) + find_groups(shown);
     for (const PaintStep& step : coming)
@@ -103,7 +99,7 @@ bool Slots::put(PaintStep* coming, PaintStep* shown)
         recoloured |= bit;
         return true;
     }
-    same |= may_be_same_ && has_same_outlines(*shown, *coming, moved_) ? bit : 0;
+    same |= has_same_outlines(*shown, *coming) ? bit : 0;
     const bool looks_same = coming->colour == shown->colour && coming->is_in_group == shown->is_in_group &&
                             (has_same_groups_ || !coming->is_in_group);
     recoloured |= looks_same ? 0 : bit;

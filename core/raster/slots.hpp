@@ -21,14 +21,17 @@ constexpr SlotMask bit_of(unsigned slot) { return SlotMask{1} << slot; }
 /// The lowest bit of a mask that is not 0: what lies on top.
 constexpr SlotMask top_bit(SlotMask mask) { return mask & (0U - mask); }
 
-/// The number of the lowest bit. A Cortex-M0 has no instruction for it: a de Bruijn sequence.
+/// A de Bruijn sequence and its places.
+inline constexpr std::uint32_t bit_sequence = 0x077C'B531;
+inline constexpr std::array<std::uint8_t, 32> bit_numbers{0,  1,  28, 2,  29, 14, 24, 3,  30, 22, 20,
+                                                          15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
+                                                          16, 7,  26, 12, 18, 6,  11, 5,  10, 9};
+
+/// The number of the lowest bit. A Cortex-M0 has no instruction for it.
 constexpr unsigned number_of(SlotMask bit)
 {
 #if defined(__ARM_ARCH_6M__)
-    constexpr std::array<std::uint8_t, 32> places{0,  1,  28, 2,  29, 14, 24, 3,  30, 22, 20,
-                                                  15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
-                                                  16, 7,  26, 12, 18, 6,  11, 5,  10, 9};
-    return places[bit * 0x077C'B531U >> 27];
+    return bit_numbers[bit * bit_sequence >> 27];
 #else
     return static_cast<unsigned>(__builtin_ctz(bit));
 #endif
@@ -49,16 +52,14 @@ public:
     Colour background; ///< opaque
     std::uint32_t background_ink = 0;
 
-    /// The steps of both pictures, whose partners are found. If `may_be_same`, outlines whose Still is the
-    /// same in both are the same, unless inputs that they depend on have `moved`, a bit for each.
-    void set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown, bool may_be_same,
-                      std::uint32_t moved);
+    /// The steps of both pictures, whose partners are found.
+    [[gnu::cold, gnu::noinline]] void set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown);
     /// All layers have slots of their own; if not, assign() gives slots to the layers of a band.
     bool hold_all() const { return hold_all_; }
     void clear_marks();
     static void mark(PaintStep& layer) { layer.slot = 0; }
     /// Gives slots to the layers that are marked. False if they are too many: some have a wrong one.
-    bool assign();
+    [[gnu::cold, gnu::noinline]] bool assign();
 
     template <class Cells>
     void set_inks()
@@ -91,9 +92,7 @@ private:
     std::array<Layer, slot_count> layers_;
     std::span<PaintStep> coming_;
     std::span<PaintStep> shown_;
-    std::uint32_t moved_ = 0;
     unsigned free_ = slot_count;
-    bool may_be_same_ = false;
     bool has_same_groups_ = false;
     bool hold_all_ = true;
 };

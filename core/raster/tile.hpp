@@ -1,11 +1,15 @@
 #pragma once
 
 #include "core/raster/cells.hpp"
+#include "core/work.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace kfast::raster {
+
+/// Of the cells of a tile.
+inline constexpr std::size_t tile_bytes = 512;
 
 /// Pixels of a few rows of a band that are painted together.
 template <class Cells>
@@ -22,9 +26,16 @@ struct Tile {
     Cell* row(int row) const { return cells + (row - first_row) * stride; }
 };
 
+inline void note_fill(int count)
+{
+    did(Work::fill);
+    did(Work::filled_pixel, static_cast<std::uint32_t>(count));
+}
+
 template <class Cell>
 void fill(Cell* at, int count, Cell cell)
 {
+    note_fill(count);
     for (Cell* const end = at + count; at != end; ++at)
         *at = cell;
 }
@@ -32,6 +43,7 @@ void fill(Cell* at, int count, Cell cell)
 /// Pairs of cells in words.
 inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
 {
+    note_fill(count);
     if (count > 0 && (reinterpret_cast<std::uintptr_t>(at) & 2) != 0) {
         *at++ = cell;
         --count;

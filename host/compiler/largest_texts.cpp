@@ -40,7 +40,7 @@ std::set<std::uint32_t> largest_glyphs(const SceneView& scene, std::uint32_t num
     for (std::uint32_t glyph = 0; glyph < input.glyphs.count(); ++glyph) {
         meter.put_text(number, full_text(input, glyph));
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            const std::size_t bytes = meter.picture_at(samples[i].moment()).outlines.used_bytes();
+            const std::size_t bytes = meter.picture_at(samples[i].moment()).outlines.needed_bytes();
             Largest& at = largest[i];
             at.least = glyph == 0 ? bytes : std::min(at.least, bytes);
             if (glyph == 0 || bytes > at.most)

@@ -7,31 +7,52 @@
 namespace kfast {
 namespace {
 
+constexpr std::size_t of_corner = sizeof(raster::Corner) + sizeof(raster::Bend); ///< bytes, while it comes in
+constexpr std::size_t of_chain = sizeof(raster::Chain) + sizeof(raster::Bend) + 8;
+
+/// Bytes of an edge over so many rows. A long one is a chain of its own, and may cut off another one
+/// (core/raster/outline_store.hpp).
+std::size_t of_edge(std::size_t rows)
+{
+    constexpr std::size_t of_line =
+        sizeof(raster::Chain) + sizeof(raster::Bend) + sizeof(raster::StraightLine);
+    return std::min(of_chain + rows * sizeof(raster::Crossing), of_line + of_chain);
+}
+
+/// Not all edges of a drawing are as bad as they can be: the worst that were found take three quarters.
+std::size_t likely(std::size_t bytes) { return bytes * 4 / 5; }
+
 /// What `points` in `strokes` of them take at most when they are filled: each corner of a polygon is stored,
-/// the first one twice, and each edge may be a chain.
-OutlineAmount most_filled(std::size_t strokes, std::size_t points) { return {points + strokes, points}; }
+/// the first one twice.
+std::size_t most_filled(std::size_t strokes, std::size_t points, std::size_t rows)
+{
+    return (points + strokes) * of_corner + points * of_edge(rows);
+}
 
 /// Likewise when a pen follows them.
 ///
-/// A join has 3 corners on its inner and 2 on its outer side, and those of a round between them. Both sides
-/// together turn once round at it, so that y turns back twice; a third time is for what rounding does to an
-/// edge that is next to level.
-OutlineAmount most_drawn(std::size_t strokes, std::size_t points, const Pen& pen)
+/// A join has 3 corners on its inner and 2 on its outer side, and those of a round between them. Besides two
+/// edges along its pieces it has others around it, which reach no further than the pen, and are a chain if
+/// they turn.
+std::size_t most_drawn(std::size_t strokes, std::size_t points, const Pen& pen, std::size_t rows)
 {
     const auto round = static_cast<std::size_t>(most_corners_of_half_turn(pen.half_width));
     const std::size_t of_join = 5 + (pen.join == Join::round ? round : 0);
     const std::size_t of_cap = pen.cap == Cap::round ? round : pen.cap == Cap::square ? 2 : 0;
     const std::size_t of_ends = 5 + (pen.cap == Cap::butt ? 0 : 2 * of_cap + 3);
     const std::size_t joins = points - strokes; // one more than an open stroke has: it may be closed
-    return {strokes * of_ends + joins * of_join, strokes * 8 + joins * 3};
+    const std::size_t pen_rows =
+        std::min(rows, static_cast<std::size_t>((pen.half_width + pen.half_width).raw() >> 16) + 2);
+    const std::size_t of_turn = of_chain + 2 * pen_rows * sizeof(raster::Crossing);
+    return (strokes * of_ends + joins * of_join) * of_corner + points * 2 * of_edge(rows) +
+           (joins + 4 * strokes) * of_turn;
 }
 
 /// Fewer strokes have more joins.
-OutlineAmount most_drawn(const DrawingInput& limits, const Pen& pen)
+std::size_t most_drawn(const DrawingInput& limits, const Pen& pen, std::size_t rows)
 {
-    const OutlineAmount many = most_drawn(limits.strokes, limits.points, pen);
-    const OutlineAmount one = most_drawn(1, limits.points, pen);
-    return {std::max(many.corners, one.corners), std::max(many.chains, one.chains)};
+    return std::max(most_drawn(limits.strokes, limits.points, pen, rows),
+                    most_drawn(1, limits.points, pen, rows));
 }
 
 /// By what lengths around any point of a drawing grow, at most; in perspective by the most of 17 x 17 places
@@ -55,7 +76,7 @@ class LiveItems {
 public:
     LiveItems(const SceneOnPanel& on_panel, const Moment& moment) : on_panel_{on_panel}, moment_{moment} {}
 
-    OutlineAmount most() const { return most_; }
+    std::size_t bytes() const { return bytes_; }
 
     void add(ItemCursor items, const Space& outer)
     {
@@ -82,27 +103,30 @@ private:
     {
         const DrawingInput limits = on_panel_.scene.input(item.live.input).drawing;
         const ObjectStyle& style = item.object.style;
+        const auto rows = static_cast<std::size_t>(on_panel_.scene.canvas().height);
         if (style.is_filled)
-            most_ += most_filled(limits.strokes, limits.points);
+            bytes_ += likely(most_filled(limits.strokes, limits.points, rows));
         if (style.is_stroked)
-            most_ += most_drawn(
-                limits, {.half_width = half_width(state.width(), most_growth(space, on_panel_.camera)),
-                         .cap = style.cap,
-                         .join = style.join});
+            bytes_ += likely(
+                most_drawn(limits,
+                           {.half_width = half_width(state.width(), most_growth(space, on_panel_.camera)),
+                            .cap = style.cap,
+                            .join = style.join},
+                           rows));
     }
 
     const SceneOnPanel& on_panel_;
     const Moment& moment_;
-    OutlineAmount most_;
+    std::size_t bytes_ = 0;
 };
 
 }
 
-OutlineAmount live_outlines(const SceneOnPanel& on_panel, const Moment& moment)
+std::size_t live_outline_bytes(const SceneOnPanel& on_panel, const Moment& moment)
 {
     LiveItems items{on_panel, moment};
     items.add(on_panel.scene.items(), on_panel.canvas);
-    return items.most();
+    return items.bytes();
 }
 
 }

@@ -37,16 +37,15 @@ std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const sc
         put_texts(texts, meter);
         for (const MeasuredMoment& measured : moments) {
             tell(done++, steps);
-            const OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
+            const raster::OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
             if (outlines.is_full()) {
                 report_excess(scene, *view, measured.moment(), texts, diagnostics);
                 return std::nullopt;
             }
-            const OutlineAmount live = meter.live_outlines_at(measured.moment());
-            const std::size_t bytes = outlines.used_bytes() + live.bytes();
-            if (bytes > kfb::max_outline_bytes ||
-                outlines.mark().first_corner + live.corners > OutlineStore::most_corners) {
-                report_live_excess(scene, measured.moment(), outlines.used_bytes(), live, diagnostics);
+            const std::size_t live = meter.live_bytes_at(measured.moment());
+            const std::size_t bytes = outlines.needed_bytes() + live;
+            if (bytes > kfb::max_outline_bytes) {
+                report_live_excess(scene, measured.moment(), outlines.needed_bytes(), live, diagnostics);
                 return std::nullopt;
             }
             most = std::max(most, bytes);

@@ -2,7 +2,6 @@
 
 #include "core/item_path.hpp"
 #include "core/kfb_limits.hpp"
-#include "host/compiler/corner_tally.hpp"
 #include "host/compiler/outline_meter.hpp"
 #include "host/scene/value_reader.hpp"
 
@@ -13,51 +12,19 @@
 namespace kfast {
 namespace {
 
-/// As many chains as there may be corners.
-constexpr std::size_t bytes_of_all_corners = OutlineStore::most_corners * (sizeof(Corner) + sizeof(Chain));
+/// Enough for any picture that a file can hold, with the coarsest curves.
+constexpr std::size_t ample_bytes = 16 * std::size_t{kfb::max_outline_bytes};
 
-using ByItem = std::unordered_map<std::uint32_t, std::uint32_t>;
+using ByItem = std::unordered_map<std::uint32_t, std::size_t>;
 
-/// What the outlines of a picture need.
-struct OutlineNeed {
-    std::string unit;  ///< "bytes"
-    std::string least; ///< "at least " if it may be more
-    std::uint64_t amount = 0;
-    std::uint64_t limit = 0;
-    ByItem by_item; ///< by the paths of objects
-};
-
-ByItem bytes_by_item(const TracedPicture& picture)
+/// By the paths of objects.
+ByItem bytes_by_item(const raster::Picture& picture)
 {
     ByItem bytes;
-    for (const PaintStep& step : picture.steps()) {
-        const OutlineRange& range = step.layer.outlines;
-        bytes[step.item] += static_cast<std::uint32_t>(
-            static_cast<std::size_t>(range.end_corner - range.first_corner) * sizeof(Corner) +
-            static_cast<std::size_t>(range.end_chain - range.first_chain) * sizeof(Chain));
-    }
+    picture.outlines.each_chain([&](const raster::Chain& chain) {
+        bytes[picture.steps()[chain.layer].item] += raster::OutlineStore::chain_bytes(chain);
+    });
     return bytes;
-}
-
-std::uint64_t sum_of(const ByItem& amounts)
-{
-    std::uint64_t sum = 0;
-    for (const auto& [path, amount] : amounts)
-        sum += amount;
-    return sum;
-}
-
-/// Corners that close contours are not counted where there is no room.
-OutlineNeed need_at(const SceneView& view, const Moment& moment, const InputTexts& texts)
-{
-    const CornerTally corners;
-    OutlineMeter meter{view, bytes_of_all_corners};
-    put_texts(texts, meter);
-    const TracedPicture& picture = meter.picture_at(moment);
-    if (!picture.outlines.is_full())
-        return {"bytes", "", picture.outlines.used_bytes(), kfb::max_outline_bytes, bytes_by_item(picture)};
-    const ByItem by_item = corners.by_item();
-    return {"corners", "at least ", sum_of(by_item), OutlineStore::most_corners, by_item};
 }
 
 /// The live object that may have most points.
@@ -137,26 +104,30 @@ private:
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
                    const InputTexts& texts, Diagnostics& diagnostics)
 {
-    const OutlineNeed need = need_at(view, moment, texts);
-    const auto& [path, most] = *std::ranges::max_element(need.by_item, {}, &ByItem::value_type::second);
+    OutlineMeter meter{view, ample_bytes};
+    put_texts(texts, meter);
+    const raster::Picture& picture = meter.picture_at(moment);
+    constexpr std::size_t held = kfb::max_outline_bytes;
+    const std::size_t needed = std::max(picture.outlines.needed_bytes(), held);
+    const ByItem by_item = bytes_by_item(picture);
+    const auto& [path, most] = *std::ranges::max_element(by_item, {}, &ByItem::value_type::second);
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
-    diagnostics.error(
-        item.place,
-        "the outlines at frame " + scene::text_of(moment.time()) + " need " + need.least +
-            std::to_string(need.amount) + " " + need.unit + ", " + std::to_string(need.amount - need.limit) +
-            " more than the format holds; object \"" + item.name + "\" alone needs " + std::to_string(most),
-        "draw it with fewer points, or show less at a time");
+    diagnostics.error(item.place,
+                      "the outlines at frame " + scene::text_of(moment.time()) + " need " +
+                          std::to_string(needed) + " bytes, " + std::to_string(needed - held) +
+                          " more than the format holds; object \"" + item.name + "\" alone needs " +
+                          std::to_string(most),
+                      "draw it with fewer points, or show less at a time");
 }
 
-void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes,
-                        const OutlineAmount& live, Diagnostics& diagnostics)
+void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes, std::size_t live,
+                        Diagnostics& diagnostics)
 {
     diagnostics.error(LargestLive{scene}.item().place,
-                      "what is told from outside may need " + std::to_string(live.corners) + " corners and " +
-                          std::to_string(live.bytes()) + " bytes of outlines at frame " +
-                          scene::text_of(moment.time()) + ", everything else needs " + std::to_string(bytes) +
-                          " bytes; the format holds " + std::to_string(OutlineStore::most_corners) +
-                          " corners and " + std::to_string(kfb::max_outline_bytes) + " bytes",
+                      "what is told from outside may need " + std::to_string(live) +
+                          " bytes of outlines at frame " + scene::text_of(moment.time()) +
+                          ", everything else needs " + std::to_string(bytes) + " bytes; the format holds " +
+                          std::to_string(kfb::max_outline_bytes),
                       "let the input have fewer points, or use join=bevel");
 }
 

@@ -4,9 +4,10 @@
 #include "core/scene_view.hpp"
 #include "core/time.hpp"
 #include "host/compiler/largest_texts.hpp"
-#include "host/compiler/live_outlines.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
+
+#include <cstddef>
 
 namespace kfast {
 
@@ -15,9 +16,9 @@ namespace kfast {
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
                    const InputTexts& texts, Diagnostics& diagnostics);
 
-/// Likewise where the worst that live drawings may be told, `live`, comes to `bytes` of others; at the one
-/// that may have most points.
-void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes,
-                        const OutlineAmount& live, Diagnostics& diagnostics);
+/// Likewise where the worst that live drawings may be told, `live` bytes, comes to `bytes` of others; at the
+/// one that may have most points.
+void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes, std::size_t live,
+                        Diagnostics& diagnostics);
 
 }

@@ -1,34 +1,31 @@
 #include "host/compiler/outline_meter.hpp"
 
+#include "core/player.hpp"
+
+#include <algorithm>
 #include <utility>
 
 namespace kfast {
 namespace {
 
-/// Opposite to the middle of the canvas.
-Camera camera_of(const SceneView& scene)
-{
-    const Size canvas = scene.canvas();
-    return {.x = std::int64_t{canvas.width} * Fixed::one / 2,
-            .y = std::int64_t{canvas.height} * Fixed::one / 2,
-            .distance = std::int64_t{scene.camera()} * Fixed::one};
-}
+constexpr int band_bits = 0;
+
+Size panel_for(Size canvas) { return {canvas.width, std::min(3 * canvas.height, Player::max_panel)}; }
 
 }
 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
-    : outlines_(bytes / 4), steps_(scene.paint_steps()), bones_(scene.bone_count()),
-      backbone_nodes_(scene.backbone_nodes()), inputs_(scene.input_count()),
-      drawings_(LiveDrawings::bytes_for(scene) / 4),
-      texts_(LiveTexts::bytes_for(scene)), on_panel_{scene,
-                                                     {},
-                                                     camera_of(scene),
-                                                     bones_,
-                                                     backbone_nodes_,
-                                                     {scene, std::as_writable_bytes(std::span{drawings_})},
-                                                     {scene, texts_}}
+    : outlines_(bytes / 4), heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)),
+      steps_(scene.paint_steps()), bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()),
+      inputs_(scene.input_count()), drawings_(LiveDrawings::bytes_for(scene) / 4),
+      texts_(LiveTexts::bytes_for(scene)), on_panel_{on_panel(scene, panel_for(scene.canvas()), Fit::none)}
 {
-    picture_.outlines = OutlineStore{std::as_writable_bytes(std::span{outlines_}), OutlineStore::every_row};
+    on_panel_.bones = bones_;
+    on_panel_.backbone_nodes = backbone_nodes_;
+    on_panel_.drawings = {scene, std::as_writable_bytes(std::span{drawings_})};
+    on_panel_.texts = {scene, texts_};
+    picture_.outlines = raster::OutlineStore{std::as_writable_bytes(std::span{outlines_}), heads_,
+                                             panel_for(scene.canvas()), band_bits};
     picture_.storage = steps_;
     set_up_bones(scene, bones_);
     std::uint32_t input = 0;
@@ -44,7 +41,7 @@ void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
         told_ |= bit_of_input(number);
 }
 
-const TracedPicture& OutlineMeter::picture_at(const Moment& moment)
+const raster::Picture& OutlineMeter::picture_at(const Moment& moment)
 {
     const std::uint32_t moved = take_inputs(moment) | std::exchange(told_, 0);
     if (!picture_.still.holds(moment.time(), moved))
@@ -52,9 +49,9 @@ const TracedPicture& OutlineMeter::picture_at(const Moment& moment)
     return picture_;
 }
 
-OutlineAmount OutlineMeter::live_outlines_at(const Moment& moment) const
+std::size_t OutlineMeter::live_bytes_at(const Moment& moment) const
 {
-    return drawings_.empty() ? OutlineAmount{} : live_outlines(on_panel_, moment);
+    return drawings_.empty() ? 0 : live_outline_bytes(on_panel_, moment);
 }
 
 /// A bit for each input that stands elsewhere than in the picture before.
@@ -72,7 +69,7 @@ std::uint32_t OutlineMeter::take_inputs(const Moment& moment)
 void OutlineMeter::trace(const Moment& moment)
 {
     pose_bones(on_panel_.scene, moment, bones_);
-    Tracer{on_panel_, moment, picture_, nullptr, 0}.run();
+    Tracer{on_panel_, moment, picture_}.run();
 }
 
 }

@@ -3,8 +3,8 @@
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
 #include "core/moment.hpp"
+#include "core/raster/picture.hpp"
 #include "core/scene_view.hpp"
-#include "core/traced_picture.hpp"
 #include "core/tracer.hpp"
 #include "host/compiler/live_outlines.hpp"
 
@@ -15,8 +15,8 @@
 
 namespace kfast {
 
-/// Traces the pictures of a scene on a panel like its canvas, with the outlines outside of it: a panel of
-/// another shape shows more than the canvas.
+/// Traces the pictures of a scene on a panel that is as wide as its canvas and three times as high, as far as
+/// panels go: one of another shape shows more than the canvas.
 class OutlineMeter {
 public:
     /// `bytes` for the outlines of a picture, a multiple of 4; `scene` must outlive it.
@@ -25,16 +25,17 @@ public:
     /// From the next picture on, the input `number` is `text` (Player::set_text).
     void put_text(std::uint32_t number, std::string_view text);
     /// With nothing in the drawings that are told from outside. Valid until the next call.
-    const TracedPicture& picture_at(const Moment& moment);
+    const raster::Picture& picture_at(const Moment& moment);
     /// What these add at most, whatever is told.
-    OutlineAmount live_outlines_at(const Moment& moment) const;
+    std::size_t live_bytes_at(const Moment& moment) const;
 
 private:
     std::uint32_t take_inputs(const Moment& moment);
     void trace(const Moment& moment);
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
-    std::vector<PaintStep> steps_;
+    std::vector<std::uint32_t> heads_;
+    std::vector<raster::PaintStep> steps_;
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
     std::vector<Time> inputs_;            ///< of the picture; at first all at 0
@@ -42,7 +43,7 @@ private:
     std::vector<std::byte> texts_;
     std::uint32_t told_ = 0; ///< a bit for each input whose text is another than in the picture
     SceneOnPanel on_panel_;
-    TracedPicture picture_;
+    raster::Picture picture_;
 };
 
 }

@@ -5,26 +5,21 @@
 namespace kfast::fit {
 namespace {
 
-std::size_t bytes_of(const OutlineRange& outlines)
-{
-    return static_cast<std::size_t>(outlines.end_corner - outlines.first_corner) * sizeof(Corner) +
-           static_cast<std::size_t>(outlines.end_chain - outlines.first_chain) * sizeof(Chain);
-}
-
 /// What the outlines of each item take.
-std::map<std::uint32_t, std::size_t> outline_bytes(const TracedPicture& picture)
+std::map<std::uint32_t, std::size_t> outline_bytes(const raster::Picture& picture)
 {
     std::map<std::uint32_t, std::size_t> bytes;
-    for (const PaintStep& step : picture.steps())
-        bytes[step.item] += bytes_of(step.layer.outlines);
+    picture.outlines.each_chain([&](const raster::Chain& chain) {
+        bytes[picture.steps()[chain.layer].item] += raster::OutlineStore::chain_bytes(chain);
+    });
     return bytes;
 }
 
 }
 
-LargestOutlines outlines_of(Time moment, const TracedPicture& picture)
+LargestOutlines outlines_of(Time moment, const raster::Picture& picture)
 {
-    LargestOutlines outlines{.moment = moment, .bytes = picture.outlines.used_bytes()};
+    LargestOutlines outlines{.moment = moment, .bytes = picture.outlines.needed_bytes()};
     for (const auto& [path, bytes] : outline_bytes(picture))
         if (bytes > outlines.item_bytes) {
             outlines.path = path;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/raster/picture.hpp"
 #include "core/time.hpp"
-#include "core/traced_picture.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,6 @@ struct LargestOutlines {
     std::size_t item_bytes = 0; ///< of that object
 };
 
-LargestOutlines outlines_of(Time moment, const TracedPicture& picture);
+LargestOutlines outlines_of(Time moment, const raster::Picture& picture);
 
 }

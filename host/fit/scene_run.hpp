@@ -21,7 +21,7 @@ namespace kfast::fit {
 struct FrameWork {
     Time moment;
     const std::unordered_map<std::uint32_t, WorkCount>& by_item; ///< valid during the call
-    const TracedPicture& picture;                                ///< likewise
+    const raster::Picture& picture;                              ///< likewise
     std::size_t areas = 0;
     std::size_t bytes = 0; ///< of pixels and of the commands for areas
 

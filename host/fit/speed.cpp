@@ -28,7 +28,7 @@ public:
             speed_.heaviest = heaviest_of(frame, cost);
         }
         speed_.frames.push_back(cost);
-        if (frame.picture.outlines.used_bytes() > speed_.outlines.bytes)
+        if (frame.picture.outlines.needed_bytes() > speed_.outlines.bytes)
             speed_.outlines = outlines_of(frame.moment, frame.picture);
     }
 

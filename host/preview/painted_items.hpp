@@ -1,10 +1,10 @@
 #pragma once
 
+#include "host/preview/layer_probe.hpp"
 #include "host/preview/told_player.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace kfast {
 
@@ -19,9 +19,7 @@ public:
     std::optional<std::uint32_t> path_at(Time moment, int x, int y);
 
 private:
-    int level_at(const PaintStep& step, int x, int y);
-
-    std::vector<std::int32_t> cells_; ///< of a row
+    LayerProbe probe_;
 };
 
 }

@@ -1,10 +1,10 @@
 #include "host/preview/unseen_objects.hpp"
 
 #include "core/clock.hpp"
-#include "core/sweep.hpp"
 #include "host/every_item.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
+#include "host/preview/layer_probe.hpp"
 #include "host/preview/posed_scene.hpp"
 #include "host/preview/told_player.hpp"
 
@@ -31,8 +31,7 @@ bool is_told(const ItemView& item)
 class Watch {
 public:
     explicit Watch(const SceneView& scene)
-        : posed_{scene, scene.canvas(), Fit::contain}, painted_{scene, scene.canvas(), Fit::contain},
-          cells_(CoverageRow::cells_for(scene.canvas().width))
+        : posed_{scene, scene.canvas(), Fit::contain}, painted_{scene, scene.canvas(), Fit::contain}
     {
         std::size_t number = 0;
         every_item(scene, [&](const ItemView& item) {
@@ -76,31 +75,17 @@ private:
     /// Whether the picture of the player has something of it.
     bool paints(std::uint32_t path)
     {
-        return std::ranges::any_of(painted_.player().picture().steps(), [&](const PaintStep& step) {
-            return step.kind == PaintStep::Kind::layer && step.item == path &&
-                   step.layer.colour.opacity > 0 && covers(step.layer);
-        });
-    }
-
-    /// Within the panel. Sweeps a copy: what that changes in the store is set up anew when it begins.
-    bool covers(Layer layer)
-    {
-        const Size panel = painted_.player().panel();
-        OutlineStore outlines = painted_.player().picture().outlines;
-        bool is_covered = false;
-        layer.rewind();
-        for (int y = std::max<int>(layer.top, 0);
-             y < std::min<int>(layer.bottom, panel.height) && !is_covered; ++y) {
-            CoverageRow coverage{cells_, panel.width};
-            sweep_row(outlines, layer, y, coverage);
-            coverage.take_spans([&](int, int, int level) { is_covered = is_covered || level > 0; });
-        }
-        return is_covered;
+        const std::span<const raster::PaintStep> steps = painted_.player().picture().steps();
+        for (std::size_t number = 0; number != steps.size(); ++number)
+            if (steps[number].kind == raster::PaintStep::Kind::layer && steps[number].item == path &&
+                steps[number].colour.opacity > 0 && probe_.covers_any(number))
+                return true;
+        return false;
     }
 
     PosedScene posed_;
     ToldPlayer painted_;
-    std::vector<std::int32_t> cells_;    ///< of a row
+    LayerProbe probe_{painted_.player()};
     std::map<std::size_t, Shown> shown_; ///< by the place in SceneFile::item_names
 };
 

@@ -83,7 +83,7 @@ class Bench(unittest.TestCase):
     def test_profile_names_functions(self):
         status, told, _ = bench(self.folder, "--profile", SCENE)
         self.assertEqual(0, status, told)
-        self.assertRegex(told, r"Player::draw_changes|CoverageRow|sweep")
+        self.assertRegex(told, r"Renderer|Band|LayerRow")
 
     def test_names_an_unknown_scene(self):
         status, told, _ = bench(self.folder, "--scene", "nothing")

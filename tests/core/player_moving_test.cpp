@@ -125,11 +125,15 @@ TEST_CASE("a block has room for all bones, and for the nodes and gaps of one obj
     const auto extra_bytes = [](const RawScene& raw) {
         const Bytes file = raw.file();
         const SceneView scene = *SceneView::parse(file);
-        const std::size_t pictures = 2 * (scene.outline_bytes() + scene.paint_steps() * sizeof(PaintStep));
-        constexpr std::size_t spans = 160 * sizeof(CoveredSpan);
-        return Player::block_bytes(scene, scene.canvas()) - pictures - spans -
-               CoverageRow::cells_for(scene.canvas().width) * sizeof(std::int32_t) -
-               scene.blended_depth() * static_cast<std::size_t>(scene.canvas().width) * 3;
+        const std::size_t outline_bytes = scene.outline_bytes() + 4; // of a panel as large as the canvas
+        const raster::RendererNeeds needs{.outline_bytes = outline_bytes,
+                                          .record_bytes =
+                                              std::min(outline_bytes * 3 / 8 + std::size_t{4} * canvas.height,
+                                                       std::size_t{36} * canvas.height),
+                                          .steps = scene.paint_steps(),
+                                          .group_depth = scene.blended_depth()};
+        return Player::block_bytes(scene, scene.canvas()) -
+               raster::Renderer::block_bytes(needs, scene.canvas());
     };
     CHECK(extra_bytes(space_scene()) == 0);
     CHECK(extra_bytes(bones_scene()) == 5 * sizeof(LiveBone));

@@ -70,9 +70,9 @@ TEST_CASE("no moment needs more memory for outlines, or more steps, than the sce
             std::size_t most_steps = 0;
             for (int round = 0; round < 3000; ++round) {
                 stage.player.show({static_cast<std::int32_t>(random())});
-                const TracedPicture& picture = stage.player.picture();
+                const raster::Picture& picture = stage.player.picture();
                 CHECK(picture.coarseness == 0);
-                most_bytes = std::max(most_bytes, picture.outlines.used_bytes());
+                most_bytes = std::max(most_bytes, picture.outlines.needed_bytes());
                 most_steps = std::max(most_steps, picture.step_count);
             }
             if (panel.width <= 60) {
@@ -111,12 +111,16 @@ TEST_CASE("a player writes to its block and to the rows it is asked for, nowhere
         draw(std::integral_constant<PixelFormat, PixelFormat::grey4>{});
         player->show(Time::frame(frame));
         draw(std::integral_constant<PixelFormat, PixelFormat::mono1>{});
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::rgb444>{});
+        player->show(Time::frame(frame));
+        draw(std::integral_constant<PixelFormat, PixelFormat::rgb666>{});
     }
     CHECK(is_untouched(std::span{memory}.first(guard)));
     CHECK(is_untouched(std::span{memory}.last(guard)));
 }
 
-TEST_CASE("a block has room for edges, a row of coverage, steps and a row for each level of blending")
+TEST_CASE("a block has room for outlines, a record, steps, and a tile for each level of blending")
 {
     const auto block_bytes = [](const std::string& properties) {
         const Bytes bytes =
@@ -124,8 +128,10 @@ TEST_CASE("a block has room for edges, a row of coverage, steps and a row for ea
                      " { group opacity=0.5 { object o fill=red stroke=blue { rect 0 0 9 9 } } }");
         return Player::block_bytes(*SceneView::parse(bytes), {20, 10});
     };
+    constexpr std::size_t tile_bytes = 512;
     constexpr std::size_t steps = 2 * 2; // to begin and to end blending, of two pictures
-    CHECK(block_bytes("opacity=0.5") - block_bytes("opacity=1") == steps * sizeof(PaintStep) + 20 * 3);
+    CHECK(block_bytes("opacity=0.5") - block_bytes("opacity=1") ==
+          steps * sizeof(raster::PaintStep) + tile_bytes);
 }
 
 TEST_CASE("a block that is one byte short is refused")
@@ -256,20 +262,24 @@ TEST_CASE("colours become those of the format")
     Stage stage{text, {2, 1}};
     SUBCASE("rgb565, little-endian; half covered is half of each")
     {
-        // ff8000 is 31, 32, 0; 0080ff is 0, 32, 31; 128 of 255 between them is 15, 32, 16
-        constexpr int mixed = 15 << 11 | 32 << 5 | 16;
+        // ff8000 is 31, 32, 0; 0080ff is 0, 32, 31; half between them is 16, 32, 16
+        constexpr int mixed = 16 << 11 | 32 << 5 | 16;
         constexpr int back = 31 << 11 | 32 << 5;
         CHECK(stage.picture({}) == Bytes{std::byte{mixed & 255}, std::byte{mixed >> 8}, std::byte{back & 255},
                                          std::byte{back >> 8}});
     }
     SUBCASE("grey: 0.30 red, 0.59 green, 0.11 blue")
     {
-        // ff8000: 152 -> 9; 0080ff: 104 -> 6; half: 7
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "79");
+        // ff8000: 152 -> 9; 0080ff: 104 -> 6; half: 128 -> 8
+        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "89");
     }
     SUBCASE("one bit: the brighter half is lit, leftmost pixel in the highest bit")
     {
-        CHECK(stage.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b01000000}});
+        CHECK(stage.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b11000000}}); // 128 and 152 of 255
+        Stage darker{"kfast 1\ncanvas 2 1 background=\"#ff8000\"\n"
+                     "object half fill=\"#0070ff\" { rect 0.5 0 0.5 1 }",
+                     {2, 1}};
+        CHECK(darker.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b01000000}}); // 123 and 152
     }
 }
 

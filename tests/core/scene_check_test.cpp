@@ -111,8 +111,8 @@ TEST_CASE("values of the header have ranges")
     CHECK_FALSE(with(&RawScene::camera, 32768));
     CHECK(with(&RawScene::outline_bytes, 0));
     CHECK(with(&RawScene::outline_bytes, 4));
-    CHECK(with(&RawScene::outline_bytes, 1'048'576));
-    CHECK_FALSE(with(&RawScene::outline_bytes, 1'048'580));
+    CHECK(with(&RawScene::outline_bytes, 4'194'304));
+    CHECK_FALSE(with(&RawScene::outline_bytes, 4'194'308));
     CHECK_FALSE(with(&RawScene::outline_bytes, 0xFFFFFFFC));
 }
 

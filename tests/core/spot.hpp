@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/point.hpp"
+#include "core/raster/grid.hpp"
 
 #include <cmath>
 
@@ -17,6 +18,10 @@ struct Spot {
 };
 
 inline Spot spot(Point point) { return {point.x.raw() / 65536.0, point.y.raw() / 65536.0}; }
+inline Spot spot(raster::Corner corner)
+{
+    return {corner.x / double{raster::grid}, corner.y / double{raster::grid}};
+}
 
 /// In pixels.
 inline double apart(Point point, Spot exact)

@@ -166,7 +166,7 @@ TEST_CASE("inputs stand where the board says from then on, seen in that very fra
     board.move_at = 3;
     run(board);
     CHECK(board.asked == 4);
-    CHECK(board.story == "blank whole lit 0 1 blank part part part part 2 3 ");
+    CHECK(board.story == "blank whole lit 0 1 blank whole 2 3 ");
     CHECK(board.panel().first_row_is_white);
 }
 

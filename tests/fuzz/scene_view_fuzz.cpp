@@ -214,7 +214,7 @@ void play(std::span<const std::byte> bytes)
         tell_texts(*scene, *player, drawn);
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
-        if (player->picture().outlines.used_bytes() > most_drawn_bytes)
+        if (player->picture().outlines.needed_bytes() > most_drawn_bytes)
             continue;
         const PixelFormat format = pixel_formats[drawn++ % pixel_formats.size()];
         draw_changes(*player, format);

@@ -18,7 +18,7 @@ KFAST, IMAGES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 CPU = "cortex-m0"
 DRAWN_FOR_BEAMS = ("jitterbug", "beam-word", "lissajous", "marcher")
 OTHERS = ("gauge", "first-light", "stroller", "card", "one-to-two")
-TOLERANCE = 0.15
+TOLERANCE = 0.2
 
 
 def estimates(scene):

@@ -23,7 +23,7 @@ from cost_table import write_table  # noqa: E402
 from least_squares import fitted  # noqa: E402
 from random_scenes import scene_texts  # noqa: E402
 
-FIRST_DRAWN = "strip"  # kinds of work before it are part of the update (core/work.hpp)
+FIRST_DRAWN = "step"  # kinds of work before it are part of the update (core/work.hpp)
 PROFILED = ("golden-split_and_merge", "golden-bones_and_skins", "random-3", "random-8")
 
 

@@ -1,4 +1,5 @@
 #include "core/raster/renderer.hpp"
+#include "tests/core/raster/true_area.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,47 +13,6 @@
 namespace kfast::raster {
 namespace {
 
-struct Place {
-    double x;
-    double y;
-};
-
-/// What of a polygon lies on one side of a line through `at`, along an axis: Sutherland and Hodgman's
-/// clipping.
-std::vector<Place> cut(const std::vector<Place>& polygon, double Place::*along, double at, double sign)
-{
-    std::vector<Place> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Place a = polygon[i];
-        const Place b = polygon[(i + 1) % polygon.size()];
-        const double from = sign * (a.*along - at);
-        const double to = sign * (b.*along - at);
-        if (from >= 0)
-            kept.push_back(a);
-        if ((from < 0) != (to < 0)) {
-            const double share = from / (from - to);
-            kept.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
-        }
-    }
-    return kept;
-}
-
-/// How much of a pixel a polygon that goes around once covers, 0 … 1.
-double true_area(std::vector<Place> polygon, int x, int y)
-{
-    polygon = cut(polygon, &Place::x, x, 1);
-    polygon = cut(polygon, &Place::x, x + 1, -1);
-    polygon = cut(polygon, &Place::y, y, 1);
-    polygon = cut(polygon, &Place::y, y + 1, -1);
-    double area = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Place a = polygon[i];
-        const Place b = polygon[(i + 1) % polygon.size()];
-        area += (a.x * b.y - b.x * a.y) / 2;
-    }
-    return std::abs(area);
-}
-
 /// The levels of a polygon in white on black, 0 … 255.
 std::vector<int> drawn(const std::vector<Corner>& corners, Size panel)
 {
@@ -65,7 +25,7 @@ std::vector<int> drawn(const std::vector<Corner>& corners, Size panel)
     for (const Corner corner : corners)
         renderer.picture().outlines.add(corner);
     renderer.picture().outlines.close();
-    renderer.begin(0);
+    renderer.begin();
     std::vector<std::byte> pixels(row_bytes(PixelFormat::rgb666, panel.width) *
                                   static_cast<std::size_t>(panel.height));
     renderer.draw_rows<PixelFormat::rgb666>(0, panel.height, pixels);
@@ -77,14 +37,11 @@ std::vector<int> drawn(const std::vector<Corner>& corners, Size panel)
 
 int largest_error(const std::vector<Corner>& corners, Size panel)
 {
-    std::vector<Place> polygon;
-    for (const Corner corner : corners)
-        polygon.push_back({corner.x / 64.0, corner.y / 64.0});
     const std::vector<int> levels = drawn(corners, panel);
     int largest = 0;
     for (int y = 0; y < panel.height; ++y)
         for (int x = 0; x < panel.width; ++x) {
-            const int wanted = static_cast<int>(std::lround(255 * true_area(polygon, x, y)));
+            const int wanted = static_cast<int>(std::lround(255 * std::abs(test::true_area(corners, x, y))));
             largest =
                 std::max(largest, std::abs(levels[static_cast<std::size_t>(y * panel.width + x)] - wanted));
         }

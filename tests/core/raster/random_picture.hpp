@@ -14,7 +14,6 @@ struct RandomLayer {
     FillRule rule = FillRule::nonzero;
     std::vector<std::vector<Corner>> contours;
     std::uint32_t item = 0;
-    std::int32_t moved_at = 0; ///< the step in which it moved last
 };
 
 /// Layers, some of them in groups, that move, change their colours, come and go.
@@ -40,7 +39,6 @@ public:
                 layer.colour = colour();
             if (chance(3))
                 continue;
-            layer.moved_at = step_;
             for (auto& contour : layer.contours)
                 shift(contour);
         }
@@ -48,21 +46,25 @@ public:
         group_opacity_ = chance(3) ? 128 : 200;
     }
 
-    /// Every second picture has a group, if `has_groups`.
+    /// Every second picture has a group and another one in it, if `has_groups`.
     void show(Renderer& renderer, bool has_groups) const
     {
         Picture& picture = renderer.picture();
         picture.outlines.clear();
         picture.step_count = 0;
         const std::size_t group_begin = has_groups && step_ % 2 == 0 ? group_begin_ : layers_.size();
+        const std::size_t inner_begin = (group_begin + layers_.size()) / 2;
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             if (i == group_begin)
                 picture.add_step(group_step(PaintStep::Kind::begin_group));
+            if (i == inner_begin)
+                picture.add_step(group_step(PaintStep::Kind::begin_group));
             add(picture, layers_[i]);
         }
-        if (group_begin < layers_.size())
-            picture.add_step(group_step(PaintStep::Kind::end_group));
-        renderer.begin(0);
+        for (const std::size_t begin : {inner_begin, group_begin})
+            if (begin < layers_.size())
+                picture.add_step(group_step(PaintStep::Kind::end_group));
+        renderer.begin();
     }
 
     const std::vector<RandomLayer>& layers() const { return layers_; }
@@ -81,7 +83,7 @@ private:
 
     RandomLayer layer()
     {
-        RandomLayer added{colour(), chance(2) ? FillRule::nonzero : FillRule::even_odd, {}, ++items_, step_};
+        RandomLayer added{colour(), chance(2) ? FillRule::nonzero : FillRule::even_odd, {}, ++items_};
         for (std::int32_t contours = between(1, 2); contours > 0; --contours)
             added.contours.push_back(contour());
         return added;
@@ -131,14 +133,14 @@ private:
         step.colour = layer.colour;
         step.rule = layer.rule;
         step.item = layer.item;
-        step.still = {Time{layer.moved_at}, Time{layer.moved_at + 1}};
-        picture.add_step(step);
+        PaintStep& added = picture.add_step(step);
         picture.outlines.begin_layer(static_cast<std::uint16_t>(picture.step_count - 1));
         for (const std::vector<Corner>& contour : layer.contours) {
             for (const Corner corner : contour)
                 picture.outlines.add(corner);
             picture.outlines.close();
         }
+        added.outlines = picture.outlines.fingerprint();
     }
 
     Size panel_;

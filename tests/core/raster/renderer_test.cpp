@@ -50,7 +50,7 @@ RendererNeeds needs_of(const Drive& drive)
     return {.outline_bytes = drive.outline_bytes,
             .record_bytes = drive.record_bytes,
             .steps = 200,
-            .group_depth = 1};
+            .group_depth = 2};
 }
 
 template <PixelFormat format>

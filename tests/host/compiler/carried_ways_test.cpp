@@ -317,7 +317,7 @@ TEST_CASE("exactly on its key a drawing looks as it does without a skeleton")
         int worst = 0;
         for (std::size_t i = 0; i < with.size(); ++i)
             worst = std::max(worst, std::abs(with[i] - without[i]));
-        CHECK(worst < 24); // an edge may lie 1/16 px elsewhere
+        CHECK(worst <= 24); // an edge may lie 1/16 px elsewhere, and is mixed in steps of 8
     }
     CHECK(picture(carried, 7) != picture(plain, 7));
 }

@@ -23,7 +23,7 @@ TEST_CASE("a drawing that is shown again is stored once, also in another object"
     const auto twice = compiled(with_object("object a fill=white { key 0 " + shape + " }\n" +
                                             "object b fill=white { key 0 " + shape + " }"))
                            .size();
-    CHECK(twice == once + 4 + 1); // style, colour, beats, drawing; more bytes for outlines
+    CHECK(twice == once + 4); // style, colour, beats, drawing
 }
 
 TEST_CASE("times of every kind come back as they were written")

@@ -1,0 +1,236 @@
+#include "core/raster/edge_group.hpp"
+
+#include "core/raster/reciprocal.hpp"
+#include "core/work.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace kfast::raster {
+namespace {
+
+int step_of(const RowChain& chain) { return chain.runs_down ? 1 : -1; }
+
+/// A part of an edge's height, in 1/2^part_bits.
+constexpr int part_bits = 12;
+
+std::int32_t part_of(std::int32_t part, std::int32_t height)
+{
+    return part * reciprocals[static_cast<std::size_t>(height)] >> (16 - part_bits);
+}
+
+/// Where a chain crosses a line of the row; `y` lies within it.
+std::int32_t x_at(const RowChain& chain, std::int32_t y)
+{
+    if (chain.is_straight)
+        return chain.top_x + ((chain.bottom_x - chain.top_x) * y >> grid_bits);
+    std::int32_t found = chain.bottom_x;
+    chain.each_edge([&](std::int32_t x, std::int32_t top, std::int32_t next_x, std::int32_t bottom) {
+        if (top <= y && y < bottom)
+            found = x + ((next_x - x) * part_of(y - top, bottom - top) >> part_bits);
+    });
+    return found;
+}
+
+/// The windings that occur in a group.
+class Windings {
+public:
+    explicit Windings(std::int32_t first) : least_{first}, most_{first} { note(first); }
+
+    void note(std::int32_t winding)
+    {
+        least_ = std::min(least_, winding);
+        most_ = std::max(most_, winding);
+        has_zero_ = has_zero_ || winding == 0;
+    }
+
+    /// Whether sums of areas tell the coverage.
+    bool add_up(FillRule rule) const
+    {
+        return most_ - least_ <= 1 || (rule == FillRule::nonzero && !has_zero_);
+    }
+
+private:
+    std::int32_t least_;
+    std::int32_t most_;
+    bool has_zero_ = false;
+};
+
+/// Adds edges between inside and outside alone, of chains that are in order.
+void add_borders(std::span<const RowChain> chains, FillRule rule, std::int32_t winding, int columns,
+                 CoverageSums& sums)
+{
+    bool was_inside = is_inside(rule, winding);
+    for (const RowChain& chain : chains) {
+        winding += step_of(chain);
+        if (is_inside(rule, winding) == was_inside)
+            continue;
+        sums.add(edge_between(chain.top_x, chain.bottom_x), was_inside ? -1 : 1, columns);
+        was_inside = !was_inside;
+    }
+}
+
+template <class Visit>
+void each_line(std::span<const RowChain> chains, Visit visit)
+{
+    for (int number = 0; number != Line::count_in_row; ++number) {
+        Line line{number};
+        for (const RowChain& chain : chains)
+            line.add(chain);
+        visit(line);
+    }
+}
+
+/// All are straight, and in the order of their upper ends, no two cross.
+bool are_in_order(std::span<const RowChain> chains)
+{
+    for (std::size_t i = 0; i != chains.size(); ++i)
+        if (!chains[i].is_straight || (i != 0 && (chains[i].top_x < chains[i - 1].top_x ||
+                                                  chains[i].bottom_x < chains[i - 1].bottom_x)))
+            return false;
+    return true;
+}
+
+/// Of two: one goes on where the other ends, or they have a part of the row between them.
+bool are_plain(const RowChain& a, const RowChain& b)
+{
+    if (a.runs_down == b.runs_down)
+        return a.to <= b.from || b.to <= a.from;
+    return a.from == b.from && a.to == b.to && (a.top_x <= b.top_x) == (a.bottom_x <= b.bottom_x);
+}
+
+/// The first pixel of a group, and that behind it.
+std::pair<int, int> columns_of(std::span<const RowChain> chains)
+{
+    std::pair<int, int> columns{chains[0].first, 0};
+    for (const RowChain& chain : chains) {
+        columns.first = std::min(columns.first, chain.first);
+        columns.second = std::max(columns.second, chain.last + 1);
+    }
+    return columns;
+}
+
+/// By their upper ends, so that their order before does not matter.
+void sort(std::span<RowChain> chains)
+{
+    const auto is_before = [](const RowChain& a, const RowChain& b) {
+        if (a.top_x != b.top_x)
+            return a.top_x < b.top_x;
+        return a.bottom_x < b.bottom_x || (a.bottom_x == b.bottom_x && step_of(a) > step_of(b));
+    };
+    for (std::size_t i = 1; i < chains.size(); ++i)
+        for (std::size_t j = i; j != 0 && is_before(chains[j], chains[j - 1]); --j)
+            std::swap(chains[j], chains[j - 1]);
+}
+
+}
+
+void add_chain(const RowChain& chain, int columns, CoverageSums& sums)
+{
+    if (chain.is_straight)
+        return sums.add(edge_between(chain.top_x, chain.bottom_x), step_of(chain), columns);
+    constexpr std::int32_t unit = CoverageSums::part_height / grid;
+    chain.each_edge([&](std::int32_t x, std::int32_t y, std::int32_t next_x, std::int32_t next_y) {
+        sums.add_part(x, next_x, (next_y - y) * unit * step_of(chain), columns);
+    });
+}
+
+std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t winding, int columns,
+                       CoverageSums& sums)
+{
+    if (chains.size() == 1) {
+        add_chain(chains[0], columns, sums);
+        return winding + chains[0].height() / grid;
+    }
+    std::int32_t height = 0;
+    for (const RowChain& chain : chains)
+        height += chain.height();
+    const std::int32_t right = winding + height / grid;
+    const auto [first, behind] = columns_of(chains);
+    if (behind <= 0) { // left of the tile
+        sums.add_height(height);
+        return right;
+    }
+    sort(chains);
+    const bool in_order = are_in_order(chains);
+    Windings windings{winding};
+    if (in_order) {
+        std::int32_t passed = winding;
+        for (const RowChain& chain : chains)
+            windings.note(passed += step_of(chain));
+    } else if (chains.size() != 2 || !are_plain(chains[0], chains[1])) {
+        each_line(chains, [&](const Line& line) {
+            line.walk(winding, [&](std::int32_t passed) { windings.note(passed); });
+        });
+    }
+    if (windings.add_up(rule)) {
+        for (const RowChain& chain : chains)
+            add_chain(chain, columns, sums);
+        return right;
+    }
+    did(Work::edge_group);
+    begin_inside(first, rule, winding, columns, sums);
+    if (in_order)
+        add_borders(chains, rule, winding, columns, sums);
+    else
+        each_line(chains, [&](const Line& line) { line.add_inside(rule, winding, columns, sums); });
+    end_inside(behind, rule, right, columns, sums);
+    return right;
+}
+
+void begin_inside(int column, FillRule rule, std::int32_t winding, int columns, CoverageSums& sums)
+{
+    sums.add_windings(column, (is_inside(rule, winding) ? 1 : 0) - winding, columns);
+}
+
+void end_inside(int column, FillRule rule, std::int32_t winding, int columns, CoverageSums& sums)
+{
+    sums.add_windings(column, winding - (is_inside(rule, winding) ? 1 : 0), columns);
+}
+
+void Line::add(const RowChain& chain)
+{
+    if (y_ < chain.from || y_ >= chain.to)
+        return;
+    did(Work::line_crossing);
+    const std::int32_t added = 2 * x_at(chain, y_) + (chain.runs_down ? 0 : 1);
+    std::size_t place = count_++;
+    for (; place != 0 && crossings_[place - 1] > added; --place)
+        crossings_[place] = crossings_[place - 1];
+    crossings_[place] = added;
+}
+
+void Line::add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const
+{
+    constexpr std::int32_t height = CoverageSums::part_height / count_in_row;
+    bool was_inside = is_inside(rule, winding);
+    for (std::size_t i = 0; i != count_; ++i) {
+        winding += step(i);
+        if (is_inside(rule, winding) == was_inside)
+            continue;
+        const std::int32_t x = crossings_[i] >> 1;
+        sums.add_part(x, x, was_inside ? -height : height, columns);
+        was_inside = !was_inside;
+    }
+}
+
+void RowChain::find_pixels()
+{
+    if (is_straight) {
+        first = floor_pixel(std::min(top_x, bottom_x));
+        last = floor_pixel(std::max(top_x, bottom_x));
+        return;
+    }
+    std::int32_t low = top_x;
+    std::int32_t high = low;
+    each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+    });
+    first = floor_pixel(low);
+    last = floor_pixel(high);
+}
+
+}
