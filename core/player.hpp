@@ -34,8 +34,7 @@ public:
     /// once it has drawn. Fails with block_too_small.
     static Result<Player> create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
-    /// In its place at once, for a small stack: what create() returns is copied. As for create(), but `block`
-    /// has block_bytes(), no more and no less.
+    /// As create(), but `block` has block_bytes(), no more and no less.
     [[gnu::cold, gnu::noinline]] Player(const SceneView& scene, Size panel, Fit fit,
                                         std::span<std::byte> block);
 

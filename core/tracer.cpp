@@ -39,7 +39,7 @@ void Tracer::trace_scene()
     picture_.outlines.clear();
     picture_.step_count = 0;
     picture_.still = {};
-    trace(on_panel_.scene.items(), {on_panel_.canvas, {}});
+    trace(on_panel_.scene.items(), {on_panel_.canvas});
     work_for(0);
 }
 
@@ -59,8 +59,7 @@ void Tracer::trace(const ItemView& item, const Context& outer)
     work_for(context.path);
     did(Work::item);
     const ItemState state{on_panel_.scene, item, moment_};
-    context.still = outer.still & state.still();
-    picture_.still = picture_.still & context.still;
+    picture_.still = picture_.still & state.still();
     context.opacity = product_of_opacities(outer.opacity, state.opacity());
     if (context.opacity == 0)
         return;
@@ -83,12 +82,10 @@ void Tracer::trace(const ItemView& item, const ItemState& state, const Context& 
     trace(on_panel_.scene.items_in(item), context);
 }
 
-void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
+void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& context)
 {
     const ObjectStrokes strokes{on_panel_, object, moment_};
-    Context context = outer;
-    context.still = outer.still & strokes.still();
-    picture_.still = picture_.still & context.still;
+    picture_.still = picture_.still & strokes.still();
     if (object.has_depths)
         return trace_wires(strokes, object.style, state, context);
     add_layers(
@@ -106,11 +103,9 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
     add_layer(state.stroke(), FillRule::nonzero, context, [&] { strokes.trace(projection, outline); });
 }
 
-void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)
+void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& context)
 {
-    Context context = outer;
-    context.still = outer.still & Still{.inputs = bit_of_input(item.live.input)};
-    picture_.still = picture_.still & context.still;
+    picture_.still = picture_.still & Still{.inputs = bit_of_input(item.live.input)};
     switch (item.live.kind) {
     case LiveKind::drawing:
         return trace_drawing(on_panel_.drawings.of(on_panel_.scene, item.live.input), item.object.style,

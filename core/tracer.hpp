@@ -30,7 +30,6 @@ private:
     /// Where an item lies and what holds for it from outside.
     struct Context {
         Space space;
-        Still still;
         std::uint32_t path = 0;      ///< tells the item apart
         std::uint32_t opacity = 255; ///< of items around a single layer
         bool is_leaf = false;

@@ -136,13 +136,8 @@ void LayerRow::each_left_chain(int row, Visit visit) const
         const Chain& chain = band_->chain(place);
         if (chain.begin != 0)
             return;
-        if (chain.layer != layer_)
-            continue;
-        const Way way = way_through(*band_, chain, row);
-        if (way == Way::none)
-            continue;
-        did(Work::row_chain);
-        visit(row_chain(chain, row, way == Way::straight));
+        if (RowChain found; find_row_chain(chain, row, found))
+            visit(found);
     }
 }
 
@@ -178,14 +173,9 @@ void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
     for (std::uint32_t place = cluster.first; place != cluster.behind; place = band_->chain(place).next) {
         const Chain& chain = band_->chain(place);
         did(Work::chain_visit);
-        if (chain.layer != layer_)
-            continue;
-        const Way way = way_through(*band_, chain, row);
-        if (way == Way::none)
-            continue;
-        did(Work::row_chain);
-        const RowChain found = row_chain(chain, row, way == Way::straight);
-        if (found.first < right && found.last >= begin_ && !visit(found, chain.begin - left_))
+        RowChain found;
+        if (find_row_chain(chain, row, found) && found.first < right && found.last >= begin_ &&
+            !visit(found, chain.begin - left_))
             return;
     }
 }
@@ -311,12 +301,18 @@ int LayerRow::end_of_group(const Cluster& cluster, int row, int begin) const
     return last;
 }
 
-RowChain LayerRow::row_chain(const Chain& chain, int row, bool is_straight) const
+/// False if the chain is not one of the layer, or does not reach the row.
+bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) const
 {
+    if (chain.layer != layer_)
+        return false;
+    const Way way = way_through(*band_, chain, row);
+    if (way == Way::none)
+        return false;
+    did(Work::row_chain);
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
     const std::int32_t left = (left_ - chain.left) * grid;
-    RowChain found;
     found.top_x = band_->crossing(chain, row) - left;
     found.bottom_x = band_->crossing(chain, row + 1) - left;
     found.bend = band_->bends(chain);
@@ -325,10 +321,10 @@ RowChain LayerRow::row_chain(const Chain& chain, int row, bool is_straight) cons
     found.from = std::max<std::int32_t>(chain.top - top, 0);
     found.to = std::min(chain.bottom - top, grid);
     found.runs_down = chain.runs_down;
-    found.is_straight = is_straight;
+    found.is_straight = way == Way::straight;
     found.begins = chain.top >= top;
     found.find_pixels();
-    return found;
+    return true;
 }
 
 std::int32_t LayerRow::coverage_of(std::int32_t sum) const

@@ -64,7 +64,7 @@ private:
     template <class EachChain>
     std::int32_t add_large_group(EachChain each_chain, std::size_t count, std::int32_t winding);
     int end_of_group(const Cluster& cluster, int row, int begin) const;
-    RowChain row_chain(const Chain& chain, int row, bool is_straight) const;
+    bool find_row_chain(const Chain& chain, int row, RowChain& found) const;
     RowEdge edge_of(const Chain& chain, int row) const;
 
     const Band* band_ = nullptr;

@@ -67,6 +67,7 @@ public:
 private:
     enum class Progress : std::uint8_t { none, begun, done };
 
+    /// Of a call: whoever draws has other things to do in between.
     static constexpr std::size_t max_changes = 4;
 
     void begin_pass(int band_bits);

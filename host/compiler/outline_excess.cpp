@@ -3,29 +3,17 @@
 #include "core/item_path.hpp"
 #include "core/kfb_limits.hpp"
 #include "host/compiler/outline_meter.hpp"
+#include "host/outline_items.hpp"
 #include "host/scene/value_reader.hpp"
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
 
 namespace kfast {
 namespace {
 
 /// Enough for any picture that a file can hold, with the coarsest curves.
 constexpr std::size_t ample_bytes = 16 * std::size_t{kfb::max_outline_bytes};
-
-using ByItem = std::unordered_map<std::uint32_t, std::size_t>;
-
-/// By the paths of objects.
-ByItem bytes_by_item(const raster::Picture& picture)
-{
-    ByItem bytes;
-    picture.outlines.each_chain([&](const raster::Chain& chain) {
-        bytes[picture.steps()[chain.layer].item] += raster::OutlineStore::chain_bytes(chain);
-    });
-    return bytes;
-}
 
 /// The live object that may have most points.
 class LargestLive {
@@ -109,8 +97,9 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Momen
     const raster::Picture& picture = meter.picture_at(moment);
     constexpr std::size_t held = kfb::max_outline_bytes;
     const std::size_t needed = std::max(picture.outlines.needed_bytes(), held);
-    const ByItem by_item = bytes_by_item(picture);
-    const auto& [path, most] = *std::ranges::max_element(by_item, {}, &ByItem::value_type::second);
+    const auto by_item = outline_bytes_by_item(picture);
+    const auto& [path, most] =
+        *std::ranges::max_element(by_item, {}, [](const auto& item) { return item.second; });
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
     diagnostics.error(item.place,
                       "the outlines at frame " + scene::text_of(moment.time()) + " need " +

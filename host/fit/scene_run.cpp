@@ -141,7 +141,7 @@ void SceneRun::draw(Time moment, const VisitFrame& visit)
     with_format(display.format, draw_all);
     if (!overfull_ && player_.picture().outlines.is_full())
         overfull_ = outlines_of(moment, player_.picture());
-    visit({moment, log.by_item(), player_.picture(), areas, bytes});
+    visit({moment, log.by_item(), player_.picture(), areas, bytes, player_.unrecorded_bands()});
 }
 
 Time SceneRun::moment_of(int frame, Time offset) const

@@ -23,7 +23,8 @@ struct FrameWork {
     const std::unordered_map<std::uint32_t, WorkCount>& by_item; ///< valid during the call
     const raster::Picture& picture;                              ///< likewise
     std::size_t areas = 0;
-    std::size_t bytes = 0; ///< of pixels and of the commands for areas
+    std::size_t bytes = 0;    ///< of pixels and of the commands for areas
+    int unrecorded_bands = 0; ///< Player::unrecorded_bands()
 
     WorkCount work() const;
 };

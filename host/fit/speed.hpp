@@ -42,7 +42,8 @@ struct Speed {
     double leap = 0;                         ///< seconds of the dearest picture in which they leap
     Limits by_cpu;
     Limits by_bus;
-    int stride = 1; ///< of how many frames one was looked at
+    int unrecorded_bands = 0; ///< after any picture, at most: drawn whole in the next one (Player)
+    int stride = 1;           ///< of how many frames one was looked at
 
     const FrameCost& median() const { return frames[frames.size() / 2]; }
     const FrameCost& worst() const { return frames.back(); }

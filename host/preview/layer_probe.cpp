@@ -10,7 +10,7 @@ int LayerProbe::coverage(std::size_t step, int x, int y)
     raster::Band band = first_band(outlines);
     while (band.top_row() + band.row_count() <= y)
         band.advance();
-    return most_coverage(band, step, y - band.top_row(), x, x + 1);
+    return max_coverage(band, step, y - band.top_row(), x, x + 1);
 }
 
 bool LayerProbe::covers_any(std::size_t step)
@@ -20,7 +20,7 @@ bool LayerProbe::covers_any(std::size_t step)
     for (raster::Band band = first_band(outlines);; band.advance()) {
         for (int row = 0; row != band.row_count(); ++row)
             for (int x = 0; x < panel.width; x += raster::tile_columns)
-                if (most_coverage(band, step, row, x, std::min(x + raster::tile_columns, panel.width)) > 0)
+                if (max_coverage(band, step, row, x, std::min(x + raster::tile_columns, panel.width)) > 0)
                     return true;
         if (band.top_row() + band.row_count() == panel.height)
             return false;
@@ -38,14 +38,14 @@ raster::Band LayerProbe::first_band(raster::OutlineStore& outlines) const
 }
 
 /// Of the columns from `begin` to `end`, at most raster::tile_columns.
-int LayerProbe::most_coverage(const raster::Band& band, std::size_t step, int row, int begin, int end)
+int LayerProbe::max_coverage(const raster::Band& band, std::size_t step, int row, int begin, int end)
 {
     const raster::Region all{.end = static_cast<std::int16_t>(player_.panel().width), .first = band.first()};
     const FillRule rule = player_.picture().steps()[step].rule;
-    int most = 0;
+    int found = 0;
     if (row_.begin(band, all, static_cast<std::uint16_t>(step), rule, begin, end - begin))
-        row_.sum_up(row, [&](int, int, int coverage) { most = std::max(most, coverage); });
-    return most;
+        row_.sum_up(row, [&](int, int, int coverage) { found = std::max(found, coverage); });
+    return found;
 }
 
 }

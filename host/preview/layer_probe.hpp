@@ -21,7 +21,7 @@ public:
 
 private:
     raster::Band first_band(raster::OutlineStore& outlines) const;
-    int most_coverage(const raster::Band& band, std::size_t step, int row, int begin, int end);
+    int max_coverage(const raster::Band& band, std::size_t step, int row, int begin, int end);
 
     Player& player_;
     raster::LayerRow row_;

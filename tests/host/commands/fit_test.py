@@ -227,6 +227,12 @@ class FitTest(CommandTest):
         self.assertLess(outlines["frame"], 1)
         self.assertLessEqual(outlines["object_bytes"], outlines["bytes"])
 
+    def test_bands_whose_borders_find_no_room_are_counted(self):
+        self.assertEqual(self.report("repeat.kfast", *self.board())["unrecorded_bands"], 0)
+        bars = "; ".join(f"rect {3 * i} 0 1 40" for i in range(20))
+        self.write("bars.kfast", f"kfast 1\ncanvas 60 40 frames=8\nobject bars fill=red {{ {bars}; key 0 x=0; key 8 x=1 }}\n")
+        self.assertIn(self.report("bars.kfast", *self.board())["unrecorded_bands"], range(1, 11))
+
     def test_too_many_objects(self):
         (self.folder / "crowd.kfast").write_text(MANY_OBJECTS)
         report = self.refused("crowd.kfast", *self.board(ram=64, panel="240 240"))
