@@ -122,6 +122,33 @@ TEST_CASE("a picture that equals the last costs nothing")
     }
 }
 
+TEST_CASE("whole rows go together, other areas are no higher than a band")
+{
+    constexpr Size panel{40, 40};
+    Stage stage{"kfast 1\ncanvas 40 40 frames=20\nobject o fill=red { key 0 { rect 5 0 9 40 }; key 10 { rect "
+                "5 0 19 40 } }",
+                panel};
+    Bytes pixels(row_bytes(PixelFormat::rgb565, panel.width) * static_cast<std::size_t>(panel.height));
+    stage.player.show({});
+    const auto first = stage.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 11);
+    REQUIRE(first.size() == 1);
+    CHECK(first[0].area == Rect{0, 0, panel.width, panel.height});
+    CHECK(stage.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 11).empty());
+    stage.player.show(Time::frame(1));
+    int areas = 0;
+    for (;;) {
+        // Areas are so dear that both sides of the rectangle are in one.
+        const auto changes = stage.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 400);
+        if (changes.empty())
+            break;
+        for (const Change& change : changes) {
+            ++areas;
+            CHECK(change.area.height <= 4);
+        }
+    }
+    CHECK(areas == 10);
+}
+
 TEST_CASE("a step costs nothing up to the next")
 {
     constexpr std::string_view stepping = R"kfast(
