@@ -28,7 +28,7 @@ void Band::advance()
     std::uint32_t hidden = std::exchange(hidden_, Chain::none);
     last_ = Chain::none;
     for (std::uint32_t list : {shown, hidden})
-        for (std::uint32_t next; list != Chain::none; list = next) {
+        for (std::uint32_t next = Chain::none; list != Chain::none; list = next) {
             Chain& passed = chain(list);
             next = passed.next;
             if (passed.bottom <= top_)
@@ -36,7 +36,8 @@ void Band::advance()
             move_on(passed);
             insert(list);
         }
-    for (std::uint32_t place = store_->first_in(number_), next; place != Chain::none; place = next) {
+    for (std::uint32_t place = store_->first_in(number_), next = Chain::none; place != Chain::none;
+         place = next) {
         Chain& begun = chain(place);
         next = begun.next;
         begun.slot = steps_[begun.layer].slot;

@@ -59,7 +59,7 @@ void cover(const RowEdge& edge, int columns, CoverageRun& run)
     const Ramp ramp{static_cast<std::uint32_t>(edge.high - edge.low)};
     for (int pixel = run.begin; pixel != run.end; ++pixel) {
         const std::int32_t left = pixel * grid;
-        std::int32_t coverage;
+        std::int32_t coverage = 0;
         if (pixel == first)
             coverage = ramp.triangle(static_cast<std::uint32_t>(left + grid - edge.low));
         else if (pixel + 1 == behind)

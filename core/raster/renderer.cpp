@@ -48,7 +48,7 @@ int band_bits_for(Size granularity, int columns)
     int bits = default_band_bits;
     while (1 << bits < granularity.height)
         ++bits;
-    while (1 << bits > granularity.height && granularity.width << bits > columns)
+    while (bits > 0 && 1 << bits > granularity.height && granularity.width << bits > columns)
         --bits;
     return bits;
 }

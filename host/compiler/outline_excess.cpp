@@ -25,8 +25,8 @@ public:
         add(scene.items);
     }
 
-    /// Only of a scene that has one.
-    const scene::Item& item() const { return *largest_; }
+    /// Where it stands in the text of the scene.
+    Place place() const { return place_; }
 
 private:
     void add(const std::vector<scene::Item>& items)
@@ -43,12 +43,12 @@ private:
     void add(const scene::Item& item, std::size_t points)
     {
         if (points > points_)
-            largest_ = &item;
+            place_ = item.place;
         points_ = std::max(points_, points);
     }
 
     const scene::Scene& scene_;
-    const scene::Item* largest_ = nullptr;
+    Place place_;
     std::size_t points_ = 0;
 };
 
@@ -112,7 +112,7 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Momen
 void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes, std::size_t live,
                         Diagnostics& diagnostics)
 {
-    diagnostics.error(LargestLive{scene}.item().place,
+    diagnostics.error(LargestLive{scene}.place(),
                       "what is told from outside may need " + std::to_string(live) +
                           " bytes of outlines at frame " + scene::text_of(moment.time()) +
                           ", everything else needs " + std::to_string(bytes) + " bytes; the format holds " +

@@ -46,11 +46,12 @@ double level_by_distance(const std::vector<Point>& points, double radius, int x,
     constexpr int samples = 24;
     int inside = 0;
     for (int i = 0; i < samples * samples; ++i) {
+        const int column = i / samples;
+        const int row = i % samples;
         double nearest = 1e9;
         for (std::size_t k = 1; k < points.size(); ++k)
-            nearest =
-                std::min(nearest, distance(x + (i / samples + 0.5) / samples,
-                                           y + (i % samples + 0.5) / samples, points[k - 1], points[k]));
+            nearest = std::min(nearest, distance(x + (column + 0.5) / samples, y + (row + 0.5) / samples,
+                                                 points[k - 1], points[k]));
         inside += nearest <= radius;
     }
     return inside * double{raster::full_coverage} / (samples * samples);

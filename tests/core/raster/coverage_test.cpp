@@ -133,7 +133,8 @@ TEST_CASE("coverage is the exact area of what lies on the grid")
 TEST_CASE("of what is lower than 1/16 px, no more is lost than that")
 {
     for (int part = 0; part <= raster::grid / 16; ++part)
-        for (double top = 0; top <= 1; top += 1 / 64.0) {
+        for (int above = 0; above <= raster::grid; ++above) {
+            const double top = above / 64.0;
             const CoveragePicture low = filled({9, 3}, {rectangle(1, top, 8, top + part / 64.0)});
             for (int x = 0; x < 9; ++x) {
                 const int covered = low.at(x, 0) + low.at(x, 1) + low.at(x, 2);

@@ -31,6 +31,7 @@ inline std::vector<Spot> cut(const std::vector<Spot>& polygon, double Spot::*alo
 inline double true_area(const std::vector<raster::Corner>& corners, int x, int y)
 {
     std::vector<Spot> polygon;
+    polygon.reserve(corners.size());
     for (const raster::Corner corner : corners)
         polygon.push_back(spot(corner));
     polygon = cut(polygon, &Spot::x, x, 1);
