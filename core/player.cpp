@@ -71,7 +71,7 @@ void Player::show_moment(Time moment)
 void Player::trace(Time time)
 {
     const Moment moment = pose(time);
-    Tracer{on_panel(), moment, renderer_.picture()}.run();
+    Tracer{on_panel(), moment, renderer_.picture()}.run(moved_);
     renderer_.begin();
     moved_ = 0;
 }

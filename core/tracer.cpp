@@ -23,23 +23,33 @@ Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 
 }
 
-void Tracer::run()
+void Tracer::run(std::uint32_t moved)
 {
+    raster::OutlineStore& outlines = picture_.outlines;
+    if (picture_.coarseness == 0)
+        outlines.keep(moment_.time(), moved);
+    else
+        outlines.clear();
     picture_.coarseness = 0;
     trace_scene();
-    while (picture_.outlines.is_full() && picture_.coarseness < coarsest) {
+    if (outlines.is_full() && outlines.keeps_layers()) {
+        outlines.clear();
+        trace_scene();
+    }
+    while (outlines.is_full() && picture_.coarseness < coarsest) {
         ++picture_.coarseness;
+        outlines.clear();
         trace_scene();
     }
 }
 
+/// What is kept of its outlines was chosen.
 void Tracer::trace_scene()
 {
     did(Work::picture);
-    picture_.outlines.clear();
     picture_.step_count = 0;
     picture_.still = {};
-    trace(on_panel_.scene.items(), {on_panel_.canvas});
+    trace(on_panel_.scene.items(), {.space = on_panel_.canvas});
     work_for(0);
 }
 
@@ -55,11 +65,11 @@ void Tracer::trace(const ItemView& item, const Context& outer)
 {
     Context context = outer;
     context.path = path_to(item, outer.path, on_panel_.scene);
-    context.is_leaf = item.is_leaf();
     work_for(context.path);
     did(Work::item);
     const ItemState state{on_panel_.scene, item, moment_};
     picture_.still = picture_.still & state.still();
+    context.still = outer.still & state.still();
     context.opacity = product_of_opacities(outer.opacity, state.opacity());
     if (context.opacity == 0)
         return;
@@ -82,10 +92,13 @@ void Tracer::trace(const ItemView& item, const ItemState& state, const Context& 
     trace(on_panel_.scene.items_in(item), context);
 }
 
-void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& context)
+void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
 {
     const ObjectStrokes strokes{on_panel_, object, moment_};
-    picture_.still = picture_.still & strokes.still();
+    const Still still = strokes.still();
+    picture_.still = picture_.still & still;
+    Context context = outer;
+    context.still = outer.still & still;
     if (object.has_depths)
         return trace_wires(strokes, object.style, state, context);
     add_layers(
@@ -100,12 +113,16 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
     const Projection projection{context.space, on_panel_.camera};
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
     outline.stroke_with(pen_for(style, state.width(), projection.growth_facing(state.pivot())));
-    add_layer(state.stroke(), FillRule::nonzero, context, [&] { strokes.trace(projection, outline); });
+    add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context,
+              [&] { strokes.trace(projection, outline); });
 }
 
-void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& context)
+void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)
 {
-    picture_.still = picture_.still & Still{.inputs = bit_of_input(item.live.input)};
+    const Still still{.inputs = bit_of_input(item.live.input)};
+    picture_.still = picture_.still & still;
+    Context context = outer;
+    context.still = outer.still & still;
     switch (item.live.kind) {
     case LiveKind::drawing:
         return trace_drawing(on_panel_.drawings.of(on_panel_.scene, item.live.input), item.object.style,
@@ -147,12 +164,12 @@ void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const 
     const Affine placement = is_flat ? context.space.plane : Affine{};
     const auto trace_placed = [&] { trace(placement, outline); };
     if (style.is_filled)
-        add_layer(state.fill(), style.fill_rule, context, trace_placed);
+        add_layer(Part::fill, state.fill(), style.fill_rule, context, trace_placed);
     if (!style.is_stroked)
         return;
     outline.stroke_with(pen_for(
         style, state.width(), is_flat ? context.space.plane.growth() : projection.growth_at(first_point())));
-    add_layer(state.stroke(), FillRule::nonzero, context, trace_placed);
+    add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context, trace_placed);
 }
 
 raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context& context)
@@ -161,15 +178,11 @@ raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context&
 }
 
 template <class Trace>
-void Tracer::add_layer(Colour colour, FillRule rule, const Context& context, Trace trace)
+void Tracer::add_layer(Part part, Colour colour, FillRule rule, const Context& context, Trace trace)
 {
-    raster::PaintStep& step = add_step(raster::PaintStep::Kind::layer, context);
     colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, context.opacity));
-    step.colour = colour;
-    step.rule = rule;
-    picture_.outlines.begin_layer(static_cast<std::uint16_t>(picture_.step_count - 1));
-    trace();
-    step.outlines = picture_.outlines.fingerprint();
+    const raster::PaintStep step{.rule = rule, .colour = colour, .item = context.path};
+    picture_.add_layer(step, static_cast<std::uint8_t>(part), context.still, trace);
 }
 
 }

@@ -23,17 +23,21 @@ public:
     {
     }
 
-    /// With coarser curves if the picture finds no room otherwise.
-    void run();
+    /// Layers that stay as they are in the last picture, if but the inputs `moved`, a bit for each, have
+    /// moved, are not traced anew. Curves are coarser if the picture finds no room otherwise.
+    void run(std::uint32_t moved);
 
 private:
     /// Where an item lies and what holds for it from outside.
     struct Context {
         Space space;
+        Still still = {};            ///< of all that holds for it
         std::uint32_t path = 0;      ///< tells the item apart
         std::uint32_t opacity = 255; ///< of items around a single layer
-        bool is_leaf = false;
     };
+
+    /// Of an item, each a layer.
+    enum class Part : std::uint8_t { fill, stroke };
 
     static constexpr std::uint8_t coarsest = 8;
 
@@ -53,7 +57,7 @@ private:
     void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
                     FirstPoint first_point, Trace trace);
     template <class Trace>
-    void add_layer(Colour colour, FillRule rule, const Context& context, Trace trace);
+    void add_layer(Part part, Colour colour, FillRule rule, const Context& context, Trace trace);
 
     const SceneOnPanel& on_panel_;
     Moment moment_;

@@ -17,32 +17,34 @@ void Band::begin(const OutlineStore& store, std::span<const PaintStep> steps, Si
 
 int Band::row_count() const { return std::min(1 << store_->band_bits(), panel_.height - top_row()); }
 
-void Band::advance()
+void Band::advance(int number)
 {
     did(Work::band);
-    ++number_;
+    const int passed_bands = number - number_;
     const std::int32_t height = grid << store_->band_bits();
-    top_ = number_ * height;
+    top_ = number * height;
     bottom_ = top_ + height;
-    std::uint32_t shown = std::exchange(first_, Chain::none);
-    std::uint32_t hidden = std::exchange(hidden_, Chain::none);
+    const std::uint32_t shown = std::exchange(first_, Chain::none);
+    const std::uint32_t hidden = std::exchange(hidden_, Chain::none);
     last_ = Chain::none;
-    for (std::uint32_t list : {shown, hidden})
+    const auto take = [&](std::uint32_t list, int bands, bool is_new) {
         for (std::uint32_t next = Chain::none; list != Chain::none; list = next) {
-            Chain& passed = chain(list);
-            next = passed.next;
-            if (passed.bottom <= top_)
+            Chain& taken = chain(list);
+            next = taken.next;
+            if (taken.bottom <= top_ && bands != 0)
                 continue;
-            move_on(passed);
+            if (bands != 0)
+                move_on(taken, bands);
+            if (is_new)
+                taken.slot = steps_[taken.layer].slot;
             insert(list);
         }
-    for (std::uint32_t place = store_->first_in(number_), next = Chain::none; place != Chain::none;
-         place = next) {
-        Chain& begun = chain(place);
-        next = begun.next;
-        begun.slot = steps_[begun.layer].slot;
-        insert(place);
-    }
+    };
+    take(shown, passed_bands, false);
+    take(hidden, passed_bands, false);
+    for (int bands = passed_bands - 1; bands >= 0; --bands)
+        take(store_->first_in(number - bands), bands, true);
+    number_ = number;
     work_for(0);
 }
 
@@ -72,12 +74,12 @@ void Band::wind(SlotMask even_odd)
         windings_.fill(0);
 }
 
-/// From the band above.
-void Band::move_on(Chain& chain)
+/// From a band that is so many bands above.
+void Band::move_on(Chain& chain, int bands)
 {
     if (chain.is_straight)
         return;
-    chain.crossings += std::uint32_t{sizeof(Crossing)} << store_->band_bits();
+    chain.crossings += std::uint32_t{sizeof(Crossing)} * static_cast<std::uint32_t>(bands << store_->band_bits());
     const auto above = static_cast<std::uint32_t>(top_ - (chain.top & -grid));
     while (store_->bend(chain.bends)->y <= above)
         chain.bends -= std::uint32_t{sizeof(Bend)};

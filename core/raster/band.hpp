@@ -19,8 +19,10 @@ public:
     /// In front of the first band of a picture; `store` and `steps` must outlive it. Chains to the right of
     /// the panel are left out.
     void begin(const OutlineStore& store, std::span<const PaintStep> steps, Size panel);
-    /// To the next band. Chains that begin there have the slots of their layers.
-    void advance();
+    /// To a band further down. Chains that come into the list have the slots of their layers.
+    void advance(int number);
+    /// To the next one.
+    void advance() { advance(number_ + 1); }
     /// All chains have the slots of their layers, which may have changed.
     void take_slots();
     /// Finds the winding numbers, and what is a border; `even_odd` are the layers with this rule.
@@ -54,7 +56,7 @@ public:
     bool is_empty() const { return first_ == Chain::none; }
 
 private:
-    void move_on(Chain& chain);
+    void move_on(Chain& chain, int bands);
     void find_columns(Chain& chain) const;
     void insert(std::uint32_t place);
     const Crossing* crossings_of_line(const Chain& chain, BandCrossings& room) const;

@@ -3,6 +3,7 @@
 #include "core/work.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kfast::raster {
 namespace {
@@ -45,27 +46,54 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
                      int columns)
 {
     band_ = &band;
-    first_ = region.first;
-    behind_ = region.behind;
     layer_ = layer;
     rule_ = rule;
     left_ = left;
     columns_ = columns;
+    return find_chains(region);
+}
+
+/// Clusters to the left of the tile count by their winding alone, and those to the right of it not at all.
+bool LayerRow::find_chains(const Region& region)
+{
     chain_count_ = 0;
     has_few_ = true;
+    behind_ = region.behind;
     bool has_any = false;
+    int end = 0; // of the columns of the cluster
+    std::int32_t winding = 0;
     for (std::uint32_t place = region.first; place != region.behind;) {
-        const Chain& chain = band.chain(place);
-        place = chain.next;
+        const Chain& chain = band_->chain(place);
+        const std::uint32_t here = std::exchange(place, chain.next);
         did(Work::chain_visit);
-        if (chain.layer != layer)
+        if (chain.layer != layer_)
             continue;
         if (!has_any)
-            winding_ = region.first == band.first() ? 0 : chain.winding;
+            winding = region.first == band_->first() ? 0 : chain.winding;
+        if (!has_any || chain.begin > end) {
+            if (has_any && chain.begin >= left_ + columns_) {
+                behind_ = here;
+                break;
+            }
+            if (!has_any || end <= left_) {
+                first_ = here;
+                chain_count_ = 0;
+                has_few_ = true;
+                winding_ = winding;
+            }
+        }
         has_any = true;
-        has_few_ = chain_count_ != max_edges;
+        winding += chain.height;
+        end = std::max<int>(end, chain.end);
+        has_few_ = has_few_ && chain_count_ != max_edges;
         if (has_few_)
             chains_[chain_count_++] = &chain;
+    }
+    if (end <= left_) {
+        first_ = behind_;
+        chain_count_ = 0;
+        has_few_ = true;
+        winding_ = winding;
     }
     return has_any;
 }

@@ -50,6 +50,7 @@ private:
         std::uint32_t behind = Chain::none;
     };
 
+    bool find_chains(const Region& region);
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
     template <class Visit>
@@ -68,7 +69,7 @@ private:
     RowEdge edge_of(const Chain& chain, int row) const;
 
     const Band* band_ = nullptr;
-    std::uint32_t first_ = Chain::none; ///< chain of the region
+    std::uint32_t first_ = Chain::none; ///< chain of the first cluster that reaches the tile
     std::uint32_t behind_ = Chain::none;
     std::uint16_t layer_ = 0;
     FillRule rule_ = FillRule::nonzero;

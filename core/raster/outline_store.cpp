@@ -59,10 +59,79 @@ OutlineStore::OutlineStore(std::span<std::byte> storage, std::span<std::uint32_t
 void OutlineStore::clear()
 {
     chains_ = bytes_ + size_;
-    begin_contour();
+    begin_picture();
+}
+
+void OutlineStore::keep(Time moment, std::uint32_t moved)
+{
+    if (is_full_)
+        return clear(); // some layers are not complete
+    std::byte* kept_end = bytes_ + size_;
+    each_layer([&](LayerOutlines& layer) {
+        if (layer.step == LayerOutlines::no_step || !layer.still.holds(moment, moved))
+            return;
+        layer.step = LayerOutlines::no_step;
+        const std::byte* const begin = reinterpret_cast<std::byte*>(&layer) - layer.bytes;
+        const std::byte* const end = begin + bytes_of(layer);
+        kept_end = kept_end == end ? kept_end - (end - begin) : std::copy_backward(begin, end, kept_end);
+    });
+    chains_ = kept_end;
+    begin_picture();
+}
+
+/// With all layers that there are.
+void OutlineStore::begin_picture()
+{
+    layer_ = nullptr;
+    kept_ = bytes_ + size_;
+    kept_end_ = chains_;
+    waiting_ = static_cast<std::size_t>(kept_ - kept_end_);
     needed_ = 0;
     is_full_ = false;
+    begin_contour();
     std::ranges::fill(heads_, Chain::none);
+}
+
+const LayerOutlines* OutlineStore::reuse(LayerName name, std::uint16_t step)
+{
+    std::byte* end = kept_;
+    for (int passed = 0; end != kept_end_ && passed != look_ahead; ++passed) {
+        LayerOutlines& layer = layer_below(end);
+        end -= bytes_of(layer);
+        if (!layer.has_name(name))
+            continue;
+        const auto taken = static_cast<std::size_t>(bytes_ + size_ - chains_) - waiting_;
+        needed_ = std::max(needed_, std::size_t{taken + sizeof(LayerOutlines) + layer.peak_bytes});
+        is_full_ = is_full_ || needed_ > size_;
+        waiting_ -= bytes_of(layer);
+        kept_ = end;
+        layer.step = step;
+        each_chain_of(layer, [&](Chain& chain) {
+            chain.layer = step;
+            rewind(chain);
+        });
+        return &layer;
+    }
+    return nullptr;
+}
+
+void OutlineStore::begin_layer(LayerName name, std::uint16_t step)
+{
+    layer_ = nullptr;
+    if (!find_room(sizeof(LayerOutlines)))
+        return;
+    layer_ = new (chains_ - sizeof(LayerOutlines)) LayerOutlines;
+    layer_->item = name.item;
+    layer_->part = name.part;
+    layer_->step = step;
+    end_chains_at(reinterpret_cast<std::byte*>(layer_));
+}
+
+const LayerOutlines* OutlineStore::end_layer(const Still& still)
+{
+    if (layer_ != nullptr)
+        layer_->still = still;
+    return layer_;
 }
 
 void OutlineStore::begin_contour()
@@ -75,7 +144,12 @@ bool OutlineStore::find_room(std::size_t bytes)
 {
     const auto free = static_cast<std::size_t>(reinterpret_cast<std::byte*>(behind_) -
                                                reinterpret_cast<std::byte*>(corners_end_));
-    needed_ = std::max(needed_, size_ - free + bytes);
+    const std::size_t taken = size_ - free - waiting_ + bytes;
+    needed_ = std::max(needed_, taken);
+    if (layer_ != nullptr) {
+        const auto above = static_cast<std::size_t>(bytes_ + size_ - reinterpret_cast<std::byte*>(layer_));
+        layer_->peak_bytes = std::max(layer_->peak_bytes, static_cast<std::uint32_t>(taken + waiting_ - above));
+    }
     is_full_ = is_full_ || bytes > free;
     return !is_full_;
 }
@@ -100,11 +174,13 @@ void OutlineStore::add_behind(Corner corner)
 
 void OutlineStore::close()
 {
+    if (is_full_)
+        return begin_contour();
     corners_end_ = std::copy(behind_, reinterpret_cast<Corner*>(chains_), corners_end_);
     behind_ = reinterpret_cast<Corner*>(chains_);
     for (const Corner* corner = first_corner(); corner != corners_end_; ++corner)
-        fingerprint_.add(*corner);
-    fingerprint_.end_contour();
+        layer_->fingerprint.add(*corner);
+    layer_->fingerprint.end_contour();
     if (find_room(0) && !add_runs()) {
         const CutContour cut = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
                                                {panel_.width * grid + margin, panel_.height * grid});
@@ -254,26 +330,36 @@ bool OutlineStore::add_straight(Corner top, Corner bottom, std::int32_t left, bo
 /// In front of its bends.
 Chain& OutlineStore::put_chain(std::byte* bends, Corner top, Corner bottom, std::int32_t left, bool runs_down)
 {
-    std::byte* const end = chains_;
-    chains_ = bends - sizeof(Chain);
-    behind_ = reinterpret_cast<Corner*>(chains_);
+    const std::byte* const end = chains_;
+    end_chains_at(bends - sizeof(Chain));
     did(Work::chain);
     auto* const chain = new (chains_) Chain;
     chain->top = top.y;
     chain->bottom = bottom.y;
     chain->left = static_cast<std::int16_t>(floor_pixel(left));
-    chain->layer = layer_;
+    chain->layer = layer_->step;
     chain->runs_down = runs_down;
     chain->words = static_cast<std::uint16_t>((end - chains_) / 4);
+    layer_->reach(floor_pixel(top.y), std::max(ceil_pixel(bottom.y), floor_pixel(top.y) + 1));
     return *chain;
+}
+
+/// Of the layer that is coming in.
+void OutlineStore::end_chains_at(std::byte* chains)
+{
+    chains_ = chains;
+    behind_ = reinterpret_cast<Corner*>(chains);
+    layer_->bytes = static_cast<std::uint32_t>(reinterpret_cast<std::byte*>(layer_) - chains);
 }
 
 void OutlineStore::rewind(int band_bits)
 {
     band_bits_ = band_bits;
     std::ranges::fill(heads_, Chain::none);
-    for (std::byte* at = chains_; at != bytes_ + size_; at += 4 * reinterpret_cast<Chain*>(at)->words)
-        rewind(*reinterpret_cast<Chain*>(at));
+    each_layer([this](LayerOutlines& layer) {
+        if (layer.step != LayerOutlines::no_step)
+            each_chain_of(layer, [this](Chain& chain) { rewind(chain); });
+    });
 }
 
 void OutlineStore::rewind(Chain& chain)
@@ -297,8 +383,7 @@ void OutlineStore::rewind(Chain& chain)
 /// Those that were added since the mark.
 void OutlineStore::remove_chains(std::byte* mark)
 {
-    chains_ = mark;
-    behind_ = reinterpret_cast<Corner*>(chains_);
+    end_chains_at(mark);
     rewind(band_bits_);
 }
 

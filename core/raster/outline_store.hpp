@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/raster/chain.hpp"
-#include "core/raster/fingerprint.hpp"
 #include "core/raster/grid.hpp"
+#include "core/raster/layer_outlines.hpp"
 #include "core/size.hpp"
 
 #include <cstddef>
@@ -11,10 +11,13 @@
 
 namespace kfast::raster {
 
-/// The outlines of one picture as chains, in memory that the caller lends.
+/// The outlines of one picture as chains, layer by layer, in memory that the caller lends.
 ///
-///     | corners of the contour that is coming in >  free  < those added behind | chain | chain | ... |
+///     | corners of the contour that is coming in >  free  < those added behind | chain | chain | LayerOutlines | ...
 ///                                                                                ^ the last one
+///
+/// A layer whose outlines stay as they are from picture to picture can be kept: keep() is called in place of
+/// clear(), and reuse() in place of tracing it.
 class OutlineStore {
 public:
     OutlineStore() = default;
@@ -24,14 +27,17 @@ public:
 
     /// Forgets all outlines.
     void clear();
-    /// Contours belong to this layer from now on.
-    void begin_layer(std::uint16_t layer)
-    {
-        layer_ = layer;
-        fingerprint_ = {};
-    }
-    /// Of the contours of the layer that were closed.
-    Fingerprint fingerprint() const { return fingerprint_; }
+    /// Keeps those that hold at a moment where the inputs `moved`, a bit for each, have moved since the last
+    /// picture. None of them is in the coming one unless it is reused.
+    void keep(Time moment, std::uint32_t moved);
+    /// Takes a layer into the picture, painted by a step. Null if it is not kept, or not found: layers are
+    /// looked for in the order in which they were traced. Whether the picture is full does not depend on what
+    /// was kept.
+    const LayerOutlines* reuse(LayerName name, std::uint16_t step);
+    /// All contours belong to a layer: they come between these two.
+    void begin_layer(LayerName name, std::uint16_t step);
+    /// `still`: how long they stay as they are. Null if something found no room.
+    const LayerOutlines* end_layer(const Still& still);
 
     /// A contour comes from both of its ends at once: its corners in order are those that were added, then
     /// those that were added behind, the last of these first. So both sides of a line can be drawn as it is
@@ -47,7 +53,9 @@ public:
 
     /// Something found no room: the picture is not complete.
     bool is_full() const { return is_full_; }
-    /// The most that was needed at a time since clear().
+    /// There may be room without what was kept.
+    bool keeps_layers() const { return kept_end_ != bytes_ + size_; }
+    /// The most that would have been needed at a time if nothing had been kept.
     std::size_t needed_bytes() const { return needed_; }
 
     /// The first chain that begins in a band; Chain::none if there is none.
@@ -62,15 +70,14 @@ public:
     {
         return *reinterpret_cast<const StraightLine*>(bytes_ + chain.crossings);
     }
-    /// Calls visit(chain) for each of them.
+    /// Calls visit(chain) for each of the picture.
     template <class Visit>
     void each_chain(Visit visit) const
     {
-        for (const std::byte* at = chains_; at != bytes_ + size_;) {
-            const auto& chain = *reinterpret_cast<const Chain*>(at);
-            at += chain_bytes(chain);
-            visit(chain);
-        }
+        each_layer([&](LayerOutlines& layer) {
+            if (layer.step != LayerOutlines::no_step)
+                each_chain_of(layer, visit);
+        });
     }
     /// What a chain takes.
     static std::size_t chain_bytes(const Chain& chain) { return 4U * chain.words; }
@@ -78,6 +85,33 @@ public:
     int band_bits() const { return band_bits_; }
 
 private:
+    /// How many layers may have gone in one place before others are taken to be new.
+    static constexpr int look_ahead = 8;
+
+    /// Calls visit(layer) for each of them, also those that are kept, but not in the picture.
+    template <class Visit>
+    void each_layer(Visit visit) const
+    {
+        for (std::byte* end = bytes_ + size_; end != chains_;) {
+            LayerOutlines& layer = layer_below(end);
+            end -= bytes_of(layer);
+            visit(layer);
+        }
+    }
+    template <class Visit>
+    static void each_chain_of(LayerOutlines& layer, Visit visit)
+    {
+        auto* const end = reinterpret_cast<std::byte*>(&layer);
+        for (std::byte* at = end - layer.bytes; at != end;) {
+            auto& chain = *reinterpret_cast<Chain*>(at);
+            at += chain_bytes(chain);
+            visit(chain);
+        }
+    }
+    static LayerOutlines& layer_below(std::byte* end) { return *(reinterpret_cast<LayerOutlines*>(end) - 1); }
+    /// With its chains.
+    static std::size_t bytes_of(const LayerOutlines& layer) { return sizeof(LayerOutlines) + layer.bytes; }
+    void begin_picture();
     void begin_contour();
     bool find_room(std::size_t bytes);
     Corner* first_corner() const { return reinterpret_cast<Corner*>(bytes_); }
@@ -90,6 +124,7 @@ private:
     bool add_straight(Corner top, Corner bottom, std::int32_t left, bool runs_down);
     Chain& put_chain(std::byte* bends, Corner top, Corner bottom, std::int32_t left, bool runs_down);
     void rewind(Chain& chain);
+    void end_chains_at(std::byte* chains);
     void remove_chains(std::byte* mark);
     std::uint32_t place_of(const void* at) const
     {
@@ -100,13 +135,15 @@ private:
     Corner* corners_end_ = nullptr; ///< of the contour that is coming in
     Corner* behind_ = nullptr;      ///< the last one that was added behind
     std::byte* chains_ = nullptr;   ///< the last one that was added
+    LayerOutlines* layer_ = nullptr;
+    std::byte* kept_ = nullptr;     ///< the end of the layer that may come next
+    std::byte* kept_end_ = nullptr; ///< below all that were kept
+    std::size_t waiting_ = 0;       ///< bytes of layers that were kept and have not been reused
     std::span<std::uint32_t> heads_;
     std::size_t size_ = 0;
     std::size_t needed_ = 0;
     Size panel_;
     int band_bits_ = 0;
-    std::uint16_t layer_ = 0;
-    Fingerprint fingerprint_;
     bool is_large_ = false; ///< the panel: chains are counted from columns of their own
     bool is_full_ = false;
 };

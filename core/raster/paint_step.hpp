@@ -2,7 +2,7 @@
 
 #include "core/colour.hpp"
 #include "core/fill_rule.hpp"
-#include "core/raster/fingerprint.hpp"
+#include "core/raster/layer_outlines.hpp"
 
 #include <cstdint>
 
@@ -25,6 +25,7 @@ struct PaintStep {
     Colour colour = {};     ///< only of layers
     std::uint32_t item = 0; ///< tells the items of a scene apart, wherever symbols are used
     Fingerprint outlines = {};
+    RowRange rows = {}; ///< that a layer may reach
 
     // What comparing pictures has found.
     std::uint16_t partner = no_partner; ///< number of the same step of the other picture

@@ -27,6 +27,26 @@ struct Picture {
         return storage[step_count - 1] = step;
     }
 
+    /// Adds a layer, which is named by its step and `part`: with the outlines that are kept for it, or with
+    /// those that trace() adds to `outlines`, which stay as they are as long as `layer_still` holds.
+    template <class Trace>
+    void add_layer(const PaintStep& step, std::uint8_t part, const Still& layer_still, Trace trace)
+    {
+        PaintStep& added = add_step(step);
+        const auto number = static_cast<std::uint16_t>(step_count - 1);
+        const LayerName name{step.item, part};
+        const LayerOutlines* layer = outlines.reuse(name, number);
+        if (layer == nullptr) {
+            outlines.begin_layer(name, number);
+            trace();
+            layer = outlines.end_layer(layer_still);
+        }
+        if (layer == nullptr)
+            return; // it found no room
+        added.outlines = layer->fingerprint;
+        added.rows = layer->rows;
+    }
+
     std::span<PaintStep> steps() { return storage.first(step_count); }
     std::span<const PaintStep> steps() const { return storage.first(step_count); }
 };

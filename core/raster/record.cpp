@@ -22,8 +22,37 @@ void Record::forget()
 
 void Record::begin_picture()
 {
-    read_ = std::copy_backward(borders_.data(), written_, borders_.data() + borders_.size());
-    written_ = borders_.data();
+    read_end_ = written_;
+    read_ = written_ = borders_.data();
+    is_apart_ = false;
+}
+
+/// Between what is written and what is still to be read: by an even number of borders, which are whole words.
+void Record::make_room()
+{
+    is_apart_ = true;
+    const auto free = (borders_.data() + borders_.size() - read_end_) / 2 * 2;
+    read_ = std::copy_backward(read_, read_end_, read_end_ + free);
+}
+
+void Record::pass_band(int band, std::span<const PaintStep> shown)
+{
+    std::uint8_t& count = counts_[static_cast<std::size_t>(band)];
+    const Border* const end = read_ + count;
+    if (!is_apart_ && shown.empty()) {
+        read_ = written_ += count;
+        return;
+    }
+    Border* const begin = written_;
+    for (; read_ != end; ++read_, ++written_) {
+        const std::uint16_t layer = shown.empty() ? read_->layer : shown[read_->layer].partner;
+        *written_ = *read_;
+        written_->layer = layer & max_layer;
+        if (layer > max_layer)
+            count = unknown;
+    }
+    if (count == unknown)
+        written_ = begin;
 }
 
 int Record::unknown_count(int bands) const
@@ -33,6 +62,8 @@ int Record::unknown_count(int bands) const
 
 std::span<const Record::Border> Record::begin_band(int band)
 {
+    if (!is_apart_)
+        make_room();
     const std::size_t count = is_known(band) ? counts_[static_cast<std::size_t>(band)] : 0U;
     const std::span<const Border> shown{read_, count};
     read_ += count;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/raster/chain.hpp"
+#include "core/raster/paint_step.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace kfast::raster {
 ///
 ///     | written >   free   | still to be read |
 ///
-/// A band that finds no room is not known, and drawn whole the next time.
+/// Bands that stay as they are before any other stay where they are in memory, too. A band that finds no room
+/// is not known, and drawn whole the next time.
 class Record {
 public:
     /// A chain as it was in a band.
@@ -36,6 +38,9 @@ public:
     /// How many of the first `bands` are not known.
     int unknown_count(int bands) const;
     bool is_known(int band) const { return counts_[static_cast<std::size_t>(band)] != unknown; }
+    /// The next band, which is known, looks as it did. `shown` are the steps of that picture, whose partners
+    /// are found; none if all of them have kept their numbers.
+    void pass_band(int band, std::span<const PaintStep> shown);
     /// Of the next band: what was in it, until add() is called; nothing if it is not known.
     std::span<const Border> begin_band(int band);
     /// Chains of the band in the coming picture.
@@ -47,13 +52,17 @@ public:
 private:
     static constexpr std::uint8_t unknown = 0xFF;
 
+    void make_room();
+
     std::span<Border> borders_;
     std::span<std::uint8_t> counts_;
     Border* read_ = nullptr;
+    Border* read_end_ = nullptr;
     Border* written_ = nullptr;  ///< of all bands that are finished
     Border* band_end_ = nullptr; ///< of the band
     int band_ = 0;
     bool has_room_ = true; ///< for the band
+    bool is_apart_ = false; ///< what is to be read, from what is written
 };
 
 static_assert(sizeof(Record::Border) == 6);

@@ -29,16 +29,19 @@ struct BlockPlan {
     std::size_t backdrops;
     std::size_t record;
     std::size_t counts;
+    std::size_t changed;
 
     BlockPlan(const RendererNeeds& needs, Size panel)
         : outlines{needs.outline_bytes}, steps{needs.steps * sizeof(PaintStep)},
           heads{static_cast<std::size_t>(band_count(panel)) * 4}, backdrops{needs.group_depth * tile_bytes},
-          record{whole_words(needs.record_bytes)}, counts{whole_words(
-                                                       static_cast<std::size_t>(band_count(panel)))}
+          record{whole_words(needs.record_bytes)},
+          counts{whole_words(static_cast<std::size_t>(band_count(panel)))}, changed{BandSet::words_for(
+                                                                                band_count(panel)) *
+                                                                            4}
     {
     }
 
-    std::size_t size() const { return outlines + 2 * steps + heads + backdrops + record + counts; }
+    std::size_t size() const { return outlines + 2 * steps + heads + backdrops + record + counts + changed; }
 };
 
 /// As high as the granularity asks for, else 4 rows, if so many rows of its width find room in a row of the
@@ -88,6 +91,7 @@ Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, st
     backdrops_ = cutter.cut(plan.backdrops);
     const auto borders = cutter.cut_as<Record::Border>(plan.record);
     record_ = Record{borders, cutter.cut_as<std::uint8_t>(plan.counts)};
+    changed_ = BandSet{cutter.cut_as<std::uint32_t>(plan.changed)};
     slots_.background = background;
 }
 
@@ -132,9 +136,34 @@ void Renderer::begin_changes(int band_bits)
     begin_pass(band_bits);
     record_.begin_picture();
     slots_.set_pictures(picture_.steps(), shown_storage_.first(shown_count_));
+    find_changed_bands();
     regions_.clear();
     drawn_regions_ = 0;
     progress_ = Progress::begun;
+}
+
+void Renderer::find_changed_bands()
+{
+    const int bits = picture_.outlines.band_bits();
+    const auto add = [this, bits](RowRange rows) {
+        changed_.add(rows.begin >> bits, (rows.end + (1 << bits) - 1) >> bits);
+    };
+    const std::span<const PaintStep> shown = shown_storage_.first(shown_count_);
+    changed_.clear();
+    has_same_numbers_ = true;
+    for (const PaintStep& step : picture_.steps()) {
+        if (step.kind == PaintStep::Kind::layer && !slots_.is_same(step)) {
+            add(step.rows);
+            if (step.partner != PaintStep::no_partner)
+                add(shown[step.partner].rows);
+        }
+    }
+    for (std::size_t number = 0; number != shown.size(); ++number) {
+        const PaintStep& step = shown[number];
+        has_same_numbers_ = has_same_numbers_ && step.partner == number;
+        if (step.kind == PaintStep::Kind::layer && step.partner == PaintStep::no_partner)
+            add(step.rows);
+    }
 }
 
 void Renderer::end_changes()
@@ -181,15 +210,30 @@ bool Renderer::next_band(bool is_known, std::span<const Record::Border> shown)
     return true;
 }
 
+/// The number of the next band that may differ from what the panel shows; what is known of those before it
+/// stays known. The number of bands if there is none.
+int Renderer::next_changed_band()
+{
+    const int bits = picture_.outlines.band_bits();
+    const int count = (panel_.height + (1 << bits) - 1) >> bits;
+    int band = band_.number() + 1;
+    for (; band != count && knows_panel_ && record_.is_known(band) && !changed_.has(band); ++band)
+        record_.pass_band(band, has_same_numbers_ ? std::span<const PaintStep>{}
+                                                  : shown_storage_.first(shown_count_));
+    return band;
+}
+
 /// False if there is none.
 template <class Cells>
 bool Renderer::next_dirty_band()
 {
-    const int last = (panel_.height - 1) >> picture_.outlines.band_bits();
-    while (band_.number() < last) {
-        band_.advance();
-        const bool is_known = knows_panel_ && record_.is_known(band_.number());
-        const std::span<const Record::Border> shown = record_.begin_band(band_.number());
+    for (;;) {
+        const int number = next_changed_band();
+        if (number << picture_.outlines.band_bits() >= panel_.height)
+            return false;
+        band_.advance(number);
+        const bool is_known = knows_panel_ && record_.is_known(number);
+        const std::span<const Record::Border> shown = record_.begin_band(number);
         if (next_band<Cells>(is_known, shown))
             keep_band();
         else
@@ -199,7 +243,6 @@ bool Renderer::next_dirty_band()
         if (regions_.size() != 0)
             return true;
     }
-    return false;
 }
 
 void Renderer::keep_band()

@@ -3,6 +3,7 @@
 #include "core/colour.hpp"
 #include "core/pixel_format.hpp"
 #include "core/raster/band.hpp"
+#include "core/raster/band_set.hpp"
 #include "core/raster/change.hpp"
 #include "core/raster/dirty.hpp"
 #include "core/raster/layer_row.hpp"
@@ -72,10 +73,12 @@ private:
 
     void begin_pass(int band_bits);
     [[gnu::cold, gnu::noinline]] void begin_changes(int band_bits);
+    [[gnu::cold, gnu::noinline]] void find_changed_bands();
     void end_changes();
     [[gnu::cold, gnu::noinline]] bool assign_slots(std::span<const Record::Border> shown);
     template <class Cells>
     bool next_band(bool is_known, std::span<const Record::Border> shown);
+    int next_changed_band();
     template <class Cells>
     bool next_dirty_band();
     void keep_band();
@@ -90,6 +93,7 @@ private:
     std::span<PaintStep> shown_storage_;
     std::size_t shown_count_ = 0;
     Record record_;
+    BandSet changed_; ///< bands that something reaches which is not as it is on the panel
     std::span<std::byte> backdrops_; ///< tile_bytes for each depth of groups
     Slots slots_;
     Band band_;
@@ -101,6 +105,7 @@ private:
     Progress progress_ = Progress::none;
     bool is_fresh_ = false; ///< no pass has gone through the outlines
     bool knows_panel_ = false;
+    bool has_same_numbers_ = false; ///< each step has that of its partner
     std::array<Change, max_changes> changes_;
 };
 

@@ -31,11 +31,6 @@ bool is_same_group(const PaintStep& step, std::span<const PaintStep> others)
            (step.partner != PaintStep::no_partner && step.opacity == others[step.partner].opacity);
 }
 
-bool has_same_outlines(const PaintStep& a, const PaintStep& b)
-{
-    return a.outlines == b.outlines && a.rule == b.rule;
-}
-
 }
 
 void Slots::set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown)
@@ -99,11 +94,16 @@ bool Slots::put(PaintStep* coming, PaintStep* shown)
         recoloured |= bit;
         return true;
     }
-    same |= has_same_outlines(*shown, *coming) ? bit : 0;
-    const bool looks_same = coming->colour == shown->colour && coming->is_in_group == shown->is_in_group &&
-                            (has_same_groups_ || !coming->is_in_group);
-    recoloured |= looks_same ? 0 : bit;
+    same |= has_same_outlines(*coming, *shown) ? bit : 0;
+    recoloured |= is_same_colour(*coming, *shown) ? 0 : bit;
     return true;
+}
+
+/// With the opacity of what is around it.
+bool Slots::is_same_colour(const PaintStep& coming, const PaintStep& shown) const
+{
+    return coming.colour == shown.colour && coming.is_in_group == shown.is_in_group &&
+           (has_same_groups_ || !coming.is_in_group);
 }
 
 void Slots::clear_marks()

@@ -54,6 +54,12 @@ public:
 
     /// The steps of both pictures, whose partners are found.
     [[gnu::cold, gnu::noinline]] void set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown);
+    /// Whether a layer of the coming picture has the same outlines as its partner, and looks the same.
+    bool is_same(const PaintStep& coming) const
+    {
+        return coming.partner != PaintStep::no_partner && has_same_outlines(coming, shown_[coming.partner]) &&
+               is_same_colour(coming, shown_[coming.partner]);
+    }
     /// All layers have slots of their own; if not, assign() gives slots to the layers of a band.
     bool hold_all() const { return hold_all_; }
     void clear_marks();
@@ -87,6 +93,11 @@ public:
     SlotMask even_odd = 0; ///< of the coming picture
 
 private:
+    static bool has_same_outlines(const PaintStep& coming, const PaintStep& shown)
+    {
+        return coming.outlines == shown.outlines && coming.rule == shown.rule;
+    }
+    bool is_same_colour(const PaintStep& coming, const PaintStep& shown) const;
     bool put(PaintStep* coming, PaintStep* shown);
 
     std::array<Layer, slot_count> layers_;

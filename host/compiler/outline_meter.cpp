@@ -32,7 +32,7 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++input)
         if (inputs.next().type == InputType::drawing)
             on_panel_.drawings.of(scene, input).show(); // the next one, which is empty
-    trace(Time{});
+    trace(Time{}, 0);
 }
 
 void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
@@ -45,7 +45,7 @@ const raster::Picture& OutlineMeter::picture_at(const Moment& moment)
 {
     const std::uint32_t moved = take_inputs(moment) | std::exchange(told_, 0);
     if (!picture_.still.holds(moment.time(), moved))
-        trace(moment);
+        trace(moment, moved);
     return picture_;
 }
 
@@ -66,10 +66,10 @@ std::uint32_t OutlineMeter::take_inputs(const Moment& moment)
     return moved;
 }
 
-void OutlineMeter::trace(const Moment& moment)
+void OutlineMeter::trace(const Moment& moment, std::uint32_t moved)
 {
     pose_bones(on_panel_.scene, moment, bones_);
-    Tracer{on_panel_, moment, picture_}.run();
+    Tracer{on_panel_, moment, picture_}.run(moved);
 }
 
 }

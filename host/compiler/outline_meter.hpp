@@ -31,7 +31,7 @@ public:
 
 private:
     std::uint32_t take_inputs(const Moment& moment);
-    void trace(const Moment& moment);
+    void trace(const Moment& moment, std::uint32_t moved);
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
     std::vector<std::uint32_t> heads_;

@@ -135,6 +135,7 @@ public:
           heads_(static_cast<std::size_t>(panel.height)), store_{std::as_writable_bytes(std::span{memory_}),
                                                                  heads_, panel, band_bits}
     {
+        store_.begin_layer({}, 0);
     }
 
     raster::OutlineStore& store() { return store_; }

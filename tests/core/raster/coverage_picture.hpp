@@ -26,6 +26,7 @@ public:
                                                            size_, WayToDraw{}.band_bits},
           levels_(static_cast<std::size_t>(width * height))
     {
+        store_.begin_layer({}, 0);
     }
 
     raster::OutlineStore& store() { return store_; }

@@ -67,14 +67,14 @@ TEST_CASE("a chain belongs to the layer that was begun last, and runs as the con
 {
     OwnedOutlines outlines{small_panel};
     outlines.add({at(0, 0), at(5, 5), at(0, 9)});
-    outlines.store().begin_layer(7);
+    outlines.store().begin_layer({}, 7);
     outlines.add({at(0, 9), at(5, 5), at(0, 0)});
     const auto lines = lines_of(outlines.store());
     REQUIRE(lines.size() == 4);
     int windings = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(int{lines[i].layer} == (i < 2 ? 7 : 0));
-        windings += lines[i].winding * (lines[i].corners[5].x > 0 ? 1 : 10) * (i < 2 ? 100 : 1);
+        CHECK(int{lines[i].layer} == (i < 2 ? 0 : 7));
+        windings += lines[i].winding * (lines[i].corners[5].x > 0 ? 1 : 10) * (i < 2 ? 1 : 100);
     }
     CHECK(windings == 1 - 10 - 100 + 1000);
 }
@@ -160,6 +160,7 @@ TEST_CASE("what finds no room is told, and leaves the memory around it alone")
         std::vector<std::uint32_t> heads(25);
         const auto lent = std::span{memory}.subspan(guard, words);
         raster::OutlineStore store{std::as_writable_bytes(lent), heads, small_panel, 2};
+        store.begin_layer({}, 0);
         for (const Contour& contour : contours) {
             for (const raster::Corner corner : contour)
                 random() % 2 == 0 ? store.add(corner) : store.add_behind(corner);

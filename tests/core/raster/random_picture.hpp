@@ -29,6 +29,7 @@ public:
     void step()
     {
         ++step_;
+        moved_ = 0;
         if (chance(4) && layers_.size() > 1)
             layers_.erase(layers_.begin() + static_cast<std::ptrdiff_t>(random_() % layers_.size()));
         if (chance(4))
@@ -39,6 +40,7 @@ public:
                 layer.colour = colour();
             if (chance(3))
                 continue;
+            moved_ |= input_of(layer);
             for (auto& contour : layer.contours)
                 shift(contour);
         }
@@ -46,11 +48,26 @@ public:
         group_opacity_ = chance(3) ? 128 : 200;
     }
 
-    /// Every second picture has a group and another one in it, if `has_groups`.
-    void show(Renderer& renderer, bool has_groups) const
+    /// Every second picture has a group and another one in it, if `has_groups`. Outlines that the renderer has
+    /// from the picture before are kept if `keeps`, and if there is room for the others beside them.
+    void show(Renderer& renderer, bool has_groups, bool keeps = false) const
     {
-        Picture& picture = renderer.picture();
-        picture.outlines.clear();
+        OutlineStore& outlines = renderer.picture().outlines;
+        if (keeps)
+            outlines.keep({}, moved_);
+        else
+            outlines.clear();
+        add_all(renderer.picture(), has_groups);
+        if (outlines.is_full() && outlines.keeps_layers())
+            return show(renderer, has_groups);
+        renderer.begin();
+    }
+
+    const std::vector<RandomLayer>& layers() const { return layers_; }
+
+private:
+    void add_all(Picture& picture, bool has_groups) const
+    {
         picture.step_count = 0;
         const std::size_t group_begin = has_groups && step_ % 2 == 0 ? group_begin_ : layers_.size();
         const std::size_t inner_begin = (group_begin + layers_.size()) / 2;
@@ -64,12 +81,8 @@ public:
         for (const std::size_t begin : {inner_begin, group_begin})
             if (begin < layers_.size())
                 picture.add_step(group_step(PaintStep::Kind::end_group));
-        renderer.begin();
     }
 
-    const std::vector<RandomLayer>& layers() const { return layers_; }
-
-private:
     bool chance(std::uint32_t times) { return random_() % times == 0; }
     std::int32_t between(std::int32_t low, std::int32_t high)
     {
@@ -127,26 +140,26 @@ private:
         return step;
     }
 
+    /// A few layers have the same: they are traced anew once more often.
+    static std::uint32_t input_of(const RandomLayer& layer) { return bit_of_input(layer.item % 32); }
+
     static void add(Picture& picture, const RandomLayer& layer)
     {
-        PaintStep step;
-        step.colour = layer.colour;
-        step.rule = layer.rule;
-        step.item = layer.item;
-        PaintStep& added = picture.add_step(step);
-        picture.outlines.begin_layer(static_cast<std::uint16_t>(picture.step_count - 1));
-        for (const std::vector<Corner>& contour : layer.contours) {
-            for (const Corner corner : contour)
-                picture.outlines.add(corner);
-            picture.outlines.close();
-        }
-        added.outlines = picture.outlines.fingerprint();
+        const PaintStep step{.rule = layer.rule, .colour = layer.colour, .item = layer.item};
+        picture.add_layer(step, 0, {.inputs = input_of(layer)}, [&] {
+            for (const std::vector<Corner>& contour : layer.contours) {
+                for (const Corner corner : contour)
+                    picture.outlines.add(corner);
+                picture.outlines.close();
+            }
+        });
     }
 
     Size panel_;
     std::mt19937 random_;
     std::vector<RandomLayer> layers_;
     std::int32_t step_ = 0;
+    std::uint32_t moved_ = 0; ///< since the picture before
     std::uint32_t items_ = 0;
     std::size_t group_begin_ = 0;
     std::uint8_t group_opacity_ = 128;

@@ -43,6 +43,7 @@ struct Drive {
     std::size_t outline_bytes = 40000;
     int layers = 4;
     bool has_groups = false;
+    bool keeps = false; ///< outlines that stay as they are
 };
 
 RendererNeeds needs_of(const Drive& drive)
@@ -82,7 +83,7 @@ void check_changes(const Drive& drive, std::uint32_t seed, int pictures)
     PanelModel<format> panel{drive.panel, drive.granularity};
     for (int i = 0; i < pictures; ++i) {
         CAPTURE(i);
-        picture.show(*renderer, drive.has_groups);
+        picture.show(*renderer, drive.has_groups, drive.keeps);
         panel.take(*renderer, drive.rows);
         REQUIRE(panel.is_sound());
         const auto whole = whole_picture<format>(picture, drive, random);
@@ -100,6 +101,7 @@ void check_many(Drive drive, int seeds)
 {
     for (int seed = 0; seed < test::rounds(seeds); ++seed) {
         drive.has_groups = seed % 3 == 0;
+        drive.keeps = seed % 2 == 0;
         drive.record_bytes = seed % 4 == 0 ? 96 : seed % 4 == 1 ? 0 : 8000;
         check_changes<format>(drive, static_cast<std::uint32_t>(seed), 6);
     }
@@ -154,6 +156,29 @@ TEST_CASE("a picture that has not changed sends nothing")
     renderer->forget();
     panel.take(*renderer, 8);
     CHECK(panel.sent_bytes() == 2 * whole);
+}
+
+TEST_CASE("what was kept makes no difference to what a picture needs, nor to whether it is full")
+{
+    int kept = 0;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        CAPTURE(seed);
+        const Drive drive{.outline_bytes = seed % 3 == 0 ? 40000U : 1500U + seed % 16 * 200U, .layers = 6};
+        RandomPicture picture{drive.panel, seed, drive.layers};
+        OwnedRenderer keeping{needs_of(drive), drive.panel};
+        for (int i = 0; i < 8; ++i) {
+            OwnedRenderer fresh{needs_of(drive), drive.panel};
+            picture.show(*keeping, false, true);
+            picture.show(*fresh, false);
+            const OutlineStore& outlines = keeping->picture().outlines;
+            kept += outlines.keeps_layers() ? 1 : 0;
+            CHECK(outlines.is_full() == fresh->picture().outlines.is_full());
+            CHECK(outlines.needed_bytes() == fresh->picture().outlines.needed_bytes());
+            CHECK(outlines.needed_bytes() > 0);
+            picture.step();
+        }
+    }
+    CHECK(kept > 100);
 }
 
 TEST_CASE("outlines find room in what they are said to need")
