@@ -220,7 +220,7 @@ void RowChain::find_pixels()
 {
     if (is_straight) {
         first = floor_pixel(std::min(top_x, bottom_x));
-        last = floor_pixel(std::max(top_x, bottom_x));
+        last = std::max(ceil_pixel(std::max(top_x, bottom_x)) - 1, first);
         return;
     }
     std::int32_t low = top_x;

@@ -23,7 +23,7 @@ struct RowChain {
     bool is_straight; ///< from the upper border to the lower one, as one edge
     bool begins;      ///< at `from`; a level edge may follow
 
-    /// Finds the first pixel and the last one.
+    /// Finds the first pixel and the last one, of those that its chain has in the band.
     void find_pixels();
 
     /// Of its winding, in the grid.
