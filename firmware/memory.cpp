@@ -15,6 +15,16 @@ using kfast::Word;
 
 bool lie_alike(const std::byte* a, const std::byte* b) { return beyond_word(a) == beyond_word(b); }
 
+/// Most copies and fills are of small structures: whole words, which take a loop of four instructions each.
+constexpr std::size_t small_size = 64;
+
+bool is_small(std::uintptr_t places, std::size_t count)
+{
+    return ((places | count) & 3) == 0 && count - 1 < small_size;
+}
+
+std::uintptr_t place_of(const void* at) { return reinterpret_cast<std::uintptr_t>(at); }
+
 void set_words(std::byte*& at, std::size_t& count, std::uint32_t word)
 {
     for (; count >= 16; count -= 16, at += 16) {
@@ -46,8 +56,18 @@ void copy_words(std::byte*& to, const std::byte*& from, std::size_t& count)
         *reinterpret_cast<Word*>(to) = *reinterpret_cast<const Word*>(from);
 }
 
+/// All bytes of the word are alike.
+[[gnu::noinline]] void set_bytes(std::byte* at, std::size_t count, std::uint32_t word)
+{
+    for (; count > 0 && beyond_word(at) != 0; --count)
+        *at++ = static_cast<std::byte>(word);
+    set_words(at, count, word);
+    for (; count > 0; --count)
+        *at++ = static_cast<std::byte>(word);
+}
+
 /// From the lower end up: also for overlapping memory, if `to` lies below `from`.
-void copy_up(std::byte* to, const std::byte* from, std::size_t count)
+[[gnu::noinline]] void copy_up(std::byte* to, const std::byte* from, std::size_t count)
 {
     if (lie_alike(to, from)) {
         for (; count > 0 && beyond_word(to) != 0; --count)
@@ -80,7 +100,16 @@ extern "C" {
 
 void* memcpy(void* __restrict to, const void* __restrict from, std::size_t count)
 {
-    copy_up(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), count);
+    auto* const target = static_cast<std::byte*>(to);
+    const auto* const source = static_cast<const std::byte*>(from);
+    if (is_small(place_of(to) | place_of(from), count)) {
+        do {
+            count -= 4;
+            *reinterpret_cast<Word*>(target + count) = *reinterpret_cast<const Word*>(source + count);
+        } while (count != 0);
+        return to;
+    }
+    copy_up(target, source, count);
     return to;
 }
 
@@ -97,13 +126,16 @@ void* memmove(void* to, const void* from, std::size_t count)
 
 void* memset(void* to, int value, std::size_t count)
 {
-    auto* at = static_cast<std::byte*>(to);
-    const auto byte = static_cast<std::uint8_t>(value);
-    for (; count > 0 && beyond_word(at) != 0; --count)
-        *at++ = static_cast<std::byte>(byte);
-    set_words(at, count, byte * 0x0101'0101U);
-    for (; count > 0; --count)
-        *at++ = static_cast<std::byte>(byte);
+    auto* const at = static_cast<std::byte*>(to);
+    const std::uint32_t word = static_cast<std::uint8_t>(value) * 0x0101'0101U;
+    if (is_small(place_of(to), count)) {
+        do {
+            count -= 4;
+            *reinterpret_cast<Word*>(at + count) = word;
+        } while (count != 0);
+        return to;
+    }
+    set_bytes(at, count, word);
     return to;
 }
 
