@@ -43,13 +43,15 @@ public:
     /// those within the chain mean anything. They are put into `room`, if they are not kept.
     const Crossing* crossings(const Chain& chain, BandCrossings& room) const
     {
-        return chain.is_straight ? crossings_of_line(chain, room) : store_->crossing(chain.crossings);
+        return chain.is_straight ? crossings_of_line(chain, room) : kept_crossings(chain);
     }
+    /// Likewise of a chain that is not straight.
+    const Crossing* kept_crossings(const Chain& chain) const { return store_->crossing(chain.crossings); }
     /// Of these, the one at the border above a row of the band.
     Crossing crossing(const Chain& chain, int row) const
     {
         return chain.is_straight ? crossing_of(chain, store_->line(chain), floor_pixel(top_) + row)
-                                 : store_->crossing(chain.crossings)[row];
+                                 : kept_crossings(chain)[row];
     }
     const Bend* bends(const Chain& chain) const { return store_->bend(chain.bends); }
     /// Nothing lies in this band, nor begins in it.

@@ -95,26 +95,24 @@ private:
         BandCrossings room;
         const Crossing* x = band_.crossings(chain, room) + tile.first_row;
         Cell* at = tile.cells;
+        CoverageRun run;
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
-            const RowEdge edge = edge_between(x[0] - start, x[1] - start);
-            const auto cell_of = [&](std::int32_t coverage) {
-                const std::uint32_t share = Cells::share(is_inside ? full_coverage - coverage : coverage);
-                return Cells::cell(Cells::mixed(below, ink, share));
-            };
-            int begin = std::clamp(edge.pixel(), 0, tile.columns);
-            fill(at, begin, left);
-            if (edge.is_steep()) {
-                if (begin == edge.pixel() && begin != tile.columns)
-                    at[begin++] = cell_of(edge.steep_coverage());
-            } else {
-                CoverageRun run;
-                cover(edge, tile.columns, run);
-                for (; begin != run.end; ++begin)
-                    at[begin] = cell_of(run.pixels[static_cast<std::size_t>(begin - run.begin)]);
-            }
-            fill(at + begin, tile.columns - begin, right);
+            cover(edge_between(x[0] - start, x[1] - start), tile.columns, run);
+            fill(at, run.begin, left);
+            const std::uint16_t* coverage = run.pixels.data();
+            for (int pixel = run.begin; pixel != run.end; ++pixel)
+                at[pixel] = Cells::cell(
+                    Cells::mixed(below, ink, Cells::share(inside_coverage(*coverage++, is_inside))));
+            fill(at + run.end, tile.columns - run.end, right);
         }
         return true;
+    }
+
+    /// Of a pixel that an edge crosses, `right` of it to the right of the edge; the layer is inside on its
+    /// left side or on its right one.
+    static std::int32_t inside_coverage(std::int32_t right, bool is_inside_left)
+    {
+        return is_inside_left ? full_coverage - right : right;
     }
 
     /// From the topmost opaque layer that covers all of the region.
@@ -128,65 +126,71 @@ private:
             if ((rest & bit) == 0)
                 continue;
             rest &= ~bit;
-            paint_layer(region, *slots_.layer(slot).coming, slots_.layer(slot).ink, slots_.layer(slot).share,
-                        tile);
+            const Slots::Layer& layer = slots_.layer(slot);
+            paint_layer(region, *layer.coming, {layer.ink, layer.share}, tile);
         }
     }
 
-    void paint_layer(const Region& region, const PaintStep& step, std::uint32_t ink, std::uint32_t opacity,
-                     const Tile<Cells>& tile)
+    /// How a layer is laid on what is below it.
+    struct Coat {
+        std::uint32_t ink;
+        std::uint32_t opacity; ///< a share
+
+        std::uint32_t share_of(std::int32_t coverage) const
+        {
+            const std::uint32_t share = Cells::share(coverage);
+            return opacity == Cells::full_share ? share : product_of_shares<Cells>(share, opacity);
+        }
+    };
+
+    void paint_layer(const Region& region, const PaintStep& step, const Coat& coat, const Tile<Cells>& tile)
     {
         work_for(step.item);
         did(Work::layer);
         const auto number = static_cast<std::uint16_t>(&step - steps_.data());
-        if (!row_.begin(band_, region, number, step.rule, tile.left, tile.columns)) {
-            for (int row = 0; row != tile.rows; ++row)
-                lay(tile.cells + row * tile.stride, 0, tile.columns, ink, opacity);
-            return;
-        }
+        const bool has_edges = row_.begin(band_, region, number, step.rule, tile.left, tile.columns);
         Cell* at = tile.cells;
         for (int row = 0; row != tile.rows; ++row, at += tile.stride) {
             did(Work::layer_row);
-            const auto lay_span = [&](int begin, int end, std::int32_t coverage) {
-                did(Work::span);
-                const std::uint32_t share = Cells::share(coverage);
-                if (share != 0)
-                    lay(at, begin, end, ink,
-                        opacity == Cells::full_share ? share : product_of_shares<Cells>(share, opacity));
-            };
-            if (row_.find_edges(tile.first_row + row))
-                lay_between_edges(tile.columns, lay_span);
+            if (!has_edges)
+                lay(at, 0, tile.columns, coat.ink, coat.opacity);
+            else if (row_.find_edges(tile.first_row + row))
+                lay_between_edges(at, tile.columns, coat);
             else
-                row_.sum_up(tile.first_row + row, lay_span);
+                row_.sum_up(tile.first_row + row, [at, &coat](int begin, int end, std::int32_t coverage) {
+                    did(Work::span);
+                    lay(at, begin, end, coat.ink, coat.share_of(coverage));
+                });
         }
     }
 
-    template <class LaySpan>
-    void lay_between_edges(int columns, LaySpan lay_span) const
+    void lay_between_edges(Cell* at, int columns, const Coat& coat) const
     {
         bool is_inside = row_.is_inside_at_left();
         int column = 0;
+        CoverageRun run;
         for (std::size_t i = 0; i != row_.edge_count(); ++i) {
-            const RowEdge& edge = row_.edge(i);
-            CoverageRun run;
-            cover(edge, columns, run);
-            if (is_inside && column != run.begin)
-                lay_span(column, run.begin, full_coverage);
-            for (int pixel = run.begin; pixel != run.end; ++pixel) {
-                const std::int32_t coverage = run.pixels[static_cast<std::size_t>(pixel - run.begin)];
-                lay_span(pixel, pixel + 1, is_inside ? full_coverage - coverage : coverage);
-            }
+            cover(row_.edge(i), columns, run);
+            if (is_inside)
+                lay(at, column, run.begin, coat.ink, coat.opacity);
+            did(Work::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));
+            const std::uint16_t* coverage = run.pixels.data();
+            for (Cell *cell = at + run.begin, *const end = at + run.end; cell != end; ++cell)
+                *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), coat.ink,
+                                                 coat.share_of(inside_coverage(*coverage++, is_inside))));
             column = run.end;
             is_inside = !is_inside;
         }
-        if (is_inside && column != columns)
-            lay_span(column, columns, full_coverage);
+        if (is_inside)
+            lay(at, column, columns, coat.ink, coat.opacity);
     }
 
     static void lay(Cell* at, int begin, int end, std::uint32_t ink, std::uint32_t share)
     {
         if (share == Cells::full_share)
             return fill(at + begin, end - begin, Cells::cell(ink));
+        if (share == 0)
+            return;
         did(Work::blended_pixel, static_cast<std::uint32_t>(end - begin));
         for (Cell* cell = at + begin; cell != at + end; ++cell)
             *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), ink, share));
@@ -203,8 +207,8 @@ private:
             else if (step.kind == PaintStep::Kind::end_group)
                 fade(tile, backdrop(--depth), opacity_share<Cells>(step.opacity));
             else if (is_in(region, step))
-                paint_layer(region, step, Cells::ink(step.colour), opacity_share<Cells>(step.colour.opacity),
-                            tile);
+                paint_layer(region, step,
+                            {Cells::ink(step.colour), opacity_share<Cells>(step.colour.opacity)}, tile);
         }
     }
 

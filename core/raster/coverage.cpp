@@ -42,21 +42,15 @@ private:
 
 }
 
-void cover(const RowEdge& edge, int columns, CoverageRun& run)
+void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
 {
     const int first = edge.pixel();
-    const int behind = std::max(ceil_pixel(edge.high), first + 1);
+    const int behind = ceil_pixel(edge.high);
     run.begin = std::clamp(first, 0, columns);
     run.end = std::clamp(behind, 0, columns);
-    if (run.begin == run.end)
-        return;
-    std::uint16_t* out = run.pixels.data();
-    if (behind == first + 1) {
-        *out = static_cast<std::uint16_t>(edge.steep_coverage());
-        return;
-    }
     did(Work::flat_pixel, static_cast<std::uint32_t>(run.end - run.begin));
     const Ramp ramp{static_cast<std::uint32_t>(edge.high - edge.low)};
+    std::uint16_t* out = run.pixels.data();
     for (int pixel = run.begin; pixel != run.end; ++pixel) {
         const std::int32_t left = pixel * grid;
         std::int32_t coverage = 0;

@@ -2,6 +2,7 @@
 
 #include "core/raster/grid.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -39,8 +40,18 @@ constexpr RowEdge edge_between(std::int32_t a, std::int32_t b)
     return a < b ? RowEdge{a, b} : RowEdge{b, a};
 }
 
+void cover_flat(const RowEdge& edge, int columns, CoverageRun& run);
+
 /// How much of the pixels that an edge touches lies to the right of it, within 0 … `columns`.
-void cover(const RowEdge& edge, int columns, CoverageRun& run);
+inline void cover(const RowEdge& edge, int columns, CoverageRun& run)
+{
+    if (!edge.is_steep())
+        return cover_flat(edge, columns, run);
+    const int pixel = edge.pixel();
+    run.begin = std::clamp(pixel, 0, columns);
+    run.end = std::clamp(pixel + 1, 0, columns);
+    run.pixels[0] = static_cast<std::uint16_t>(edge.steep_coverage());
+}
 
 /// Sums up the areas between edges and the right border of a tile, for one row:
 ///

@@ -101,7 +101,10 @@ bool LayerRow::find_chains(const Region& region)
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
 {
     const std::int32_t left = (left_ - chain.left) * grid;
-    return edge_between(band_->crossing(chain, row) - left, band_->crossing(chain, row + 1) - left);
+    if (chain.is_straight)
+        return edge_between(band_->crossing(chain, row) - left, band_->crossing(chain, row + 1) - left);
+    const Crossing* const x = band_->kept_crossings(chain) + row;
+    return edge_between(x[0] - left, x[1] - left);
 }
 
 bool LayerRow::find_edges(int row)
@@ -110,23 +113,27 @@ bool LayerRow::find_edges(int row)
     if (!has_few_)
         return false;
     std::int32_t winding = winding_ >> band_->height_bits();
+    bool was_inside = is_inside(rule_, winding);
     int past = -1; // the last pixel of the edge before
     for (std::size_t i = 0; i != chain_count_; ++i) {
         const Chain& chain = *chains_[i];
         did(Work::layer_edge);
-        const Way way = way_through(*band_, chain, row);
-        if (way == Way::none)
-            continue;
-        if (way == Way::other)
-            return false;
+        if (!chain.is_whole) {
+            const Way way = way_through(*band_, chain, row);
+            if (way == Way::none)
+                continue;
+            if (way == Way::other)
+                return false;
+        }
         const RowEdge edge = edge_of(chain, row);
         if (edge.pixel() <= past || edge.high > columns_ * grid)
             return false;
         past = floor_pixel(edge.high);
-        const std::int32_t right = winding + (chain.runs_down ? 1 : -1);
-        if (is_inside(rule_, winding) != is_inside(rule_, right))
-            edges_[edge_count_++] = edge;
-        winding = right;
+        winding += chain.runs_down ? 1 : -1;
+        if (is_inside(rule_, winding) == was_inside)
+            continue;
+        edges_[edge_count_++] = edge;
+        was_inside = !was_inside;
     }
     return true;
 }

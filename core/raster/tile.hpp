@@ -40,11 +40,13 @@ void fill(Cell* at, int count, Cell cell)
         *at = cell;
 }
 
+/// Shorter stretches are filled cell by cell.
+inline constexpr int short_stretch = 12;
+
 /// Pairs of cells in words.
-inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
+[[gnu::noinline]] inline void fill_pairs(std::uint16_t* at, int count, std::uint16_t cell)
 {
-    note_fill(count);
-    if (count > 0 && (reinterpret_cast<std::uintptr_t>(at) & 2) != 0) {
+    if ((reinterpret_cast<std::uintptr_t>(at) & 2) != 0) {
         *at++ = cell;
         --count;
     }
@@ -54,6 +56,15 @@ inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
         *word++ = both;
     if (count > 0)
         *reinterpret_cast<std::uint16_t*>(word) = cell;
+}
+
+inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
+{
+    note_fill(count);
+    if (count >= short_stretch)
+        return fill_pairs(at, count, cell);
+    for (; count > 0; --count)
+        *at++ = cell;
 }
 
 }
