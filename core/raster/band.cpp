@@ -94,19 +94,25 @@ void Band::find_columns(Chain& chain) const
     const std::int32_t to = std::min(bottom_, chain.bottom);
     const int first = floor_pixel(from - top_);
     const int last = ceil_pixel(to - top_);
-    std::int32_t low = crossing(chain, first);
-    std::int32_t high = low;
-    const auto reach = [&](std::int32_t at) {
-        low = std::min(low, at);
-        high = std::max(high, at);
-    };
+    std::int32_t low = 0;
+    std::int32_t high = 0;
     chain.is_whole = to - from == bottom_ - top_;
     if (chain.is_straight) {
-        reach(crossing(chain, last));
+        low = crossing(chain, first);
+        high = crossing(chain, last);
+        if (low > high)
+            std::swap(low, high);
     } else {
-        const Crossing* const x = store_->crossing(chain.crossings);
-        for (int row = first + 1; row <= last; ++row)
-            reach(x[row]);
+        const Crossing* x = kept_crossings(chain) + first;
+        low = high = *x;
+        const auto reach = [&low, &high](std::int32_t at) {
+            if (at < low)
+                low = at;
+            else if (at > high)
+                high = at;
+        };
+        for (const Crossing* const end = x + (last - first); x != end;)
+            reach(*++x);
         const auto end = static_cast<std::uint32_t>(to - (chain.top & -grid));
         for (const Bend* bend = bends(chain); bend->y <= end; --bend) {
             reach(bend->x);

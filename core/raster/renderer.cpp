@@ -252,27 +252,22 @@ void Renderer::keep_band()
     record_.end_band();
 }
 
-/// Regions that are still to be drawn, as far as the gaps between them have at most `gap` columns. Empty if
-/// there is none.
-Rect Renderer::next_window(Size granularity, int gap)
+/// Of regions that are still to be drawn, as far as the gaps between them have at most `gap` columns. None if
+/// all are drawn.
+Renderer::Columns Renderer::next_columns(int granularity, int gap)
 {
-    Rect window;
-    window.y = band_.top_row();
-    window.height = band_.row_count();
-    for (const Region& region : regions_.regions().subspan(drawn_regions_)) {
-        const int end = std::min(rounded_up(region.end, granularity.width), panel_.width);
-        if (end <= drawn_columns_) {
-            ++drawn_regions_;
-            continue;
-        }
-        const int begin = std::max(rounded_down(region.begin, granularity.width), drawn_columns_);
-        if (window.width == 0)
-            window.x = begin;
-        else if (begin > window.x + window.width + gap)
-            break;
-        window.width = end - window.x;
-    }
-    return window;
+    const Region* region = regions_.regions().data() + drawn_regions_;
+    const Region* const end = regions_.regions().data() + regions_.size();
+    for (; region != end && region->end <= drawn_columns_; ++region)
+        ++drawn_regions_;
+    if (region == end)
+        return {};
+    Columns columns{rounded_down(region->begin, granularity), region->end};
+    for (++region; region != end && region->begin <= columns.end + gap; ++region)
+        columns.end = region->end;
+    columns.begin = std::max(columns.begin, drawn_columns_);
+    columns.end = std::min(rounded_up(columns.end, granularity), panel_.width);
+    return columns;
 }
 
 template <class Cells>
@@ -318,7 +313,7 @@ void Renderer::draw_area(Rect area, std::span<std::byte> pixels)
     using Cells = typename Pack::Cells;
     using Cell = typename Cells::Cell;
     constexpr int cells_of_tile = static_cast<int>(tile_bytes / sizeof(Cell));
-    const int columns = std::min(tile_columns, (cells_of_tile / area.height) & -8);
+    const int columns = std::min(tile_columns, cells_of_tile >> picture_.outlines.band_bits());
     alignas(4) std::array<Cell, Pack::is_direct ? 1 : cells_of_tile> cells;
     const std::size_t stride = row_bytes(format, area.width);
     for (int x = 0; x < area.width; x += columns) {
@@ -357,23 +352,25 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
         slots_.set_inks<Cells>();
     }
     std::size_t count = 0;
+    const int gap = area_bytes * 8 / bits_per_pixel(format) >> picture_.outlines.band_bits();
     while (count != max_changes) {
-        const int rows = band_.number() < 0 ? 1 : band_.row_count();
-        const int gap = area_bytes * 8 / (bits_per_pixel(format) * rows);
-        Rect area = next_window(granularity, gap);
-        if (regions_.size() == 0 || area.width == 0) {
+        const Columns columns = next_columns(granularity.width, gap);
+        if (columns.end == 0) {
             if (next_dirty_band<Cells>())
                 continue;
             end_changes();
             break;
         }
-        if (row_bytes(format, area.width) * static_cast<std::size_t>(rows) > pixels.size()) {
+        Rect area{columns.begin, band_.top_row(), columns.end - columns.begin, band_.row_count()};
+        const auto rows = static_cast<std::size_t>(area.height);
+        std::size_t bytes = row_bytes(format, area.width) * rows;
+        if (bytes > pixels.size()) {
             if (count != 0)
                 break; // it may find room in the next call
-            const auto room = static_cast<int>(pixels.size()) / rows * 8 / bits_per_pixel(format);
+            const auto room = static_cast<int>(pixels.size() / rows) * 8 / bits_per_pixel(format);
             area.width = rounded_down(room, granularity.width);
+            bytes = row_bytes(format, area.width) * rows;
         }
-        const std::size_t bytes = row_bytes(format, area.width) * static_cast<std::size_t>(rows);
         draw_area<format>(area, pixels.first(bytes));
         // Whole rows go together; else slow buses take long ways without a break.
         if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area))

@@ -82,7 +82,12 @@ private:
     template <class Cells>
     bool next_dirty_band();
     void keep_band();
-    Rect next_window(Size granularity, int gap);
+    /// Columns of the band.
+    struct Columns {
+        int begin = 0;
+        int end = 0;
+    };
+    Columns next_columns(int granularity, int gap);
     template <PixelFormat format>
     void draw_area(Rect area, std::span<std::byte> pixels);
     template <class Cells>
