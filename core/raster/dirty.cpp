@@ -14,29 +14,35 @@ class Walk {
 public:
     Walk(const Band& band, std::span<const Record::Border> shown, std::span<const PaintStep> shown_steps,
          const Slots& slots, int columns, bool is_known, RegionList& dirty)
-        : band_{band}, steps_{shown_steps}, slots_{slots}, dirty_{dirty}, columns_{columns},
-          is_known_{is_known}, place_{band.first()}, border_{shown.data()}, borders_end_{shown.data() +
-                                                                                         shown.size()}
+        : band_{band}, steps_{shown_steps}, slots_{slots}, regions_{dirty.data()},
+          end_{dirty.data()}, columns_{columns}, is_known_{is_known}, border_{shown.data()},
+          borders_end_{shown.data() + shown.size()}
     {
-        read_chain();
+        take_chain(band.first());
         read_border();
     }
 
-    void run()
+    /// Returns the end of the regions.
+    const Region* run()
     {
         int column = 0;
         for (;;) {
-            const int begin = std::min({begin_, shown_begin_, columns_});
+            int begin = std::min(begin_, shown_begin_);
+            begin = std::min(begin, columns_);
             if (begin > column && !(is_known_ && slots_.looks_same(inside_, shown_inside_)))
                 add_flat(column, begin);
             if (begin == columns_)
-                return;
+                return end_;
             column = pass_cluster(begin);
         }
     }
 
 private:
-    void read_chain() { begin_ = place_ == Chain::none ? far : band_.chain(place_).begin; }
+    void take_chain(std::uint32_t place)
+    {
+        place_ = place;
+        begin_ = place == Chain::none ? far : band_.chain(place).begin;
+    }
     void read_border() { shown_begin_ = border_ == borders_end_ ? far : border_->begin; }
 
     /// Returns its end.
@@ -44,23 +50,27 @@ private:
     {
         const SlotMask left = inside_;
         const SlotMask shown_left = shown_inside_;
-        const std::size_t mark = dirty_.size();
+        Region* const mark = end_;
         SlotMask touched = 0;
         int end = begin;
         int chains_end = -1; // of the region
         do {
             if (begin_ <= shown_begin_) {
                 const Chain& chain = band_.chain(place_);
-                if (begin_ >= chains_end)
-                    add_region(mark, begin);
-                chains_end = std::max<int>(chains_end, chain.end);
-                end = std::max<int>(end, chain.end);
-                touched |= bit_of(chain.slot);
+                if (chains_end < 0)
+                    begin_region(begin);
+                else if (begin_ >= chains_end) {
+                    end_region(begin_);
+                    begin_region(begin_);
+                }
+                const int chain_end = chain.end;
+                chains_end = std::max(chains_end, chain_end);
+                end = std::max(end, chain_end);
+                const SlotMask bit = bit_of(chain.slot);
+                touched |= bit;
                 if (chain.is_border)
-                    inside_ ^= bit_of(chain.slot);
-                place_ = chain.next;
-                dirty_.back().behind = place_;
-                read_chain();
+                    inside_ ^= bit;
+                take_chain(chain.next);
             } else {
                 did(Work::border);
                 const SlotMask bit = bit_of(steps_[border_->layer].slot);
@@ -72,40 +82,50 @@ private:
                 read_border();
             }
         } while (begin_ < end || shown_begin_ < end);
-        if (chains_end < 0)
-            add_flat(begin, end);
-        dirty_.back().end = static_cast<std::int16_t>(std::min(end, columns_));
         const bool is_same = (touched & ~slots_.same) == 0 && left == shown_left &&
                              ((left | touched) & slots_.recoloured) == 0;
         if (is_known_ && (is_same || slots_.is_hidden(left, shown_left, touched)))
-            dirty_.shrink(mark);
+            end_ = mark;
+        else if (chains_end < 0)
+            add_flat(begin, std::min(end, columns_));
+        else
+            end_region(std::min(end, columns_));
         return end;
     }
 
-    /// From the chain on that is read now. A cluster that began with less than `mark` regions has regions
-    /// without gaps.
-    void add_region(std::size_t mark, int cluster_begin)
+    /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last one
+    /// takes it in, with all that lies between.
+    void begin_region(int begin)
     {
-        const bool is_first = dirty_.size() == mark;
-        const int begin = is_first ? cluster_begin : begin_;
-        if (!is_first)
-            dirty_.back().end = static_cast<std::int16_t>(begin);
-        dirty_.add(begin, inside_, place_);
+        if (end_ == regions_ + RegionList::max_count)
+            return;
+        end_->begin = static_cast<std::int16_t>(begin);
+        end_->inside = inside_;
+        end_->first = place_;
+        end_->has_slots = true;
+        ++end_;
+    }
+
+    void end_region(int end)
+    {
+        end_[-1].end = static_cast<std::int16_t>(end);
+        end_[-1].behind = place_;
     }
 
     void add_flat(int begin, int end)
     {
-        dirty_.add(begin, inside_, place_);
-        dirty_.extend(end, place_);
+        begin_region(begin);
+        end_region(end);
     }
 
     const Band& band_;
     std::span<const PaintStep> steps_;
     const Slots& slots_;
-    RegionList& dirty_;
+    Region* const regions_;
+    Region* end_; ///< behind the last one
     int columns_;
     bool is_known_;                ///< what the panel shows
-    std::uint32_t place_;          ///< of the chain that comes next
+    std::uint32_t place_ = Chain::none; ///< of the chain that comes next
     const Record::Border* border_; ///< that comes next
     const Record::Border* borders_end_;
     int begin_ = 0;
@@ -119,14 +139,12 @@ private:
 void find_dirty(const Band& band, std::span<const Record::Border> shown,
                 std::span<const PaintStep> shown_steps, const Slots& slots, int columns, RegionList& dirty)
 {
-    dirty.clear();
-    Walk{band, shown, shown_steps, slots, columns, true, dirty}.run();
+    dirty.end_at(Walk{band, shown, shown_steps, slots, columns, true, dirty}.run());
 }
 
 void find_all(const Band& band, const Slots& slots, int columns, RegionList& regions)
 {
-    regions.clear();
-    Walk{band, {}, {}, slots, columns, false, regions}.run();
+    regions.end_at(Walk{band, {}, {}, slots, columns, false, regions}.run());
 }
 
 Region region_between(const Band& band, int begin, int end)

@@ -26,32 +26,20 @@ class RegionList {
 public:
     static constexpr std::size_t max_count = 24;
 
-    std::span<const Region> regions() const { return {regions_.data(), count_}; }
-    std::size_t size() const { return count_; }
-    Region& back() { return regions_[count_ - 1]; }
+    const Region* begin() const { return regions_.data(); }
+    const Region* end() const { return regions_.data() + count_; }
+    bool is_empty() const { return count_ == 0; }
 
     void clear() { count_ = 0; }
-    /// Without chains and columns: these are added to back(). If there is no room, the last one takes it in,
-    /// with all that lies between.
-    void add(int begin, SlotMask inside, std::uint32_t first)
+    /// All of a band, if nothing is known of its layers.
+    void set_whole(int columns, std::uint32_t first)
     {
-        if (count_ < max_count) {
-            Region& added = regions_[count_++];
-            added.begin = static_cast<std::int16_t>(begin);
-            added.inside = inside;
-            added.first = first;
-            added.has_slots = true;
-        }
-        extend(begin, first);
+        regions_[0] = {.end = static_cast<std::int16_t>(columns), .first = first, .has_slots = false};
+        count_ = 1;
     }
-    /// The last one goes on to there.
-    void extend(int end, std::uint32_t behind)
-    {
-        back().end = static_cast<std::int16_t>(end);
-        back().behind = behind;
-    }
-    /// Leaves `count` of them.
-    void shrink(std::size_t count) { count_ = count; }
+    /// For whoever fills the list: there is room for max_count of them, and end_at() tells where they end.
+    Region* data() { return regions_.data(); }
+    void end_at(const Region* end) { count_ = static_cast<std::size_t>(end - regions_.data()); }
 
 private:
     std::array<Region, max_count> regions_;

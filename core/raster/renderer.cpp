@@ -138,7 +138,7 @@ void Renderer::begin_changes(int band_bits)
     slots_.set_pictures(picture_.steps(), shown_storage_.first(shown_count_));
     find_changed_bands();
     regions_.clear();
-    drawn_regions_ = 0;
+    next_region_ = regions_.begin();
     progress_ = Progress::begun;
 }
 
@@ -194,10 +194,7 @@ bool Renderer::next_band(bool is_known, std::span<const Record::Border> shown)
 {
     if (!slots_.hold_all()) {
         if (!assign_slots(shown)) {
-            regions_.clear();
-            regions_.add(0, 0, band_.first());
-            regions_.extend(panel_.width, Chain::none);
-            regions_.back().has_slots = false;
+            regions_.set_whole(panel_.width, band_.first());
             return false;
         }
         slots_.set_inks<Cells>();
@@ -239,8 +236,8 @@ bool Renderer::next_dirty_band()
         else
             record_.drop_band();
         drawn_columns_ = 0;
-        drawn_regions_ = 0;
-        if (regions_.size() != 0)
+        next_region_ = regions_.begin();
+        if (!regions_.is_empty())
             return true;
     }
 }
@@ -256,10 +253,10 @@ void Renderer::keep_band()
 /// all are drawn.
 Renderer::Columns Renderer::next_columns(int granularity, int gap)
 {
-    const Region* region = regions_.regions().data() + drawn_regions_;
-    const Region* const end = regions_.regions().data() + regions_.size();
-    for (; region != end && region->end <= drawn_columns_; ++region)
-        ++drawn_regions_;
+    const Region* const end = regions_.end();
+    while (next_region_ != end && next_region_->end <= drawn_columns_)
+        ++next_region_;
+    const Region* region = next_region_;
     if (region == end)
         return {};
     Columns columns{rounded_down(region->begin, granularity), region->end};
@@ -290,7 +287,7 @@ void Renderer::draw_tile(const Tile<Cells>& tile)
         painter.paint(region, part);
         column = end;
     };
-    for (const Region& region : regions_.regions().subspan(drawn_regions_)) {
+    for (const Region& region : std::span{next_region_, regions_.end()}) {
         if (region.end <= column)
             continue;
         if (region.begin <= column && region.end >= right && column == tile.left)
@@ -399,7 +396,7 @@ void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
         while (band_.number() < first_row >> default_band_bits) {
             band_.advance();
             next_band<Cells>(false, {});
-            drawn_regions_ = 0;
+            next_region_ = regions_.begin();
         }
         const int band_end = std::min(band_.top_row() + (1 << default_band_bits), panel_.height);
         const int part = std::min(rows, band_end - first_row);

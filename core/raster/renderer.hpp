@@ -105,7 +105,7 @@ private:
     RegionList regions_;
     LayerRow row_;
     int drawn_columns_ = 0;         ///< of the band: areas to the left of here are drawn
-    std::size_t drawn_regions_ = 0; ///< all before it lie to the left of there
+    const Region* next_region_ = nullptr; ///< all before it lie to the left of there
     int next_row_ = 0;              ///< that draw_rows() may go on with
     Progress progress_ = Progress::none;
     bool is_fresh_ = false; ///< no pass has gone through the outlines
