@@ -85,9 +85,9 @@ void Band::move_on(Chain& chain, int bands)
         chain.bends -= std::uint32_t{sizeof(Bend)};
 }
 
-/// A piece that ends within the band reaches the pixel of its end, at least, and so does the piece that goes
-/// on from there. So pieces of an outline that belong together overlap, and where no piece is, all rows of
-/// the band are alike.
+/// A chain reaches the pixels of all its corners and crossings, also where it touches but their left border.
+/// So pieces of an outline that meet within the band overlap, and where no piece is, all rows of the band are
+/// alike.
 void Band::find_columns(Chain& chain) const
 {
     const std::int32_t from = std::max(top_, chain.top);
@@ -123,9 +123,9 @@ void Band::find_columns(Chain& chain) const
     const std::int32_t height = (is_cut ? bottom_ : to) - from;
     chain.height = static_cast<std::int16_t>(chain.runs_down ? height : -height);
     const int begin = floor_pixel(low) + chain.left;
-    const int behind = (chain.is_whole ? ceil_pixel(high) : floor_pixel(high) + 1) + chain.left;
+    const int end = floor_pixel(high) + chain.left + 1;
     chain.begin = static_cast<std::int16_t>(std::max(begin, 0));
-    chain.end = static_cast<std::int16_t>(std::max(behind, chain.begin + 1));
+    chain.end = static_cast<std::int16_t>(std::max(end, 1));
 }
 
 const Crossing* Band::crossings_of_line(const Chain& chain, BandCrossings& room) const

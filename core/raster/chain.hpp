@@ -2,6 +2,7 @@
 
 #include "core/raster/grid.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -65,6 +66,7 @@ struct Chain {
 static_assert(sizeof(Chain) == 40 && sizeof(Bend) == 4);
 
 /// x where a straight chain crosses the upper border of a row of the panel; beyond its ends, that of the end.
+/// It goes on to the right from row to row, or to the left, also where its slope is rounded.
 constexpr Crossing crossing_of(const Chain& chain, const StraightLine& line, int row)
 {
     const int below_top = row - floor_pixel(chain.top);
@@ -72,7 +74,9 @@ constexpr Crossing crossing_of(const Chain& chain, const StraightLine& line, int
         return line.top;
     if (row >= ceil_pixel(chain.bottom))
         return line.bottom;
-    return static_cast<Crossing>((line.first + (below_top - 1) * line.slope) >> 10);
+    const std::int32_t x = (line.first + (below_top - 1) * line.slope) >> 10;
+    return static_cast<Crossing>(line.slope < 0 ? std::max<std::int32_t>(x, line.bottom)
+                                                : std::min<std::int32_t>(x, line.bottom));
 }
 
 }

@@ -24,10 +24,14 @@ public:
     {
         return static_cast<std::int32_t>((length * length * inverse_) >> (shift_ - 1));
     }
-    /// The same of a pixel that it crosses from side to side, `length` behind its begin.
-    std::int32_t slice(std::uint32_t length) const
+    /// The same of pixels that it crosses from side to side, the first of them `length` behind its begin: calls
+    /// put(area) for so many of them.
+    template <class Put>
+    void slices(std::uint32_t length, int count, Put put) const
     {
-        return static_cast<std::int32_t>(((length + grid / 2) * inverse_) >> (shift_ - 8));
+        std::uint32_t area = (length + grid / 2) * inverse_;
+        for (; count > 0; --count, area += grid * inverse_)
+            put(static_cast<std::int32_t>(area >> (shift_ - 8)));
     }
     /// `height` times the part of the width that is `length`.
     std::int32_t part(std::int32_t height, std::uint32_t length) const
@@ -51,17 +55,15 @@ void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
     did(Work::flat_pixel, static_cast<std::uint32_t>(run.end - run.begin));
     const Ramp ramp{static_cast<std::uint32_t>(edge.high - edge.low)};
     std::uint16_t* out = run.pixels.data();
-    for (int pixel = run.begin; pixel != run.end; ++pixel) {
-        const std::int32_t left = pixel * grid;
-        std::int32_t coverage = 0;
-        if (pixel == first)
-            coverage = ramp.triangle(static_cast<std::uint32_t>(left + grid - edge.low));
-        else if (pixel + 1 == behind)
-            coverage = full_coverage - ramp.triangle(static_cast<std::uint32_t>(edge.high - left));
-        else
-            coverage = std::min(ramp.slice(static_cast<std::uint32_t>(left - edge.low)), full_coverage);
-        *out++ = static_cast<std::uint16_t>(coverage);
-    }
+    const auto put = [&out](std::int32_t coverage) { *out++ = static_cast<std::uint16_t>(coverage); };
+    int pixel = run.begin;
+    if (pixel == first && pixel != run.end)
+        put(ramp.triangle(static_cast<std::uint32_t>(++pixel * grid - edge.low)));
+    const int whole_end = std::min(run.end, behind - 1);
+    ramp.slices(static_cast<std::uint32_t>(pixel * grid - edge.low), whole_end - pixel,
+                [put](std::int32_t coverage) { put(std::min(coverage, full_coverage)); });
+    if (run.end == behind && behind > pixel)
+        put(full_coverage - ramp.triangle(static_cast<std::uint32_t>(edge.high - (behind - 1) * grid)));
 }
 
 /// What lies to the left of the tile counts from its first pixel on.

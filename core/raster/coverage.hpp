@@ -78,20 +78,24 @@ public:
     /// Of edges to the left of the tile, in the grid; negative if outlines run up.
     void add_height(std::int32_t height) { sums_[0] += height * (full / grid); }
 
-    /// What pixel `column` adds; it is forgotten.
-    std::int32_t take(int column)
+    /// Calls span(begin, end, sum) for stretches of pixels that have the same sum; to the left of them it is
+    /// `sum`. All is forgotten.
+    template <class Span>
+    void sum_up(int columns, std::int32_t sum, Span span)
     {
-        const std::int32_t sum = sums_[static_cast<std::size_t>(column)];
-        sums_[static_cast<std::size_t>(column)] = 0;
-        return sum;
-    }
-
-    /// The first pixel from `column` on that something was added to; `columns` if there is none.
-    int next(int column, int columns) const
-    {
-        while (column != columns && sums_[static_cast<std::size_t>(column)] == 0)
-            ++column;
-        return column;
+        std::int32_t* const begin = sums_.data();
+        std::int32_t* const end = begin + columns;
+        *end = 1; // ends the last stretch
+        for (std::int32_t* at = begin; at != end;) {
+            const std::int32_t* const from = at;
+            sum += *at;
+            *at = 0;
+            do
+                ++at;
+            while (*at == 0);
+            span(static_cast<int>(from - begin), static_cast<int>(at - begin), sum);
+        }
+        *end = 0;
     }
 
 private:

@@ -50,14 +50,18 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
     rule_ = rule;
     left_ = left;
     columns_ = columns;
-    return find_chains(region);
+    const bool has_any = find_chains(region);
+    are_apart_ = are_apart_ && has_few_;
+    if (are_apart_)
+        keep_borders();
+    return has_any;
 }
 
 /// Clusters to the left of the tile count by their winding alone, and those to the right of it not at all.
 bool LayerRow::find_chains(const Region& region)
 {
     chain_count_ = 0;
-    has_few_ = true;
+    has_few_ = are_apart_ = true;
     behind_ = region.behind;
     bool has_any = false;
     int end = 0; // of the columns of the cluster
@@ -78,10 +82,11 @@ bool LayerRow::find_chains(const Region& region)
             if (!has_any || end <= left_) {
                 first_ = here;
                 chain_count_ = 0;
-                has_few_ = true;
+                has_few_ = are_apart_ = true;
                 winding_ = winding;
             }
         }
+        are_apart_ = are_apart_ && chain.is_whole && (chain_count_ == 0 || chain.begin >= end);
         has_any = true;
         winding += chain.height;
         end = std::max<int>(end, chain.end);
@@ -92,10 +97,25 @@ bool LayerRow::find_chains(const Region& region)
     if (end <= left_) {
         first_ = behind_;
         chain_count_ = 0;
-        has_few_ = true;
+        has_few_ = are_apart_ = true;
         winding_ = winding;
     }
     return has_any;
+}
+
+/// Leaves those between inside and outside in the list.
+void LayerRow::keep_borders()
+{
+    std::int32_t winding = winding_ >> band_->height_bits();
+    bool was_inside = is_inside(rule_, winding);
+    const std::size_t count = std::exchange(chain_count_, 0);
+    for (std::size_t i = 0; i != count; ++i) {
+        winding += chains_[i]->runs_down ? 1 : -1;
+        if (is_inside(rule_, winding) == was_inside)
+            continue;
+        was_inside = !was_inside;
+        chains_[chain_count_++] = chains_[i];
+    }
 }
 
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
@@ -112,6 +132,12 @@ bool LayerRow::find_edges(int row)
     edge_count_ = 0;
     if (!has_few_)
         return false;
+    if (are_apart_) {
+        did(Work::layer_edge, static_cast<std::uint32_t>(chain_count_));
+        for (; edge_count_ != chain_count_; ++edge_count_)
+            edges_[edge_count_] = edge_of(*chains_[edge_count_], row);
+        return true;
+    }
     std::int32_t winding = winding_ >> band_->height_bits();
     bool was_inside = is_inside(rule_, winding);
     int past = -1; // the last pixel of the edge before

@@ -32,13 +32,8 @@ public:
     void sum_up(int row, Span span)
     {
         add_row(row);
-        std::int32_t sum = winding_ * (CoverageSums::full >> band_->height_bits());
-        for (int column = 0; column != columns_;) {
-            const int begin = column;
-            sum += sums_.take(column);
-            column = sums_.next(column + 1, columns_);
-            span(begin, column, coverage_of(sum));
-        }
+        sums_.sum_up(columns_, winding_ * (CoverageSums::full >> band_->height_bits()),
+                     [&](int begin, int end, std::int32_t sum) { span(begin, end, coverage_of(sum)); });
     }
 
 private:
@@ -51,6 +46,7 @@ private:
     };
 
     bool find_chains(const Region& region);
+    void keep_borders();
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
     template <class Visit>
@@ -78,6 +74,7 @@ private:
     int begin_ = 0;            ///< pixels of chains that are left of here do not matter in the row
     std::int32_t winding_ = 0; ///< to the left of all chains, in the unit of Chain::winding
     bool has_few_ = false;     ///< chains: they are in the list
+    bool are_apart_ = false;   ///< they go through the band without touching the same column
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
     std::array<const Chain*, max_edges> chains_;
