@@ -26,7 +26,7 @@ void Band::advance(int number)
     bottom_ = top_ + height;
     const std::uint32_t shown = std::exchange(first_, Chain::none);
     const std::uint32_t hidden = std::exchange(hidden_, Chain::none);
-    last_ = Chain::none;
+    inserted_ = Chain::none;
     const auto take = [&](std::uint32_t list, int bands, bool is_new) {
         for (std::uint32_t next = Chain::none; list != Chain::none; list = next) {
             Chain& taken = chain(list);
@@ -135,7 +135,8 @@ const Crossing* Band::crossings_of_line(const Chain& chain, BandCrossings& room)
     return room.data();
 }
 
-/// Mostly behind the last one: chains come in the order of the band above.
+/// Mostly behind the one that came before: chains come in the order of the band above, or follow each other along
+/// an outline.
 void Band::insert(std::uint32_t place)
 {
     Chain& added = chain(place);
@@ -147,14 +148,13 @@ void Band::insert(std::uint32_t place)
         return;
     }
     std::uint32_t* link = &first_;
-    if (last_ != Chain::none && chain(last_).begin <= added.begin)
-        link = &chain(last_).next;
+    if (inserted_ != Chain::none && chain(inserted_).begin <= added.begin)
+        link = &chain(inserted_).next;
     while (*link != Chain::none && chain(*link).begin <= added.begin)
         link = &chain(*link).next;
     added.next = *link;
     *link = place;
-    if (added.next == Chain::none)
-        last_ = place;
+    inserted_ = place;
 }
 
 }

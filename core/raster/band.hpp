@@ -65,7 +65,7 @@ private:
 
     const OutlineStore* store_ = nullptr;
     std::uint32_t first_ = Chain::none;
-    std::uint32_t last_ = Chain::none;
+    std::uint32_t inserted_ = Chain::none; ///< the last one that was
     std::uint32_t hidden_ = Chain::none; ///< chains of the band to the right of the panel
     std::span<const PaintStep> steps_;
     Size panel_;
