@@ -17,11 +17,12 @@ enum class Way : std::uint8_t {
 
 constexpr int no_pixel = 1 << 20; ///< further to the right than any
 
-void insert_by_pixel(std::span<RowChain> chains, std::size_t place, const RowChain& added)
+/// Of chains that are in order but for the last one.
+void sort_by_pixel(std::span<RowChain> chains)
 {
-    for (; place != 0 && chains[place - 1].first > added.first; --place)
-        chains[place] = chains[place - 1];
-    chains[place] = added;
+    for (std::size_t place = chains.size() - 1; place != 0 && chains[place - 1].first > chains[place].first;
+         --place)
+        std::swap(chains[place - 1], chains[place]);
 }
 
 Way way_through(const Band& band, const Chain& chain, int row)
@@ -164,12 +165,30 @@ bool LayerRow::find_edges(int row)
     return true;
 }
 
-/// Chains of the layer whose columns overlap in the band are looked at together: a group of edges that share
-/// pixels has no others.
 void LayerRow::add_row(int row)
 {
     did(Work::sum_row);
     did(Work::sum_pixel, static_cast<std::uint32_t>(columns_));
+    if (has_few_)
+        add_few(row);
+    else
+        add_many(row);
+}
+
+void LayerRow::add_few(int row)
+{
+    const int right = band_->panel_width() - left_;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i != chain_count_; ++i)
+        if (find_row_chain(*chains_[i], row, group_[count]) && group_[count].first < right)
+            sort_by_pixel(std::span{group_}.first(++count));
+    add_groups(count, no_pixel, winding_ >> band_->height_bits());
+}
+
+/// Chains of the layer whose columns overlap in the band are looked at together: a group of edges that share
+/// pixels has no others.
+void LayerRow::add_many(int row)
+{
     std::int32_t winding = (winding_ >> band_->height_bits()) + add_left_of_panel(row);
     Cluster cluster{first_, first_};
     int end = 0; // of its columns
@@ -197,7 +216,7 @@ void LayerRow::each_left_chain(int row, Visit visit) const
         const Chain& chain = band_->chain(place);
         if (chain.begin != 0)
             return;
-        if (RowChain found; find_row_chain(chain, row, found))
+        if (RowChain found; chain.layer == layer_ && find_row_chain(chain, row, found))
             visit(found);
     }
 }
@@ -235,7 +254,7 @@ void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
         const Chain& chain = band_->chain(place);
         did(Work::chain_visit);
         RowChain found;
-        if (find_row_chain(chain, row, found) && found.first < right && found.last >= begin_ &&
+        if (chain.layer == layer_ && find_row_chain(chain, row, found) && found.first < right && found.last >= begin_ &&
             !visit(found, chain.begin - left_))
             return;
     }
@@ -258,19 +277,21 @@ std::int32_t LayerRow::add_cluster(const Cluster& cluster, int row, std::int32_t
         is_crowd = count == max_group;
         if (is_crowd)
             done = std::min(begin, group_[0].first);
-        else
-            insert_by_pixel(group_, count++, chain);
+        else {
+            group_[count] = chain;
+            sort_by_pixel(std::span{group_}.first(++count));
+        }
         return !is_crowd;
     });
     return is_crowd ? add_crowd(cluster, row, done, winding) : add_groups(count, no_pixel, winding);
 }
 
 /// Of the first `count` chains of group_, whose count becomes that of the others, the groups that end before
-/// a pixel. Returns the winding to the right of them.
+/// a pixel, and reach the tile or lie to the left of it. Returns the winding to the right of them.
 std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t winding)
 {
     std::size_t begin = 0;
-    while (begin != count) {
+    while (begin != count && group_[begin].first < columns_) {
         std::size_t end = begin;
         int last = group_[begin].last;
         for (; end != count && group_[end].first <= last; ++end)
@@ -362,11 +383,9 @@ int LayerRow::end_of_group(const Cluster& cluster, int row, int begin) const
     return last;
 }
 
-/// False if the chain is not one of the layer, or does not reach the row.
+/// False if the chain does not reach the row.
 bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) const
 {
-    if (chain.layer != layer_)
-        return false;
     const Way way = way_through(*band_, chain, row);
     if (way == Way::none)
         return false;

@@ -49,6 +49,8 @@ private:
     void keep_borders();
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
+    void add_few(int row);
+    void add_many(int row);
     template <class Visit>
     void each_left_chain(int row, Visit visit) const;
     std::int32_t add_left_of_panel(int row);
