@@ -6,7 +6,7 @@ include(${PROJECT_SOURCE_DIR}/firmware/sources.cmake)
 # Flash is short, so all is compiled for size but what every row of a picture, or every corner and point of a beam, goes
 # through.
 set(KFAST_EVERY_ROW
-    player
+    player raster/coverage
     beam/beam_course beam/beam_lines beam/beam_pace beam/beam_piece beam/beam_plot beam/beam_route beam/beam_turn beam/leg_corners
     beam/nearest_leg beam/tour beam/tour_improvement)
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
