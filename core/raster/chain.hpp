@@ -26,6 +26,18 @@ inline constexpr int max_band_bits = 3;
 /// Where a chain crosses the borders between the rows of a band.
 using BandCrossings = std::array<Crossing, (1 << max_band_bits) + 1>;
 
+/// A set of rows of a band, the first in the lowest bit. Of bands that are higher than four rows all rows are
+/// always in it: panels that have them take all rows together.
+using RowMask = std::uint8_t;
+
+inline constexpr RowMask all_rows = 0x0F;
+
+/// From `begin` up to but not including `end`.
+constexpr RowMask row_mask(int begin, int end)
+{
+    return static_cast<RowMask>(((1U << end) - (1U << begin)) & all_rows);
+}
+
 /// A long edge that is a chain of its own.
 struct StraightLine {
     std::int32_t slope = 0; ///< how far it goes to the right over each row, in 1/1024 of the grid
@@ -53,9 +65,10 @@ struct Chain {
     bool runs_down : 1 = true;    ///< as the outline was drawn
     bool is_straight : 1 = false; ///< a StraightLine stands in for its crossings
 
-    bool is_whole = false;    ///< it crosses the band from border to border without bends
-    bool is_border = false;   ///< its layer is inside on one side of it, and outside on the other
-    std::uint8_t slot = 0;    ///< of the layer in the band
+    bool is_whole : 1 = false;  ///< it crosses the band from border to border without bends
+    bool is_border : 1 = false; ///< its layer is inside on one side of it, and outside on the other
+    RowMask rows = all_rows;    ///< that it reaches
+    std::uint8_t slot = 0;      ///< of the layer in the band
     std::int16_t begin = 0;   ///< first column that it touches in the band
     std::int16_t end = 0;     ///< column behind the last one
     std::int16_t height = 0;  ///< of its part of the band in the grid; negative if it does not run down

@@ -52,6 +52,7 @@ private:
         const SlotMask shown_left = shown_inside_;
         Region* const mark = end_;
         SlotMask touched = 0;
+        unsigned rows = 0;
         int end = begin;
         int chains_end = -1; // of the region
         do {
@@ -68,6 +69,7 @@ private:
                 end = std::max(end, chain_end);
                 const SlotMask bit = bit_of(chain.slot);
                 touched |= bit;
+                rows |= chain.rows;
                 if (chain.is_border)
                     inside_ ^= bit;
                 take_chain(chain.next);
@@ -76,6 +78,7 @@ private:
                 const SlotMask bit = bit_of(steps_[border_->layer].slot);
                 end = std::max<int>(end, border_->end);
                 touched |= bit;
+                rows |= border_->rows;
                 if (border_->is_border != 0)
                     shown_inside_ ^= bit;
                 ++border_;
@@ -90,6 +93,9 @@ private:
             add_flat(begin, std::min(end, columns_));
         else
             end_region(std::min(end, columns_));
+        if (is_known_ && rows != all_rows && left == shown_left && (left & slots_.recoloured) == 0)
+            for (Region* region = mark; region != end_; ++region)
+                region->rows = static_cast<RowMask>(rows);
         return end;
     }
 
@@ -97,11 +103,14 @@ private:
     /// takes it in, with all that lies between.
     void begin_region(int begin)
     {
-        if (end_ == regions_ + RegionList::max_count)
+        if (end_ == regions_ + RegionList::max_count) {
+            end_[-1].rows = all_rows;
             return;
+        }
         end_->begin = static_cast<std::int16_t>(begin);
         end_->inside = inside_;
         end_->first = place_;
+        end_->rows = all_rows;
         end_->has_slots = true;
         ++end_;
     }

@@ -18,6 +18,7 @@ struct Region {
     SlotMask inside = 0;                ///< layers that cover its left border
     std::uint32_t first = Chain::none;  ///< its first chain, in the list of the band
     std::uint32_t behind = Chain::none; ///< the first chain that is not in it any more
+    RowMask rows = all_rows;            ///< those between the first and the last are drawn
     bool has_slots = true;              ///< its chains have; else `inside` is 0
 };
 

@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace kfast::raster {
-namespace {
-
-constexpr std::uint16_t max_layer = 0x7FFF;
-
-}
-
 Record::Record(std::span<Border> borders, std::span<std::uint8_t> counts) : borders_{borders}, counts_{counts}
 {
     forget();
@@ -82,6 +76,7 @@ void Record::add(const Chain& chain)
     band_end_->end = chain.end;
     band_end_->layer = chain.layer & max_layer;
     band_end_->is_border = chain.is_border ? 1 : 0;
+    band_end_->rows = chain.rows & all_rows;
     ++band_end_;
 }
 

@@ -22,9 +22,13 @@ public:
     struct Border {
         std::int16_t begin = 0; ///< columns, as in Chain
         std::int16_t end = 0;
-        std::uint16_t layer : 15 = 0; ///< number of the step
+        std::uint16_t layer : 11 = 0; ///< number of the step
         std::uint16_t is_border : 1 = 0;
+        std::uint16_t rows : 4 = 0; ///< as in Chain
     };
+
+    /// Bands with others are not known.
+    static constexpr std::uint16_t max_layer = 2047;
 
     Record() = default;
     /// `counts` has an element for each band.

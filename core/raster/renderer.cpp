@@ -68,6 +68,17 @@ void extend(Change& change, int rows, std::size_t bytes)
     change.pixels = {change.pixels.data(), change.pixels.size() + bytes};
 }
 
+/// Cuts off rows of a band above and below those of the mask.
+void leave_rows(RowMask rows, Rect& area)
+{
+    for (; (rows & 1) == 0 && area.height > 1; rows >>= 1) {
+        ++area.y;
+        --area.height;
+    }
+    while ((rows >> (area.height - 1)) == 0 && area.height > 1)
+        --area.height;
+}
+
 int rounded_down(int value, int unit) { return value & -unit; }
 int rounded_up(int value, int unit) { return (value + unit - 1) & -unit; }
 
@@ -251,7 +262,7 @@ void Renderer::keep_band()
 
 /// Of regions that are still to be drawn, as far as the gaps between them have at most `gap` columns. None if
 /// all are drawn.
-Renderer::Columns Renderer::next_columns(int granularity, int gap)
+Renderer::Window Renderer::next_window(int granularity, int gap)
 {
     const Region* const end = regions_.end();
     while (next_region_ != end && next_region_->end <= drawn_columns_)
@@ -259,12 +270,14 @@ Renderer::Columns Renderer::next_columns(int granularity, int gap)
     const Region* region = next_region_;
     if (region == end)
         return {};
-    Columns columns{rounded_down(region->begin, granularity), region->end};
-    for (++region; region != end && region->begin <= columns.end + gap; ++region)
-        columns.end = region->end;
-    columns.begin = std::max(columns.begin, drawn_columns_);
-    columns.end = std::min(rounded_up(columns.end, granularity), panel_.width);
-    return columns;
+    Window window{rounded_down(region->begin, granularity), region->end, region->rows};
+    for (++region; region != end && region->begin <= window.end + gap; ++region) {
+        window.end = region->end;
+        window.rows |= region->rows;
+    }
+    window.begin = std::max(window.begin, drawn_columns_);
+    window.end = std::min(rounded_up(window.end, granularity), panel_.width);
+    return window;
 }
 
 template <class Cells>
@@ -351,14 +364,16 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
     std::size_t count = 0;
     const int gap = area_bytes * 8 / bits_per_pixel(format) >> picture_.outlines.band_bits();
     while (count != max_changes) {
-        const Columns columns = next_columns(granularity.width, gap);
-        if (columns.end == 0) {
+        const Window window = next_window(granularity.width, gap);
+        if (window.end == 0) {
             if (next_dirty_band<Cells>())
                 continue;
             end_changes();
             break;
         }
-        Rect area{columns.begin, band_.top_row(), columns.end - columns.begin, band_.row_count()};
+        Rect area{window.begin, band_.top_row(), window.end - window.begin, band_.row_count()};
+        if (granularity.height == 1 && window.rows != all_rows)
+            leave_rows(window.rows, area);
         const auto rows = static_cast<std::size_t>(area.height);
         std::size_t bytes = row_bytes(format, area.width) * rows;
         if (bytes > pixels.size()) {

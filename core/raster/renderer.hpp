@@ -82,12 +82,13 @@ private:
     template <class Cells>
     bool next_dirty_band();
     void keep_band();
-    /// Columns of the band.
-    struct Columns {
-        int begin = 0;
+    /// A part of the band.
+    struct Window {
+        int begin = 0; ///< columns
         int end = 0;
+        RowMask rows = 0;
     };
-    Columns next_columns(int granularity, int gap);
+    Window next_window(int granularity, int gap);
     template <PixelFormat format>
     void draw_area(Rect area, std::span<std::byte> pixels);
     template <class Cells>
