@@ -17,19 +17,17 @@ std::size_t scaled_to_panel(std::size_t bytes, Size canvas, Size panel)
     return std::max(scaled(panel.width, canvas.width), scaled(panel.height, canvas.height)) / 4 * 4 + 4;
 }
 
-/// Chains take 40 bytes and, most of them, 2 for each row; a border of the record takes 6 for 4 rows. Few
-/// pictures have more than 24 borders in every band.
-std::size_t record_bytes(std::size_t outline_bytes, Size panel)
+/// No more than 24 borders in every band of four rows: few pictures have more everywhere.
+std::size_t record_bytes(const SceneView& scene, Size panel)
 {
-    const auto rows = static_cast<std::size_t>(panel.height);
-    return std::min(outline_bytes * 3 / 8 + rows * 4, rows * 36);
+    return std::min(scaled_to_panel(scene.borders() * sizeof(raster::Record::Border), scene.canvas(), panel),
+                    static_cast<std::size_t>(panel.height) * 36);
 }
 
 raster::RendererNeeds needs_of(const SceneView& scene, Size panel)
 {
-    const std::size_t outline_bytes = scaled_to_panel(scene.outline_bytes(), scene.canvas(), panel);
-    return {.outline_bytes = outline_bytes,
-            .record_bytes = record_bytes(outline_bytes, panel),
+    return {.outline_bytes = scaled_to_panel(scene.outline_bytes(), scene.canvas(), panel),
+            .record_bytes = record_bytes(scene, panel),
             .steps = scene.paint_steps(),
             .group_depth = scene.blended_depth()};
 }

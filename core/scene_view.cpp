@@ -64,6 +64,7 @@ Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
 bool SceneView::read_sections(ByteReader reader)
 {
     outline_bytes_ = read_outline_bytes(reader);
+    borders_ = std::min(reader.varint(), kfb::max_borders + 1);
     const std::uint32_t head = reader.u8();
     loop_ = static_cast<Loop>(head & loop_bits);
     length_ = read_time_code(reader);

@@ -43,6 +43,9 @@ public:
     Loop loop() const { return loop_; }
     /// Memory for the outlines of one picture at its fullest; a multiple of 4.
     std::uint32_t outline_bytes() const { return outline_bytes_; }
+    /// The most borders that a picture of it has, those in each band of four rows counted, on a panel as large
+    /// as the canvas: what tells what the panel shows has room for them.
+    std::uint32_t borders() const { return borders_; }
     /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.
     std::uint32_t paint_steps() const { return paint_steps_; }
@@ -104,6 +107,7 @@ private:
     Time length_;
     Loop loop_ = Loop::repeat;
     std::uint32_t outline_bytes_ = 0;
+    std::uint32_t borders_ = 0;
     std::uint32_t paint_steps_ = 0;
     std::uint32_t blended_depth_ = 0;
     std::uint32_t bone_count_ = 0;

@@ -73,6 +73,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/edge_group.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/far_contour.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row_many.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp

@@ -15,16 +15,6 @@ enum class Way : std::uint8_t {
     other,
 };
 
-constexpr int no_pixel = 1 << 20; ///< further to the right than any
-
-/// Of chains that are in order but for the last one.
-void sort_by_pixel(std::span<RowChain> chains)
-{
-    for (std::size_t place = chains.size() - 1; place != 0 && chains[place - 1].first > chains[place].first;
-         --place)
-        std::swap(chains[place - 1], chains[place]);
-}
-
 Way way_through(const Band& band, const Chain& chain, int row)
 {
     if (chain.is_whole)
@@ -61,8 +51,7 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
 /// Clusters to the left of the tile count by their winding alone, and those to the right of it not at all.
 bool LayerRow::find_chains(const Region& region)
 {
-    chain_count_ = 0;
-    has_few_ = are_apart_ = true;
+    begin_list(region.first, 0);
     behind_ = region.behind;
     bool has_any = false;
     int end = 0; // of the columns of the cluster
@@ -80,12 +69,8 @@ bool LayerRow::find_chains(const Region& region)
                 behind_ = here;
                 break;
             }
-            if (!has_any || end <= left_) {
-                first_ = here;
-                chain_count_ = 0;
-                has_few_ = are_apart_ = true;
-                winding_ = winding;
-            }
+            if (!has_any || end <= left_)
+                begin_list(here, winding);
         }
         are_apart_ = are_apart_ && chain.is_whole && (chain_count_ == 0 || chain.begin >= end);
         has_any = true;
@@ -95,13 +80,18 @@ bool LayerRow::find_chains(const Region& region)
         if (has_few_)
             chains_[chain_count_++] = &chain;
     }
-    if (end <= left_) {
-        first_ = behind_;
-        chain_count_ = 0;
-        has_few_ = are_apart_ = true;
-        winding_ = winding;
-    }
+    if (end <= left_)
+        begin_list(behind_, winding);
     return has_any;
+}
+
+/// `winding` is that to the left of the first chain, in the unit of Chain::winding.
+void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
+{
+    first_ = first;
+    winding_ = winding;
+    chain_count_ = 0;
+    has_few_ = are_apart_ = true;
 }
 
 /// Leaves those between inside and outside in the list.
@@ -181,109 +171,15 @@ void LayerRow::add_few(int row)
     std::size_t count = 0;
     for (std::size_t i = 0; i != chain_count_; ++i)
         if (find_row_chain(*chains_[i], row, group_[count]) && group_[count].first < right)
-            sort_by_pixel(std::span{group_}.first(++count));
+            sort_last(++count);
     add_groups(count, no_pixel, winding_ >> band_->height_bits());
 }
 
-/// Chains of the layer whose columns overlap in the band are looked at together: a group of edges that share
-/// pixels has no others.
-void LayerRow::add_many(int row)
+/// Of the first `count` chains of group_, which are in order by their first pixels but for the last one.
+void LayerRow::sort_last(std::size_t count)
 {
-    std::int32_t winding = (winding_ >> band_->height_bits()) + add_left_of_panel(row);
-    Cluster cluster{first_, first_};
-    int end = 0; // of its columns
-    for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
-        const Chain& chain = band_->chain(place);
-        did(Work::chain_visit);
-        if (chain.layer != layer_)
-            continue;
-        if (chain.begin > end) {
-            cluster.behind = place;
-            winding = add_cluster(cluster, row, winding);
-            cluster.first = place;
-        }
-        end = std::max<int>(end, chain.end);
-    }
-    cluster.behind = behind_;
-    add_cluster(cluster, row, winding);
-}
-
-/// Calls visit(chain) for the chains of the layer that reach the row, or lie left of the panel in it.
-template <class Visit>
-void LayerRow::each_left_chain(int row, Visit visit) const
-{
-    for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
-        const Chain& chain = band_->chain(place);
-        if (chain.begin != 0)
-            return;
-        if (RowChain found; chain.layer == layer_ && find_row_chain(chain, row, found))
-            visit(found);
-    }
-}
-
-/// Chains that lie left of the panel, and of a group that reaches into it, count by their heights alone,
-/// however many they are. Returns the winding to the right of them.
-std::int32_t LayerRow::add_left_of_panel(int row)
-{
-    begin_ = -left_;
-    for (int before = no_pixel; before != begin_;) {
-        before = begin_;
-        each_left_chain(row, [&](const RowChain& chain) {
-            if (chain.last >= begin_)
-                begin_ = std::min(begin_, chain.first);
-        });
-    }
-    std::int32_t height = 0;
-    each_left_chain(row, [&](const RowChain& chain) {
-        if (chain.last >= begin_)
-            return;
-        add_chain(chain, columns_, sums_);
-        height += chain.height();
-    });
-    return height / grid;
-}
-
-/// Calls visit(chain, its first column in the band), until that returns false, for all chains of the layer in
-/// the cluster that reach the panel within the row. Some to the right are in a higher band, but not in a
-/// lower one.
-template <class Visit>
-void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
-{
-    const int right = band_->panel_width() - left_;
-    for (std::uint32_t place = cluster.first; place != cluster.behind; place = band_->chain(place).next) {
-        const Chain& chain = band_->chain(place);
-        did(Work::chain_visit);
-        RowChain found;
-        if (chain.layer == layer_ && find_row_chain(chain, row, found) && found.first < right && found.last >= begin_ &&
-            !visit(found, chain.begin - left_))
-            return;
-    }
-}
-
-/// Chains come in the order of their columns in the band: what lies left of these is complete. Returns the
-/// winding to the right of the cluster.
-std::int32_t LayerRow::add_cluster(const Cluster& cluster, int row, std::int32_t winding)
-{
-    std::size_t count = 0;
-    int done = -no_pixel; // groups to the left of here are added
-    bool is_crowd = false;
-    each_chain(cluster, row, [&](const RowChain& chain, int begin) {
-        if (count == max_group || begin >= columns_)
-            winding = add_groups(count, begin, winding);
-        if (begin >= columns_ && (count == 0 || group_[0].first >= columns_)) {
-            count = 0;
-            return false; // nothing of the tile is left
-        }
-        is_crowd = count == max_group;
-        if (is_crowd)
-            done = std::min(begin, group_[0].first);
-        else {
-            group_[count] = chain;
-            sort_by_pixel(std::span{group_}.first(++count));
-        }
-        return !is_crowd;
-    });
-    return is_crowd ? add_crowd(cluster, row, done, winding) : add_groups(count, no_pixel, winding);
+    for (std::size_t place = count - 1; place != 0 && group_[place - 1].first > group_[place].first; --place)
+        std::swap(group_[place - 1], group_[place]);
 }
 
 /// Of the first `count` chains of group_, whose count becomes that of the others, the groups that end before
@@ -305,82 +201,6 @@ std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t wi
               group_.begin() + static_cast<std::ptrdiff_t>(count), group_.begin());
     count -= begin;
     return winding;
-}
-
-/// From a pixel on, if there are so many chains that each group has to be looked for.
-std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std::int32_t winding)
-{
-    for (;;) {
-        const int last = end_of_group(cluster, row, begin);
-        if (last == no_pixel)
-            return winding;
-        std::size_t count = 0;
-        const auto each_of_group = [&](auto visit) {
-            each_chain(cluster, row, [&](const RowChain& chain, int) {
-                if (chain.first >= begin && chain.first <= last)
-                    visit(chain);
-                return true;
-            });
-        };
-        each_of_group([&](const RowChain& chain) {
-            if (count < max_group)
-                group_[count] = chain;
-            ++count;
-        });
-        if (count <= max_group)
-            winding = add_group(std::span{group_}.first(count), rule_, winding, columns_, sums_);
-        else
-            winding = add_large_group(each_of_group, count, winding);
-        begin = last + 1;
-    }
-}
-
-/// Line by line, unless it is so large that its areas have to add up.
-template <class EachChain>
-std::int32_t LayerRow::add_large_group(EachChain each_chain, std::size_t count, std::int32_t winding)
-{
-    int first = no_pixel;
-    int last = -no_pixel;
-    std::int32_t height = 0;
-    each_chain([&](const RowChain& chain) {
-        first = std::min(first, chain.first);
-        last = std::max(last, chain.last);
-        height += chain.height();
-        if (count > Line::max_count)
-            add_chain(chain, columns_, sums_);
-    });
-    const std::int32_t right = winding + height / grid;
-    if (count > Line::max_count)
-        return right;
-    begin_inside(first, rule_, winding, columns_, sums_);
-    for (int number = 0; number != Line::count_in_row; ++number) {
-        Line line{number};
-        each_chain([&](const RowChain& chain) { line.add(chain); });
-        line.add_inside(rule_, winding, columns_, sums_);
-    }
-    end_inside(last + 1, rule_, right, columns_, sums_);
-    return right;
-}
-
-/// The last pixel of the first group whose pixels lie at `begin` or further to the right; no_pixel if there
-/// is none.
-int LayerRow::end_of_group(const Cluster& cluster, int row, int begin) const
-{
-    int last = no_pixel;
-    each_chain(cluster, row, [&](const RowChain& chain, int) {
-        if (chain.first >= begin)
-            last = std::min(last, chain.first);
-        return true;
-    });
-    for (int before = no_pixel; before != last;) {
-        before = last;
-        each_chain(cluster, row, [&](const RowChain& chain, int) {
-            if (chain.first >= begin && chain.first <= last)
-                last = std::max(last, chain.last);
-            return true;
-        });
-    }
-    return last;
 }
 
 /// False if the chain does not reach the row.

@@ -38,6 +38,7 @@ public:
 
 private:
     static constexpr std::size_t max_edges = 8;
+    static constexpr int no_pixel = 1 << 20; ///< further to the right than any
 
     /// Chains of the band that follow each other.
     struct Cluster {
@@ -46,6 +47,7 @@ private:
     };
 
     bool find_chains(const Region& region);
+    void begin_list(std::uint32_t first, std::int32_t winding);
     void keep_borders();
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
@@ -56,6 +58,7 @@ private:
     std::int32_t add_left_of_panel(int row);
     template <class Visit>
     void each_chain(const Cluster& cluster, int row, Visit visit) const;
+    void sort_last(std::size_t count);
     std::int32_t add_groups(std::size_t& count, int limit, std::int32_t winding);
     std::int32_t add_cluster(const Cluster& cluster, int row, std::int32_t winding);
     [[gnu::cold, gnu::noinline]] std::int32_t add_crowd(const Cluster& cluster, int row, int begin,

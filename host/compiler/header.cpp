@@ -41,9 +41,10 @@ void write_palette(const std::vector<Colour>& palette, bool with_opacity, ByteWr
 
 void write_header(const scene::Scene& scene, const Sections& sections, ByteWriter& bytes)
 {
-    constexpr std::uint32_t outline_bytes = 0;
+    constexpr OutlineNeeds nothing;
     const bool with_opacity = !std::ranges::all_of(scene.palette, is_opaque);
-    bytes.varint(outline_bytes);
+    bytes.varint(nothing.bytes);
+    bytes.varint(nothing.borders);
     bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_usual_camera(scene), 2) |
              flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
              flag(sections.symbols, 6) | flag(sections.inputs, 7));
@@ -71,13 +72,15 @@ std::vector<std::byte> sealed(const ByteWriter& body)
     return file.bytes();
 }
 
-void set_outline_bytes(std::vector<std::byte>& file, std::uint32_t outline_bytes)
+void set_outline_needs(std::vector<std::byte>& file, const OutlineNeeds& needs)
 {
     ByteReader old{std::span{file}.subspan(checked_at)};
     old.varint(); // the size
     old.varint();
+    old.varint();
     ByteWriter body;
-    body.varint(outline_bytes / 4);
+    body.varint(needs.bytes / 4);
+    body.varint(needs.borders);
     body.append(old.rest());
     file = sealed(body);
 }

@@ -17,14 +17,20 @@ struct Sections {
     bool symbols = false;
 };
 
-/// Appends the header of `scene` from the bytes for outlines on, which are 0, and its palette
+/// What the outlines of a picture need at most, on a panel as large as the canvas.
+struct OutlineNeeds {
+    std::uint32_t bytes = 0;   ///< a multiple of 4
+    std::uint32_t borders = 0; ///< in bands of four rows, all bands together
+};
+
+/// Appends the header of `scene` from what outlines need on, which is nothing, and its palette
 /// (docs/format.md).
 void write_header(const scene::Scene& scene, const Sections& sections, ByteWriter& bytes);
 
 /// Puts magic, version, checksum and size before everything else.
 std::vector<std::byte> sealed(const ByteWriter& body);
 
-/// Writes the bytes for outlines into a file that is sealed, and seals it again.
-void set_outline_bytes(std::vector<std::byte>& file, std::uint32_t outline_bytes);
+/// Writes what outlines need into a file that is sealed, and seals it again.
+void set_outline_needs(std::vector<std::byte>& file, const OutlineNeeds& needs);
 
 }

@@ -9,7 +9,7 @@
 #include "host/compiler/item_writer.hpp"
 #include "host/compiler/law_table.hpp"
 #include "host/compiler/mark_writer.hpp"
-#include "host/compiler/outline_bytes.hpp"
+#include "host/compiler/outline_needs.hpp"
 
 #include <string>
 
@@ -81,10 +81,10 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     body.block(items.bytes());
     body.append(drawings.bytes());
     std::vector<std::byte> file = sealed(body);
-    const auto bytes_for_outlines = outline_bytes(file, scene, diagnostics, tell);
-    if (!bytes_for_outlines)
+    const auto needs = outline_needs(file, scene, diagnostics, tell);
+    if (!needs)
         return std::nullopt;
-    set_outline_bytes(file, *bytes_for_outlines);
+    set_outline_needs(file, *needs);
     return file;
 }
 

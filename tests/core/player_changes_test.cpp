@@ -235,7 +235,7 @@ TEST_CASE("a picture that finds no room is drawn with coarser curves, and writes
     Bytes file = compiled(everything);
     const std::uint32_t enough = SceneView::parse(file)->outline_bytes();
     for (const std::uint32_t bytes : {0U, 4U, 64U, enough / 8 / 4 * 4, enough / 2 / 4 * 4}) {
-        set_outline_bytes(file, bytes);
+        set_outline_needs(file, {.bytes = bytes, .borders = 200});
         Stage stage{file, {60, 40}}; // the end of the block is watched by the address sanitizer
         bool was_coarse = false;
         for (int frame = 0; frame < 20; ++frame) {

@@ -176,6 +176,7 @@ inline Bytes path_bytes(bool turns, std::uint32_t drawing, const std::vector<std
 /// 16 x 16 px, 10 frames, a black background, white, and red; one triangle.
 struct RawScene {
     std::uint32_t outline_bytes = 24'000;
+    std::uint32_t borders = 1'500;
     std::uint32_t law_count = 0;
     std::uint32_t loop = 0;
     std::uint32_t ticks = 10 * 1024;
@@ -207,6 +208,7 @@ struct RawScene {
         const auto bit = [](bool is_set, int place) { return is_set ? 1U << place : 0; };
         ByteWriter body;
         body.varint(outline_bytes / 4);
+        body.varint(borders);
         body.u8(loop | 0x0C | bit(!marks.empty(), 4) | bit(!bones.empty(), 5) | bit(symbol_count != 0, 6) |
                 bit(input_count != 0, 7));
         body.varint(ticks <= kfb::max_time ? time_code({static_cast<std::int32_t>(ticks)}) : 0xFFFFFFFF);

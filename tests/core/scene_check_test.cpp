@@ -114,6 +114,10 @@ TEST_CASE("values of the header have ranges")
     CHECK(with(&RawScene::outline_bytes, 4'194'304));
     CHECK_FALSE(with(&RawScene::outline_bytes, 4'194'308));
     CHECK_FALSE(with(&RawScene::outline_bytes, 0xFFFFFFFC));
+    CHECK(with(&RawScene::borders, 0));
+    CHECK(with(&RawScene::borders, 1'048'576));
+    CHECK_FALSE(with(&RawScene::borders, 1'048'577));
+    CHECK_FALSE(with(&RawScene::borders, 0xFFFFFFFF));
 }
 
 TEST_CASE("the background is opaque, and there is one")

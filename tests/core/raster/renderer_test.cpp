@@ -1,4 +1,5 @@
 #include "core/raster/renderer.hpp"
+#include "core/work.hpp"
 #include "tests/core/raster/panel_model.hpp"
 #include "tests/core/raster/random_picture.hpp"
 #include "tests/rounds.hpp"
@@ -6,9 +7,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kfast::raster {
@@ -156,6 +159,56 @@ TEST_CASE("a picture that has not changed sends nothing")
     renderer->forget();
     panel.take(*renderer, 8);
     CHECK(panel.sent_bytes() == 2 * whole);
+}
+
+/// A picture of an opaque rectangle, and of a wide one below it, which stays.
+void show_rectangles(Renderer& renderer, const Rect& rect)
+{
+    const auto add = [&renderer](std::uint32_t item, const Rect& area) {
+        renderer.picture().add_layer({.colour = {255, 255, 255, 255}, .item = item}, 0, {}, [&] {
+            OutlineStore& outlines = renderer.picture().outlines;
+            for (const auto& [x, y] : {std::pair{area.x, area.y}, std::pair{area.x + area.width, area.y},
+                                       std::pair{area.x + area.width, area.y + area.height},
+                                       std::pair{area.x, area.y + area.height}})
+                outlines.add({x * grid, y * grid});
+            outlines.close();
+        });
+    };
+    renderer.picture().outlines.clear();
+    renderer.picture().step_count = 0;
+    add(1, rect);
+    add(2, {0, 44, 60, 6});
+    renderer.begin();
+}
+
+TEST_CASE("rows that nothing reaches which has changed are not sent, and bands are passed over")
+{
+    class Tally : public WorkTally {
+    public:
+        std::uint32_t* counts_for(std::uint32_t) override { return all.data(); }
+        std::uint32_t bands() const { return all[static_cast<std::size_t>(Work::band)]; }
+
+        std::array<std::uint32_t, work_kinds> all{};
+    };
+
+    OwnedRenderer renderer{needs_of({}), {60, 50}};
+    PanelModel<PixelFormat::rgb565> panel{{60, 50}, {1, 1}};
+    show_rectangles(*renderer, {20, 17, 6, 2});
+    panel.take(*renderer, 8);
+    Tally tally;
+    tally.counts = tally.all.data();
+    work_tally = &tally;
+    std::size_t before = panel.sent_bytes();
+    show_rectangles(*renderer, {22, 17, 6, 2}); // rows 1 and 2 of the fifth band: two columns on each side
+    panel.take(*renderer, 8);
+    CHECK(panel.sent_bytes() - before <= std::size_t{2} * 8 * 2);
+    CHECK(tally.bands() == 1);
+    before = panel.sent_bytes();
+    show_rectangles(*renderer, {22, 18, 6, 4});
+    panel.take(*renderer, 8);
+    CHECK(panel.sent_bytes() - before <= std::size_t{5} * 6 * 2); // rows 17 to 21
+    CHECK(tally.bands() == 3);
+    work_tally = nullptr;
 }
 
 TEST_CASE("what was kept makes no difference to what a picture needs, nor to whether it is full")

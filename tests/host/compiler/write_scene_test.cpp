@@ -45,7 +45,7 @@ TEST_CASE("a small scene, byte by byte")
     scene.loop = Loop::ping_pong;
     scene.palette = {{0x10, 0x20, 0x30}, {0x4c, 0xc9, 0xf0, 0x80}};
     const Bytes all = written(scene);
-    CHECK(Bytes{all.begin(), all.begin() + 4} == bytes({'K', 'F', 'B', 2}));
+    CHECK(Bytes{all.begin(), all.begin() + 4} == bytes({'K', 'F', 'B', 3}));
     constexpr std::size_t size_at = 8;
     Crc32 checksum;
     checksum.add(behind(all, size_at));

@@ -1,4 +1,4 @@
-#include "host/compiler/outline_bytes.hpp"
+#include "host/compiler/outline_needs.hpp"
 
 #include "core/kfb_limits.hpp"
 #include "host/compiler/header.hpp"
@@ -20,16 +20,40 @@ std::uint32_t with_reserve(std::size_t bytes)
     return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_outline_bytes));
 }
 
+/// Each chain is a border in every band that it reaches.
+std::size_t borders_of(const raster::OutlineStore& outlines)
+{
+    constexpr int band_rows = 4;
+    std::size_t borders = 0;
+    outlines.each_chain([&borders](const raster::Chain& chain) {
+        const int first = raster::floor_pixel(chain.top) / band_rows;
+        const int last = std::max(raster::ceil_pixel(chain.bottom) - 1, 0) / band_rows;
+        borders += static_cast<std::size_t>(std::max(last - first, 0)) + 1;
+    });
+    return borders;
 }
 
-std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,
-                                           Diagnostics& diagnostics, const TellWork& tell)
+/// Most chains take 2 bytes for each row, and 48 besides.
+std::size_t live_borders(std::size_t bytes) { return bytes / 16; }
+
+std::uint32_t borders_with_reserve(std::size_t borders)
 {
-    set_outline_bytes(file, kfb::max_outline_bytes);
+    constexpr std::size_t least = 16;
+    const std::size_t wanted = borders + borders / 16 + least;
+    return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_borders));
+}
+
+}
+
+std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
+                                          Diagnostics& diagnostics, const TellWork& tell)
+{
+    set_outline_needs(file, {.bytes = kfb::max_outline_bytes, .borders = 0});
     const auto view = SceneView::parse(file);
     OutlineMeter meter{*view, kfb::max_outline_bytes};
     const std::vector<MeasuredMoment> moments = measured_moments(*view);
     std::size_t most = 0;
+    std::size_t most_borders = 0;
     const std::vector<InputTexts> all_texts = largest_texts(*view, moments, meter);
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
@@ -49,9 +73,10 @@ std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const sc
                 return std::nullopt;
             }
             most = std::max(most, bytes);
+            most_borders = std::max(most_borders, borders_of(outlines) + live_borders(live));
         }
     }
-    return with_reserve(most);
+    return OutlineNeeds{.bytes = with_reserve(most), .borders = borders_with_reserve(most_borders)};
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/compiler/header.hpp"
 #include "host/scene/model.hpp"
 #include "host/tell_work.hpp"
 #include "host/text/diagnostic.hpp"
@@ -11,16 +12,16 @@
 
 namespace kfast {
 
-/// Memory for the outlines of any one picture of `scene` on any panel: a multiple of 4, at most
-/// kfb::max_outline_bytes. `file` is the scene compiled, sound but for this figure in its header. If a
-/// picture finds no room with the coarsest curves either, that is an error at the largest object, and nothing
-/// is returned.
+/// What the outlines of any one picture of `scene` need on any panel, at most kfb::max_outline_bytes and
+/// kfb::max_borders. `file` is the scene compiled, sound but for these figures in its header. If a picture
+/// finds no room with the coarsest curves either, that is an error at the largest object, and nothing is
+/// returned.
 ///
 /// Found by playing the scene (host/compiler/measured_moments.hpp), with the worst that live drawings may be
 /// told (host/compiler/live_outlines.hpp), and adding an eighth: a moment between two
 /// of these may halve a few curves once more. A player whose picture finds no room all the same draws it with
 /// coarser curves. That is most of the work of compiling, and `tell` is told of it.
-std::optional<std::uint32_t> outline_bytes(std::vector<std::byte> file, const scene::Scene& scene,
-                                           Diagnostics& diagnostics, const TellWork& tell = tell_nobody);
+std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
+                                          Diagnostics& diagnostics, const TellWork& tell = tell_nobody);
 
 }
