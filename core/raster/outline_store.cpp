@@ -178,16 +178,20 @@ void OutlineStore::close()
         return begin_contour();
     corners_end_ = std::copy(behind_, reinterpret_cast<Corner*>(chains_), corners_end_);
     behind_ = reinterpret_cast<Corner*>(chains_);
-    for (const Corner* corner = first_corner(); corner != corners_end_; ++corner)
+    std::int32_t columns = 0;
+    for (const Corner* corner = first_corner(); corner != corners_end_; ++corner) {
         layer_->fingerprint.add(*corner);
+        columns |= corner->x + margin;
+    }
     layer_->fingerprint.end_contour();
-    if (find_room(0) && !add_runs()) {
+    const bool is_near = !is_large_ && (columns & -reach) == 0;
+    if (find_room(0) && !add_runs(is_near)) {
         const CutContour cut = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
                                                {panel_.width * grid + margin, panel_.height * grid});
         corners_end_ = cut.peak;
         find_room(0);
         corners_end_ = cut.end;
-        if (cut.end == nullptr || !add_runs())
+        if (cut.end == nullptr || !add_runs(false))
             is_full_ = true;
     }
     begin_contour();
@@ -210,8 +214,8 @@ Corner* OutlineStore::first_turn() const
 }
 
 /// Begins where the contour turns, so that no chain is cut in two. False, and nothing added, if corners are
-/// out of reach.
-bool OutlineStore::add_runs()
+/// out of reach: they are in reach if `is_near`.
+bool OutlineStore::add_runs(bool is_near)
 {
     Corner* const end = corners_end_;
     Corner* const turn = first_turn();
@@ -219,38 +223,49 @@ bool OutlineStore::add_runs()
         return true;
     std::byte* const mark = chains_;
     corners_end_ = std::copy(first_corner(), turn + 1, end);
-    if (find_runs(turn, corners_end_ - 1))
+    if (find_runs(turn, corners_end_ - 1, is_near))
         return true;
     remove_chains(mark);
     corners_end_ = end;
     return false;
 }
 
-/// Divides the corners from `run` to `last`, where they turn again, into runs that go all the way down or up,
-/// and long edges.
-bool OutlineStore::find_runs(Corner* run, Corner* last)
+/// Divides the corners from `first`, where the contour turns, to `last`, where it does again, into runs that
+/// go all the way down or up, and long edges: from the end, so that corners of a run that was added need no
+/// room any more, if that is wanted. Level edges between two runs belong to the one before them.
+bool OutlineStore::find_runs(Corner* first, Corner* last, bool frees_corners)
 {
+    Corner* end = last;   // of the run
+    Corner* begin = last; // as far as it is known; level edges may precede it
     std::int32_t sense = 0;
     bool was_long = false;
-    Reach reached{*run};
-    for (Corner* corner = run; corner != last; ++corner) {
-        const std::int32_t rise = corner[1].y - corner->y;
+    Reach reached{*last};
+    for (Corner* corner = last; corner != first;) {
+        const std::int32_t rise = corner->y - corner[-1].y;
         const bool is_long = std::abs(rise) > long_edge;
         const bool turns = rise != 0 && sense != 0 && (rise ^ sense) < 0;
-        const bool is_far = is_large_ && !reached.take(corner[1]);
-        if (turns || (corner != run && (is_long || was_long || is_far))) {
-            if (!add_run(run, corner, sense > 0))
+        const bool is_far = is_large_ && !reached.take(corner[-1]);
+        if (turns || (corner != end && (is_long || was_long || is_far))) {
+            if (turns)
+                corner = begin;
+            if (!add_run(corner, end, sense > 0))
                 return false;
-            run = corner;
+            if (frees_corners)
+                corners_end_ = corner + 1;
+            end = corner;
             sense = 0;
-            reached = Reach{*run};
-            reached.take(corner[1]);
+            was_long = false;
+            reached = Reach{*corner};
+            continue;
         }
-        if (rise != 0)
+        --corner;
+        if (rise != 0) {
             sense = rise;
+            begin = corner;
+        }
         was_long = is_long;
     }
-    return add_run(run, last, sense > 0);
+    return add_run(first, end, sense > 0);
 }
 
 /// Level edges at an end that lies on the border of a band, however high it is, tell nothing of the band.

@@ -116,8 +116,8 @@ private:
     bool find_room(std::size_t bytes);
     Corner* first_corner() const { return reinterpret_cast<Corner*>(bytes_); }
     Corner* first_turn() const;
-    bool add_runs();
-    bool find_runs(Corner* run, Corner* last);
+    bool add_runs(bool is_near);
+    bool find_runs(Corner* first, Corner* last, bool frees_corners);
     bool add_run(Corner* first, Corner* last, bool runs_down);
     bool add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step);
     bool add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step);
