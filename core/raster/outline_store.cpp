@@ -40,6 +40,15 @@ private:
     std::int32_t y_;
 };
 
+/// Each of the contour is in reach of its ends.
+bool has_short_edges(const Corner* first, const Corner* end)
+{
+    for (const Corner* corner = first; corner != end; ++corner)
+        if (!Reach{*corner}.take(corner + 1 == end ? *first : corner[1]))
+            return false;
+    return true;
+}
+
 /// Where an edge crosses a height that lies between its ends.
 Corner corner_on(Corner upper, Corner lower, std::int32_t y)
 {
@@ -184,7 +193,7 @@ void OutlineStore::close()
         columns |= corner->x + margin;
     }
     layer_->fingerprint.end_contour();
-    const bool is_near = !is_large_ && (columns & -reach) == 0;
+    const bool is_near = is_large_ ? has_short_edges(first_corner(), corners_end_) : (columns & -reach) == 0;
     if (find_room(0) && !add_runs(is_near)) {
         const CutContour cut = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
                                                {panel_.width * grid + margin, panel_.height * grid});
