@@ -94,11 +94,12 @@ void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
     has_few_ = are_apart_ = true;
 }
 
-/// Leaves those between inside and outside in the list.
+/// Leaves those between inside and outside in the list, and windings of 0 and 1, or 0 and -1, besides them.
 void LayerRow::keep_borders()
 {
     std::int32_t winding = winding_ >> band_->height_bits();
-    bool was_inside = is_inside(rule_, winding);
+    const bool starts_inside = is_inside(rule_, winding);
+    bool was_inside = starts_inside;
     const std::size_t count = std::exchange(chain_count_, 0);
     for (std::size_t i = 0; i != count; ++i) {
         winding += chains_[i]->runs_down ? 1 : -1;
@@ -107,6 +108,8 @@ void LayerRow::keep_borders()
         was_inside = !was_inside;
         chains_[chain_count_++] = chains_[i];
     }
+    const bool ends_by_falling = chain_count_ == 0 || !chains_[0]->runs_down;
+    winding_ = starts_inside ? (ends_by_falling ? 1 : -1) * (1 << band_->height_bits()) : 0;
 }
 
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
