@@ -68,7 +68,7 @@ std::int32_t LayerRow::add_left_of_panel(int row)
 
 /// Calls visit(chain, its first column in the band), until that returns false, for all chains of the layer in
 /// the cluster that reach the panel within the row. Some to the right are in a higher band, but not in a
-/// lower one.
+/// lower one. Those that begin left of the panel come in any order: for all of them the column is begin_.
 template <class Visit>
 void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
 {
@@ -78,7 +78,7 @@ void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
         did(Work::chain_visit);
         RowChain found;
         if (chain.layer == layer_ && find_row_chain(chain, row, found) && found.first < right && found.last >= begin_ &&
-            !visit(found, chain.begin - left_))
+            !visit(found, chain.begin == 0 ? begin_ : chain.begin - left_))
             return;
     }
 }
