@@ -19,12 +19,11 @@ std::vector<int> drawn(const std::vector<Corner>& corners, Size panel)
     const RendererNeeds needs{.outline_bytes = 20000, .record_bytes = 0, .steps = 1, .group_depth = 0};
     std::vector<std::uint32_t> block(Renderer::block_bytes(needs, panel) / 4);
     Renderer renderer{needs, panel, {}, std::as_writable_bytes(std::span{block})};
-    PaintStep step;
-    step.colour = {255, 255, 255};
-    renderer.picture().add_step(step);
-    for (const Corner corner : corners)
-        renderer.picture().outlines.add(corner);
-    renderer.picture().outlines.close();
+    renderer.picture().add_layer({.colour = {255, 255, 255}}, 0, {}, [&] {
+        for (const Corner corner : corners)
+            renderer.picture().outlines.add(corner);
+        renderer.picture().outlines.close();
+    });
     renderer.begin();
     std::vector<std::byte> pixels(row_bytes(PixelFormat::rgb666, panel.width) *
                                   static_cast<std::size_t>(panel.height));

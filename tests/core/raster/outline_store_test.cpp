@@ -258,7 +258,7 @@ std::vector<std::vector<int>> told_of(const raster::Band& band)
 
 std::vector<std::vector<std::vector<int>>> told_of_all_bands(const raster::OutlineStore& store, Size panel)
 {
-    const std::vector<raster::PaintStep> steps(1);
+    const std::vector<raster::PaintStep> steps(8);
     std::vector<std::vector<std::vector<int>>> told;
     raster::Band band;
     band.begin(store, steps, panel);
