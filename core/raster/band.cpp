@@ -27,25 +27,31 @@ void Band::advance(int number)
     const std::uint32_t shown = std::exchange(first_, Chain::none);
     const std::uint32_t hidden = std::exchange(hidden_, Chain::none);
     inserted_ = Chain::none;
-    const auto take = [&](std::uint32_t list, int bands, bool is_new) {
-        for (std::uint32_t next = Chain::none; list != Chain::none; list = next) {
-            Chain& taken = chain(list);
-            next = taken.next;
-            if (taken.bottom <= top_ && bands != 0)
-                continue;
-            if (bands != 0)
-                move_on(taken, bands);
-            if (is_new)
-                taken.slot = steps_[taken.layer].slot;
-            insert(list);
-        }
-    };
-    take(shown, passed_bands, false);
-    take(hidden, passed_bands, false);
-    for (int bands = passed_bands - 1; bands >= 0; --bands)
-        take(store_->first_in(number - bands), bands, true);
+    take(shown, passed_bands);
+    take(hidden, passed_bands);
+    for (int bands = passed_bands - 1; bands >= 0; --bands) {
+        const std::uint32_t begun = store_->first_in(number - bands);
+        for (std::uint32_t place = begun; place != Chain::none; place = chain(place).next)
+            chain(place).slot = steps_[chain(place).layer].slot;
+        take(begun, bands);
+    }
     number_ = number;
     work_for(0);
+}
+
+/// Of a list of chains that are in the state of so many bands above, those that reach the band.
+void Band::take(std::uint32_t list, int bands_above)
+{
+    for (std::uint32_t next = Chain::none; list != Chain::none; list = next) {
+        Chain& taken = chain(list);
+        next = taken.next;
+        if (bands_above != 0) {
+            if (taken.bottom <= top_)
+                continue;
+            move_on(taken, bands_above);
+        }
+        insert(list);
+    }
 }
 
 void Band::take_slots()

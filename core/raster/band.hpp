@@ -58,6 +58,7 @@ public:
     bool is_empty() const { return first_ == Chain::none; }
 
 private:
+    [[gnu::noinline]] void take(std::uint32_t list, int bands_above);
     void move_on(Chain& chain, int bands);
     void find_columns(Chain& chain) const;
     void insert(std::uint32_t place);

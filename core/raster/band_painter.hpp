@@ -185,7 +185,7 @@ private:
             lay(at, column, columns, coat.ink, coat.opacity);
     }
 
-    static void lay(Cell* at, int begin, int end, std::uint32_t ink, std::uint32_t share)
+    [[gnu::noinline]] static void lay(Cell* at, int begin, int end, std::uint32_t ink, std::uint32_t share)
     {
         if (share == Cells::full_share)
             return fill(at + begin, end - begin, Cells::cell(ink));

@@ -101,7 +101,7 @@ private:
 
     /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last one
     /// takes it in, with all that lies between.
-    void begin_region(int begin)
+    [[gnu::noinline]] void begin_region(int begin)
     {
         if (end_ == regions_ + RegionList::max_count) {
             end_[-1].rows = all_rows;

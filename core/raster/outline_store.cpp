@@ -41,7 +41,7 @@ private:
 };
 
 /// Each of the contour is in reach of its ends.
-bool has_short_edges(const Corner* first, const Corner* end)
+[[gnu::cold, gnu::noinline]] bool has_short_edges(const Corner* first, const Corner* end)
 {
     for (const Corner* corner = first; corner != end; ++corner)
         if (!Reach{*corner}.take(corner + 1 == end ? *first : corner[1]))

@@ -33,7 +33,7 @@ inline void note_fill(int count)
 }
 
 template <class Cell>
-void fill(Cell* at, int count, Cell cell)
+[[gnu::noinline]] void fill(Cell* at, int count, Cell cell)
 {
     note_fill(count);
     for (Cell* const end = at + count; at != end; ++at)
@@ -58,7 +58,7 @@ inline constexpr int short_stretch = 12;
         *reinterpret_cast<std::uint16_t*>(word) = cell;
 }
 
-inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
+[[gnu::noinline]] inline void fill(std::uint16_t* at, int count, std::uint16_t cell)
 {
     note_fill(count);
     if (count >= short_stretch)
