@@ -43,8 +43,8 @@ public:
     Loop loop() const { return loop_; }
     /// Memory for the outlines of one picture at its fullest; a multiple of 4.
     std::uint32_t outline_bytes() const { return outline_bytes_; }
-    /// The most borders that a picture of it has, those in each band of four rows counted, on a panel as large
-    /// as the canvas: what tells what the panel shows has room for them.
+    /// The most borders that a picture of it has, those in each band of four rows counted, on a panel as
+    /// large as the canvas: what tells what the panel shows has room for them.
     std::uint32_t borders() const { return borders_; }
     /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.

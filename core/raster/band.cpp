@@ -85,7 +85,8 @@ void Band::move_on(Chain& chain, int bands)
 {
     if (chain.is_straight)
         return;
-    chain.crossings += std::uint32_t{sizeof(Crossing)} * static_cast<std::uint32_t>(bands << store_->band_bits());
+    chain.crossings +=
+        std::uint32_t{sizeof(Crossing)} * static_cast<std::uint32_t>(bands << store_->band_bits());
     const auto above = static_cast<std::uint32_t>(top_ - (chain.top & -grid));
     while (store_->bend(chain.bends)->y <= above)
         chain.bends -= std::uint32_t{sizeof(Bend)};
@@ -144,8 +145,8 @@ const Crossing* Band::crossings_of_line(const Chain& chain, BandCrossings& room)
     return room.data();
 }
 
-/// Mostly behind the one that came before: chains come in the order of the band above, or follow each other along
-/// an outline.
+/// Mostly behind the one that came before: chains come in the order of the band above, or follow each other
+/// along an outline.
 void Band::insert(std::uint32_t place)
 {
     Chain& added = chain(place);

@@ -67,7 +67,7 @@ private:
     const OutlineStore* store_ = nullptr;
     std::uint32_t first_ = Chain::none;
     std::uint32_t inserted_ = Chain::none; ///< the last one that was
-    std::uint32_t hidden_ = Chain::none; ///< chains of the band to the right of the panel
+    std::uint32_t hidden_ = Chain::none;   ///< chains of the band to the right of the panel
     std::span<const PaintStep> steps_;
     Size panel_;
     int number_ = -1;

@@ -27,7 +27,10 @@ public:
 
 private:
     std::uint32_t& word(int band) const { return words_[static_cast<unsigned>(band) / 32]; }
-    static constexpr std::uint32_t bit(int band) { return std::uint32_t{1} << (static_cast<unsigned>(band) % 32); }
+    static constexpr std::uint32_t bit(int band)
+    {
+        return std::uint32_t{1} << (static_cast<unsigned>(band) % 32);
+    }
 
     std::span<std::uint32_t> words_;
 };

@@ -24,8 +24,8 @@ public:
     {
         return static_cast<std::int32_t>((length * length * inverse_) >> (shift_ - 1));
     }
-    /// The same of pixels that it crosses from side to side, the first of them `length` behind its begin: calls
-    /// put(area) for so many of them.
+    /// The same of pixels that it crosses from side to side, the first of them `length` behind its begin:
+    /// calls put(area) for so many of them.
     template <class Put>
     void slices(std::uint32_t length, int count, Put put) const
     {

@@ -14,9 +14,9 @@ class Walk {
 public:
     Walk(const Band& band, std::span<const Record::Border> shown, std::span<const PaintStep> shown_steps,
          const Slots& slots, int columns, bool is_known, RegionList& dirty)
-        : band_{band}, steps_{shown_steps}, slots_{slots}, regions_{dirty.data()},
-          end_{dirty.data()}, columns_{columns}, is_known_{is_known}, border_{shown.data()},
-          borders_end_{shown.data() + shown.size()}
+        : band_{band}, steps_{shown_steps}, slots_{slots}, regions_{dirty.data()}, end_{dirty.data()},
+          columns_{columns}, is_known_{is_known}, border_{shown.data()}, borders_end_{shown.data() +
+                                                                                      shown.size()}
     {
         take_chain(band.first());
         read_border();
@@ -99,8 +99,8 @@ private:
         return end;
     }
 
-    /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last one
-    /// takes it in, with all that lies between.
+    /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last
+    /// one takes it in, with all that lies between.
     [[gnu::noinline]] void begin_region(int begin)
     {
         if (end_ == regions_ + RegionList::max_count) {
@@ -133,9 +133,9 @@ private:
     Region* const regions_;
     Region* end_; ///< behind the last one
     int columns_;
-    bool is_known_;                ///< what the panel shows
+    bool is_known_;                     ///< what the panel shows
     std::uint32_t place_ = Chain::none; ///< of the chain that comes next
-    const Record::Border* border_; ///< that comes next
+    const Record::Border* border_;      ///< that comes next
     const Record::Border* borders_end_;
     int begin_ = 0;
     int shown_begin_ = 0;

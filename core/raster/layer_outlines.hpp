@@ -25,7 +25,7 @@ struct LayerOutlines {
 
     Still still; ///< the layer has these outlines as long as this holds
     Fingerprint fingerprint;
-    std::uint32_t item = 0; ///< of its name
+    std::uint32_t item = 0;       ///< of its name
     std::uint32_t bytes = 0;      ///< of its chains
     std::uint32_t peak_bytes = 0; ///< the most of them, and of corners that came in, at a time
     RowRange rows;                ///< that it may reach

@@ -77,8 +77,8 @@ void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
         const Chain& chain = band_->chain(place);
         did(Work::chain_visit);
         RowChain found;
-        if (chain.layer == layer_ && find_row_chain(chain, row, found) && found.first < right && found.last >= begin_ &&
-            !visit(found, chain.begin == 0 ? begin_ : chain.begin - left_))
+        if (chain.layer == layer_ && find_row_chain(chain, row, found) && found.first < right &&
+            found.last >= begin_ && !visit(found, chain.begin == 0 ? begin_ : chain.begin - left_))
             return;
     }
 }

@@ -157,7 +157,8 @@ bool OutlineStore::find_room(std::size_t bytes)
     needed_ = std::max(needed_, taken);
     if (layer_ != nullptr) {
         const auto above = static_cast<std::size_t>(bytes_ + size_ - reinterpret_cast<std::byte*>(layer_));
-        layer_->peak_bytes = std::max(layer_->peak_bytes, static_cast<std::uint32_t>(taken + waiting_ - above));
+        layer_->peak_bytes =
+            std::max(layer_->peak_bytes, static_cast<std::uint32_t>(taken + waiting_ - above));
     }
     is_full_ = is_full_ || bytes > free;
     return !is_full_;

@@ -99,15 +99,15 @@ private:
     std::span<PaintStep> shown_storage_;
     std::size_t shown_count_ = 0;
     Record record_;
-    BandSet changed_; ///< bands that something reaches which is not as it is on the panel
+    BandSet changed_;                ///< bands that something reaches which is not as it is on the panel
     std::span<std::byte> backdrops_; ///< tile_bytes for each depth of groups
     Slots slots_;
     Band band_;
     RegionList regions_;
     LayerRow row_;
-    int drawn_columns_ = 0;         ///< of the band: areas to the left of here are drawn
+    int drawn_columns_ = 0;               ///< of the band: areas to the left of here are drawn
     const Region* next_region_ = nullptr; ///< all before it lie to the left of there
-    int next_row_ = 0;              ///< that draw_rows() may go on with
+    int next_row_ = 0;                    ///< that draw_rows() may go on with
     Progress progress_ = Progress::none;
     bool is_fresh_ = false; ///< no pass has gone through the outlines
     bool knows_panel_ = false;

@@ -126,11 +126,11 @@ TEST_CASE("a block has room for all bones, and for the nodes and gaps of one obj
         const Bytes file = raw.file();
         const SceneView scene = *SceneView::parse(file);
         const std::size_t outline_bytes = scene.outline_bytes() + 4; // of a panel as large as the canvas
-        const raster::RendererNeeds needs{.outline_bytes = outline_bytes,
-                                          .record_bytes = std::min(scene.borders() * std::size_t{6} + 4,
-                                                                   std::size_t{36} * canvas.height),
-                                          .steps = scene.paint_steps(),
-                                          .group_depth = scene.blended_depth()};
+        const raster::RendererNeeds needs{
+            .outline_bytes = outline_bytes,
+            .record_bytes = std::min(scene.borders() * std::size_t{6} + 4, std::size_t{36} * canvas.height),
+            .steps = scene.paint_steps(),
+            .group_depth = scene.blended_depth()};
         return Player::block_bytes(scene, scene.canvas()) -
                raster::Renderer::block_bytes(needs, scene.canvas());
     };

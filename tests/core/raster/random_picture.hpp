@@ -48,8 +48,8 @@ public:
         group_opacity_ = chance(3) ? 128 : 200;
     }
 
-    /// Every second picture has a group and another one in it, if `has_groups`. Outlines that the renderer has
-    /// from the picture before are kept if `keeps`, and if there is room for the others beside them.
+    /// Every second picture has a group and another one in it, if `has_groups`. Outlines that the renderer
+    /// has from the picture before are kept if `keeps`, and if there is room for the others beside them.
     void show(Renderer& renderer, bool has_groups, bool keeps = false) const
     {
         OutlineStore& outlines = renderer.picture().outlines;
