@@ -34,6 +34,7 @@ enum class Work : std::uint8_t {
     corner,          ///< of an outline
     chain,           ///< of an outline
     crossing,        ///< of a border between rows
+    kept_chain,      ///< of a layer that stays as it is
     // From outlines to pixels.
     step,           ///< compared with the last picture
     band,           ///< of rows

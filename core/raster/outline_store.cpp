@@ -116,6 +116,7 @@ const LayerOutlines* OutlineStore::reuse(LayerName name, std::uint16_t step)
         kept_ = end;
         layer.step = step;
         each_chain_of(layer, [&](Chain& chain) {
+            did(Work::kept_chain);
             chain.layer = step;
             rewind(chain);
         });

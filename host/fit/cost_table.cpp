@@ -37,6 +37,7 @@ constexpr auto kinds = std::to_array<std::string_view>({
     "corner",
     "chain",
     "crossing",
+    "kept_chain",
     "step",
     "band",
     "band_chain",
@@ -100,6 +101,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 317.4, // corner
                 539.0, // chain
                 12.4, // crossing
+                100.0, // kept_chain
                 638.5, // step
                 344.3, // band
                 261.5, // band_chain
@@ -161,6 +163,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 253.8, // corner
                 431.6, // chain
                 11.5, // crossing
+                100.0, // kept_chain
                 458.8, // step
                 220.4, // band
                 212.2, // band_chain
@@ -222,6 +225,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 254.9, // corner
                 434.6, // chain
                 11.6, // crossing
+                100.0, // kept_chain
                 459.5, // step
                 214.2, // band
                 212.9, // band_chain
@@ -283,6 +287,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 253.7, // corner
                 431.8, // chain
                 11.5, // crossing
+                100.0, // kept_chain
                 459.3, // step
                 220.6, // band
                 214.5, // band_chain
