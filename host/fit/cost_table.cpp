@@ -67,7 +67,7 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 68636,
+        .code = 68628,
         .fixed_ram = 4,
         .stack = 8792,
         .cycles = 1.69,
@@ -76,60 +76,60 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
-                4957.4, // item
-                2708.9, // track
-                1101.3, // key
+                3875.1, // item
+                2842.8, // track
+                1112.4, // key
                 0.0, // placement
-                2055.0, // law
-                3200.8, // bezier_law
+                2094.7, // law
+                3428.5, // bezier_law
                 0.0, // bone
-                0.0, // object
-                3863.2, // stroke
+                1457.0, // object
+                3128.6, // stroke
                 0.0, // line
-                1479.1, // curve
-                622.8, // split
-                47.7, // point
+                1386.1, // curve
+                676.8, // split
+                49.3, // point
                 0.0, // wide_point
-                1093.3, // projected_point
-                449.0, // carried_point
-                1077.7, // bent_point
-                42.3, // piece
-                95.2, // wide_piece
-                337.2, // pen_piece
-                153.0, // bend
+                1081.5, // projected_point
+                469.2, // carried_point
+                1087.8, // bent_point
+                48.9, // piece
+                67.5, // wide_piece
+                308.6, // pen_piece
+                140.3, // bend
                 0.0, // slight_bend
-                317.4, // corner
-                539.0, // chain
-                12.4, // crossing
-                100.0, // kept_chain
+                347.2, // corner
+                523.8, // chain
+                11.0, // crossing
+                177.5, // kept_chain
                 638.5, // step
-                344.3, // band
-                261.5, // band_chain
-                372.6, // straight_chain
-                189.2, // border
-                213.8, // region
-                196.8, // edge_row
+                328.8, // band
+                254.7, // band_chain
+                365.4, // straight_chain
+                189.3, // border
+                213.6, // region
+                196.6, // edge_row
                 9.3, // flat_pixel
                 56.0, // chain_visit
-                792.5, // layer
+                792.1, // layer
                 0.0, // layer_row
-                153.9, // layer_edge
-                9.4, // sum_row
-                190.3, // row_chain
-                120.9, // sum_part
-                3.5, // sum_pixel
-                252.3, // edge_group
+                153.7, // layer_edge
+                9.8, // sum_row
+                190.4, // row_chain
+                121.2, // sum_part
+                3.6, // sum_pixel
+                251.4, // edge_group
                 126.8, // line_crossing
-                104.9, // span
+                104.7, // span
                 0.0, // fill
                 1.8, // filled_pixel
                 39.8, // blended_pixel
-                49.2, // faded_pixel
+                49.3, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 64948,
+        .code = 64940,
         .fixed_ram = 4,
         .stack = 8656,
         .cycles = 1.81,
@@ -138,51 +138,51 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
-                3185.4, // item
-                1409.7, // track
-                457.9, // key
+                2748.6, // item
+                1468.2, // track
+                460.2, // key
                 0.0, // placement
-                1024.5, // law
-                2157.4, // bezier_law
+                1038.9, // law
+                2227.3, // bezier_law
                 0.0, // bone
-                519.6, // object
-                1852.2, // stroke
+                1129.0, // object
+                1552.5, // stroke
                 0.0, // line
-                1193.9, // curve
-                448.8, // split
-                34.0, // point
+                1151.0, // curve
+                472.0, // split
+                35.3, // point
                 0.0, // wide_point
-                286.6, // projected_point
-                348.0, // carried_point
-                652.4, // bent_point
-                35.4, // piece
-                11.6, // wide_piece
-                193.5, // pen_piece
+                282.9, // projected_point
+                356.3, // carried_point
+                657.0, // bent_point
+                38.3, // piece
+                0.4, // wide_piece
+                181.4, // pen_piece
                 0.0, // bend
                 0.0, // slight_bend
-                253.8, // corner
-                431.6, // chain
-                11.5, // crossing
-                100.0, // kept_chain
+                265.7, // corner
+                423.0, // chain
+                11.0, // crossing
+                67.7, // kept_chain
                 458.8, // step
-                220.4, // band
-                212.2, // band_chain
-                319.7, // straight_chain
-                147.1, // border
-                206.7, // region
-                154.8, // edge_row
+                210.0, // band
+                209.4, // band_chain
+                316.8, // straight_chain
+                147.2, // border
+                206.6, // region
+                154.9, // edge_row
                 0.0, // flat_pixel
                 47.8, // chain_visit
-                597.2, // layer
+                597.4, // layer
                 0.0, // layer_row
                 125.1, // layer_edge
-                2.9, // sum_row
+                3.1, // sum_row
                 163.5, // row_chain
-                78.5, // sum_part
-                0.7, // sum_pixel
+                78.6, // sum_part
+                0.6, // sum_pixel
                 143.3, // edge_group
-                101.8, // line_crossing
-                95.5, // span
+                101.7, // line_crossing
+                95.4, // span
                 0.0, // fill
                 1.8, // filled_pixel
                 28.1, // blended_pixel
@@ -191,7 +191,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m4
     {
-        .code = 65012,
+        .code = 65004,
         .fixed_ram = 4,
         .stack = 8664,
         .cycles = 1.81,
@@ -200,51 +200,51 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
-                3202.0, // item
-                1411.1, // track
-                459.1, // key
+                2766.5, // item
+                1469.4, // track
+                461.4, // key
                 0.0, // placement
-                1024.2, // law
-                2155.3, // bezier_law
+                1038.6, // law
+                2224.9, // bezier_law
                 0.0, // bone
-                496.2, // object
-                1852.1, // stroke
+                1103.8, // object
+                1553.4, // stroke
                 0.0, // line
-                1192.1, // curve
-                446.9, // split
-                33.3, // point
+                1149.5, // curve
+                470.0, // split
+                34.6, // point
                 0.0, // wide_point
-                288.5, // projected_point
-                347.6, // carried_point
-                652.9, // bent_point
-                37.1, // piece
-                13.2, // wide_piece
-                195.0, // pen_piece
+                284.9, // projected_point
+                356.0, // carried_point
+                657.5, // bent_point
+                39.9, // piece
+                2.0, // wide_piece
+                182.9, // pen_piece
                 0.0, // bend
                 0.0, // slight_bend
-                254.9, // corner
-                434.6, // chain
-                11.6, // crossing
-                100.0, // kept_chain
+                266.8, // corner
+                426.0, // chain
+                11.1, // crossing
+                67.5, // kept_chain
                 459.5, // step
-                214.2, // band
-                212.9, // band_chain
-                321.5, // straight_chain
-                145.2, // border
-                206.8, // region
+                203.8, // band
+                210.1, // band_chain
+                318.6, // straight_chain
+                145.3, // border
+                206.7, // region
                 155.3, // edge_row
                 0.0, // flat_pixel
                 48.1, // chain_visit
-                600.5, // layer
+                600.7, // layer
                 0.0, // layer_row
-                126.3, // layer_edge
-                2.0, // sum_row
+                126.2, // layer_edge
+                2.2, // sum_row
                 163.0, // row_chain
-                77.2, // sum_part
+                77.3, // sum_part
                 0.2, // sum_pixel
-                149.4, // edge_group
-                102.1, // line_crossing
-                97.0, // span
+                149.5, // edge_group
+                102.0, // line_crossing
+                96.9, // span
                 0.0, // fill
                 1.8, // filled_pixel
                 27.7, // blended_pixel
@@ -253,7 +253,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m7
     {
-        .code = 65032,
+        .code = 65024,
         .fixed_ram = 4,
         .stack = 8656,
         .cycles = 1.68,
@@ -262,47 +262,47 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
-                3184.9, // item
-                1410.9, // track
-                458.2, // key
+                2747.8, // item
+                1469.5, // track
+                460.5, // key
                 0.0, // placement
-                1022.6, // law
-                2158.3, // bezier_law
+                1037.0, // law
+                2228.2, // bezier_law
                 0.0, // bone
-                514.3, // object
-                1850.1, // stroke
+                1124.1, // object
+                1550.2, // stroke
                 0.0, // line
-                1192.3, // curve
-                446.8, // split
-                34.1, // point
+                1149.5, // curve
+                470.0, // split
+                35.4, // point
                 0.0, // wide_point
-                287.6, // projected_point
-                347.3, // carried_point
-                651.4, // bent_point
-                35.6, // piece
-                11.8, // wide_piece
-                193.7, // pen_piece
+                283.9, // projected_point
+                355.7, // carried_point
+                656.0, // bent_point
+                38.5, // piece
+                0.5, // wide_piece
+                181.6, // pen_piece
                 0.0, // bend
                 0.0, // slight_bend
-                253.7, // corner
-                431.8, // chain
-                11.5, // crossing
-                100.0, // kept_chain
+                265.6, // corner
+                423.2, // chain
+                11.0, // crossing
+                67.7, // kept_chain
                 459.3, // step
-                220.6, // band
-                214.5, // band_chain
-                320.4, // straight_chain
-                145.9, // border
-                209.2, // region
+                210.3, // band
+                211.7, // band_chain
+                317.5, // straight_chain
+                146.0, // border
+                209.1, // region
                 153.2, // edge_row
                 0.0, // flat_pixel
                 48.0, // chain_visit
-                597.0, // layer
+                597.2, // layer
                 0.0, // layer_row
-                124.9, // layer_edge
-                3.1, // sum_row
+                124.8, // layer_edge
+                3.3, // sum_row
                 163.3, // row_chain
-                79.8, // sum_part
+                79.9, // sum_part
                 0.7, // sum_pixel
                 138.9, // edge_group
                 101.2, // line_crossing
