@@ -1,8 +1,22 @@
 #include "core/raster/record.hpp"
 
+#include "core/wide_fill.hpp"
+
 #include <algorithm>
 
 namespace kfast::raster {
+namespace {
+
+/// To a place before it. The memory need not be aligned to words, where copying byte by byte would take long.
+void copy_borders(const Record::Border* from, std::size_t count, Record::Border* to)
+{
+    const auto* source = reinterpret_cast<const Halfword*>(from);
+    auto* target = reinterpret_cast<Halfword*>(to);
+    for (std::size_t left = count * sizeof(Record::Border) / sizeof(Halfword); left != 0; --left)
+        *target++ = *source++;
+}
+
+}
 Record::Record(std::span<Border> borders, std::span<std::uint8_t> counts) : borders_{borders}, counts_{counts}
 {
     forget();
@@ -32,16 +46,16 @@ void Record::make_room()
 void Record::pass_band(int band, std::span<const PaintStep> shown)
 {
     std::uint8_t& count = counts_[static_cast<std::size_t>(band)];
-    const Border* const end = read_ + count;
-    if (!is_apart_ && shown.empty()) {
-        read_ = written_ += count;
-        return;
-    }
+    if (is_apart_)
+        copy_borders(read_, count, written_);
     Border* const begin = written_;
-    for (; read_ != end; ++read_, ++written_) {
-        const std::uint16_t layer = shown.empty() ? read_->layer : shown[read_->layer].partner;
-        *written_ = *read_;
-        written_->layer = layer & max_layer;
+    read_ += count;
+    written_ += count;
+    if (shown.empty())
+        return;
+    for (Border* border = begin; border != written_; ++border) {
+        const std::uint16_t layer = shown[border->layer].partner;
+        border->layer = layer & max_layer;
         if (layer > max_layer)
             count = unknown;
     }
