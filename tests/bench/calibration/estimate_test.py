@@ -44,7 +44,7 @@ class Estimate(unittest.TestCase):
                 estimated = estimates(scene)[cpu]
                 for what, figure in (("median", statistics.median), ("worst", max)):
                     with self.subTest(scene=scene.name, cpu=cpu, frame=what):
-                        self.assertAlmostEqual(figure(estimated) / figure(counted), 1, delta=WIDER.get(name, TOLERANCE))
+                        self.assertAlmostEqual(figure(estimated) / figure(counted), 1, delta=WIDER.get(scene.name, TOLERANCE))
 
 
 if __name__ == "__main__":
