@@ -72,12 +72,14 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/dirty.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/edge_group.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/far_contour.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/kept_layers.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row_many.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline_store.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/renderer_block.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp

@@ -22,6 +22,8 @@ struct Bend {
 
 /// Bands are at most 2^max_band_bits rows high. Borders of such bands are borders of lower ones.
 inline constexpr int max_band_bits = 3;
+/// 4 rows, unless a panel asks for others.
+inline constexpr int default_band_bits = 2;
 
 /// Where a chain crosses the borders between the rows of a band.
 using BandCrossings = std::array<Crossing, (1 << max_band_bits) + 1>;

@@ -71,23 +71,6 @@ void OutlineStore::clear()
     begin_picture();
 }
 
-void OutlineStore::keep(Time moment, std::uint32_t moved)
-{
-    if (is_full_)
-        return clear(); // some layers are not complete
-    std::byte* kept_end = bytes_ + size_;
-    each_layer([&](LayerOutlines& layer) {
-        if (layer.step == LayerOutlines::no_step || !layer.still.holds(moment, moved))
-            return;
-        layer.step = LayerOutlines::no_step;
-        const std::byte* const begin = reinterpret_cast<std::byte*>(&layer) - layer.bytes;
-        const std::byte* const end = begin + bytes_of(layer);
-        kept_end = kept_end == end ? kept_end - (end - begin) : std::copy_backward(begin, end, kept_end);
-    });
-    chains_ = kept_end;
-    begin_picture();
-}
-
 /// With all layers that there are.
 void OutlineStore::begin_picture()
 {
@@ -99,30 +82,6 @@ void OutlineStore::begin_picture()
     is_full_ = false;
     begin_contour();
     std::ranges::fill(heads_, Chain::none);
-}
-
-const LayerOutlines* OutlineStore::reuse(LayerName name, std::uint16_t step)
-{
-    std::byte* end = kept_;
-    for (int passed = 0; end != kept_end_ && passed != look_ahead; ++passed) {
-        LayerOutlines& layer = layer_below(end);
-        end -= bytes_of(layer);
-        if (!layer.has_name(name))
-            continue;
-        const auto taken = static_cast<std::size_t>(bytes_ + size_ - chains_) - waiting_;
-        needed_ = std::max(needed_, std::size_t{taken + sizeof(LayerOutlines) + layer.peak_bytes});
-        is_full_ = is_full_ || needed_ > size_;
-        waiting_ -= bytes_of(layer);
-        kept_ = end;
-        layer.step = step;
-        each_chain_of(layer, [&](Chain& chain) {
-            did(Work::kept_chain);
-            chain.layer = step;
-            rewind(chain);
-        });
-        return &layer;
-    }
-    return nullptr;
 }
 
 void OutlineStore::begin_layer(LayerName name, std::uint16_t step)

@@ -2,6 +2,7 @@
 
 #include "core/raster/band.hpp"
 #include "core/raster/chain_builder.hpp"
+#include "tests/core/raster/band_chains.hpp"
 #include "tests/core/raster/chain_lines.hpp"
 #include "tests/rounds.hpp"
 
@@ -239,36 +240,6 @@ TEST_CASE("clear() forgets all, also that there was no room")
         CHECK(outlines.store().first_in(band) == raster::Chain::none);
 }
 
-/// Where the band's chains cross its borders of rows, and what they touch, from left to right.
-std::vector<std::vector<int>> told_of(const raster::Band& band)
-{
-    std::vector<std::vector<int>> told;
-    for (std::uint32_t place = band.first(); place != raster::Chain::none; place = band.chain(place).next) {
-        const raster::Chain& chain = band.chain(place);
-        std::vector<int> own{chain.begin, chain.end, chain.height, chain.is_whole};
-        const int from = std::max(raster::floor_pixel(chain.top), band.top_row()) - band.top_row();
-        const int to = std::min(raster::ceil_pixel(chain.bottom) - band.top_row(), band.row_count());
-        for (int row = from; row <= to; ++row)
-            own.push_back(band.crossing(chain, row) + chain.left * raster::grid);
-        told.push_back(own);
-    }
-    std::ranges::sort(told);
-    return told;
-}
-
-std::vector<std::vector<std::vector<int>>> told_of_all_bands(const raster::OutlineStore& store, Size panel)
-{
-    const std::vector<raster::PaintStep> steps(8);
-    std::vector<std::vector<std::vector<int>>> told;
-    raster::Band band;
-    band.begin(store, steps, panel);
-    do {
-        band.advance();
-        told.push_back(told_of(band));
-    } while (band.top_row() + band.row_count() != panel.height);
-    return told;
-}
-
 TEST_CASE("when bands have gone through the chains, rewind() puts them back")
 {
     std::mt19937 random{12};
@@ -309,78 +280,6 @@ TEST_CASE("a band has the same chains however many bands before it were passed o
             CHECK(told_of(band) == told[static_cast<std::size_t>(band.number())]);
         }
     }
-}
-
-/// Adds a layer of one contour.
-void add_layer(raster::OutlineStore& store, raster::LayerName name, std::uint16_t step,
-               const Contour& contour, const Still& still)
-{
-    store.begin_layer(name, step);
-    for (const raster::Corner corner : contour)
-        store.add(corner);
-    store.close();
-    REQUIRE(store.end_layer(still) != nullptr);
-}
-
-const Contour upper{at(10, 5), at(40, 5), at(30, 20)};
-const Contour lower{at(20, 30), at(60, 47), at(15, 60)};
-constexpr Still still_at_0_to_9{.begin = Time{0}, .end = Time{10}, .inputs = 0b10};
-
-TEST_CASE("layers that stay as they are can be kept, and taken into another picture")
-{
-    OwnedOutlines outlines{small_panel};
-    raster::OutlineStore& store = outlines.store();
-    store.clear();
-    add_layer(store, {7, 0}, 0, upper, {.begin = Time{0}, .end = Time{1}});
-    add_layer(store, {7, 1}, 1, lower, still_at_0_to_9);
-    add_layer(store, {8, 0}, 2, upper, still_at_0_to_9);
-    const raster::Fingerprint fingerprint = [&] {
-        OwnedOutlines other{small_panel};
-        other.store().clear();
-        other.store().begin_layer({9, 0}, 0);
-        other.add(lower);
-        return other.store().end_layer({})->fingerprint;
-    }();
-
-    store.keep(Time{9}, 0b01);
-    CHECK(store.keeps_layers());
-    CHECK(lines_of(store).empty());
-    CHECK(store.reuse({7, 0}, 0) == nullptr); // it does not hold any more
-    CHECK(store.reuse({8, 1}, 0) == nullptr); // there was none
-    const raster::LayerOutlines* const kept = store.reuse({7, 1}, 5);
-    REQUIRE(kept != nullptr);
-    CHECK(kept->fingerprint == fingerprint);
-    CHECK(kept->rows.begin == 30);
-    CHECK(kept->rows.end == 60);
-    CHECK(kept->still == still_at_0_to_9);
-    CHECK(store.reuse({7, 1}, 6) == nullptr); // it is taken
-    OwnedOutlines expected{small_panel};
-    expected.store().begin_layer({}, 5);
-    expected.add(lower);
-    CHECK(lines_of(store) == lines_of(expected.store()));
-    CHECK(told_of_all_bands(store, small_panel) == told_of_all_bands(expected.store(), small_panel));
-
-    store.keep(Time{9}, 0);
-    CHECK(store.reuse({8, 0}, 0) == nullptr); // the picture before did not have it
-    CHECK(store.reuse({7, 1}, 0) != nullptr);
-    store.keep(Time{9}, 0b10);
-    CHECK_FALSE(store.keeps_layers());
-    CHECK(store.reuse({7, 1}, 0) == nullptr);
-}
-
-TEST_CASE("nothing is kept of a picture that is not complete")
-{
-    OwnedOutlines outlines{small_panel, 400};
-    raster::OutlineStore& store = outlines.store();
-    store.clear();
-    add_layer(store, {1, 0}, 0, upper, {});
-    store.begin_layer({2, 0}, 1);
-    outlines.add(lower);
-    CHECK(store.is_full());
-    store.keep(Time{0}, 0);
-    CHECK_FALSE(store.is_full());
-    CHECK_FALSE(store.keeps_layers());
-    CHECK(store.reuse({1, 0}, 0) == nullptr);
 }
 
 TEST_CASE("each chain comes in the band in which it begins, and only there")
