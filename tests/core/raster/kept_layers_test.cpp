@@ -15,9 +15,9 @@ constexpr Size panel_of_layers{100, 100};
 /// A triangle with corners on pixels.
 std::vector<raster::Corner> triangle_of(const std::vector<raster::Corner>& pixels)
 {
-    std::vector<raster::Corner> corners;
-    for (const raster::Corner pixel : pixels)
-        corners.push_back({pixel.x * raster::grid, pixel.y * raster::grid});
+    std::vector<raster::Corner> corners = pixels;
+    for (raster::Corner& corner : corners)
+        corner = {corner.x * raster::grid, corner.y * raster::grid};
     return corners;
 }
 
