@@ -18,12 +18,12 @@ Bytes behind(const Bytes& bytes, std::size_t offset)
     return {bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.end()};
 }
 
-/// Behind the checksum, the size and the bytes for outlines.
+/// Behind the checksum, the size and what outlines need.
 Bytes rest_of(const Bytes& file)
 {
     ByteReader reader{std::span{file}.subspan(8)};
-    reader.varint();
-    reader.varint();
+    for (int skipped = 0; skipped < 3; ++skipped)
+        reader.varint();
     return {reader.rest().begin(), reader.rest().end()};
 }
 
