@@ -108,7 +108,7 @@ class InputTest(CommandTest):
         scene = self.compiled()
         scene[3] = 9
         self.everywhere(self.write("newer.kfb", scene),
-                        "newer.kfb: made by a newer kfast (format 9, this one reads 2): update kfast, or compile")
+                        "newer.kfb: made by a newer kfast (format 9, this one reads 3): update kfast, or compile")
 
     def test_damaged(self):
         scene = self.compiled()
