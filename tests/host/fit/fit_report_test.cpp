@@ -36,7 +36,7 @@ TEST_CASE("a picture whose outlines find no room does not fit")
                                 "    path \"M 0 0 L 1 9 L 2 0 L 3 9 L 4 0 L 5 9 L 6 0 L 7 9 L 8 0 L 9 9 Z\"\n"
                                 "    key 0 visible=#false; key 20 visible=#true; key 21 visible=#false }\n");
     CHECK(report_of(bytes).fits());
-    set_outline_needs(bytes, {.bytes = 200, .borders = 200});
+    set_outline_needs(bytes, {.bytes = 260, .borders = 200});
     const FitReport report = report_of(bytes);
     REQUIRE(report.shortages.size() == 1);
     CAPTURE(report.shortages.front());
