@@ -25,7 +25,8 @@ inline std::vector<std::vector<int>> told_of(const raster::Band& band)
     return told;
 }
 
-inline std::vector<std::vector<std::vector<int>>> told_of_all_bands(const raster::OutlineStore& store, Size panel)
+inline std::vector<std::vector<std::vector<int>>> told_of_all_bands(const raster::OutlineStore& store,
+                                                                    Size panel)
 {
     const std::vector<raster::PaintStep> steps(8);
     std::vector<std::vector<std::vector<int>>> told;
