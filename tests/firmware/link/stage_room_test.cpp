@@ -69,11 +69,11 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
 {
     const Scene scene = padded_scene(4000, 1);
     for (const bool is_unplugged : {false, true}) {
-        StagedBench bench{{}, (needed(scene) + 1400) / 4 * 4};
+        StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
         REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
         bench.does(Play{.home = Home::slot, .slot = 5});
         bench.board.run_for(100);
-        const Scene small = padded_scene(1500, 2);
+        const Scene small = padded_scene(1024, 4);
         bench.begin(StagedBench::for_ram(small), tag);
         bench.board.run_for(100);
         CHECK_FALSE(bench.playing().is_playing);
@@ -103,11 +103,11 @@ TEST_CASE("what gave way to a scene in RAM that nobody plays, plays again")
         },
     };
     for (const auto& go_away : ways) {
-        StagedBench bench{{}, (needed(scene) + 1400) / 4 * 4};
+        StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
         REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
         bench.does(Play{.home = Home::slot, .slot = 5});
         bench.board.run_for(100);
-        const Scene small = padded_scene(1500, 2);
+        const Scene small = padded_scene(1024, 4);
         bench.upload(StagedBench::for_ram(small), small, tag);
         bench.board.run_for(1'000);
         CHECK_FALSE(bench.playing().is_playing);
@@ -121,13 +121,13 @@ TEST_CASE("what gave way to a scene in RAM that nobody plays, plays again")
 TEST_CASE("a scene from flash that gave way is not written over, whatever becomes of its slot")
 {
     const Scene scene = padded_scene(4000, 1);
-    StagedBench bench{{}, (needed(scene) + 1400) / 4 * 4};
+    StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
     REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
     REQUIRE(put(bench.board.slots, 0, "all the rest", padded_scene((pool_sectors - 1) * sector_bytes, 2)) ==
             Status::ok);
     bench.does(Play{.home = Home::slot, .slot = 5});
     bench.board.run_for(300);
-    bench.begin(StagedBench::for_ram(padded_scene(1500, 2)), tag);
+    bench.begin(StagedBench::for_ram(padded_scene(1024, 4)), tag);
     bench.does(EraseSlot{.slot = 5});
     CHECK(bench.refusal(StagedBench::for_slot(1, scene), 43) == Verdict{Status::no_room, 0});
     bench.board.run_for(200);
