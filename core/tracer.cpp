@@ -53,6 +53,15 @@ void Tracer::trace_scene()
     work_for(0);
 }
 
+/// What lies within something that stays as it is as long as `still` holds.
+Tracer::Context Tracer::holding(const Context& outer, const Still& still)
+{
+    picture_.still = picture_.still & still;
+    Context context = outer;
+    context.still = outer.still & still;
+    return context;
+}
+
 /// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
 void Tracer::trace(ItemCursor items, const Context& context)
 {
@@ -63,13 +72,12 @@ void Tracer::trace(ItemCursor items, const Context& context)
 
 void Tracer::trace(const ItemView& item, const Context& outer)
 {
-    Context context = outer;
-    context.path = path_to(item, outer.path, on_panel_.scene);
-    work_for(context.path);
+    const std::uint32_t path = path_to(item, outer.path, on_panel_.scene);
+    work_for(path);
     did(Work::item);
     const ItemState state{on_panel_.scene, item, moment_};
-    picture_.still = picture_.still & state.still();
-    context.still = outer.still & state.still();
+    Context context = holding(outer, state.still());
+    context.path = path;
     context.opacity = product_of_opacities(outer.opacity, state.opacity());
     if (context.opacity == 0)
         return;
@@ -95,10 +103,7 @@ void Tracer::trace(const ItemView& item, const ItemState& state, const Context& 
 void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
 {
     const ObjectStrokes strokes{on_panel_, object, moment_};
-    const Still still = strokes.still();
-    picture_.still = picture_.still & still;
-    Context context = outer;
-    context.still = outer.still & still;
+    const Context context = holding(outer, strokes.still());
     if (object.has_depths)
         return trace_wires(strokes, object.style, state, context);
     add_layers(
@@ -119,10 +124,7 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
 
 void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)
 {
-    const Still still{.inputs = bit_of_input(item.live.input)};
-    picture_.still = picture_.still & still;
-    Context context = outer;
-    context.still = outer.still & still;
+    const Context context = holding(outer, {.inputs = bit_of_input(item.live.input)});
     switch (item.live.kind) {
     case LiveKind::drawing:
         return trace_drawing(on_panel_.drawings.of(on_panel_.scene, item.live.input), item.object.style,

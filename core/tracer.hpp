@@ -42,6 +42,7 @@ private:
     static constexpr std::uint8_t coarsest = 8;
 
     void trace_scene();
+    Context holding(const Context& outer, const Still& still);
     void trace(ItemCursor items, const Context& context);
     void trace(const ItemView& item, const Context& context);
     void trace(const ItemView& item, const ItemState& state, const Context& context);

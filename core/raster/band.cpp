@@ -105,7 +105,7 @@ void Band::find_columns(Chain& chain) const
     std::int32_t high = 0;
     chain.is_whole = to - from == bottom_ - top_;
     chain.rows = all_rows;
-    if (!chain.is_whole && store_->band_bits() <= 2)
+    if (!chain.is_whole && store_->band_bits() <= default_band_bits)
         chain.rows = row_mask(first, std::max(last, first + 1));
     if (chain.is_straight) {
         low = crossing(chain, first);

@@ -13,9 +13,8 @@ namespace kfast::raster {
 
 /// The outlines of one picture as chains, layer by layer, in memory that the caller lends.
 ///
-///     | corners of the contour that is coming in >  free  < those added behind | chain | chain |
-///     LayerOutlines | ...
-///                                                                                ^ the last one
+///     | corners of the contour coming in >  free  < those added behind | chain | chain | layer | chain | ...
+///                                                                        ^ the last one
 ///
 /// A layer whose outlines stay as they are from picture to picture can be kept: keep() is called in place of
 /// clear(), and reuse() in place of tracing it.

@@ -17,6 +17,7 @@ void copy_borders(const Record::Border* from, std::size_t count, Record::Border*
 }
 
 }
+
 Record::Record(std::span<Border> borders, std::span<std::uint8_t> counts) : borders_{borders}, counts_{counts}
 {
     forget();
@@ -46,7 +47,7 @@ void Record::make_room()
 void Record::pass_band(int band, std::span<const PaintStep> shown)
 {
     std::uint8_t& count = counts_[static_cast<std::size_t>(band)];
-    if (is_apart_)
+    if (read_ != written_)
         copy_borders(read_, count, written_);
     Border* const begin = written_;
     read_ += count;

@@ -65,10 +65,12 @@ void Renderer::forget()
     progress_ = Progress::none;
 }
 
-int Renderer::unrecorded_bands() const
+int Renderer::unrecorded_bands() const { return record_.unknown_count(band_count()); }
+
+int Renderer::band_count() const
 {
     const int bits = picture_.outlines.band_bits();
-    return record_.unknown_count((panel_.height + (1 << bits) - 1) >> bits);
+    return (panel_.height + (1 << bits) - 1) >> bits;
 }
 
 /// In front of the first band.
@@ -165,8 +167,7 @@ bool Renderer::next_band(bool is_known, std::span<const Record::Border> shown)
 /// stays known. The number of bands if there is none.
 int Renderer::next_changed_band()
 {
-    const int bits = picture_.outlines.band_bits();
-    const int count = (panel_.height + (1 << bits) - 1) >> bits;
+    const int count = band_count();
     int band = band_.number() + 1;
     for (; band != count && knows_panel_ && record_.is_known(band) && !changed_.has(band); ++band)
         record_.pass_band(band, has_same_numbers_ ? std::span<const PaintStep>{}
@@ -180,7 +181,7 @@ bool Renderer::next_dirty_band()
 {
     for (;;) {
         const int number = next_changed_band();
-        if (number << picture_.outlines.band_bits() >= panel_.height)
+        if (number == band_count())
             return false;
         band_.advance(number);
         const bool is_known = knows_panel_ && record_.is_known(number);

@@ -71,6 +71,8 @@ private:
     /// Of a call: whoever draws has other things to do in between.
     static constexpr std::size_t max_changes = 4;
 
+    /// Of the panel, as high as they are now.
+    int band_count() const;
     void begin_pass(int band_bits);
     [[gnu::cold, gnu::noinline]] void begin_changes(int band_bits);
     [[gnu::cold, gnu::noinline]] void find_changed_bands();

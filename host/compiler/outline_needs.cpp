@@ -23,7 +23,7 @@ std::uint32_t with_reserve(std::size_t bytes)
 /// Each chain is a border in every band that it reaches.
 std::size_t borders_of(const raster::OutlineStore& outlines)
 {
-    constexpr int band_rows = 4;
+    constexpr int band_rows = 1 << raster::default_band_bits;
     std::size_t borders = 0;
     outlines.each_chain([&borders](const raster::Chain& chain) {
         const int first = raster::floor_pixel(chain.top) / band_rows;
@@ -33,7 +33,7 @@ std::size_t borders_of(const raster::OutlineStore& outlines)
     return borders;
 }
 
-/// Most chains take 2 bytes for each row, and 48 besides.
+/// Of what live drawings may need: a border for every 16 bytes, as scenes have them.
 std::size_t live_borders(std::size_t bytes) { return bytes / 16; }
 
 std::uint32_t borders_with_reserve(std::size_t borders)

@@ -65,6 +65,8 @@ TEST_CASE("when nothing comes of it the scene of the start plays")
     }
 }
 
+// The small scenes below play like those in flash, so that with their own bytes they need more than is lent.
+
 TEST_CASE("a scene from flash that needs all memory gives way, and plays again if nothing comes of it")
 {
     const Scene scene = padded_scene(4000, 1);
