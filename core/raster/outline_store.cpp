@@ -155,6 +155,7 @@ void OutlineStore::close()
     }
     layer_->fingerprint.end_contour();
     const bool is_near = is_large_ ? has_short_edges(first_corner(), corners_end_) : (columns & -reach) == 0;
+    std::byte* const mark = chains_;
     if (find_room(0) && !add_runs(is_near)) {
         const CutContour cut = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
                                                {panel_.width * grid + margin, panel_.height * grid});
@@ -164,6 +165,8 @@ void OutlineStore::close()
         if (cut.end == nullptr || !add_runs(false))
             is_full_ = true;
     }
+    if (is_full_) // a part of the contour would enclose nothing
+        remove_chains(mark);
     begin_contour();
 }
 

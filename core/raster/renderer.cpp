@@ -204,8 +204,8 @@ void Renderer::keep_band()
     record_.end_band();
 }
 
-/// Of regions that are still to be drawn, as far as the gaps between them have at most `gap` columns. None if
-/// all are drawn.
+/// Of regions that are still to be drawn, as far as the gaps between them have at most `gap` columns or lie
+/// within a unit of the granularity. None if all are drawn.
 Renderer::Window Renderer::next_window(int granularity, int gap)
 {
     const Region* const end = regions_.end();
@@ -215,7 +215,10 @@ Renderer::Window Renderer::next_window(int granularity, int gap)
     if (region == end)
         return {};
     Window window{rounded_down(region->begin, granularity), region->end, region->rows};
-    for (++region; region != end && region->begin <= window.end + gap; ++region) {
+    const auto belongs = [&](const Region& next) {
+        return next.begin <= window.end + gap || next.begin < rounded_up(window.end, granularity);
+    };
+    for (++region; region != end && belongs(*region); ++region) {
         window.end = region->end;
         window.rows |= region->rows;
     }
