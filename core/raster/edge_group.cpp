@@ -83,6 +83,20 @@ void each_line(std::span<const RowChain> chains, Visit visit)
     }
 }
 
+/// The windings on lines. Lines take much stack: not while areas are added.
+[[gnu::noinline]] void note_lines(std::span<const RowChain> chains, std::int32_t winding, Windings& windings)
+{
+    each_line(chains, [&](const Line& line) {
+        line.walk(winding, [&](std::int32_t passed) { windings.note(passed); });
+    });
+}
+
+[[gnu::noinline]] void add_lines(std::span<const RowChain> chains, FillRule rule, std::int32_t winding,
+                                 int columns, CoverageSums& sums)
+{
+    each_line(chains, [&](const Line& line) { line.add_inside(rule, winding, columns, sums); });
+}
+
 /// All are straight, and in the order of their upper ends, no two cross.
 bool are_in_order(std::span<const RowChain> chains)
 {
@@ -161,9 +175,7 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
         for (const RowChain& chain : chains)
             windings.note(passed += step_of(chain));
     } else if (chains.size() != 2 || !are_plain(chains[0], chains[1])) {
-        each_line(chains, [&](const Line& line) {
-            line.walk(winding, [&](std::int32_t passed) { windings.note(passed); });
-        });
+        note_lines(chains, winding, windings);
     }
     if (windings.add_up(rule)) {
         for (const RowChain& chain : chains)
@@ -175,7 +187,7 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
     if (in_order)
         add_borders(chains, rule, winding, columns, sums);
     else
-        each_line(chains, [&](const Line& line) { line.add_inside(rule, winding, columns, sums); });
+        add_lines(chains, rule, winding, columns, sums);
     end_inside(behind, rule, right, columns, sums);
     return right;
 }

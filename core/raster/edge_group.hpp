@@ -31,7 +31,7 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
 /// Where chains cross a line through a row, from left to right.
 class Line {
 public:
-    static constexpr std::size_t max_count = 64;
+    static constexpr std::size_t max_count = 32;
     static constexpr int count_in_row = 8;
 
     /// The n-th of a row.

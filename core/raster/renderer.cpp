@@ -238,28 +238,22 @@ void Renderer::draw_tile(const Tile<Cells>& tile)
         row_,
         {reinterpret_cast<Cell*>(backdrops_.data()), backdrops_.size() / sizeof(Cell)}};
     const int right = tile.left + tile.columns;
-    int column = tile.left;
-    const auto paint_to = [&](const Region& region, int end) {
-        Tile<Cells> part = tile;
-        part.cells += column - tile.left;
-        part.left = column;
-        part.columns = end - column;
-        painter.paint(region, part);
-        column = end;
-    };
-    for (const Region& region : std::span{next_region_, regions_.end()}) {
-        if (region.end <= column)
-            continue;
-        if (region.begin <= column && region.end >= right && column == tile.left)
-            return painter.paint(region, tile);
-        if (region.begin >= right)
-            break;
-        if (region.begin > column)
-            paint_to(region_between(band_, column, region.begin), region.begin);
-        paint_to(region, std::min<int>(region.end, right));
+    const Region* const end = regions_.end();
+    const Region* region = next_region_;
+    Region gap; // what lies between two regions, in a window that takes in both
+    Tile<Cells> part = tile;
+    while (part.left < right) {
+        while (region != end && region->end <= part.left)
+            ++region;
+        const bool is_gap = region == end || region->begin > part.left;
+        const int part_end = region == end ? right : std::min<int>(is_gap ? region->begin : region->end, right);
+        if (is_gap)
+            gap = region_between(band_, part.left, part_end);
+        part.columns = part_end - part.left;
+        painter.paint(is_gap ? gap : *region, part);
+        part.cells += part.columns;
+        part.left = part_end;
     }
-    if (column < right)
-        paint_to(region_between(band_, column, right), right);
 }
 
 /// An area of the band.
