@@ -40,8 +40,10 @@ BeatCursor BeatCursor::take(ByteReader& bytes, const BeatCursor& usual)
     beats.time_bits_ = form & 31;
     beats.time_shift_ = form >> 5 & 15;
     beats.law_bits_ = form >> 9 & 63;
-    if (beats.law_bits_ > most_law_bits || beats.time_bits_ + beats.time_shift_ > most_time_bits)
+    if (beats.law_bits_ > most_law_bits || beats.time_bits_ + beats.time_shift_ > most_time_bits) {
         bytes.refuse();
+        beats.law_bits_ = beats.time_bits_ = beats.time_shift_ = 0; // whoever reads on all the same
+    }
     if ((form & input_bit) != 0)
         beats.clock_ = take_input(bytes);
     beats.bits_ = BitReader::take(bytes, count, std::uint32_t{beats.time_bits_} + beats.law_bits_);

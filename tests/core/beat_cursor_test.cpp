@@ -120,4 +120,14 @@ TEST_CASE("beats that break off, or have a form without a meaning, are past the 
     CHECK_FALSE(is_whole(bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x1F, 0x10, 0, 0, 0, 0})));
 }
 
+TEST_CASE("beats of a form without a meaning are read without harm")
+{
+    for (int law_bits = 9; law_bits < 64; ++law_bits) {
+        const int form = law_bits << 9;
+        BeatCursor beats = taken(joined({bytes({3, form & 0xFF, form >> 8}), Bytes(60, std::byte{0xFF})}));
+        while (!beats.at_end())
+            CHECK(beats.next().laws == 0);
+    }
+}
+
 }
