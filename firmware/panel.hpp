@@ -20,7 +20,7 @@ concept Panel = requires(P& panel, void (&pause)(Microseconds), Rect area, std::
     /// How pixels lie in memory and on the bus.
     { P::format } -> std::same_as<const PixelFormat&>;
     /// Places and sizes of areas must be multiples of this, as those of the panel are: panels whose bytes hold
-    /// several pixels. No higher than raster::max_granularity_height.
+    /// several pixels. No larger than raster::max_granularity.
     { P::granularity } -> std::same_as<const Size&>;
     /// What an area costs on the bus besides its pixels, in bytes.
     { P::window_bytes } -> std::same_as<const int&>;

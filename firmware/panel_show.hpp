@@ -46,7 +46,8 @@ template <PanelBoard B, class Animation>
 void draw_frame(B& board, Animation& player)
 {
     using P = PanelOf<B>;
-    static_assert(P::granularity.height <= raster::max_granularity_height);
+    static_assert(P::granularity.width <= raster::max_granularity.width &&
+                  P::granularity.height <= raster::max_granularity.height);
     std::array bands = board.bands();
     for (bool is_first = true; true; is_first = false) {
         if constexpr (ListeningBoard<B>)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace kfast::raster {
@@ -55,7 +56,8 @@ struct StraightLine {
 /// (crossings), and those that lie too far from the line between two of these (bends). So in a row without
 /// bends it is one straight edge.
 struct Chain {
-    static constexpr std::uint32_t none = 0; ///< no chain has this place
+    static constexpr std::uint32_t none = 0;             ///< no chain has this place
+    static constexpr std::size_t max_bytes = 4 * 0xFFFF; ///< with its crossings and bends
 
     std::int32_t top = 0;
     std::int32_t bottom = 0;

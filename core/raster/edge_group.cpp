@@ -72,11 +72,13 @@ void add_borders(std::span<const RowChain> chains, FillRule rule, std::int32_t w
     }
 }
 
+/// No more than max_group have room in one part of a line.
 template <class Visit>
 void each_line(std::span<const RowChain> chains, Visit visit)
 {
     for (int number = 0; number != Line::count_in_row; ++number) {
         Line line{number};
+        line.begin_part();
         for (const RowChain& chain : chains)
             line.add(chain);
         visit(line);
@@ -107,12 +109,34 @@ bool are_in_order(std::span<const RowChain> chains)
     return true;
 }
 
-/// Of two: one goes on where the other ends, or they have a part of the row between them.
+/// Whether no corner of a chain lies to the right of another chain, by more than what is rounded. Both go
+/// through the same part of the row.
+bool stays_left(const RowChain& chain, const RowChain& right)
+{
+    bool stays = chain.top_x <= right.top_x + 1;
+    chain.each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
+        stays = stays && x <= x_at(right, y) + 1;
+    });
+    return stays;
+}
+bool stays_right(const RowChain& chain, const RowChain& left)
+{
+    bool stays = chain.top_x >= left.top_x - 1;
+    chain.each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
+        stays = stays && x >= x_at(left, y) - 1;
+    });
+    return stays;
+}
+
+/// Whether two chains do not cross: one goes on where the other ends, or they lie on either side of a part of
+/// the row.
 bool are_plain(const RowChain& a, const RowChain& b)
 {
     if (a.runs_down == b.runs_down)
         return a.to <= b.from || b.to <= a.from;
-    return a.from == b.from && a.to == b.to && (a.top_x <= b.top_x) == (a.bottom_x <= b.bottom_x);
+    if (a.from != b.from || a.to != b.to)
+        return false;
+    return (stays_left(a, b) && stays_right(b, a)) || (stays_right(a, b) && stays_left(b, a));
 }
 
 /// The first pixel of a group, and that behind it.
@@ -202,19 +226,37 @@ void end_inside(int column, FillRule rule, std::int32_t winding, int columns, Co
     sums.add_windings(column, winding - (is_inside(rule, winding) ? 1 : 0), columns);
 }
 
+void Line::begin_part()
+{
+    is_first_ = count_ == 0;
+    if (!is_first_)
+        before_ = crossings_[count_ - 1];
+    count_ = 0;
+    added_ = 0;
+    has_more_ = false;
+}
+
 void Line::add(const RowChain& chain)
 {
     if (y_ < chain.from || y_ >= chain.to)
         return;
     did(Work::line_crossing);
-    const std::int32_t added = 2 * x_at(chain, y_) + (chain.runs_down ? 0 : 1);
+    const Crossing added{2 * x_at(chain, y_) + (chain.runs_down ? 0 : 1), added_++};
+    if (!is_first_ && added <= before_)
+        return;
+    if (count_ == max_count) {
+        has_more_ = true;
+        if (added > crossings_[max_count - 1])
+            return;
+        --count_;
+    }
     std::size_t place = count_++;
     for (; place != 0 && crossings_[place - 1] > added; --place)
         crossings_[place] = crossings_[place - 1];
     crossings_[place] = added;
 }
 
-void Line::add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const
+std::int32_t Line::add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const
 {
     constexpr std::int32_t height = CoverageSums::part_height / count_in_row;
     bool was_inside = is_inside(rule, winding);
@@ -222,10 +264,11 @@ void Line::add_inside(FillRule rule, std::int32_t winding, int columns, Coverage
         winding += step(i);
         if (is_inside(rule, winding) == was_inside)
             continue;
-        const std::int32_t x = crossings_[i] >> 1;
+        const std::int32_t x = crossings_[i].x2 >> 1;
         sums.add_part(x, x, was_inside ? -height : height, columns);
         was_inside = !was_inside;
     }
+    return winding;
 }
 
 void RowChain::find_pixels()

@@ -28,33 +28,54 @@ inline constexpr std::size_t max_group = 16;
 std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t winding, int columns,
                        CoverageSums& sums);
 
-/// Where chains cross a line through a row, from left to right.
+/// Where chains cross a line through a row, from left to right: a part of it at a time, for they are any
+/// number.
+///
+///     begin_part() -> add() for all chains -> walk() or add_inside(), until is_complete()
 class Line {
 public:
-    static constexpr std::size_t max_count = 32;
     static constexpr int count_in_row = 8;
 
     /// The n-th of a row.
     explicit Line(int number) : y_{(2 * number + 1) * grid / (2 * count_in_row)} {}
 
-    /// No more than max_count.
+    /// To the right of the parts before.
+    void begin_part();
+    /// In the same order for each part.
     void add(const RowChain& chain);
-    /// Notes the windings on the line.
+    /// This part is the last one.
+    bool is_complete() const { return !has_more_; }
+    /// Notes the windings in the part.
     template <class Note>
     void walk(std::int32_t winding, Note note) const
     {
         for (std::size_t i = 0; i != count_; ++i)
             note(winding += step(i));
     }
-    /// Adds a share of the row: what lies inside on the line.
-    void add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const;
+    /// Adds a share of the row: what lies inside on the part; `winding` is that to the left of it. Returns
+    /// that to the right of it.
+    std::int32_t add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const;
 
 private:
-    int step(std::size_t place) const { return (crossings_[place] & 1) == 0 ? 1 : -1; }
+    static constexpr std::size_t max_count = 24;
+
+    /// Compares by place, then by the order of add().
+    struct Crossing {
+        std::int32_t x2 = 0; ///< 2 x, or 2 x + 1 if the outline runs up there
+        std::int32_t number = -1;
+
+        friend constexpr auto operator<=>(const Crossing&, const Crossing&) = default;
+    };
+
+    int step(std::size_t place) const { return (crossings_[place].x2 & 1) == 0 ? 1 : -1; }
 
     std::int32_t y_;
+    std::int32_t added_ = 0; ///< crossings, in this part and others
     std::size_t count_ = 0;
-    std::array<std::int32_t, max_count> crossings_; ///< 2 x, or 2 x + 1 if the outline runs up there
+    bool has_more_ = false;
+    bool is_first_ = true;
+    Crossing before_; ///< the last one of the parts before
+    std::array<Crossing, max_count> crossings_;
 };
 
 /// From a column on, only whether it is inside counts, and no more how often outlines go around it; or the

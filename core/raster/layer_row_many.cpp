@@ -118,10 +118,10 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
             return winding;
         std::size_t count = 0;
         const auto each_of_group = [&](auto visit) {
-            each_chain(cluster, row, [&](const RowChain& chain, int) {
+            each_chain(cluster, row, [&](const RowChain& chain, int band_begin) {
                 if (chain.first >= begin && chain.first <= last)
                     visit(chain);
-                return true;
+                return band_begin <= last;
             });
         };
         each_of_group([&](const RowChain& chain) {
@@ -132,14 +132,14 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
         if (count <= max_group)
             winding = add_group(std::span{group_}.first(count), rule_, winding, columns_, sums_);
         else
-            winding = add_large_group(each_of_group, count, winding);
+            winding = add_large_group(each_of_group, winding);
         begin = last + 1;
     }
 }
 
-/// Line by line, unless it is so large that its areas have to add up.
+/// Line by line, and each of these part by part.
 template <class EachChain>
-std::int32_t LayerRow::add_large_group(EachChain each_chain, std::size_t count, std::int32_t winding)
+std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t winding)
 {
     int first = no_pixel;
     int last = -no_pixel;
@@ -148,17 +148,17 @@ std::int32_t LayerRow::add_large_group(EachChain each_chain, std::size_t count, 
         first = std::min(first, chain.first);
         last = std::max(last, chain.last);
         height += chain.height();
-        if (count > Line::max_count)
-            add_chain(chain, columns_, sums_);
     });
     const std::int32_t right = winding + height / grid;
-    if (count > Line::max_count)
-        return right;
     begin_inside(first, rule_, winding, columns_, sums_);
     for (int number = 0; number != Line::count_in_row; ++number) {
         Line line{number};
-        each_chain([&](const RowChain& chain) { line.add(chain); });
-        line.add_inside(rule_, winding, columns_, sums_);
+        std::int32_t passed = winding;
+        do {
+            line.begin_part();
+            each_chain([&](const RowChain& chain) { line.add(chain); });
+            passed = line.add_inside(rule_, passed, columns_, sums_);
+        } while (!line.is_complete());
     }
     end_inside(last + 1, rule_, right, columns_, sums_);
     return right;
@@ -169,17 +169,17 @@ std::int32_t LayerRow::add_large_group(EachChain each_chain, std::size_t count, 
 int LayerRow::end_of_group(const Cluster& cluster, int row, int begin) const
 {
     int last = no_pixel;
-    each_chain(cluster, row, [&](const RowChain& chain, int) {
+    each_chain(cluster, row, [&](const RowChain& chain, int band_begin) {
         if (chain.first >= begin)
             last = std::min(last, chain.first);
-        return true;
+        return band_begin <= last;
     });
     for (int before = no_pixel; before != last;) {
         before = last;
-        each_chain(cluster, row, [&](const RowChain& chain, int) {
+        each_chain(cluster, row, [&](const RowChain& chain, int band_begin) {
             if (chain.first >= begin && chain.first <= last)
                 last = std::max(last, chain.last);
-            return true;
+            return band_begin <= last;
         });
     }
     return last;

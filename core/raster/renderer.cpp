@@ -55,6 +55,7 @@ void Renderer::begin()
         forget();
     progress_ = Progress::none;
     is_fresh_ = true;
+    next_row_ = 0;
 }
 
 void Renderer::forget()
@@ -87,8 +88,9 @@ void Renderer::begin_pass(int band_bits)
 void Renderer::begin_changes(int band_bits)
 {
     // Where a picture ends for want of room, nothing tells what changes.
-    if (picture_.outlines.is_full() || picture_.outlines.band_bits() != band_bits)
+    if (picture_.outlines.is_full() || recorded_band_bits_ != band_bits)
         forget();
+    recorded_band_bits_ = band_bits;
     begin_pass(band_bits);
     record_.begin_picture();
     slots_.set_pictures(picture_.steps(), shown_storage_.first(shown_count_));
@@ -246,7 +248,8 @@ void Renderer::draw_tile(const Tile<Cells>& tile)
         while (region != end && region->end <= part.left)
             ++region;
         const bool is_gap = region == end || region->begin > part.left;
-        const int part_end = region == end ? right : std::min<int>(is_gap ? region->begin : region->end, right);
+        const int part_end =
+            region == end ? right : std::min<int>(is_gap ? region->begin : region->end, right);
         if (is_gap)
             gap = region_between(band_, part.left, part_end);
         part.columns = part_end - part.left;

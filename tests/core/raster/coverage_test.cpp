@@ -301,6 +301,14 @@ TEST_CASE("the sense of an outline changes nothing but how its areas are rounded
     }
 }
 
+TEST_CASE("two sides of a tip that cross where one of them bends are no more than what is inside")
+{
+    const std::vector<Polygon> crossed{
+        polygon({{12, 0}, {8.5, 4 + 34 / 64.0}, {21, 4 + 34 / 64.0}, {2, 4}, {2, 0}})};
+    for (const FillRule rule : {FillRule::nonzero, FillRule::even_odd})
+        CHECK(std::abs(filled({24, 8}, crossed, rule).at(8, 4) - 70) <= 24); // by eight lines
+}
+
 TEST_CASE("lines across all that is held bend as they must")
 {
     const Polygon wedge = polygon({{-16383, 0.5}, {16383, 1.6}, {-16383, 2.7}});

@@ -102,7 +102,7 @@ void check_changes(const Drive& drive, std::uint32_t seed, int pictures)
 template <PixelFormat format>
 void check_many(Drive drive, int seeds)
 {
-    for (int seed = 0; seed < test::rounds(seeds); ++seed) {
+    for (int seed = 0; seed < kfast::test::rounds(seeds); ++seed) {
         drive.has_groups = seed % 3 == 0;
         drive.keeps = seed % 2 == 0;
         drive.record_bytes = seed % 4 == 0 ? 96 : seed % 4 == 1 ? 0 : 8000;
