@@ -13,6 +13,7 @@ inline constexpr std::int32_t max_time = 1'000'000 * 1024; ///< ticks
 inline constexpr std::uint32_t max_drawing_points = 65535;
 inline constexpr std::uint32_t max_outline_bytes = 1U << 22; ///< of one picture
 inline constexpr std::uint32_t max_borders = 1U << 20;       ///< likewise, of bands of four rows
+inline constexpr std::uint32_t max_contour_bytes = 1U << 22; ///< likewise, of drawings that move as a whole
 inline constexpr int max_width = 65535;                      ///< of a stroke, in 1/16 px
 inline constexpr int min_hatch_spacing = 8;                  ///< in 1/16 px
 inline constexpr std::size_t max_law_pairs = 255;            ///< besides that of constant laws

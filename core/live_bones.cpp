@@ -163,6 +163,18 @@ Point LiveBone::operator()(Point point) const
                       posed_.origin.y.raw() + sum_of_products(yx_, x, yy_, y));
 }
 
+Affine LiveBone::map() const
+{
+    const std::int32_t x = rest_.origin.x.raw();
+    const std::int32_t y = rest_.origin.y.raw();
+    return {.xx = xx_,
+            .xy = xy_,
+            .yx = yx_,
+            .yy = yy_,
+            .x0 = posed_.origin.x.raw() - sum_of_products(xx_, x, xy_, y),
+            .y0 = posed_.origin.y.raw() - sum_of_products(yx_, x, yy_, y)};
+}
+
 void set_up_bones(const SceneView& scene, std::span<LiveBone> live)
 {
     for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/affine.hpp"
 #include "core/angle.hpp"
 #include "core/bone_view.hpp"
 #include "core/moment.hpp"
@@ -31,6 +32,8 @@ public:
     /// O' + R(a') S R(-a) (point - O), unprimed as set up and primed as posed; S stretches along the bone as
     /// its length does, at most 64 times. Exact where the bone is as set up; held within ±16383 px.
     Point operator()(Point point) const;
+    /// Likewise, rounded once more, and not held.
+    Affine map() const;
 
     const BoneFrame& frame() const { return posed_; }
     /// Of the length, posed minus set-up.

@@ -11,13 +11,30 @@ ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const ObjectView& object
     keys_ = interval_at(keys, time_);
 }
 
+bool ObjectStrokes::has_one_drawing() const
+{
+    return keys_.from.drawing == arrival() && keys_.from.more == keys_.to.more;
+}
+
+std::optional<Affine> ObjectStrokes::rigid_carrier() const
+{
+    if (!has_one_drawing() || object_.carrier == Carrier::backbones)
+        return std::nullopt;
+    if (object_.carrier == Carrier::none)
+        return Affine{};
+    if (keys_.from.more >= 0) // a skin, of several bones
+        return std::nullopt;
+    const std::size_t first = on_panel_.scene.first_bone(object_.skeleton);
+    return on_panel_.bones[first + SceneView::bone_of(keys_.from.more)].map();
+}
+
 Still ObjectStrokes::still() const
 {
     if (object_.carrier != Carrier::none)
         return moving_with_any_input(moment_.time());
     const Time begin = keys_.from.time;
     const Time end = keys_.to.time;
-    const Still between = keys_.from.drawing == arrival() && keys_.from.more == keys_.to.more
+    const Still between = has_one_drawing()
                               ? Still{.begin = begin, .end = end}
                               : still_between(begin, end, time_, on_panel_.scene.laws(keys_.from.laws));
     return still_by_clock(clock_, still_around(keys_, time_, between));

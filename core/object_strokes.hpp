@@ -26,6 +26,19 @@ public:
 
     /// How long it stays as it is, its skeletons included.
     Still still() const;
+    /// What places the drawing of the key before, if that is all that there is, and moves as a whole: a bone,
+    /// or nothing. None if its points move on their own.
+    std::optional<Affine> rigid_carrier() const;
+    /// The drawing of the key before.
+    std::uint32_t drawing() const { return keys_.from.drawing; }
+    /// Adds its strokes, as they were drawn, likewise.
+    template <class Outline>
+    void trace_drawing(const Affine& placement, Outline& outline) const
+    {
+        did(Work::object);
+        const CarriedDrawing drawing{on_panel_.scene.drawing(keys_.from.drawing)};
+        LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
+    }
     /// Of the drawing of the key before, or of the backbones that carry it.
     Point first_point() const;
     /// Adds the strokes, placed, to `outline`, of which LiveStrokes::trace() tells what it is.
@@ -52,6 +65,8 @@ public:
     }
 
 private:
+    /// On the whole way from key to key.
+    bool has_one_drawing() const;
     Progress progress() const;
     std::uint32_t arrival() const { return object_.has_arrivals ? keys_.from.arrival : keys_.to.drawing; }
     CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const;

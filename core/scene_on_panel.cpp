@@ -21,7 +21,8 @@ Camera camera_for(const SceneView& scene, Size panel, const Space& canvas)
 SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
 {
     const Space canvas = canvas_space(scene.canvas(), panel, fit);
-    return {scene, canvas, camera_for(scene, panel, canvas), {}, {}, {}, {}};
+    return {scene, canvas, camera_for(scene, panel, canvas), RigidPlacements{canvas.plane.xx}, {}, {},
+            {},    {}};
 }
 
 }

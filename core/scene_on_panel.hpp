@@ -6,6 +6,7 @@
 #include "core/live_drawings.hpp"
 #include "core/live_texts.hpp"
 #include "core/projection.hpp"
+#include "core/rigid_placement.hpp"
 #include "core/scene_view.hpp"
 #include "core/size.hpp"
 #include "core/space.hpp"
@@ -19,6 +20,7 @@ struct SceneOnPanel {
     SceneView scene;
     Space canvas; ///< from the canvas to the panel
     Camera camera;
+    RigidPlacements rigid;
     std::span<LiveBone> bones; ///< of all skeletons; set up
     std::span<BackboneNode> backbone_nodes;
     LiveDrawings drawings{}; ///< from outside

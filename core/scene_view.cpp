@@ -24,9 +24,9 @@ constexpr std::uint32_t symbols_bit = 1 << 6;
 constexpr std::uint32_t inputs_bit = 1 << 7;
 
 /// Beyond the format's limit it stays beyond it.
-std::uint32_t read_outline_bytes(ByteReader& bytes)
+std::uint32_t read_words(ByteReader& bytes, std::uint32_t max_bytes)
 {
-    return 4 * std::min(bytes.varint(), kfb::max_outline_bytes / 4 + 1);
+    return 4 * std::min(bytes.varint(), max_bytes / 4 + 1);
 }
 
 int read_side(ByteReader& bytes)
@@ -63,8 +63,9 @@ Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
 
 bool SceneView::read_sections(ByteReader reader)
 {
-    outline_bytes_ = read_outline_bytes(reader);
+    outline_bytes_ = read_words(reader, kfb::max_outline_bytes);
     borders_ = std::min(reader.varint(), kfb::max_borders + 1);
+    contour_bytes_ = read_words(reader, kfb::max_contour_bytes);
     const std::uint32_t head = reader.u8();
     loop_ = static_cast<Loop>(head & loop_bits);
     length_ = read_time_code(reader);
@@ -108,7 +109,7 @@ Colour SceneView::colour(std::size_t index) const
 SkinReader SceneView::skin(std::int32_t skin) const
 {
     if (skin < 0)
-        return SkinReader::of(static_cast<std::uint32_t>(-1 - skin));
+        return SkinReader::of(bone_of(skin));
     return SkinReader{ByteReader{drawings_.subspan(static_cast<std::size_t>(skin))}};
 }
 

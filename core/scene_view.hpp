@@ -46,6 +46,8 @@ public:
     /// The most borders that a picture of it has, those in each band of four rows counted, on a panel as
     /// large as the canvas: what tells what the panel shows has room for them.
     std::uint32_t borders() const { return borders_; }
+    /// Memory for the contours of drawings that move as a whole, of one picture, likewise; a multiple of 4.
+    std::uint32_t contour_bytes() const { return contour_bytes_; }
     /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.
     std::uint32_t paint_steps() const { return paint_steps_; }
@@ -77,6 +79,10 @@ public:
     /// `skin` is that of a key: an offset in the section of drawings, or, if it is negative, the bone -1 -
     /// skin.
     SkinReader skin(std::int32_t skin) const;
+    static constexpr std::uint32_t bone_of(std::int32_t skin)
+    {
+        return static_cast<std::uint32_t>(-1 - skin);
+    }
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
     /// What the scene takes from outside.
@@ -108,6 +114,7 @@ private:
     Loop loop_ = Loop::repeat;
     std::uint32_t outline_bytes_ = 0;
     std::uint32_t borders_ = 0;
+    std::uint32_t contour_bytes_ = 0;
     std::uint32_t paint_steps_ = 0;
     std::uint32_t blended_depth_ = 0;
     std::uint32_t bone_count_ = 0;

@@ -68,6 +68,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/projection.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/band.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/chain_builder.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/contour_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/coverage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/dirty.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/edge_group.cpp
@@ -77,10 +78,12 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row_many.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline_store.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/placed_contours.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer_block.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/rigid_placement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_on_panel.cpp

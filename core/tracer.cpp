@@ -8,6 +8,7 @@
 #include "core/paint_order.hpp"
 #include "core/work.hpp"
 
+#include <span>
 #include <utility>
 
 namespace kfast {
@@ -26,6 +27,7 @@ Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 void Tracer::run(std::uint32_t moved)
 {
     raster::OutlineStore& outlines = picture_.outlines;
+    picture_.contours.begin_picture();
     if (picture_.coarseness == 0)
         outlines.keep(moment_.time(), moved);
     else
@@ -100,15 +102,57 @@ void Tracer::trace(const ItemView& item, const ItemState& state, const Context& 
     trace(on_panel_.scene.items_in(item), context);
 }
 
+/// Whether something that is so still where it lies moves at any time.
+bool Tracer::moves(const Still& still) const
+{
+    return still.inputs != 0 || still.begin > Time{} || still.end <= on_panel_.scene.length();
+}
+
 void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
 {
     const ObjectStrokes strokes{on_panel_, object, moment_};
     const Context context = holding(outer, strokes.still());
     if (object.has_depths)
         return trace_wires(strokes, object.style, state, context);
+    if (const auto carrier = strokes.rigid_carrier())
+        if (const auto placement = rigid_placement(*carrier, context))
+            return add_rigid_layers(object.style, state, *placement, context, [&](const Pen* pen) {
+                trace_rigid(strokes, pen, *placement, object.carrier != Carrier::none || moves(outer.still));
+            });
     add_layers(
         object.style, state, context, [&] { return strokes.first_point(); },
         [&](const Affine& placement, ObjectOutline& outline) { strokes.trace(placement, outline); });
+}
+
+std::optional<RigidPlacement> Tracer::rigid_placement(const Affine& carrier, const Context& context) const
+{
+    if (!context.space.is_flat())
+        return std::nullopt;
+    return on_panel_.rigid.of(carrier == Affine{} ? context.space.plane : context.space.plane * carrier);
+}
+
+/// Contours of what moves are kept; what never moves is traced once.
+void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const RigidPlacement& placement,
+                         bool moves)
+{
+    raster::ContourName name{
+        .drawing = strokes.drawing(), .scale_bits = placement.scale_bits, .coarseness = picture_.coarseness};
+    if (pen != nullptr) {
+        name.half_width = pen->half_width.raw();
+        name.pen = static_cast<std::uint8_t>(static_cast<int>(pen->cap) | static_cast<int>(pen->join) << 4);
+        name.miter_limit = static_cast<std::uint8_t>(pen->miter_limit);
+    }
+    raster::ContourCache& cache = picture_.contours;
+    if (moves && cache.each_contour(name, [&](std::span<const raster::ShortCorner> contour) {
+            picture_.outlines.add(contour, placement.map);
+        }))
+        return;
+    if (moves)
+        cache.begin(name);
+    place(placement, pen, moves ? &cache : nullptr,
+          [&](const Affine& upright, ObjectOutline& outline) { strokes.trace_drawing(upright, outline); });
+    if (moves)
+        cache.end(!picture_.outlines.is_full());
 }
 
 /// Points come as they are seen, and lines stay straight.
@@ -137,12 +181,15 @@ void Tracer::trace_live(const ItemView& item, const ItemState& state, const Cont
 void Tracer::trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
                            const Context& context)
 {
+    const auto trace = [&](const Affine& placement, ObjectOutline& outline) {
+        did(Work::object);
+        trace_live_strokes(drawing, placement, outline);
+    };
+    if (const auto placement = rigid_placement({}, context))
+        return add_rigid_layers(style, state, *placement, context,
+                                [&](const Pen* pen) { place(*placement, pen, nullptr, trace); });
     add_layers(
-        style, state, context, [&] { return start_of(drawing); },
-        [&](const Affine& placement, ObjectOutline& outline) {
-            did(Work::object);
-            trace_live_strokes(drawing, placement, outline);
-        });
+        style, state, context, [&] { return start_of(drawing); }, trace);
 }
 
 void Tracer::trace_label(const ItemView& item, const ItemState& state, const Context& context)
@@ -150,9 +197,14 @@ void Tracer::trace_label(const ItemView& item, const ItemState& state, const Con
     const SceneView& scene = on_panel_.scene;
     const LabelTrace label{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
                            scene.drawings()};
+    const auto trace = [&](const Affine& placement, ObjectOutline& outline) {
+        label.trace(placement, outline);
+    };
+    if (const auto placement = rigid_placement({}, context))
+        return add_rigid_layers(item.object.style, state, *placement, context,
+                                [&](const Pen* pen) { place(*placement, pen, nullptr, trace); });
     add_layers(
-        item.object.style, state, context, [&] { return label.start(); },
-        [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });
+        item.object.style, state, context, [&] { return label.start(); }, trace);
 }
 
 /// trace(placement, outline) adds what is painted to an outline.
@@ -172,6 +224,31 @@ void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const 
     outline.stroke_with(pen_for(
         style, state.width(), is_flat ? context.space.plane.growth() : projection.growth_at(first_point())));
     add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context, trace_placed);
+}
+
+/// trace(pen) adds the contours of the fill if there is no pen.
+template <class Trace>
+void Tracer::add_rigid_layers(const ObjectStyle& style, const ItemState& state,
+                              const RigidPlacement& placement, const Context& context, Trace trace)
+{
+    if (style.is_filled)
+        add_layer(Part::fill, state.fill(), style.fill_rule, context, [&] { trace(nullptr); });
+    if (!style.is_stroked)
+        return;
+    const Pen pen = pen_for(style, state.width(), placement.scale);
+    add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context, [&] { trace(&pen); });
+}
+
+/// Contours that trace(upright placement, outline) adds, in their place.
+template <class Trace>
+void Tracer::place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache, Trace trace)
+{
+    ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
+    if (pen != nullptr)
+        outline.stroke_with(*pen);
+    picture_.outlines.place_contours(&placement.map, cache);
+    trace(placement.upright(), outline);
+    picture_.outlines.place_contours(nullptr, nullptr);
 }
 
 raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context& context)

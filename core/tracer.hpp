@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace kfast {
 
@@ -50,6 +51,10 @@ private:
     void trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
                        const Context& context);
     void trace_label(const ItemView& item, const ItemState& state, const Context& context);
+    std::optional<RigidPlacement> rigid_placement(const Affine& carrier, const Context& context) const;
+    void trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const RigidPlacement& placement,
+                     bool moves);
+    bool moves(const Still& still) const;
     void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
     [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
                                                   const ItemState& state, const Context& context);
@@ -57,6 +62,11 @@ private:
     template <class FirstPoint, class Trace>
     void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
                     FirstPoint first_point, Trace trace);
+    template <class Trace>
+    void add_rigid_layers(const ObjectStyle& style, const ItemState& state, const RigidPlacement& placement,
+                          const Context& context, Trace trace);
+    template <class Trace>
+    void place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache, Trace trace);
     template <class Trace>
     void add_layer(Part part, Colour colour, FillRule rule, const Context& context, Trace trace);
 

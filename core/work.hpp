@@ -31,6 +31,7 @@ enum class Work : std::uint8_t {
     pen_piece,       ///< a straight piece that a pen follows
     bend,            ///< between two of them
     slight_bend,     ///< likewise, a corner on each side
+    placed_corner,   ///< of a drawing that moves as a whole
     corner,          ///< of an outline
     chain,           ///< of an outline
     crossing,        ///< of a border between rows

@@ -21,6 +21,9 @@ constexpr int small_panel = (reach - 2 * margin) / grid - 1;
 /// An edge that is higher is a chain of its own, which takes less memory: crossings would take more than a
 /// straight line and a further chain.
 constexpr std::int32_t long_edge = 40 * grid;
+/// Corners of chains on large panels are no further away: their columns have 16 bits.
+constexpr std::int32_t farthest = 1 << 20;
+
 /// How far the corners of a run lie apart: a chain has no room for more.
 class Reach {
 public:
@@ -29,6 +32,8 @@ public:
     /// False if a corner lies too far away.
     bool take(Corner corner)
     {
+        if (std::abs(corner.x) >= farthest)
+            return false;
         left_ = std::min(left_, corner.x);
         right_ = std::max(right_, corner.x);
         return right_ - left_ < reach / 2 - grid && std::abs(corner.y - y_) < ChainBuilder::max_height - grid;
@@ -148,6 +153,14 @@ void OutlineStore::close()
         return begin_contour();
     corners_end_ = std::copy(behind_, reinterpret_cast<Corner*>(chains_), corners_end_);
     behind_ = reinterpret_cast<Corner*>(chains_);
+    if (map_ != nullptr)
+        place_corners();
+    add_contour();
+}
+
+/// That is complete, from first_corner() to corners_end_.
+void OutlineStore::add_contour()
+{
     std::int32_t columns = 0;
     for (const Corner* corner = first_corner(); corner != corners_end_; ++corner) {
         layer_->fingerprint.add(*corner);
@@ -281,11 +294,15 @@ bool OutlineStore::add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step)
 /// False if corners are out of reach.
 bool OutlineStore::add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step)
 {
+    if (is_large_ && std::abs(top->x) >= farthest)
+        return false;
     const std::int32_t left = is_large_ ? (top->x & -grid) - reach / 2 : -margin;
     if (top + step == bottom && ChainBuilder::crossing_bytes(top->y, bottom->y) > sizeof(StraightLine))
         return add_straight(*top, *bottom, left, step > 0);
     const auto corners = static_cast<std::size_t>((bottom - top) * step + 1);
-    if (!find_room(ChainBuilder::room_for(corners, top->y, bottom->y) + sizeof(Chain)))
+    const std::size_t bytes = ChainBuilder::room_for(corners, top->y, bottom->y) + sizeof(Chain);
+    is_full_ = is_full_ || bytes > Chain::max_bytes;
+    if (!find_room(bytes))
         return true;
     ChainBuilder builder;
     if (!builder.build(top, bottom, step, left, chains_))

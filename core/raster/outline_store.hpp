@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/raster/chain.hpp"
+#include "core/raster/contour_cache.hpp"
+#include "core/raster/corner_map.hpp"
 #include "core/raster/grid.hpp"
 #include "core/raster/layer_outlines.hpp"
 #include "core/size.hpp"
@@ -46,6 +48,11 @@ public:
     void add_behind(Corner corner);
     /// Joins the last corner to the first.
     void close();
+    /// From now on, contours are placed by `map` when they are closed, and kept in `cache` as they came in.
+    /// As they are, and nowhere, if these are null; `cache` is if `map` is.
+    void place_contours(const CornerMap* map, ContourCache* cache);
+    /// Adds a contour, placed.
+    void add(std::span<const ShortCorner> contour, const CornerMap& map);
 
     /// Puts all chains back into the state in which a picture is drawn from its first band on, of 2^band_bits
     /// rows: to draw it changes them.
@@ -114,6 +121,8 @@ private:
     void begin_picture();
     void begin_contour();
     bool find_room(std::size_t bytes);
+    void place_corners();
+    void add_contour();
     Corner* first_corner() const { return reinterpret_cast<Corner*>(bytes_); }
     Corner* first_turn() const;
     bool add_runs(bool is_near);
@@ -136,9 +145,11 @@ private:
     Corner* behind_ = nullptr;      ///< the last one that was added behind
     std::byte* chains_ = nullptr;   ///< the last one that was added
     LayerOutlines* layer_ = nullptr;
-    std::byte* kept_ = nullptr;     ///< the end of the layer that may come next
-    std::byte* kept_end_ = nullptr; ///< below all that were kept
-    std::size_t waiting_ = 0;       ///< bytes of layers that were kept and have not been reused
+    std::byte* kept_ = nullptr;      ///< the end of the layer that may come next
+    std::byte* kept_end_ = nullptr;  ///< below all that were kept
+    std::size_t waiting_ = 0;        ///< bytes of layers that were kept and have not been reused
+    const CornerMap* map_ = nullptr; ///< of contours that come in
+    ContourCache* cache_ = nullptr;  ///< that keeps them
     std::span<std::uint32_t> heads_;
     std::size_t size_ = 0;
     std::size_t needed_ = 0;

@@ -20,13 +20,14 @@
 
 namespace kfast::raster {
 
-/// Rows that a panel takes together, at most.
-inline constexpr int max_granularity_height = 8;
+/// Columns and rows that a panel takes together, at most.
+inline constexpr Size max_granularity{8, 8};
 
 /// What a scene needs of the memory of a renderer.
 struct RendererNeeds {
     std::size_t outline_bytes = 0; ///< a multiple of 4
     std::size_t record_bytes = 0;  ///< too little costs bytes on the bus, not pixels
+    std::size_t contour_bytes = 0; ///< a multiple of 4; too little costs time
     std::size_t steps = 0;
     std::size_t group_depth = 0;
 };
@@ -60,7 +61,7 @@ public:
     /// Draws the next areas in which the picture differs from what the panel shows; none when all is drawn,
     /// and the panel shows it. `pixels` has room for granularity.height whole rows. Places and sizes of areas
     /// are multiples of `granularity`, but for areas that end with the panel; its sides are powers of two,
-    /// and it is no higher than max_granularity_height. `area_bytes` is what an area costs besides its
+    /// no larger than those of max_granularity. `area_bytes` is what an area costs besides its
     /// pixels. Areas hold until the next call.
     template <PixelFormat format>
     std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
@@ -110,6 +111,7 @@ private:
     int drawn_columns_ = 0;               ///< of the band: areas to the left of here are drawn
     const Region* next_region_ = nullptr; ///< all before it lie to the left of there
     int next_row_ = 0;                    ///< that draw_rows() may go on with
+    int recorded_band_bits_ = -1;         ///< of the bands in the record
     Progress progress_ = Progress::none;
     bool is_fresh_ = false; ///< no pass has gone through the outlines
     bool knows_panel_ = false;

@@ -7,8 +7,9 @@ namespace {
 /// The bands of a panel that is so narrow that a row of it may have no room for 4 rows of 8 pixels.
 constexpr int band_count(Size panel)
 {
-    return panel.width < 32 ? panel.height
-                            : (panel.height + (1 << default_band_bits) - 1) >> default_band_bits;
+    constexpr int narrow = max_granularity.width << default_band_bits;
+    return panel.width < narrow ? panel.height
+                                : (panel.height + (1 << default_band_bits) - 1) >> default_band_bits;
 }
 
 constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
@@ -16,6 +17,7 @@ constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 
 /// How the lent block is divided.
 struct BlockPlan {
     std::size_t outlines; ///< bytes of each part
+    std::size_t contours;
     std::size_t steps;
     std::size_t heads;
     std::size_t backdrops;
@@ -24,15 +26,19 @@ struct BlockPlan {
     std::size_t changed;
 
     BlockPlan(const RendererNeeds& needs, Size panel)
-        : outlines{needs.outline_bytes}, steps{needs.steps * sizeof(PaintStep)},
-          heads{static_cast<std::size_t>(band_count(panel)) * 4}, backdrops{needs.group_depth * tile_bytes},
-          record{whole_words(needs.record_bytes)}, counts{whole_words(
-                                                       static_cast<std::size_t>(band_count(panel)))},
-          changed{BandSet::words_for(band_count(panel)) * 4}
+        : outlines{needs.outline_bytes}, contours{needs.contour_bytes},
+          steps{needs.steps * sizeof(PaintStep)}, heads{static_cast<std::size_t>(band_count(panel)) * 4},
+          backdrops{needs.group_depth * tile_bytes}, record{whole_words(needs.record_bytes)},
+          counts{whole_words(static_cast<std::size_t>(band_count(panel)))}, changed{BandSet::words_for(
+                                                                                        band_count(panel)) *
+                                                                                    4}
     {
     }
 
-    std::size_t size() const { return outlines + 2 * steps + heads + backdrops + record + counts + changed; }
+    std::size_t size() const
+    {
+        return outlines + contours + 2 * steps + heads + backdrops + record + counts + changed;
+    }
 };
 
 }
@@ -48,6 +54,7 @@ Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, st
     const BlockPlan plan{needs, panel};
     BlockCutter cutter{block};
     const std::span<std::byte> outlines = cutter.cut(plan.outlines);
+    picture_.contours = ContourCache{cutter.cut(plan.contours)};
     picture_.storage = cutter.cut_as<PaintStep>(plan.steps);
     shown_storage_ = cutter.cut_as<PaintStep>(plan.steps);
     picture_.outlines =

@@ -45,6 +45,7 @@ void write_header(const scene::Scene& scene, const Sections& sections, ByteWrite
     const bool with_opacity = !std::ranges::all_of(scene.palette, is_opaque);
     bytes.varint(nothing.bytes);
     bytes.varint(nothing.borders);
+    bytes.varint(nothing.contour_bytes);
     bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_usual_camera(scene), 2) |
              flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
              flag(sections.symbols, 6) | flag(sections.inputs, 7));
@@ -76,11 +77,12 @@ void set_outline_needs(std::vector<std::byte>& file, const OutlineNeeds& needs)
 {
     ByteReader old{std::span{file}.subspan(checked_at)};
     old.varint(); // the size
-    old.varint();
-    old.varint();
+    for (int figure = 0; figure < 3; ++figure)
+        old.varint();
     ByteWriter body;
     body.varint(needs.bytes / 4);
     body.varint(needs.borders);
+    body.varint(needs.contour_bytes / 4);
     body.append(old.rest());
     file = sealed(body);
 }

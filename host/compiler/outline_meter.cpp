@@ -1,5 +1,6 @@
 #include "host/compiler/outline_meter.hpp"
 
+#include "core/kfb_limits.hpp"
 #include "core/player.hpp"
 
 #include <algorithm>
@@ -15,9 +16,10 @@ Size panel_for(Size canvas) { return {canvas.width, std::min(3 * canvas.height, 
 }
 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
-    : outlines_(bytes / 4), heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)),
-      steps_(scene.paint_steps()), bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()),
-      inputs_(scene.input_count()), drawings_(LiveDrawings::bytes_for(scene) / 4),
+    : outlines_(bytes / 4), contours_(kfb::max_contour_bytes / 4),
+      heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)), steps_(scene.paint_steps()),
+      bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()), inputs_(scene.input_count()),
+      drawings_(LiveDrawings::bytes_for(scene) / 4),
       texts_(LiveTexts::bytes_for(scene)), on_panel_{on_panel(scene, panel_for(scene.canvas()), Fit::none)}
 {
     on_panel_.bones = bones_;
@@ -26,6 +28,7 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     on_panel_.texts = {scene, texts_};
     picture_.outlines = raster::OutlineStore{std::as_writable_bytes(std::span{outlines_}), heads_,
                                              panel_for(scene.canvas()), band_bits};
+    picture_.contours = raster::ContourCache{std::as_writable_bytes(std::span{contours_})};
     picture_.storage = steps_;
     set_up_bones(scene, bones_);
     std::uint32_t input = 0;

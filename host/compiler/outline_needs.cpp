@@ -48,12 +48,13 @@ std::uint32_t borders_with_reserve(std::size_t borders)
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
                                           Diagnostics& diagnostics, const TellWork& tell)
 {
-    set_outline_needs(file, {.bytes = kfb::max_outline_bytes, .borders = 0});
+    set_outline_needs(file, {.bytes = kfb::max_outline_bytes});
     const auto view = SceneView::parse(file);
     OutlineMeter meter{*view, kfb::max_outline_bytes};
     const std::vector<MeasuredMoment> moments = measured_moments(*view);
     std::size_t most = 0;
     std::size_t most_borders = 0;
+    std::size_t most_contour_bytes = 0;
     const std::vector<InputTexts> all_texts = largest_texts(*view, moments, meter);
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
@@ -61,7 +62,8 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
         put_texts(texts, meter);
         for (const MeasuredMoment& measured : moments) {
             tell(done++, steps);
-            const raster::OutlineStore& outlines = meter.picture_at(measured.moment()).outlines;
+            const raster::Picture& picture = meter.picture_at(measured.moment());
+            const raster::OutlineStore& outlines = picture.outlines;
             if (outlines.is_full()) {
                 report_excess(scene, *view, measured.moment(), texts, diagnostics);
                 return std::nullopt;
@@ -74,9 +76,13 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
             }
             most = std::max(most, bytes);
             most_borders = std::max(most_borders, borders_of(outlines) + live_borders(live));
+            most_contour_bytes = std::max(most_contour_bytes, picture.contours.bytes_in_use());
         }
     }
-    return OutlineNeeds{.bytes = with_reserve(most), .borders = borders_with_reserve(most_borders)};
+    return OutlineNeeds{.bytes = with_reserve(most),
+                        .borders = borders_with_reserve(most_borders),
+                        .contour_bytes = static_cast<std::uint32_t>(
+                            std::min<std::size_t>(most_contour_bytes, kfb::max_contour_bytes))};
 }
 
 }

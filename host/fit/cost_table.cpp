@@ -34,6 +34,7 @@ constexpr auto kinds = std::to_array<std::string_view>({
     "pen_piece",
     "bend",
     "slight_bend",
+    "placed_corner",
     "corner",
     "chain",
     "crossing",
@@ -98,6 +99,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 308.6, // pen_piece
                 140.3, // bend
                 0.0, // slight_bend
+                60.0, // placed_corner
                 347.2, // corner
                 523.8, // chain
                 11.0, // crossing
@@ -160,6 +162,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 181.4, // pen_piece
                 0.0, // bend
                 0.0, // slight_bend
+                60.0, // placed_corner
                 265.7, // corner
                 423.0, // chain
                 11.0, // crossing
@@ -222,6 +225,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 182.9, // pen_piece
                 0.0, // bend
                 0.0, // slight_bend
+                60.0, // placed_corner
                 266.8, // corner
                 426.0, // chain
                 11.1, // crossing
@@ -284,6 +288,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 181.6, // pen_piece
                 0.0, // bend
                 0.0, // slight_bend
+                60.0, // placed_corner
                 265.6, // corner
                 423.2, // chain
                 11.0, // crossing

@@ -9,19 +9,19 @@ namespace kfast::fit {
 
 /// In the order of Work.
 inline constexpr std::array<std::string_view, work_kinds> work_names{
-    "picture",       "item",        "track",          "key",
-    "placement",     "law",         "bezier_law",     "bone",
-    "object",        "stroke",      "line",           "curve",
-    "split",         "point",       "wide_point",     "projected_point",
-    "carried_point", "bent_point",  "piece",          "wide_piece",
-    "pen_piece",     "bend",        "slight_bend",    "corner",
-    "chain",         "crossing",    "kept_chain",     "step",
-    "band",          "band_chain",  "straight_chain", "border",
-    "region",        "edge_row",    "flat_pixel",     "chain_visit",
-    "layer",         "layer_row",   "layer_edge",     "sum_row",
-    "row_chain",     "sum_part",    "sum_pixel",      "edge_group",
-    "line_crossing", "span",        "fill",           "filled_pixel",
-    "blended_pixel", "faded_pixel",
+    "picture",       "item",          "track",       "key",
+    "placement",     "law",           "bezier_law",  "bone",
+    "object",        "stroke",        "line",        "curve",
+    "split",         "point",         "wide_point",  "projected_point",
+    "carried_point", "bent_point",    "piece",       "wide_piece",
+    "pen_piece",     "bend",          "slight_bend", "placed_corner",
+    "corner",        "chain",         "crossing",    "kept_chain",
+    "step",          "band",          "band_chain",  "straight_chain",
+    "border",        "region",        "edge_row",    "flat_pixel",
+    "chain_visit",   "layer",         "layer_row",   "layer_edge",
+    "sum_row",       "row_chain",     "sum_part",    "sum_pixel",
+    "edge_group",    "line_crossing", "span",        "fill",
+    "filled_pixel",  "blended_pixel", "faded_pixel",
 };
 
 static_assert(work_names.back() == "faded_pixel");

@@ -3,10 +3,12 @@
 #include "tests/core/stage.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <doctest/doctest.h>
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Where groups, uses and objects put what is in them: the picture must be that of shapes which are written
@@ -24,13 +26,28 @@ Bytes picture_of(const std::string& items, Time time = {})
     return Stage{scene_with(items), {40, 40}}.picture(time);
 }
 
+/// Whether no channel of a pixel differs by more than a step of five bits: corners are placed after they were
+/// rounded, so that the same outline may come to lie 1/64 px further on.
+bool looks_same(const Bytes& a, const Bytes& b)
+{
+    const auto channel = [](const Bytes& picture, std::size_t at, int shift, int bits) {
+        const int pixel = std::to_integer<int>(picture[at]) | std::to_integer<int>(picture[at + 1]) << 8;
+        return (pixel >> shift & ((1 << bits) - 1)) >> (bits - 5);
+    };
+    for (std::size_t at = 0; at < a.size(); at += 2)
+        for (const auto& [shift, bits] : {std::pair{0, 5}, std::pair{5, 6}, std::pair{11, 5}})
+            if (std::abs(channel(a, at, shift, bits) - channel(b, at, shift, bits)) > 1)
+                return false;
+    return true;
+}
+
 void check_same(const std::string& placed, const std::string& written, Time time = {})
 {
     CAPTURE(placed);
     CAPTURE(written);
     const Bytes picture = picture_of(written, time);
     CHECK(picture != picture_of("", time));
-    CHECK(picture_of(placed, time) == picture);
+    CHECK(looks_same(picture_of(placed, time), picture));
 }
 
 const std::string style = " fill=red stroke=white width=2.5 join=round cap=round ";
@@ -158,7 +175,7 @@ TEST_CASE("any chain of quarter turns, mirrors and moves is what is written wher
         const std::string written = polygon(spots);
         CAPTURE(placed);
         CAPTURE(written);
-        REQUIRE(picture_of(placed) == picture_of(written));
+        REQUIRE(looks_same(picture_of(placed), picture_of(written)));
     }
 }
 

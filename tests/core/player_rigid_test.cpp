@@ -1,0 +1,95 @@
+#include "core/player.hpp"
+
+#include "core/kfb_limits.hpp"
+#include "host/compiler/header.hpp"
+#include "tests/core/everything.hpp"
+#include "tests/core/panel_memory.hpp"
+#include "tests/core/stage.hpp"
+#include "tests/rounds.hpp"
+
+#include <cstdint>
+#include <doctest/doctest.h>
+#include <random>
+#include <string>
+
+/// Drawings that move as a whole: their contours are kept from picture to picture.
+namespace kfast::test {
+namespace {
+
+constexpr std::string_view mover = R"scene(
+kfast 1
+canvas 60 40 frames=30
+bones arm {
+    bone upper 10 10 30 10 { bone lower 30 10 50 10 }
+    pose 0 { upper turn=0; lower turn=0 }
+    pose 30 { upper turn=120; lower turn=-200 }
+}
+object upper fill=red stroke=white width=2 join=round skin=arm bone=upper { path "M 8 8 C 15 0 25 0 32 8 L 32 12 L 8 12 Z" }
+object lower stroke=yellow width=3 cap=round skin=arm bone=lower { path "M 30 10 C 35 5 45 15 50 10" }
+group scale=0.5 { object star fill=blue rule=even-odd { polygon 30 5 36 25 20 12 40 12 24 25 }; key 0 rotate=0; key 30 rotate=360 }
+object growing fill=green stroke=black width=1 { circle 45 30 r=4; key 0 scale=0.2; key 30 scale=5 }
+object squashed fill=white { circle 15 30 r=6; key 0 scale-x=1; key 30 scale-x=0.2 }
+object held fill=silver { key 0 law=hold { rect 2 2 5 5 }; key 15 { rect 3 3 5 5 }; key 20 { rect 8 3 9 5 } }
+)scene";
+
+Bytes with_contour_bytes(std::string_view text, std::uint32_t bytes)
+{
+    Bytes file = compiled(text);
+    const SceneView scene = *SceneView::parse(file);
+    set_outline_needs(file, {.bytes = scene.outline_bytes(), .borders = scene.borders(), .contour_bytes = bytes});
+    return file;
+}
+
+TEST_CASE("how much room contours have does not change a picture")
+{
+    for (const std::string_view text : {mover, everything}) {
+        Stage none{with_contour_bytes(text, 0), {60, 40}};
+        for (const std::uint32_t bytes : {4U, 100U, 300U, 700U, 4000U}) {
+            std::mt19937 random{bytes};
+            Stage some{with_contour_bytes(text, bytes), {60, 40}};
+            PanelMemory<PixelFormat::rgb565> memory{{60, 40}};
+            for (int round = 0; round < rounds(120); ++round) {
+                const Time moment = Time::frame(static_cast<int>(random() % 30));
+                some.player.show_moment(moment);
+                bring_up_to_date(some, memory, 5);
+                REQUIRE(memory.bytes() == none.picture(moment));
+            }
+        }
+    }
+}
+
+TEST_CASE("nor does it on panels of other sizes")
+{
+    for (const Size panel : {Size{30, 20}, Size{100, 90}, Size{240, 160}}) {
+        Stage none{with_contour_bytes(mover, 0), panel};
+        Stage some{compiled(mover), panel};
+        for (int frame = 0; frame < rounds(30); ++frame)
+            REQUIRE(some.picture(Time::frame(frame)) == none.picture(Time::frame(frame)));
+    }
+}
+
+TEST_CASE("the compiler leaves room for contours of what moves as a whole, and for no others")
+{
+    const auto contour_bytes = [](const std::string& items) {
+        return SceneView::parse(compiled("kfast 1\ncanvas 40 40 frames=10\n" + items))->contour_bytes();
+    };
+    const std::string shape = "rect 5 5 10 10";
+    CHECK(contour_bytes("object o fill=red { " + shape + " }") == 0);
+    CHECK(contour_bytes("object o fill=red { key 0 { " + shape + " }; key 9 { rect 6 6 9 9 } }") == 0);
+    CHECK(contour_bytes("object o fill=red { " + shape + "; key 0 rotate=0; key 9 rotate=90 }") == 16 + 4 + 4 * 4);
+    CHECK(contour_bytes("symbol s { object o fill=red { " + shape + " } }\n"
+                        "use s { key 0 x=0; key 9 x=9 }; use s { key 0 y=0; key 9 y=9 }") == 16 + 4 + 4 * 4);
+}
+
+TEST_CASE("contours that have room are not made anew in each picture")
+{
+    Stage stage{compiled(mover), {60, 40}};
+    stage.player.show_moment(Time::frame(3));
+    const std::size_t bytes = stage.player.picture().contours.bytes_in_use();
+    CHECK(bytes > 0);
+    stage.player.show_moment(Time::frame(4));
+    CHECK(stage.player.picture().contours.bytes_in_use() == bytes);
+}
+
+}
+}
