@@ -109,23 +109,32 @@ bool are_in_order(std::span<const RowChain> chains)
     return true;
 }
 
-/// Whether no corner of a chain lies to the right of another chain, by more than what is rounded. Both go
-/// through the same part of the row.
-bool stays_left(const RowChain& chain, const RowChain& right)
+bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chain.to; }
+
+/// No part of the chain in the row lies further to the left, or to the right.
+std::int32_t left_of(const RowChain& chain)
 {
-    bool stays = chain.top_x <= right.top_x + 1;
-    chain.each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
-        stays = stays && x <= x_at(right, y) + 1;
-    });
-    return stays;
+    return has_bends(chain) ? chain.first * grid : std::min(chain.top_x, chain.bottom_x);
 }
-bool stays_right(const RowChain& chain, const RowChain& left)
+std::int32_t right_of(const RowChain& chain)
 {
-    bool stays = chain.top_x >= left.top_x - 1;
-    chain.each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
-        stays = stays && x >= x_at(left, y) - 1;
-    });
-    return stays;
+    return has_bends(chain) ? (chain.last + 1) * grid : std::max(chain.top_x, chain.bottom_x);
+}
+
+/// Whether no corner of the one lies on the wrong side of the other, by more than what is rounded; both go
+/// through the same part of the row, and their ends lie as they must.
+bool are_apart(const RowChain& left, const RowChain& right)
+{
+    bool are_apart = true;
+    if (has_bends(left))
+        left.each_edge([&, limit = left_of(right)](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
+            are_apart = are_apart && (x <= limit || x <= x_at(right, y) + 1);
+        });
+    if (has_bends(right))
+        right.each_edge([&, limit = right_of(left)](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
+            are_apart = are_apart && (x >= limit || x >= x_at(left, y) - 1);
+        });
+    return are_apart;
 }
 
 /// Whether two chains do not cross: one goes on where the other ends, or they lie on either side of a part of
@@ -136,7 +145,9 @@ bool are_plain(const RowChain& a, const RowChain& b)
         return a.to <= b.from || b.to <= a.from;
     if (a.from != b.from || a.to != b.to)
         return false;
-    return (stays_left(a, b) && stays_right(b, a)) || (stays_right(a, b) && stays_left(b, a));
+    if (a.top_x <= b.top_x && a.bottom_x <= b.bottom_x && are_apart(a, b))
+        return true;
+    return a.top_x >= b.top_x && a.bottom_x >= b.bottom_x && are_apart(b, a);
 }
 
 /// The first pixel of a group, and that behind it.
