@@ -45,7 +45,7 @@ void Tracer::run(std::uint32_t moved)
     }
 }
 
-/// What is kept of its outlines was chosen.
+/// After OutlineStore::keep() or clear().
 void Tracer::trace_scene()
 {
     did(Work::picture);

@@ -24,8 +24,8 @@ public:
     {
     }
 
-    /// Layers that stay as they are in the last picture, if but the inputs `moved`, a bit for each, have
-    /// moved, are not traced anew. Curves are coarser if the picture finds no room otherwise.
+    /// Reuses the layers whose outlines have not changed since the last picture; `moved` has a bit for each input
+    /// that has. Curves are coarser if the picture finds no room otherwise.
     void run(std::uint32_t moved);
 
 private:

@@ -54,8 +54,6 @@ public:
                                  : kept_crossings(chain)[row];
     }
     const Bend* bends(const Chain& chain) const { return store_->bend(chain.bends); }
-    /// Nothing lies in this band, nor begins in it.
-    bool is_empty() const { return first_ == Chain::none; }
 
 private:
     [[gnu::noinline]] void take(std::uint32_t list, int bands_above);

@@ -45,7 +45,7 @@ private:
     std::int32_t y_;
 };
 
-/// Each of the contour is in reach of its ends.
+/// No edge is longer than a chain can tell.
 [[gnu::cold, gnu::noinline]] bool has_short_edges(const Corner* first, const Corner* end)
 {
     for (const Corner* corner = first; corner != end; ++corner)

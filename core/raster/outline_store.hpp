@@ -60,7 +60,7 @@ public:
 
     /// Something found no room: the picture is not complete.
     bool is_full() const { return is_full_; }
-    /// There may be room without what was kept.
+    /// Layers of the last picture take room: if they were traced anew, the picture might fit.
     bool keeps_layers() const { return kept_end_ != bytes_ + size_; }
     /// The most that would have been needed at a time if nothing had been kept.
     std::size_t needed_bytes() const { return needed_; }
@@ -155,7 +155,7 @@ private:
     std::size_t needed_ = 0;
     Size panel_;
     int band_bits_ = 0;
-    bool is_large_ = false; ///< the panel: chains are counted from columns of their own
+    bool is_large_ = false; ///< the panel: x of a chain counts from a column of its own
     bool is_full_ = false;
 };
 

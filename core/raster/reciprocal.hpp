@@ -17,12 +17,12 @@ inline constexpr std::array<std::uint16_t, 257> reciprocals = [] {
 }();
 
 /// How far an edge moves to the right over each row, in 1/1024 of the grid: 65536 width / rise, but for the
-/// rounding of reciprocals. |width| is at most 32767, `rise` 1 … 32767 and at most 65535 rows.
+/// rounding of reciprocals. |width| is at most 32767, `rise` 1 … 65471.
 inline std::int32_t slope_of(std::int32_t width, std::int32_t rise)
 {
     if (rise <= 256)
         return width * reciprocals[static_cast<std::size_t>(rise)];
-    int shift = 2; // rise / 2^shift has 6 or 7 bits
+    int shift = 2; // rise / 2^shift has 7 or 8 bits
     while (rise >> shift > 255)
         ++shift;
     const std::int32_t inverse = reciprocals[static_cast<std::size_t>(rise >> shift)];

@@ -9,8 +9,8 @@
 namespace kfast::raster {
 namespace {
 
-/// As high as the granularity asks for, else 4 rows, if so many rows of its width find room in a row of the
-/// panel for each row of it.
+/// As many rows as the granularity has, or four if it has fewer; less where a piece of four rows, as wide as the
+/// granularity, would not fit into as many rows of the panel as the granularity has, which is what is lent.
 int band_bits_for(Size granularity, int columns)
 {
     int bits = default_band_bits;

@@ -45,7 +45,7 @@ public:
 
     Picture& picture() { return picture_; }
     const Picture& picture() const { return picture_; }
-    /// The picture was filled anew.
+    /// To be called when picture() has been filled anew.
     void begin();
     /// What the panel shows is not known any more.
     void forget();

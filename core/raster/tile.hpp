@@ -22,8 +22,6 @@ struct Tile {
     int columns = 0;       ///< at most tile_columns
     int first_row = 0;     ///< of the band
     int rows = 0;
-
-    Cell* row(int row) const { return cells + (row - first_row) * stride; }
 };
 
 inline void note_fill(int count)
