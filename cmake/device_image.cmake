@@ -12,8 +12,13 @@ set(KFAST_EVERY_ROW
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 
-# What no picture waits for, also in images that are compiled for speed.
-set(KFAST_SELDOM ${KFAST_FIRMWARE_SOURCES})
+# What is done once for a scene or for an item of a picture.
+set(KFAST_EACH_ITEM input_view item_view label_view live_scene rigid_placement scene_on_panel scene_view tracer)
+list(TRANSFORM KFAST_EACH_ITEM PREPEND ${PROJECT_SOURCE_DIR}/core/)
+list(TRANSFORM KFAST_EACH_ITEM APPEND .cpp)
+
+# What no picture waits for long, also in images that are compiled for speed.
+set(KFAST_SELDOM ${KFAST_FIRMWARE_SOURCES} ${KFAST_EACH_ITEM})
 
 set(KFAST_DEVICE_OPTIONS
     -ffreestanding -ffunction-sections -fdata-sections

@@ -1,5 +1,7 @@
 #include "core/object_strokes.hpp"
 
+#include "core/object_outline.hpp"
+
 namespace kfast {
 
 ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const ObjectView& object, const Moment& moment)
@@ -48,6 +50,13 @@ Point ObjectStrokes::first_point() const
     if (drawing.strokes() != 0)
         drawing.next_stroke();
     return drawing.start();
+}
+
+void ObjectStrokes::trace_drawing(const Affine& placement, ObjectOutline& outline) const
+{
+    did(Work::object);
+    const CarriedDrawing drawing{on_panel_.scene.drawing(keys_.from.drawing)};
+    LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
 }
 
 Progress ObjectStrokes::progress() const

@@ -18,6 +18,8 @@
 
 namespace kfast {
 
+class ObjectOutline;
+
 /// What an object's keys and skeletons make of its drawing at one moment.
 class ObjectStrokes {
 public:
@@ -32,13 +34,7 @@ public:
     /// The drawing of the key before.
     std::uint32_t drawing() const { return keys_.from.drawing; }
     /// Adds its strokes, as they were drawn, likewise.
-    template <class Outline>
-    void trace_drawing(const Affine& placement, Outline& outline) const
-    {
-        did(Work::object);
-        const CarriedDrawing drawing{on_panel_.scene.drawing(keys_.from.drawing)};
-        LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
-    }
+    [[gnu::cold, gnu::noinline]] void trace_drawing(const Affine& placement, ObjectOutline& outline) const;
     /// Of the drawing of the key before, or of the backbones that carry it.
     Point first_point() const;
     /// Adds the strokes, placed, to `outline`, of which LiveStrokes::trace() tells what it is.

@@ -208,9 +208,8 @@ void Tracer::trace_label(const ItemView& item, const ItemState& state, const Con
 }
 
 /// trace(placement, outline) adds what is painted to an outline.
-template <class FirstPoint, class Trace>
 void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
-                        FirstPoint first_point, Trace trace)
+                        FunctionRef<Point()> first_point, TraceStrokes trace)
 {
     const bool is_flat = context.space.is_flat();
     const Projection projection{context.space, on_panel_.camera};
@@ -227,9 +226,9 @@ void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const 
 }
 
 /// trace(pen) adds the contours of the fill if there is no pen.
-template <class Trace>
 void Tracer::add_rigid_layers(const ObjectStyle& style, const ItemState& state,
-                              const RigidPlacement& placement, const Context& context, Trace trace)
+                              const RigidPlacement& placement, const Context& context,
+                              FunctionRef<void(const Pen*)> trace)
 {
     if (style.is_filled)
         add_layer(Part::fill, state.fill(), style.fill_rule, context, [&] { trace(nullptr); });
@@ -240,8 +239,8 @@ void Tracer::add_rigid_layers(const ObjectStyle& style, const ItemState& state,
 }
 
 /// Contours that trace(upright placement, outline) adds, in their place.
-template <class Trace>
-void Tracer::place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache, Trace trace)
+void Tracer::place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache,
+                   TraceStrokes trace)
 {
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
     if (pen != nullptr)
@@ -256,8 +255,8 @@ raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context&
     return picture_.add_step({.kind = kind, .item = context.path});
 }
 
-template <class Trace>
-void Tracer::add_layer(Part part, Colour colour, FillRule rule, const Context& context, Trace trace)
+void Tracer::add_layer(Part part, Colour colour, FillRule rule, const Context& context,
+                       FunctionRef<void()> trace)
 {
     colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, context.opacity));
     const raster::PaintStep step{.rule = rule, .colour = colour, .item = context.path};

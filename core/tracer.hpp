@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/function_ref.hpp"
 #include "core/item_state.hpp"
 #include "core/key_interval.hpp"
 #include "core/moment.hpp"
@@ -37,6 +38,9 @@ private:
         std::uint32_t opacity = 255; ///< of items around a single layer
     };
 
+    /// Adds strokes, placed by a map, to an outline.
+    using TraceStrokes = FunctionRef<void(const Affine&, ObjectOutline&)>;
+
     /// Of an item, each a layer.
     enum class Part : std::uint8_t { fill, stroke };
 
@@ -59,16 +63,14 @@ private:
     [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
                                                   const ItemState& state, const Context& context);
     raster::PaintStep& add_step(raster::PaintStep::Kind kind, const Context& context);
-    template <class FirstPoint, class Trace>
     void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
-                    FirstPoint first_point, Trace trace);
-    template <class Trace>
+                    FunctionRef<Point()> first_point, TraceStrokes trace);
     void add_rigid_layers(const ObjectStyle& style, const ItemState& state, const RigidPlacement& placement,
-                          const Context& context, Trace trace);
-    template <class Trace>
-    void place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache, Trace trace);
-    template <class Trace>
-    void add_layer(Part part, Colour colour, FillRule rule, const Context& context, Trace trace);
+                          const Context& context, FunctionRef<void(const Pen*)> trace);
+    void place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache,
+               TraceStrokes trace);
+    [[gnu::noinline]] void add_layer(Part part, Colour colour, FillRule rule, const Context& context,
+                                     FunctionRef<void()> trace);
 
     const SceneOnPanel& on_panel_;
     Moment moment_;

@@ -53,10 +53,10 @@ public:
     }
 
     /// Keeps those that come until end(). None of this name is kept.
-    void begin(const ContourName& name);
-    void add(std::span<const Corner> contour);
+    [[gnu::cold, gnu::noinline]] void begin(const ContourName& name);
+    [[gnu::cold, gnu::noinline]] void add(std::span<const Corner> contour);
     /// They are not kept if some are missing.
-    void end(bool are_complete);
+    [[gnu::cold, gnu::noinline]] void end(bool are_complete);
 
     /// What is taken by contours that were of use in this picture.
     std::size_t bytes_in_use() const;
@@ -71,7 +71,7 @@ private:
     Set* find(const ContourName& name) const;
     Set& set_at(std::size_t place) const { return *reinterpret_cast<Set*>(memory_ + place); }
     bool find_room(std::size_t bytes);
-    void remove_unused();
+    [[gnu::cold, gnu::noinline]] void remove_unused();
 
     std::byte* memory_ = nullptr;
     std::size_t end_ = 0;      ///< of the memory

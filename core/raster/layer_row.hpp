@@ -64,7 +64,7 @@ private:
     [[gnu::cold, gnu::noinline]] std::int32_t add_crowd(const Cluster& cluster, int row, int begin,
                                                         std::int32_t winding);
     template <class EachChain>
-    [[gnu::noinline]] std::int32_t add_large_group(EachChain each_chain, std::int32_t winding);
+    [[gnu::cold, gnu::noinline]] std::int32_t add_large_group(EachChain each_chain, std::int32_t winding);
     int end_of_group(const Cluster& cluster, int row, int begin) const;
     bool find_row_chain(const Chain& chain, int row, RowChain& found) const;
     RowEdge edge_of(const Chain& chain, int row) const;

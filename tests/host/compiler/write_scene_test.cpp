@@ -22,7 +22,7 @@ Bytes behind(const Bytes& bytes, std::size_t offset)
 Bytes rest_of(const Bytes& file)
 {
     ByteReader reader{std::span{file}.subspan(8)};
-    for (int skipped = 0; skipped < 3; ++skipped)
+    for (int skipped = 0; skipped < 4; ++skipped)
         reader.varint();
     return {reader.rest().begin(), reader.rest().end()};
 }
