@@ -68,254 +68,254 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 68628,
+        .code = 72240,
         .fixed_ram = 4,
-        .stack = 8792,
-        .cycles = 1.69,
-        .frame = 791,
-        .area = 739,
+        .stack = 8896,
+        .cycles = 1.70,
+        .frame = 790,
+        .area = 745,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                3875.1, // item
-                2842.8, // track
-                1112.4, // key
+                2368.3, // item
+                3509.2, // track
+                838.6, // key
                 0.0, // placement
-                2094.7, // law
-                3428.5, // bezier_law
+                1672.2, // law
+                4004.9, // bezier_law
                 0.0, // bone
-                1457.0, // object
-                3128.6, // stroke
+                1570.3, // object
+                6779.9, // stroke
                 0.0, // line
-                1386.1, // curve
-                676.8, // split
-                49.3, // point
+                1101.0, // curve
+                691.7, // split
+                40.7, // point
                 0.0, // wide_point
-                1081.5, // projected_point
-                469.2, // carried_point
-                1087.8, // bent_point
-                48.9, // piece
-                67.5, // wide_piece
-                308.6, // pen_piece
-                140.3, // bend
+                1032.7, // projected_point
+                409.0, // carried_point
+                971.3, // bent_point
+                215.7, // piece
+                189.1, // wide_piece
+                480.4, // pen_piece
+                188.3, // bend
                 0.0, // slight_bend
-                60.0, // placed_corner
-                347.2, // corner
-                523.8, // chain
-                11.0, // crossing
-                177.5, // kept_chain
-                638.5, // step
-                328.8, // band
-                254.7, // band_chain
-                365.4, // straight_chain
-                189.3, // border
-                213.6, // region
-                196.6, // edge_row
-                9.3, // flat_pixel
-                56.0, // chain_visit
-                792.1, // layer
+                267.3, // placed_corner
+                208.3, // corner
+                590.1, // chain
+                11.5, // crossing
+                239.1, // kept_chain
+                634.3, // step
+                487.3, // band
+                274.8, // band_chain
+                375.0, // straight_chain
+                159.0, // border
+                144.4, // region
+                199.7, // edge_row
+                1.9, // flat_pixel
+                52.9, // chain_visit
+                737.6, // layer
                 0.0, // layer_row
-                153.7, // layer_edge
-                9.8, // sum_row
-                190.4, // row_chain
-                121.2, // sum_part
-                3.6, // sum_pixel
-                251.4, // edge_group
-                126.8, // line_crossing
-                104.7, // span
-                0.0, // fill
-                1.8, // filled_pixel
-                39.8, // blended_pixel
-                49.3, // faded_pixel
+                169.6, // layer_edge
+                0.0, // sum_row
+                203.5, // row_chain
+                132.3, // sum_part
+                1.8, // sum_pixel
+                394.9, // edge_group
+                191.7, // line_crossing
+                111.0, // span
+                8.5, // fill
+                2.7, // filled_pixel
+                39.7, // blended_pixel
+                49.8, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 64940,
+        .code = 68348,
         .fixed_ram = 4,
-        .stack = 8656,
-        .cycles = 1.81,
+        .stack = 8776,
+        .cycles = 1.82,
         .frame = 403,
-        .area = 569,
+        .area = 594,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2748.6, // item
-                1468.2, // track
-                460.2, // key
+                2178.6, // item
+                1870.5, // track
+                347.5, // key
                 0.0, // placement
-                1038.9, // law
-                2227.3, // bezier_law
+                836.0, // law
+                2573.5, // bezier_law
                 0.0, // bone
-                1129.0, // object
-                1552.5, // stroke
+                735.1, // object
+                3598.8, // stroke
                 0.0, // line
-                1151.0, // curve
-                472.0, // split
-                35.3, // point
+                1053.0, // curve
+                450.3, // split
+                20.2, // point
                 0.0, // wide_point
-                282.9, // projected_point
-                356.3, // carried_point
-                657.0, // bent_point
-                38.3, // piece
-                0.4, // wide_piece
-                181.4, // pen_piece
-                0.0, // bend
+                253.1, // projected_point
+                318.1, // carried_point
+                586.6, // bent_point
+                113.7, // piece
+                52.7, // wide_piece
+                256.8, // pen_piece
+                14.0, // bend
                 0.0, // slight_bend
-                60.0, // placed_corner
-                265.7, // corner
-                423.0, // chain
-                11.0, // crossing
-                67.7, // kept_chain
-                458.8, // step
-                210.0, // band
-                209.4, // band_chain
-                316.8, // straight_chain
-                147.2, // border
-                206.6, // region
-                154.9, // edge_row
+                162.9, // placed_corner
+                205.3, // corner
+                444.6, // chain
+                11.4, // crossing
+                129.3, // kept_chain
+                461.4, // step
+                291.2, // band
+                233.7, // band_chain
+                322.7, // straight_chain
+                128.4, // border
+                174.3, // region
+                155.4, // edge_row
                 0.0, // flat_pixel
-                47.8, // chain_visit
-                597.4, // layer
+                47.0, // chain_visit
+                568.8, // layer
                 0.0, // layer_row
-                125.1, // layer_edge
-                3.1, // sum_row
-                163.5, // row_chain
-                78.6, // sum_part
-                0.6, // sum_pixel
-                143.3, // edge_group
-                101.7, // line_crossing
-                95.4, // span
-                0.0, // fill
-                1.8, // filled_pixel
-                28.1, // blended_pixel
-                34.3, // faded_pixel
+                130.2, // layer_edge
+                0.0, // sum_row
+                168.8, // row_chain
+                97.9, // sum_part
+                0.0, // sum_pixel
+                235.7, // edge_group
+                163.2, // line_crossing
+                94.5, // span
+                0.8, // fill
+                2.2, // filled_pixel
+                27.7, // blended_pixel
+                34.9, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 65004,
+        .code = 68388,
         .fixed_ram = 4,
-        .stack = 8664,
-        .cycles = 1.81,
+        .stack = 8776,
+        .cycles = 1.82,
         .frame = 402,
-        .area = 572,
+        .area = 592,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2766.5, // item
-                1469.4, // track
-                461.4, // key
+                2181.0, // item
+                1871.9, // track
+                348.8, // key
                 0.0, // placement
-                1038.6, // law
-                2224.9, // bezier_law
+                838.1, // law
+                2575.7, // bezier_law
                 0.0, // bone
-                1103.8, // object
-                1553.4, // stroke
+                718.5, // object
+                3610.5, // stroke
                 0.0, // line
-                1149.5, // curve
-                470.0, // split
-                34.6, // point
+                1049.8, // curve
+                448.9, // split
+                19.3, // point
                 0.0, // wide_point
-                284.9, // projected_point
-                356.0, // carried_point
-                657.5, // bent_point
-                39.9, // piece
-                2.0, // wide_piece
-                182.9, // pen_piece
-                0.0, // bend
+                254.9, // projected_point
+                317.1, // carried_point
+                586.8, // bent_point
+                115.2, // piece
+                54.1, // wide_piece
+                258.8, // pen_piece
+                13.8, // bend
                 0.0, // slight_bend
-                60.0, // placed_corner
-                266.8, // corner
-                426.0, // chain
-                11.1, // crossing
-                67.5, // kept_chain
-                459.5, // step
-                203.8, // band
-                210.1, // band_chain
-                318.6, // straight_chain
-                145.3, // border
-                206.7, // region
-                155.3, // edge_row
+                165.3, // placed_corner
+                206.5, // corner
+                445.5, // chain
+                11.4, // crossing
+                129.8, // kept_chain
+                465.1, // step
+                293.0, // band
+                232.2, // band_chain
+                323.0, // straight_chain
+                128.8, // border
+                177.6, // region
+                157.1, // edge_row
                 0.0, // flat_pixel
-                48.1, // chain_visit
-                600.7, // layer
+                47.0, // chain_visit
+                577.9, // layer
                 0.0, // layer_row
-                126.2, // layer_edge
-                2.2, // sum_row
-                163.0, // row_chain
-                77.3, // sum_part
-                0.2, // sum_pixel
-                149.5, // edge_group
-                102.0, // line_crossing
-                96.9, // span
+                131.1, // layer_edge
+                0.0, // sum_row
+                168.5, // row_chain
+                95.2, // sum_part
+                0.0, // sum_pixel
+                243.3, // edge_group
+                163.9, // line_crossing
+                95.9, // span
                 0.0, // fill
-                1.8, // filled_pixel
-                27.7, // blended_pixel
-                33.4, // faded_pixel
+                2.2, // filled_pixel
+                27.0, // blended_pixel
+                33.9, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 65024,
+        .code = 68408,
         .fixed_ram = 4,
-        .stack = 8656,
-        .cycles = 1.68,
+        .stack = 8768,
+        .cycles = 1.69,
         .frame = 400,
-        .area = 568,
+        .area = 589,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2747.8, // item
-                1469.5, // track
-                460.5, // key
+                2177.6, // item
+                1871.4, // track
+                347.6, // key
                 0.0, // placement
-                1037.0, // law
-                2228.2, // bezier_law
+                834.1, // law
+                2574.8, // bezier_law
                 0.0, // bone
-                1124.1, // object
-                1550.2, // stroke
+                729.8, // object
+                3597.8, // stroke
                 0.0, // line
-                1149.5, // curve
-                470.0, // split
-                35.4, // point
+                1051.4, // curve
+                448.4, // split
+                20.3, // point
                 0.0, // wide_point
-                283.9, // projected_point
-                355.7, // carried_point
-                656.0, // bent_point
-                38.5, // piece
-                0.5, // wide_piece
-                181.6, // pen_piece
-                0.0, // bend
+                254.1, // projected_point
+                317.5, // carried_point
+                585.6, // bent_point
+                113.9, // piece
+                53.0, // wide_piece
+                257.0, // pen_piece
+                14.7, // bend
                 0.0, // slight_bend
-                60.0, // placed_corner
-                265.6, // corner
-                423.2, // chain
-                11.0, // crossing
-                67.7, // kept_chain
-                459.3, // step
-                210.3, // band
-                211.7, // band_chain
-                317.5, // straight_chain
-                146.0, // border
-                209.1, // region
-                153.2, // edge_row
+                162.9, // placed_corner
+                205.1, // corner
+                444.7, // chain
+                11.4, // crossing
+                129.4, // kept_chain
+                464.8, // step
+                297.8, // band
+                234.1, // band_chain
+                321.6, // straight_chain
+                129.4, // border
+                175.4, // region
+                153.6, // edge_row
                 0.0, // flat_pixel
-                48.0, // chain_visit
-                597.2, // layer
+                47.1, // chain_visit
+                569.4, // layer
                 0.0, // layer_row
-                124.8, // layer_edge
-                3.3, // sum_row
-                163.3, // row_chain
-                79.9, // sum_part
-                0.7, // sum_pixel
-                138.9, // edge_group
-                101.2, // line_crossing
-                95.6, // span
-                0.0, // fill
-                1.7, // filled_pixel
-                28.2, // blended_pixel
-                34.4, // faded_pixel
+                129.7, // layer_edge
+                0.0, // sum_row
+                168.7, // row_chain
+                98.9, // sum_part
+                0.0, // sum_pixel
+                231.4, // edge_group
+                162.7, // line_crossing
+                95.0, // span
+                1.1, // fill
+                2.1, // filled_pixel
+                27.8, // blended_pixel
+                34.9, // faded_pixel
             }),
     },
 }};

@@ -19,7 +19,9 @@ from scenes import compile_scenes  # noqa: E402
 HOST, IMAGES = (pathlib.Path(argument) for argument in sys.argv[1:3])
 CPUS = ("cortex-m0", "cortex-m4")
 TOLERANCE = 0.15
-WIDER = {"crane": 0.21}  # the keys of its bones cost less than those of the scenes of the calibration
+# The keys of crane's bones cost less than those of the scenes of the calibration; what plot spends on the record of bands
+# that stay as they are is not counted.
+WIDER = {"crane": 0.21, "plot": 0.2}
 
 
 def estimates(scene):
