@@ -28,44 +28,37 @@ RigidPlacements::RigidPlacements(std::int32_t canvas_scale)
 {
 }
 
+std::int32_t RigidPlacements::factor(std::int32_t q16) const
+{
+    constexpr int shift = inverse_bits - fraction_bits;
+    constexpr std::int64_t limit = std::int64_t{1} << 20; // far more than the largest scale
+    const std::int64_t wide = (q16 * inverse_ + (std::int64_t{1} << (shift - 1))) >> shift;
+    return static_cast<std::int32_t>(std::clamp(wide, -limit, limit));
+}
+
 std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
 {
-    // Less than 2^most_scale_bits, and a little; Q14.
-    constexpr std::int64_t most_factor = std::int64_t{most_growth} << most_scale_bits;
-    const auto factor = [this](std::int32_t q16) {
-        constexpr int shift = inverse_bits - fraction_bits;
-        return base_ == Fixed::one ? (q16 + 2) >> 2
-                                   : (q16 * inverse_ + (std::int64_t{1} << (shift - 1))) >> shift;
-    };
-    const std::int64_t wide_xx = factor(map.xx);
-    const std::int64_t wide_yx = factor(map.yx);
-    const std::int64_t wide_xy = factor(map.xy);
-    const std::int64_t wide_yy = factor(map.yy);
-    if (!is_within(wide_xx, most_factor) || !is_within(wide_yx, most_factor) ||
-        !is_within(wide_xy, most_factor) || !is_within(wide_yy, most_factor) ||
-        !is_within(map.x0, max_shift) || !is_within(map.y0, max_shift))
-        return std::nullopt;
-    const auto xx = static_cast<std::int32_t>(wide_xx);
-    const auto yx = static_cast<std::int32_t>(wide_yx);
-    const auto xy = static_cast<std::int32_t>(wide_xy);
-    const auto yy = static_cast<std::int32_t>(wide_yy);
+    const std::int32_t xx = factor(map.xx);
+    const std::int32_t xy = factor(map.xy);
+    const std::int32_t yx = factor(map.yx);
+    const std::int32_t yy = factor(map.yy);
     const std::int32_t shear =
         std::min(std::abs(xx - yy) + std::abs(xy + yx), std::abs(xx + yy) + std::abs(xy - yx));
     const std::int64_t square = std::int64_t{xx} * xx + std::int64_t{yx} * yx;
     int bits = -most_scale_bits;
-    const auto limit = [](int scale_bits) {
-        constexpr std::int64_t most = std::int64_t{most_growth} * most_growth;
-        return scale_bits < 0 ? most >> -2 * scale_bits : most << 2 * scale_bits;
-    };
-    while (bits <= most_scale_bits && square > limit(bits))
+    constexpr std::int64_t most = std::int64_t{most_growth} * most_growth;
+    std::int64_t limit = most >> 2 * most_scale_bits;
+    for (; bits <= most_scale_bits && square > limit; limit <<= 2)
         ++bits;
-    if (bits > most_scale_bits || shear > (bits < 0 ? tolerance >> -bits : tolerance << bits))
+    const int up = bits + most_scale_bits; // from the smallest scale
+    if (bits > most_scale_bits || shear > (tolerance << up) >> most_scale_bits ||
+        !is_within(map.x0, max_shift) || !is_within(map.y0, max_shift))
         return std::nullopt;
-    const auto scaled = [bits](std::int32_t value) {
-        return bits < 0 ? value << -bits : bits == 0 ? value : (value + (1 << (bits - 1))) >> bits;
+    const auto scaled = [up](std::int32_t value) {
+        return ((value << most_scale_bits) + ((1 << up) >> 1)) >> up;
     };
     return RigidPlacement{.scale_bits = static_cast<std::int8_t>(bits),
-                          .scale = bits < 0 ? base_ >> -bits : base_ << bits,
+                          .scale = (base_ >> most_scale_bits) << up,
                           .map = {scaled(xx), scaled(xy), scaled(yx), scaled(yy),
                                   static_cast<std::int32_t>(map.x0), static_cast<std::int32_t>(map.y0)}};
 }

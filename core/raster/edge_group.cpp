@@ -111,30 +111,26 @@ bool are_in_order(std::span<const RowChain> chains)
 
 bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chain.to; }
 
-/// No part of the chain in the row lies further to the left, or to the right.
-std::int32_t left_of(const RowChain& chain)
+/// Whether no corner of a chain lies to the right of another one, or, if `sign` is -1, to the left of it, by more
+/// than what is rounded; both go through the same part of the row, and their ends lie as they must.
+[[gnu::noinline]] bool stays_beside(const RowChain& chain, const RowChain& other, std::int32_t sign)
 {
-    return has_bends(chain) ? chain.first * grid : std::min(chain.top_x, chain.bottom_x);
-}
-std::int32_t right_of(const RowChain& chain)
-{
-    return has_bends(chain) ? (chain.last + 1) * grid : std::max(chain.top_x, chain.bottom_x);
+    if (!has_bends(chain))
+        return true;
+    // All of the other one lies on this side.
+    const std::int32_t side = has_bends(other) ? (sign > 0 ? other.first : other.last + 1) * grid
+                              : sign > 0       ? std::min(other.top_x, other.bottom_x)
+                                               : std::max(other.top_x, other.bottom_x);
+    bool stays = true;
+    chain.each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
+        stays = stays && ((side - x) * sign >= 0 || (x_at(other, y) - x) * sign >= -1);
+    });
+    return stays;
 }
 
-/// Whether no corner of the one lies on the wrong side of the other, by more than what is rounded; both go
-/// through the same part of the row, and their ends lie as they must.
 bool are_apart(const RowChain& left, const RowChain& right)
 {
-    bool are_apart = true;
-    if (has_bends(left))
-        left.each_edge([&, limit = left_of(right)](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
-            are_apart = are_apart && (x <= limit || x <= x_at(right, y) + 1);
-        });
-    if (has_bends(right))
-        right.each_edge([&, limit = right_of(left)](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
-            are_apart = are_apart && (x >= limit || x >= x_at(left, y) - 1);
-        });
-    return are_apart;
+    return stays_beside(left, right, 1) && stays_beside(right, left, -1);
 }
 
 /// Whether two chains do not cross: one goes on where the other ends, or they lie on either side of a part of

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/function_ref.hpp"
 #include "core/raster/band.hpp"
 #include "core/raster/coverage.hpp"
 #include "core/raster/dirty.hpp"
@@ -53,17 +54,16 @@ private:
     void add_row(int row);
     void add_few(int row);
     void add_many(int row);
-    template <class Visit>
-    void each_left_chain(int row, Visit visit) const;
+    void each_left_chain(int row, FunctionRef<void(const RowChain&)> visit) const;
     std::int32_t add_left_of_panel(int row);
-    template <class Visit>
-    void each_chain(const Cluster& cluster, int row, Visit visit) const;
+    void each_chain(const Cluster& cluster, int row, FunctionRef<bool(const RowChain&, int)> visit) const;
     void sort_last(std::size_t count);
     std::int32_t add_groups(std::size_t& count, int limit, std::int32_t winding);
     std::int32_t add_cluster(const Cluster& cluster, int row, std::int32_t winding);
     [[gnu::cold, gnu::noinline]] std::int32_t add_crowd(const Cluster& cluster, int row, int begin,
                                                         std::int32_t winding);
-    template <class EachChain>
+    /// Calls what it is given for each chain of a group.
+    using EachChain = FunctionRef<void(FunctionRef<void(const RowChain&)>)>;
     [[gnu::cold, gnu::noinline]] std::int32_t add_large_group(EachChain each_chain, std::int32_t winding);
     int end_of_group(const Cluster& cluster, int row, int begin) const;
     bool find_row_chain(const Chain& chain, int row, RowChain& found) const;

@@ -32,8 +32,7 @@ void LayerRow::add_many(int row)
 }
 
 /// Calls visit(chain) for the chains of the layer that reach the row, or lie left of the panel in it.
-template <class Visit>
-void LayerRow::each_left_chain(int row, Visit visit) const
+void LayerRow::each_left_chain(int row, FunctionRef<void(const RowChain&)> visit) const
 {
     for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
         const Chain& chain = band_->chain(place);
@@ -69,8 +68,8 @@ std::int32_t LayerRow::add_left_of_panel(int row)
 /// Calls visit(chain, its first column in the band), until that returns false, for all chains of the layer in
 /// the cluster that reach the panel within the row. Some to the right are in a higher band, but not in a
 /// lower one. Those that begin left of the panel come in any order: for all of them the column is begin_.
-template <class Visit>
-void LayerRow::each_chain(const Cluster& cluster, int row, Visit visit) const
+void LayerRow::each_chain(const Cluster& cluster, int row,
+                          FunctionRef<bool(const RowChain&, int)> visit) const
 {
     const int right = band_->panel_width() - left_;
     for (std::uint32_t place = cluster.first; place != cluster.behind; place = band_->chain(place).next) {
@@ -117,7 +116,7 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
         if (last == no_pixel)
             return winding;
         std::size_t count = 0;
-        const auto each_of_group = [&](auto visit) {
+        const auto each_of_group = [&](FunctionRef<void(const RowChain&)> visit) {
             each_chain(cluster, row, [&](const RowChain& chain, int band_begin) {
                 if (chain.first >= begin && chain.first <= last)
                     visit(chain);
@@ -138,7 +137,6 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
 }
 
 /// Line by line, and each of these part by part.
-template <class EachChain>
 std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t winding)
 {
     int first = no_pixel;
