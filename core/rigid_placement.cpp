@@ -13,7 +13,8 @@ constexpr std::int32_t one = 1 << fraction_bits;
 /// By what lengths may grow once more when corners are placed; above 1, so that what is only turned keeps its
 /// scale although its factors are rounded.
 constexpr std::int32_t most_growth = one * 17 / 16;
-/// How far a map may be from a turn that grows, by part of its growth: pens become that much broader on a side.
+/// How far a map may be from a turn that grows, by part of its growth: pens become that much broader on a
+/// side.
 constexpr std::int32_t tolerance = one / 128;
 
 constexpr std::int64_t max_shift = std::int64_t{raster::CornerMap::max_shift} << (16 - raster::grid_bits);

@@ -8,8 +8,8 @@
 
 namespace kfast {
 
-/// How something lies on the panel that is only moved, turned, grown, and maybe mirrored: it is outlined at one
-/// of a few scales, upright, and its corners are placed from there.
+/// How something lies on the panel that is only moved, turned, grown, and maybe mirrored: it is outlined at
+/// one of a few scales, upright, and its corners are placed from there.
 struct RigidPlacement {
     std::int8_t scale_bits = 0; ///< the scale is that of the canvas, times 2^scale_bits
     std::int32_t scale = 0;     ///< Q16, in all

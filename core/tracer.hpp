@@ -25,8 +25,8 @@ public:
     {
     }
 
-    /// Reuses the layers whose outlines have not changed since the last picture; `moved` has a bit for each input
-    /// that has. Curves are coarser if the picture finds no room otherwise.
+    /// Reuses the layers whose outlines have not changed since the last picture; `moved` has a bit for each
+    /// input that has. Curves are coarser if the picture finds no room otherwise.
     void run(std::uint32_t moved);
 
 private:

@@ -17,9 +17,9 @@ namespace kfast::raster {
 
 /// Paints regions of a band.
 ///
-/// What a pixel becomes depends on the picture alone: every method lays the same layers on each other from the
-/// lowest upwards, with the same coverages. Most regions have one edge between two colours, for which there is
-/// a method of its own.
+/// What a pixel becomes depends on the picture alone: every method lays the same layers on each other from
+/// the lowest upwards, with the same coverages. Most regions have one edge between two colours, for which
+/// there is a method of its own.
 template <class Cells>
 class BandPainter {
 public:

@@ -21,15 +21,17 @@ struct ContourName {
 };
 
 /// Contours of drawings that move as a whole, before they are placed: kept from picture to picture, in memory
-/// that the caller lends. What finds no room, or what lies further away than ShortCorner tells, is not kept: to
-/// make it anew gives the same corners.
+/// that the caller lends. What finds no room, or what lies further away than ShortCorner tells, is not kept:
+/// to make it anew gives the same corners.
 ///
 ///     | set | contour: count, corners | contour | ... | set | contour | ...  free |
 class ContourCache {
 public:
     ContourCache() = default;
     /// `memory` is aligned to 4 bytes.
-    explicit ContourCache(std::span<std::byte> memory) : memory_{memory.data()}, end_{memory.size() / 4 * 4} {}
+    explicit ContourCache(std::span<std::byte> memory) : memory_{memory.data()}, end_{memory.size() / 4 * 4}
+    {
+    }
 
     /// Contours that were of use in the picture before stay; others, if room is needed.
     void begin_picture();
@@ -64,7 +66,7 @@ public:
 private:
     struct Set {
         ContourName name;
-        std::uint32_t bytes : 24; ///< with its contours
+        std::uint32_t bytes : 24;  ///< with its contours
         std::uint32_t picture : 8; ///< the last one that it was of use in
     };
 

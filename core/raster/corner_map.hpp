@@ -19,8 +19,8 @@ constexpr bool is_short(Corner corner)
            2 * half;
 }
 
-/// A turn, maybe in a mirror, a growth by at most 17/16, and a shift. Corners are rounded to nearest, halves to
-/// the right and down.
+/// A turn, maybe in a mirror, a growth by at most 17/16, and a shift. Corners are rounded to nearest, halves
+/// to the right and down.
 class CornerMap {
 public:
     static constexpr int fraction_bits = 14;

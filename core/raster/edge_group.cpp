@@ -111,8 +111,8 @@ bool are_in_order(std::span<const RowChain> chains)
 
 bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chain.to; }
 
-/// Whether no corner of a chain lies to the right of another one, or, if `sign` is -1, to the left of it, by more
-/// than what is rounded; both go through the same part of the row, and their ends lie as they must.
+/// Whether no corner of a chain lies to the right of another one, or, if `sign` is -1, to the left of it, by
+/// more than what is rounded; both go through the same part of the row, and their ends lie as they must.
 [[gnu::noinline]] bool stays_beside(const RowChain& chain, const RowChain& other, std::int32_t sign)
 {
     if (!has_bends(chain))

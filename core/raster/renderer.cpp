@@ -9,8 +9,9 @@
 namespace kfast::raster {
 namespace {
 
-/// As many rows as the granularity has, or four if it has fewer; less where a piece of four rows, as wide as the
-/// granularity, would not fit into as many rows of the panel as the granularity has, which is what is lent.
+/// As many rows as the granularity has, or four if it has fewer; less where a piece of four rows, as wide as
+/// the granularity, would not fit into as many rows of the panel as the granularity has, which is what is
+/// lent.
 int band_bits_for(Size granularity, int columns)
 {
     int bits = default_band_bits;

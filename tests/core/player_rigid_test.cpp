@@ -36,7 +36,8 @@ Bytes with_contour_bytes(std::string_view text, std::uint32_t bytes)
 {
     Bytes file = compiled(text);
     const SceneView scene = *SceneView::parse(file);
-    set_outline_needs(file, {.bytes = scene.outline_bytes(), .borders = scene.borders(), .contour_bytes = bytes});
+    set_outline_needs(file,
+                      {.bytes = scene.outline_bytes(), .borders = scene.borders(), .contour_bytes = bytes});
     return file;
 }
 
@@ -76,8 +77,10 @@ TEST_CASE("the compiler leaves room for contours of what moves as a whole, and f
     const std::string shape = "rect 5 5 10 10";
     CHECK(contour_bytes("object o fill=red { " + shape + " }") == 0);
     CHECK(contour_bytes("object o fill=red { key 0 { " + shape + " }; key 9 { rect 6 6 9 9 } }") == 0);
-    CHECK(contour_bytes("object o fill=red { " + shape + "; key 0 rotate=0; key 9 rotate=90 }") == 16 + 4 + 4 * 4);
-    CHECK(contour_bytes("symbol s { object o fill=red { " + shape + " } }\n"
+    CHECK(contour_bytes("object o fill=red { " + shape + "; key 0 rotate=0; key 9 rotate=90 }") ==
+          16 + 4 + 4 * 4);
+    CHECK(contour_bytes("symbol s { object o fill=red { " + shape +
+                        " } }\n"
                         "use s { key 0 x=0; key 9 x=9 }; use s { key 0 y=0; key 9 y=9 }") == 16 + 4 + 4 * 4);
 }
 

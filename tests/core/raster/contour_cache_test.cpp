@@ -36,7 +36,8 @@ std::optional<std::vector<Contour>> kept(ContourCache& cache, const ContourName&
 struct Room {
     static constexpr std::size_t set_bytes = 16 + 4 + 3 * 4;
 
-    explicit Room(std::size_t sets) : words(sets * set_bytes / 4 + 1), cache{std::as_writable_bytes(std::span{words})}
+    explicit Room(std::size_t sets)
+        : words(sets * set_bytes / 4 + 1), cache{std::as_writable_bytes(std::span{words})}
     {
     }
 
