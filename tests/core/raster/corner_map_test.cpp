@@ -48,8 +48,10 @@ TEST_CASE("corners lie where they are turned to, near and far")
         const std::int32_t yx = factor(std::sin(angle));
         const auto x0 = static_cast<std::int32_t>(random() % 100'000'000) - 50'000'000;
         const CornerMap map{xx, -yx, yx, xx, x0, -x0};
-        const int reach = random() % 2 == 0 ? 30'000 : 1'000'000;
-        const auto coordinate = [&] { return static_cast<std::int32_t>(random() % (2U * reach)) - reach; };
+        const std::int32_t reach = random() % 2 == 0 ? 30'000 : 1'000'000;
+        const auto coordinate = [&] {
+            return static_cast<std::int32_t>(random() % 2'000'000) % (2 * reach) - reach;
+        };
         const Corner from{coordinate(), coordinate()};
         const Corner to = map(from);
         const auto exact = [](double p, double a, double q, double b, double shift) {
