@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 namespace kfast {
 
 template <class Signature>
@@ -14,8 +12,7 @@ class FunctionRef<Return(Arguments...)> {
 public:
     template <class Function>
     FunctionRef(const Function& function)
-        : function_{std::addressof(function)}, call_{[](const void* called,
-                                                        Arguments... arguments) -> Return {
+        : function_{&function}, call_{[](const void* called, Arguments... arguments) -> Return {
               return (*static_cast<const Function*>(called))(arguments...);
           }}
     {
