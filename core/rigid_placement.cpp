@@ -12,7 +12,7 @@ constexpr std::int32_t one = 1 << fraction_bits;
 
 /// By what lengths may grow once more when corners are placed; above 1, so that what is only turned keeps its
 /// scale although its factors are rounded.
-constexpr std::int32_t most_growth = one * 17 / 16;
+constexpr std::int32_t max_growth = one * 17 / 16;
 /// How far a map may be from a turn that grows, by part of its growth: pens become that much broader on a
 /// side.
 constexpr std::int32_t tolerance = one / 128;
@@ -24,7 +24,7 @@ bool is_within(std::int64_t value, std::int64_t limit) { return value >= -limit 
 }
 
 RigidPlacements::RigidPlacements(std::int32_t canvas_scale)
-    : base_{std::max<std::int32_t>(canvas_scale >> most_scale_bits, 1) << most_scale_bits},
+    : base_{std::max<std::int32_t>(canvas_scale >> max_scale_bits, 1) << max_scale_bits},
       inverse_{(std::int64_t{1} << inverse_bits) / base_}
 {
 }
@@ -46,20 +46,21 @@ std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
     const std::int32_t shear =
         std::min(std::abs(xx - yy) + std::abs(xy + yx), std::abs(xx + yy) + std::abs(xy - yx));
     const std::int64_t square = std::int64_t{xx} * xx + std::int64_t{yx} * yx;
-    int bits = -most_scale_bits;
-    constexpr std::int64_t most = std::int64_t{most_growth} * most_growth;
-    std::int64_t limit = most >> 2 * most_scale_bits;
-    for (; bits <= most_scale_bits && square > limit; limit <<= 2)
+    int bits = -max_scale_bits;
+    constexpr std::int64_t most = std::int64_t{max_growth} * max_growth;
+    std::int64_t limit = most >> 2 * max_scale_bits;
+    for (; bits <= max_scale_bits && square > limit; limit <<= 2)
         ++bits;
-    const int up = bits + most_scale_bits; // from the smallest scale
-    if (bits > most_scale_bits || shear > (tolerance << up) >> most_scale_bits ||
+    const int up = bits + max_scale_bits; // from the smallest scale
+    const std::int64_t scale = std::int64_t{base_ >> max_scale_bits} << up;
+    if (bits > max_scale_bits || scale > Affine::steepest || shear > (tolerance << up) >> max_scale_bits ||
         !is_within(map.x0, max_shift) || !is_within(map.y0, max_shift))
         return std::nullopt;
     const auto scaled = [up](std::int32_t value) {
-        return ((value << most_scale_bits) + ((1 << up) >> 1)) >> up;
+        return ((value << max_scale_bits) + ((1 << up) >> 1)) >> up;
     };
     return RigidPlacement{.scale_bits = static_cast<std::int8_t>(bits),
-                          .scale = (base_ >> most_scale_bits) << up,
+                          .scale = static_cast<std::int32_t>(scale),
                           .map = {scaled(xx), scaled(xy), scaled(yx), scaled(yy),
                                   static_cast<std::int32_t>(map.x0), static_cast<std::int32_t>(map.y0)}};
 }

@@ -31,12 +31,12 @@ public:
     std::optional<RigidPlacement> of(const Affine& map) const;
 
 private:
-    static constexpr int most_scale_bits = 4; ///< up or down
+    static constexpr int max_scale_bits = 4; ///< up or down
 
     /// In the place of one of the map, Q14, and for the scale of the canvas.
     std::int32_t factor(std::int32_t q16) const;
 
-    std::int32_t base_;    ///< the scale of the canvas, so that 2^-most_scale_bits of it is whole
+    std::int32_t base_;    ///< the scale of the canvas, so that 2^-max_scale_bits of it is whole
     std::int64_t inverse_; ///< of it, in 2^-(16 + inverse_bits)
 };
 

@@ -181,15 +181,12 @@ void Tracer::trace_live(const ItemView& item, const ItemState& state, const Cont
 void Tracer::trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
                            const Context& context)
 {
-    const auto trace = [&](const Affine& placement, ObjectOutline& outline) {
-        did(Work::object);
-        trace_live_strokes(drawing, placement, outline);
-    };
-    if (const auto placement = rigid_placement({}, context))
-        return add_rigid_layers(style, state, *placement, context,
-                                [&](const Pen* pen) { place(*placement, pen, nullptr, trace); });
-    add_layers(
-        style, state, context, [&] { return start_of(drawing); }, trace);
+    add_live_layers(
+        style, state, context, [&] { return start_of(drawing); },
+        [&](const Affine& placement, ObjectOutline& outline) {
+            did(Work::object);
+            trace_live_strokes(drawing, placement, outline);
+        });
 }
 
 void Tracer::trace_label(const ItemView& item, const ItemState& state, const Context& context)
@@ -197,14 +194,19 @@ void Tracer::trace_label(const ItemView& item, const ItemState& state, const Con
     const SceneView& scene = on_panel_.scene;
     const LabelTrace label{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
                            scene.drawings()};
-    const auto trace = [&](const Affine& placement, ObjectOutline& outline) {
-        label.trace(placement, outline);
-    };
+    add_live_layers(
+        item.object.style, state, context, [&] { return label.start(); },
+        [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });
+}
+
+/// As add_layers(), but placed as drawings of the scene are, so that they look the same.
+void Tracer::add_live_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
+                             FunctionRef<Point()> first_point, TraceStrokes trace)
+{
     if (const auto placement = rigid_placement({}, context))
-        return add_rigid_layers(item.object.style, state, *placement, context,
+        return add_rigid_layers(style, state, *placement, context,
                                 [&](const Pen* pen) { place(*placement, pen, nullptr, trace); });
-    add_layers(
-        item.object.style, state, context, [&] { return label.start(); }, trace);
+    add_layers(style, state, context, first_point, trace);
 }
 
 /// trace(placement, outline) adds what is painted to an outline.

@@ -65,6 +65,8 @@ private:
     raster::PaintStep& add_step(raster::PaintStep::Kind kind, const Context& context);
     void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
                     FunctionRef<Point()> first_point, TraceStrokes trace);
+    void add_live_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
+                         FunctionRef<Point()> first_point, TraceStrokes trace);
     void add_rigid_layers(const ObjectStyle& style, const ItemState& state, const RigidPlacement& placement,
                           const Context& context, FunctionRef<void(const Pen*)> trace);
     void place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache,

@@ -1,12 +1,14 @@
 #include "core/player.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/work.hpp"
 #include "host/compiler/header.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/rounds.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <doctest/doctest.h>
 #include <random>
@@ -90,7 +92,21 @@ TEST_CASE("contours that have room are not made anew in each picture")
     stage.player.show_moment(Time::frame(3));
     const std::size_t bytes = stage.player.picture().contours.bytes_in_use();
     CHECK(bytes > 0);
-    stage.player.show_moment(Time::frame(4));
+    const auto curves_at = [](Stage& shown, int frame) {
+        class Tally : public WorkTally {
+        public:
+            std::uint32_t* counts_for(std::uint32_t) override { return all.data(); }
+
+            std::array<std::uint32_t, work_kinds> all{};
+        } tally;
+        tally.counts = tally.all.data();
+        work_tally = &tally;
+        shown.player.show_moment(Time::frame(frame));
+        work_tally = nullptr;
+        return tally.all[static_cast<std::size_t>(Work::curve)];
+    };
+    Stage without_room{with_contour_bytes(mover, 0), {60, 40}};
+    CHECK(curves_at(stage, 4) < curves_at(without_room, 4)); // what is squashed is made in its place
     CHECK(stage.player.picture().contours.bytes_in_use() == bytes);
 }
 

@@ -59,7 +59,12 @@ TEST_CASE("what is sheared, squashed or far away is not rigid")
     CHECK_FALSE(placements.of({.xx = Affine::steepest, .yy = Affine::steepest}));
     CHECK_FALSE(placements.of({.xx = -Affine::steepest, .yy = -Affine::steepest}));
     CHECK(placements.of({.x0 = std::int64_t{8000} * Fixed::one}));
-    CHECK(placements.of({.xx = -Fixed::one})); // a mirror
+    CHECK(placements.of({.xx = -Fixed::one}));            // a mirror
+    const RigidPlacements of_one_pixel{Affine::steepest}; // on 4096
+    CHECK(of_one_pixel.of({.xx = Affine::steepest, .yy = Affine::steepest}));
+    CHECK_FALSE(
+        RigidPlacements{Affine::steepest / 2}.of({.xx = Affine::steepest, .yy = Affine::steepest / 2}));
+    CHECK(RigidPlacements{Affine::steepest / 2}.of({.xx = Affine::steepest, .yy = Affine::steepest}));
 }
 
 TEST_CASE("corners are placed where the map places points")

@@ -309,6 +309,27 @@ TEST_CASE("two sides of a tip that cross where one of them bends are no more tha
         CHECK(std::abs(filled({24, 8}, crossed, rule).at(8, 4) - 70) <= 24); // by eight lines
 }
 
+TEST_CASE("any number of edges in a few pixels cover no more than what is inside")
+{
+    constexpr int spikes = 60;
+    const auto star = [](double turn) {
+        std::vector<Spot> corners;
+        for (int i = 0; i < 2 * spikes; ++i) {
+            const double angle = turn + i * 3.14159265 / spikes;
+            const double radius = i % 2 == 0 ? 2.4 : 0.6;
+            corners.push_back({3 + radius * std::cos(angle), 3 + radius * std::sin(angle)});
+        }
+        return polygon(corners);
+    };
+    const std::vector<Polygon> two{star(0), star(0.013)}; // windings of 2, so that areas do not add up
+    for (const FillRule rule : {FillRule::nonzero, FillRule::even_odd}) {
+        const CoveragePicture picture = filled({6, 6}, two, rule);
+        for (int y = 0; y < 6; ++y)
+            for (int x = 0; x < 6; ++x)
+                CHECK(std::abs(picture.at(x, y) - sampled(two, x, y, rule).coverage) <= 32);
+    }
+}
+
 TEST_CASE("lines across all that is held bend as they must")
 {
     const Polygon wedge = polygon({{-16383, 0.5}, {16383, 1.6}, {-16383, 2.7}});

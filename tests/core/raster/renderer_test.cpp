@@ -211,6 +211,45 @@ TEST_CASE("rows that nothing reaches which has changed are not sent, and bands a
     work_tally = nullptr;
 }
 
+/// All rows of what the renderer shows, from a row on.
+std::vector<std::byte> rows_of(OwnedRenderer& renderer, int first_row)
+{
+    constexpr int rows = 50;
+    constexpr std::size_t stride = 60 * 2;
+    std::vector<std::uint32_t> words(stride * rows / 4);
+    const auto pixels =
+        std::as_writable_bytes(std::span{words}).first(stride * static_cast<std::size_t>(rows - first_row));
+    renderer->draw_rows<PixelFormat::rgb565>(first_row, rows - first_row, pixels);
+    return {pixels.begin(), pixels.end()};
+}
+
+TEST_CASE("rows of a picture do not go on where those of the one before ended")
+{
+    OwnedRenderer renderer{needs_of({}), {60, 50}};
+    OwnedRenderer fresh{needs_of({}), {60, 50}};
+    show_rectangles(*renderer, {5, 3, 30, 20});
+    std::vector<std::uint32_t> words(60 * 8 / 2);
+    renderer->draw_rows<PixelFormat::rgb565>(0, 8, std::as_writable_bytes(std::span{words}));
+    show_rectangles(*renderer, {20, 12, 30, 15});
+    show_rectangles(*fresh, {20, 12, 30, 15});
+    CHECK(rows_of(renderer, 8) == rows_of(fresh, 8));
+}
+
+TEST_CASE("a record of bands of one height tells nothing of bands of another")
+{
+    OwnedRenderer renderer{needs_of({}), {60, 50}};
+    OwnedRenderer fresh{needs_of({}), {60, 50}};
+    PanelModel<PixelFormat::rgb565> high{{60, 50}, {8, 8}};
+    show_rectangles(*renderer, {5, 3, 30, 20});
+    high.take(*renderer, 8);
+    rows_of(renderer, 0); // bands of four rows
+    show_rectangles(*renderer, {20, 12, 30, 15});
+    PanelModel<PixelFormat::rgb565> low{{60, 50}, {1, 1}}; // knows nothing: all of it must come
+    low.take(*renderer, 8);
+    show_rectangles(*fresh, {20, 12, 30, 15});
+    CHECK(low.pixels() == rows_of(fresh, 0));
+}
+
 TEST_CASE("what was kept makes no difference to what a picture needs, nor to whether it is full")
 {
     int kept = 0;
