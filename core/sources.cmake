@@ -82,6 +82,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer_block.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/simplify.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/rigid_placement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp

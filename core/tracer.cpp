@@ -143,16 +143,19 @@ void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const Rig
         name.miter_limit = static_cast<std::uint8_t>(pen->miter_limit);
     }
     raster::ContourCache& cache = picture_.contours;
-    if (moves && cache.each_contour(name, [&](std::span<const raster::ShortCorner> contour) {
-            picture_.outlines.add(contour, placement.map);
-        }))
-        return;
-    if (moves)
-        cache.begin(name);
-    place(placement, pen, moves ? &cache : nullptr,
-          [&](const Affine& upright, ObjectOutline& outline) { strokes.trace_drawing(upright, outline); });
-    if (moves)
-        cache.end(!picture_.outlines.is_full());
+    picture_.outlines.place_contours(placement.map, &name, moves ? &cache : nullptr);
+    if (!moves || !cache.each_contour(name, [&](const raster::KeptContour& contour) {
+            picture_.outlines.add(contour);
+        })) {
+        if (moves)
+            cache.begin(name);
+        trace_upright(placement, pen, [&](const Affine& upright, ObjectOutline& outline) {
+            strokes.trace_drawing(upright, outline);
+        });
+        if (moves)
+            cache.end(!picture_.outlines.is_full());
+    }
+    picture_.outlines.end_placed();
 }
 
 /// Points come as they are seen, and lines stay straight.
@@ -204,8 +207,11 @@ void Tracer::add_live_layers(const ObjectStyle& style, const ItemState& state, c
                              FunctionRef<Point()> first_point, TraceStrokes trace)
 {
     if (const auto placement = rigid_placement({}, context))
-        return add_rigid_layers(style, state, *placement, context,
-                                [&](const Pen* pen) { place(*placement, pen, nullptr, trace); });
+        return add_rigid_layers(style, state, *placement, context, [&](const Pen* pen) {
+            picture_.outlines.place_contours(placement->map, nullptr, nullptr);
+            trace_upright(*placement, pen, trace);
+            picture_.outlines.end_placed();
+        });
     add_layers(style, state, context, first_point, trace);
 }
 
@@ -240,16 +246,13 @@ void Tracer::add_rigid_layers(const ObjectStyle& style, const ItemState& state,
     add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context, [&] { trace(&pen); });
 }
 
-/// Contours that trace(upright placement, outline) adds, in their place.
-void Tracer::place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache,
-                   TraceStrokes trace)
+/// Contours that trace(upright placement, outline) adds.
+void Tracer::trace_upright(const RigidPlacement& placement, const Pen* pen, TraceStrokes trace)
 {
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
     if (pen != nullptr)
         outline.stroke_with(*pen);
-    picture_.outlines.place_contours(&placement.map, cache);
     trace(placement.upright(), outline);
-    picture_.outlines.place_contours(nullptr, nullptr);
 }
 
 raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context& context)

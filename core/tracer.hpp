@@ -69,8 +69,7 @@ private:
                          FunctionRef<Point()> first_point, TraceStrokes trace);
     void add_rigid_layers(const ObjectStyle& style, const ItemState& state, const RigidPlacement& placement,
                           const Context& context, FunctionRef<void(const Pen*)> trace);
-    void place(const RigidPlacement& placement, const Pen* pen, raster::ContourCache* cache,
-               TraceStrokes trace);
+    void trace_upright(const RigidPlacement& placement, const Pen* pen, TraceStrokes trace);
     [[gnu::noinline]] void add_layer(Part part, Colour colour, FillRule rule, const Context& context,
                                      FunctionRef<void()> trace);
 

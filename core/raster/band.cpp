@@ -140,8 +140,10 @@ void Band::find_columns(Chain& chain) const
 
 const Crossing* Band::crossings_of_line(const Chain& chain, BandCrossings& room) const
 {
-    for (int row = 0; row <= 1 << store_->band_bits(); ++row)
-        room[static_cast<std::size_t>(row)] = crossing(chain, row);
+    const StraightLine& line = store_->line(chain);
+    const int row = floor_pixel(top_);
+    for (int below = 0; below <= 1 << store_->band_bits(); ++below)
+        room[static_cast<std::size_t>(below)] = crossing_of(chain, line, row + below);
     return room.data();
 }
 

@@ -97,15 +97,28 @@ private:
         Cell* at = tile.cells;
         CoverageRun run;
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
+            if (row != 0 && x[0] == x[1] && x[0] == x[-1]) { // as the row above
+                repeat(at - tile.stride, tile.columns, at);
+                continue;
+            }
             cover(edge_between(x[0] - start, x[1] - start), tile.columns, run);
-            fill(at, run.begin, left);
+            Cell* cell = at;
+            for (const Cell* const end = at + run.begin; cell != end; ++cell)
+                *cell = left;
             const std::uint16_t* coverage = run.pixels.data();
-            for (int pixel = run.begin; pixel != run.end; ++pixel)
-                at[pixel] = Cells::cell(
+            for (const Cell* const end = at + run.end; cell != end; ++cell)
+                *cell = Cells::cell(
                     Cells::mixed(below, ink, Cells::share(inside_coverage(*coverage++, is_inside))));
-            fill(at + run.end, tile.columns - run.end, right);
+            for (const Cell* const end = at + tile.columns; cell != end; ++cell)
+                *cell = right;
         }
         return true;
+    }
+
+    static void repeat(const Cell* from, int count, Cell* to)
+    {
+        for (const Cell* const end = from + count; from != end; ++from, ++to)
+            *to = *from;
     }
 
     /// Of a pixel that an edge crosses, `right` of it to the right of the edge; the layer is inside on its

@@ -63,18 +63,19 @@ void ContourCache::begin(const ContourName& name)
     used_ += sizeof(Set);
 }
 
-void ContourCache::add(std::span<const Corner> contour)
+void ContourCache::add(std::span<const Corner> contour, std::size_t room)
 {
-    const std::size_t bytes = sizeof(std::uint32_t) + contour.size() * sizeof(ShortCorner);
+    const std::size_t bytes = sizeof(Counts) + contour.size() * sizeof(ShortCorner);
     if (!is_coming_)
         return;
-    if (!std::ranges::all_of(contour, is_short) || !find_room(bytes)) {
+    if (room > 0xFFFF || !std::ranges::all_of(contour, is_short) || !find_room(bytes)) {
         is_coming_ = false;
         used_ = coming_;
         return;
     }
-    new (memory_ + used_) std::uint32_t{static_cast<std::uint32_t>(contour.size())};
-    auto* out = reinterpret_cast<ShortCorner*>(memory_ + used_ + sizeof(std::uint32_t));
+    new (memory_ + used_)
+        Counts{static_cast<std::uint16_t>(contour.size()), static_cast<std::uint16_t>(room)};
+    auto* out = reinterpret_cast<ShortCorner*>(memory_ + used_ + sizeof(Counts));
     for (const Corner& corner : contour)
         new (out++) ShortCorner{static_cast<std::int16_t>(corner.x), static_cast<std::int16_t>(corner.y)};
     used_ += bytes;

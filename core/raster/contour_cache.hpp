@@ -18,13 +18,25 @@ struct ContourName {
     std::uint8_t coarseness = 0;
 
     friend constexpr bool operator==(const ContourName&, const ContourName&) = default;
+
+    void add_to(Fingerprint& fingerprint) const
+    {
+        fingerprint.add(static_cast<std::int32_t>(drawing), half_width);
+        fingerprint.add(pen << 8 | miter_limit, scale_bits << 8 | coarseness);
+    }
+};
+
+/// A contour before it is placed.
+struct KeptContour {
+    std::span<const ShortCorner> corners;
+    std::size_t room; ///< for as many corners is needed until it is simplified
 };
 
 /// Contours of drawings that move as a whole, before they are placed: kept from picture to picture, in memory
 /// that the caller lends. What finds no room, or what lies further away than ShortCorner tells, is not kept:
 /// to make it anew gives the same corners.
 ///
-///     | set | contour: count, corners | contour | ... | set | contour | ...  free |
+///     | set | contour: counts, corners | contour | ... | set | contour | ...  free |
 class ContourCache {
 public:
     ContourCache() = default;
@@ -36,7 +48,7 @@ public:
     /// Contours that were of use in the picture before stay; others, if room is needed.
     void begin_picture();
 
-    /// If they are kept, calls visit(span of ShortCorner) for each of the contours, and returns true.
+    /// If they are kept, calls visit(KeptContour) for each of them, and returns true.
     template <class Visit>
     bool each_contour(const ContourName& name, Visit visit)
     {
@@ -46,17 +58,18 @@ public:
         set->picture = picture_;
         const std::byte* at = reinterpret_cast<const std::byte*>(set + 1);
         for (const std::byte* const end = at + set->bytes - sizeof(Set); at != end;) {
-            const auto count = *reinterpret_cast<const std::uint32_t*>(at);
-            at += sizeof(std::uint32_t);
-            visit(std::span{reinterpret_cast<const ShortCorner*>(at), count});
-            at += count * sizeof(ShortCorner);
+            const auto& counts = *reinterpret_cast<const Counts*>(at);
+            at += sizeof(Counts);
+            visit(KeptContour{{reinterpret_cast<const ShortCorner*>(at), counts.corners}, counts.room});
+            at += counts.corners * sizeof(ShortCorner);
         }
         return true;
     }
 
     /// Keeps those that come until end(). None of this name is kept.
     [[gnu::cold, gnu::noinline]] void begin(const ContourName& name);
-    [[gnu::cold, gnu::noinline]] void add(std::span<const Corner> contour);
+    /// A contour that is simplified; `room` as in KeptContour.
+    [[gnu::cold, gnu::noinline]] void add(std::span<const Corner> contour, std::size_t room);
     /// They are not kept if some are missing.
     [[gnu::cold, gnu::noinline]] void end(bool are_complete);
 
@@ -68,6 +81,11 @@ private:
         ContourName name;
         std::uint32_t bytes : 24;  ///< with its contours
         std::uint32_t picture : 8; ///< the last one that it was of use in
+    };
+
+    struct Counts {
+        std::uint16_t corners;
+        std::uint16_t room; ///< as in KeptContour
     };
 
     Set* find(const ContourName& name) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/raster/fingerprint.hpp"
 #include "core/raster/grid.hpp"
 
 #include <cstdint>
@@ -51,6 +52,14 @@ public:
             return static_cast<std::int32_t>(sum >> fraction_bits);
         };
         return {placed(xx_, xy_, x_rest_) + x_, placed(yx_, yy_, y_rest_) + y_};
+    }
+
+    void add_to(Fingerprint& fingerprint) const
+    {
+        fingerprint.add(xx_, xy_);
+        fingerprint.add(yx_, yy_);
+        fingerprint.add(x_, x_rest_);
+        fingerprint.add(y_, y_rest_);
     }
 
 private:

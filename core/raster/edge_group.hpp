@@ -61,8 +61,8 @@ private:
 
     /// Compares by place, then by the order of add().
     struct Crossing {
-        std::int32_t x2 = 0; ///< 2 x, or 2 x + 1 if the outline runs up there
-        std::int32_t number = -1;
+        std::int32_t x2; ///< 2 x, or 2 x + 1 if the outline runs up there
+        std::int32_t number;
 
         friend constexpr auto operator<=>(const Crossing&, const Crossing&) = default;
     };
@@ -74,7 +74,7 @@ private:
     std::size_t count_ = 0;
     bool has_more_ = false;
     bool is_first_ = true;
-    Crossing before_; ///< the last one of the parts before
+    Crossing before_{}; ///< the last one of the parts before
     std::array<Crossing, max_count> crossings_;
 };
 

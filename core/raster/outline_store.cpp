@@ -162,11 +162,10 @@ void OutlineStore::close()
 void OutlineStore::add_contour()
 {
     std::int32_t columns = 0;
-    for (const Corner* corner = first_corner(); corner != corners_end_; ++corner) {
-        layer_->fingerprint.add(*corner);
+    for (const Corner* corner = first_corner(); corner != corners_end_; ++corner)
         columns |= corner->x + margin;
-    }
-    layer_->fingerprint.end_contour();
+    if (!is_named_)
+        layer_->fingerprint.add(std::span<const Corner>{first_corner(), corners_end_});
     const bool is_near = is_large_ ? has_short_edges(first_corner(), corners_end_) : (columns & -reach) == 0;
     std::byte* const mark = chains_;
     if (find_room(0) && !add_runs(is_near)) {
@@ -221,37 +220,37 @@ bool OutlineStore::add_runs(bool is_near)
 /// room any more, if that is wanted. Level edges between two runs belong to the one before them.
 bool OutlineStore::find_runs(Corner* first, Corner* last, bool frees_corners)
 {
-    Corner* end = last;   // of the run
-    Corner* begin = last; // as far as it is known; level edges may precede it
-    std::int32_t sense = 0;
-    bool was_long = false;
-    Reach reached{*last};
-    for (Corner* corner = last; corner != first;) {
-        const std::int32_t rise = corner->y - corner[-1].y;
-        const bool is_long = std::abs(rise) > long_edge;
-        const bool turns = rise != 0 && sense != 0 && (rise ^ sense) < 0;
-        const bool is_far = is_large_ && !reached.take(corner[-1]);
-        if (turns || (corner != end && (is_long || was_long || is_far))) {
-            if (turns)
-                corner = begin;
-            if (!add_run(corner, end, sense > 0))
-                return false;
-            if (frees_corners)
-                corners_end_ = corner + 1;
-            end = corner;
-            sense = 0;
-            was_long = false;
-            reached = Reach{*corner};
-            continue;
-        }
-        --corner;
-        if (rise != 0) {
-            sense = rise;
-            begin = corner;
-        }
-        was_long = is_long;
+    for (Corner* end = last; end != first;) {
+        Corner* const begin = begin_of_run(first, end);
+        if (!add_run(begin, end, begin->y < end->y))
+            return false;
+        if (frees_corners)
+            corners_end_ = begin + 1;
+        end = begin;
     }
-    return add_run(first, end, sense > 0);
+    return true;
+}
+
+/// Of the run that ends at `end`.
+Corner* OutlineStore::begin_of_run(Corner* first, Corner* end) const
+{
+    Reach reached{*end};
+    const auto is_in_reach = [&](const Corner& corner) { return !is_large_ || reached.take(corner); };
+    Corner* begin = end - 1;
+    is_in_reach(*begin); // or it is cut later
+    while (begin != first && begin->y == end->y && is_in_reach(begin[-1]))
+        --begin;
+    const std::int32_t rise = end->y - begin->y;
+    if (std::abs(rise) > long_edge)
+        return begin + 1 == end ? begin : begin + 1;
+    const std::int32_t sense = rise < 0 ? -1 : 1;
+    const auto next_rise = [&] { return (begin->y - begin[-1].y) * sense; };
+    while (begin != first && static_cast<std::uint32_t>(next_rise()) <= long_edge && is_in_reach(begin[-1]))
+        --begin;
+    if (rise != 0 && begin != first && next_rise() < 0)
+        while (begin->y == begin[1].y)
+            ++begin;
+    return begin;
 }
 
 /// Level edges at an end that lies on the border of a band, however high it is, tell nothing of the band.

@@ -48,11 +48,13 @@ public:
     void add_behind(Corner corner);
     /// Joins the last corner to the first.
     void close();
-    /// From now on, contours are placed by `map` when they are closed, and kept in `cache` as they came in.
-    /// As they are, and nowhere, if these are null; `cache` is if `map` is.
-    void place_contours(const CornerMap* map, ContourCache* cache);
-    /// Adds a contour, placed.
-    void add(std::span<const ShortCorner> contour, const CornerMap& map);
+    /// From now on, contours are simplified when they are closed, kept in `cache`, and placed by `map`. Their
+    /// name tells them from others in this layer of other pictures. There need not be a name, nor a cache.
+    void place_contours(const CornerMap& map, const ContourName* name, ContourCache* cache);
+    /// Adds a contour that was kept.
+    void add(const KeptContour& contour);
+    /// Contours stay where they come in again.
+    void end_placed();
 
     /// Puts all chains back into the state in which a picture is drawn from its first band on, of 2^band_bits
     /// rows: to draw it changes them.
@@ -127,6 +129,7 @@ private:
     Corner* first_turn() const;
     bool add_runs(bool is_near);
     bool find_runs(Corner* first, Corner* last, bool frees_corners);
+    Corner* begin_of_run(Corner* first, Corner* end) const;
     bool add_run(Corner* first, Corner* last, bool runs_down);
     bool add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step);
     bool add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step);
@@ -150,6 +153,7 @@ private:
     std::size_t waiting_ = 0;        ///< bytes of layers that were kept and have not been reused
     const CornerMap* map_ = nullptr; ///< of contours that come in
     ContourCache* cache_ = nullptr;  ///< that keeps them
+    bool is_named_ = false;          ///< they are
     std::span<std::uint32_t> heads_;
     std::size_t size_ = 0;
     std::size_t needed_ = 0;

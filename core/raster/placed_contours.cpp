@@ -1,25 +1,39 @@
 // What an OutlineStore takes in before it lies where it is seen.
 
 #include "core/raster/outline_store.hpp"
+#include "core/raster/simplify.hpp"
 
 #include "core/work.hpp"
 
 namespace kfast::raster {
 
-void OutlineStore::place_contours(const CornerMap* map, ContourCache* cache)
+void OutlineStore::place_contours(const CornerMap& map, const ContourName* name, ContourCache* cache)
 {
-    map_ = map;
+    map_ = &map;
     cache_ = cache;
+    is_named_ = name != nullptr;
+    if (!is_named_ || layer_ == nullptr)
+        return;
+    name->add_to(layer_->fingerprint);
+    map.add_to(layer_->fingerprint);
 }
 
-void OutlineStore::add(std::span<const ShortCorner> contour, const CornerMap& map)
+void OutlineStore::end_placed()
 {
-    did(Work::placed_corner, static_cast<std::uint32_t>(contour.size()));
-    if (contour.size() > static_cast<std::size_t>(behind_ - corners_end_))
+    map_ = nullptr;
+    cache_ = nullptr;
+    is_named_ = false;
+}
+
+void OutlineStore::add(const KeptContour& contour)
+{
+    did(Work::placed_corner, static_cast<std::uint32_t>(contour.corners.size()));
+    if (contour.room > static_cast<std::size_t>(behind_ - corners_end_) || !find_room(contour.room * sizeof(Corner)))
         is_full_ = true;
     if (is_full_)
         return begin_contour();
-    for (const ShortCorner corner : contour)
+    const CornerMap map = *map_;
+    for (const ShortCorner corner : contour.corners)
         *corners_end_++ = map(corner);
     add_contour();
 }
@@ -27,10 +41,13 @@ void OutlineStore::add(std::span<const ShortCorner> contour, const CornerMap& ma
 /// All corners of the contour that is coming in.
 void OutlineStore::place_corners()
 {
+    const auto room = static_cast<std::size_t>(corners_end_ - first_corner());
+    find_room(0);
+    corners_end_ = simplify(first_corner(), corners_end_);
     const std::span<Corner> corners{first_corner(), corners_end_};
     did(Work::placed_corner, static_cast<std::uint32_t>(corners.size()));
     if (cache_ != nullptr)
-        cache_->add(corners);
+        cache_->add(corners, room);
     for (Corner& corner : corners)
         corner = (*map_)(corner);
 }

@@ -71,8 +71,6 @@ int Record::unknown_count(int bands) const
 
 std::span<const Record::Border> Record::begin_band(int band)
 {
-    if (!is_apart_)
-        make_room();
     const std::size_t count = is_known(band) ? counts_[static_cast<std::size_t>(band)] : 0U;
     const std::span<const Border> shown{read_, count};
     read_ += count;
@@ -84,6 +82,8 @@ std::span<const Record::Border> Record::begin_band(int band)
 
 void Record::add(const Chain& chain)
 {
+    if (band_end_ == read_ && !is_apart_)
+        make_room();
     has_room_ = has_room_ && band_end_ != read_ && chain.layer <= max_layer;
     if (!has_room_)
         return;

@@ -243,6 +243,8 @@ void Renderer::draw_tile(const Tile<Cells>& tile)
     const int right = tile.left + tile.columns;
     const Region* const end = regions_.end();
     const Region* region = next_region_;
+    if (region != end && region->begin <= tile.left && region->end >= right)
+        return painter.paint(*region, tile);
     Region gap; // what lies between two regions, in a window that takes in both
     Tile<Cells> part = tile;
     while (part.left < right) {
