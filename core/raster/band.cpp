@@ -97,54 +97,49 @@ void Band::move_on(Chain& chain, int bands)
 /// alike.
 void Band::find_columns(Chain& chain) const
 {
+    if (chain.top > top_ || chain.bottom < bottom_)
+        return find_part(chain);
+    const std::int32_t height = bottom_ - top_;
+    chain.is_whole = true;
+    chain.rows = all_rows;
+    chain.height = static_cast<std::int16_t>(chain.runs_down ? height : -height);
+    find_range(chain, 0, floor_pixel(height), bottom_);
+}
+
+/// Of a chain that begins or ends in the band.
+void Band::find_part(Chain& chain) const
+{
     const std::int32_t from = std::max(top_, chain.top);
     const std::int32_t to = std::min(bottom_, chain.bottom);
     const int first = floor_pixel(from - top_);
     const int last = ceil_pixel(to - top_);
-    std::int32_t low = 0;
-    std::int32_t high = 0;
-    chain.is_whole = to - from == bottom_ - top_;
-    chain.rows = all_rows;
-    if (!chain.is_whole && store_->band_bits() <= default_band_bits)
-        chain.rows = row_mask(first, std::max(last, first + 1));
-    if (chain.is_straight) {
-        low = crossing(chain, first);
-        high = crossing(chain, last);
-        if (low > high)
-            std::swap(low, high);
-    } else {
-        const Crossing* x = kept_crossings(chain) + first;
-        low = high = *x;
-        const auto reach = [&low, &high](std::int32_t at) {
-            if (at < low)
-                low = at;
-            else if (at > high)
-                high = at;
-        };
-        for (const Crossing* const end = x + (last - first); x != end;)
-            reach(*++x);
-        const auto end = static_cast<std::uint32_t>(to - (chain.top & -grid));
-        for (const Bend* bend = bends(chain); bend->y <= end; --bend) {
-            reach(bend->x);
-            chain.is_whole = false;
-        }
-    }
+    chain.is_whole = false;
+    chain.rows = store_->band_bits() <= default_band_bits ? row_mask(first, std::max(last, first + 1)) : all_rows;
     const bool is_cut = chain.bottom == panel_.height * grid; // what is cut off would go on through the band
     const std::int32_t height = (is_cut ? bottom_ : to) - from;
     chain.height = static_cast<std::int16_t>(chain.runs_down ? height : -height);
-    const int begin = floor_pixel(low) + chain.left;
-    const int end = floor_pixel(high) + chain.left + 1;
-    chain.begin = static_cast<std::int16_t>(std::max(begin, 0));
-    chain.end = static_cast<std::int16_t>(std::max(end, 1));
+    find_range(chain, first, last, to);
 }
 
-const Crossing* Band::crossings_of_line(const Chain& chain, BandCrossings& room) const
+/// The columns, by the crossings `first` to `last` and the bends down to `bottom`.
+void Band::find_range(Chain& chain, int first, int last, std::int32_t bottom) const
 {
-    const StraightLine& line = store_->line(chain);
-    const int row = floor_pixel(top_);
-    for (int below = 0; below <= 1 << store_->band_bits(); ++below)
-        room[static_cast<std::size_t>(below)] = crossing_of(chain, line, row + below);
-    return room.data();
+    const Crossing* x = crossings(chain) + first;
+    std::int32_t low = *x;
+    std::int32_t high = low;
+    for (const Crossing* const end = x + (last - first); x != end;) {
+        const std::int32_t at = *++x;
+        low = at < low ? at : low;
+        high = at > high ? at : high;
+    }
+    const auto end = static_cast<std::uint32_t>(bottom - (chain.top & -grid));
+    for (const Bend* bend = bends(chain); bend->y <= end; --bend) {
+        low = std::min<std::int32_t>(low, bend->x);
+        high = std::max<std::int32_t>(high, bend->x);
+        chain.is_whole = false;
+    }
+    chain.begin = static_cast<std::int16_t>(std::max(floor_pixel(low) + chain.left, 0));
+    chain.end = static_cast<std::int16_t>(std::max(floor_pixel(high) + chain.left + 1, 1));
 }
 
 /// Mostly behind the one that came before: chains come in the order of the band above, or follow each other
@@ -154,6 +149,8 @@ void Band::insert(std::uint32_t place)
     Chain& added = chain(place);
     work_for(steps_[added.layer].item);
     did(added.is_straight ? Work::straight_chain : Work::band_chain);
+    if (added.is_straight)
+        find_crossings(added, store_->line(added), floor_pixel(top_), 1 << store_->band_bits());
     find_columns(added);
     if (added.begin >= panel_.width) {
         added.next = std::exchange(hidden_, place);

@@ -40,27 +40,17 @@ public:
     std::uint32_t first() const { return first_; }
     Chain& chain(std::uint32_t place) const { return store_->chain(place); }
     /// x where the chain crosses the band's upper border, in the grid; then come the borders below. Only
-    /// those within the chain mean anything. They are put into `room`, if they are not kept.
-    const Crossing* crossings(const Chain& chain, BandCrossings& room) const
-    {
-        return chain.is_straight ? crossings_of_line(chain, room) : kept_crossings(chain);
-    }
-    /// Likewise of a chain that is not straight.
-    const Crossing* kept_crossings(const Chain& chain) const { return store_->crossing(chain.crossings); }
-    /// Of these, the one at the border above a row of the band.
-    Crossing crossing(const Chain& chain, int row) const
-    {
-        return chain.is_straight ? crossing_of(chain, store_->line(chain), floor_pixel(top_) + row)
-                                 : kept_crossings(chain)[row];
-    }
+    /// those within the chain mean anything.
+    const Crossing* crossings(const Chain& chain) const { return store_->crossing(chain.crossings); }
     const Bend* bends(const Chain& chain) const { return store_->bend(chain.bends); }
 
 private:
     [[gnu::noinline]] void take(std::uint32_t list, int bands_above);
     void move_on(Chain& chain, int bands);
     void find_columns(Chain& chain) const;
+    void find_part(Chain& chain) const;
+    void find_range(Chain& chain, int first, int last, std::int32_t bottom) const;
     void insert(std::uint32_t place);
-    const Crossing* crossings_of_line(const Chain& chain, BandCrossings& room) const;
 
     const OutlineStore* store_ = nullptr;
     std::uint32_t first_ = Chain::none;

@@ -92,8 +92,7 @@ private:
         work_for(slots_.layer(chain.slot).coming->item);
         did(Work::edge_row, static_cast<std::uint32_t>(tile.rows));
         const std::int32_t start = (tile.left - chain.left) * grid;
-        BandCrossings room;
-        const Crossing* x = band_.crossings(chain, room) + tile.first_row;
+        const Crossing* x = band_.crossings(chain) + tile.first_row;
         Cell* at = tile.cells;
         CoverageRun run;
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
@@ -162,50 +161,50 @@ private:
         did(Work::layer);
         const auto number = static_cast<std::uint16_t>(&step - steps_.data());
         const bool has_edges = row_.begin(band_, region, number, step.rule, tile.left, tile.columns);
+        did(Work::layer_row, static_cast<std::uint32_t>(tile.rows));
+        const bool is_inside = has_edges && row_.is_inside_at_left();
         Cell* at = tile.cells;
         for (int row = 0; row != tile.rows; ++row, at += tile.stride) {
-            did(Work::layer_row);
             if (!has_edges)
-                lay(at, 0, tile.columns, coat.ink, coat.opacity);
+                lay(at, at + tile.columns, coat.ink, coat.opacity);
             else if (row_.find_edges(tile.first_row + row))
-                lay_between_edges(at, tile.columns, coat);
+                lay_between_edges(at, tile.columns, coat, is_inside);
             else
                 row_.sum_up(tile.first_row + row, [at, &coat](int begin, int end, std::int32_t coverage) {
                     did(Work::span);
-                    lay(at, begin, end, coat.ink, coat.share_of(coverage));
+                    lay(at + begin, at + end, coat.ink, coat.share_of(coverage));
                 });
         }
     }
 
-    void lay_between_edges(Cell* at, int columns, const Coat& coat) const
+    void lay_between_edges(Cell* at, int columns, const Coat& coat, bool is_inside) const
     {
-        bool is_inside = row_.is_inside_at_left();
-        int column = 0;
+        Cell* cell = at;
         CoverageRun run;
-        for (std::size_t i = 0; i != row_.edge_count(); ++i) {
-            cover(row_.edge(i), columns, run);
+        for (const RowEdge& edge : row_.edges()) {
+            cover(edge, columns, run);
             if (is_inside)
-                lay(at, column, run.begin, coat.ink, coat.opacity);
+                lay(cell, at + run.begin, coat.ink, coat.opacity);
             did(Work::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));
             const std::uint16_t* coverage = run.pixels.data();
-            for (Cell *cell = at + run.begin, *const end = at + run.end; cell != end; ++cell)
+            const Cell* const end = at + run.end;
+            for (cell = at + run.begin; cell != end; ++cell)
                 *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), coat.ink,
                                                  coat.share_of(inside_coverage(*coverage++, is_inside))));
-            column = run.end;
             is_inside = !is_inside;
         }
         if (is_inside)
-            lay(at, column, columns, coat.ink, coat.opacity);
+            lay(cell, at + columns, coat.ink, coat.opacity);
     }
 
-    [[gnu::noinline]] static void lay(Cell* at, int begin, int end, std::uint32_t ink, std::uint32_t share)
+    [[gnu::noinline]] static void lay(Cell* cell, Cell* end, std::uint32_t ink, std::uint32_t share)
     {
         if (share == Cells::full_share)
-            return fill(at + begin, end - begin, Cells::cell(ink));
+            return fill(cell, static_cast<int>(end - cell), Cells::cell(ink));
         if (share == 0)
             return;
-        did(Work::blended_pixel, static_cast<std::uint32_t>(end - begin));
-        for (Cell* cell = at + begin; cell != at + end; ++cell)
+        did(Work::blended_pixel, static_cast<std::uint32_t>(end - cell));
+        for (; cell != end; ++cell)
             *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), ink, share));
     }
 

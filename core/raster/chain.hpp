@@ -2,7 +2,6 @@
 
 #include "core/raster/grid.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +25,8 @@ inline constexpr int max_band_bits = 3;
 /// 4 rows, unless a panel asks for others.
 inline constexpr int default_band_bits = 2;
 
-/// Where a chain crosses the borders between the rows of a band.
-using BandCrossings = std::array<Crossing, (1 << max_band_bits) + 1>;
+/// The most borders of rows in a band, up to a whole word.
+inline constexpr std::size_t band_borders = (1 << max_band_bits) + 2;
 
 /// A set of rows of a band, the first in the lowest bit. Of bands that are higher than four rows all rows are
 /// always in it: panels that have them take all rows together.
@@ -41,12 +40,13 @@ constexpr RowMask row_mask(int begin, int end)
     return static_cast<RowMask>(((1U << end) - (1U << begin)) & all_rows);
 }
 
-/// A long edge that is a chain of its own.
+/// A long edge that is a chain of its own. Its crossings are those of one band at a time.
 struct StraightLine {
     std::int32_t slope = 0; ///< how far it goes to the right over each row, in 1/1024 of the grid
     std::int32_t first = 0; ///< x where it crosses the first border below its upper end, likewise
     Crossing top = 0;       ///< x at its upper end
     Crossing bottom = 0;    ///< x at its lower end
+    std::array<Crossing, band_borders> crossings{};
 };
 
 /// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
@@ -67,7 +67,7 @@ struct Chain {
     std::int16_t left = 0;       ///< column
     std::uint16_t layer = 0;
     bool runs_down : 1 = true;    ///< as the outline was drawn
-    bool is_straight : 1 = false; ///< a StraightLine stands in for its crossings
+    bool is_straight : 1 = false; ///< a StraightLine tells its crossings, band by band
 
     bool is_whole : 1 = false;  ///< it crosses the band from border to border without bends
     bool is_border : 1 = false; ///< its layer is inside on one side of it, and outside on the other
@@ -82,18 +82,24 @@ struct Chain {
 
 static_assert(sizeof(Chain) == 40 && sizeof(Bend) == 4);
 
-/// x where a straight chain crosses the upper border of a row of the panel; beyond its ends, that of the end.
-/// It goes on to the right from row to row, or to the left, also where its slope is rounded.
-constexpr Crossing crossing_of(const Chain& chain, const StraightLine& line, int row)
+/// Puts in where a straight chain crosses the borders of so many rows of the panel, from `row` on; beyond its
+/// ends, x of the end. It goes on to the right from row to row, or to the left, also where its slope is
+/// rounded.
+inline void find_crossings(const Chain& chain, StraightLine& line, int row, int rows)
 {
-    const int below_top = row - floor_pixel(chain.top);
-    if (below_top <= 0)
-        return line.top;
-    if (row >= ceil_pixel(chain.bottom))
-        return line.bottom;
-    const std::int32_t x = (line.first + (below_top - 1) * line.slope) >> 10;
-    return static_cast<Crossing>(line.slope < 0 ? std::max<std::int32_t>(x, line.bottom)
-                                                : std::min<std::int32_t>(x, line.bottom));
+    const int top = row - floor_pixel(chain.top);
+    const int end = ceil_pixel(chain.bottom) - floor_pixel(chain.top);
+    const bool runs_left = line.slope < 0;
+    std::int32_t fine = line.first + (top - 1) * line.slope;
+    for (int border = top; border <= top + rows; ++border, fine += line.slope) {
+        const std::int32_t x = fine >> 10;
+        const bool is_beyond = runs_left ? x < line.bottom : x > line.bottom;
+        Crossing& crossing = line.crossings[static_cast<std::size_t>(border - top)];
+        if (border <= 0)
+            crossing = line.top;
+        else
+            crossing = border >= end || is_beyond ? line.bottom : static_cast<Crossing>(x);
+    }
 }
 
 }

@@ -41,7 +41,7 @@ constexpr RowEdge edge_between(std::int32_t a, std::int32_t b)
 }
 
 /// As cover(), of an edge that is not steep.
-void cover_flat(const RowEdge& edge, int columns, CoverageRun& run);
+[[gnu::noinline]] void cover_flat(const RowEdge& edge, int columns, CoverageRun& run);
 
 /// How much of the pixels that an edge touches lies to the right of it, within 0 … `columns`.
 inline void cover(const RowEdge& edge, int columns, CoverageRun& run)

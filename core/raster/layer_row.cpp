@@ -42,9 +42,9 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
     left_ = left;
     columns_ = columns;
     const bool has_any = find_chains(region);
-    are_apart_ = are_apart_ && has_few_;
-    if (are_apart_)
-        keep_borders();
+    has_sides_ = has_sides_ && has_few_;
+    if (has_sides_)
+        find_sides();
     return has_any;
 }
 
@@ -72,7 +72,7 @@ bool LayerRow::find_chains(const Region& region)
             if (!has_any || end <= left_)
                 begin_list(here, winding);
         }
-        are_apart_ = are_apart_ && chain.is_whole && (chain_count_ == 0 || chain.begin >= end);
+        has_sides_ = has_sides_ && chain.is_whole && (chain_count_ == 0 || chain.begin >= end);
         has_any = true;
         winding += chain.height;
         end = std::max<int>(end, chain.end);
@@ -91,33 +91,29 @@ void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
     first_ = first;
     winding_ = winding;
     chain_count_ = 0;
-    has_few_ = are_apart_ = true;
+    has_few_ = has_sides_ = true;
 }
 
-/// Leaves those between inside and outside in the list, and windings of 0 and 1, or 0 and -1, besides them.
-void LayerRow::keep_borders()
+/// Leaves windings of 0 and 1, or 0 and -1.
+void LayerRow::find_sides()
 {
     std::int32_t winding = winding_ >> band_->height_bits();
-    const bool starts_inside = is_inside(rule_, winding);
-    bool was_inside = starts_inside;
-    const std::size_t count = std::exchange(chain_count_, 0);
-    for (std::size_t i = 0; i != count; ++i) {
-        winding += chains_[i]->runs_down ? 1 : -1;
+    bool was_inside = is_inside(rule_, winding);
+    side_count_ = 0;
+    for (std::size_t i = 0; i != chain_count_; ++i) {
+        const Chain& chain = *chains_[i];
+        winding += chain.runs_down ? 1 : -1;
         if (is_inside(rule_, winding) == was_inside)
             continue;
         was_inside = !was_inside;
-        chains_[chain_count_++] = chains_[i];
+        sides_[side_count_++] = {band_->crossings(chain), (left_ - chain.left) * grid};
     }
-    const bool ends_by_falling = chain_count_ == 0 || !chains_[0]->runs_down;
-    winding_ = starts_inside ? (ends_by_falling ? 1 : -1) * (1 << band_->height_bits()) : 0;
 }
 
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
 {
     const std::int32_t left = (left_ - chain.left) * grid;
-    if (chain.is_straight)
-        return edge_between(band_->crossing(chain, row) - left, band_->crossing(chain, row + 1) - left);
-    const Crossing* const x = band_->kept_crossings(chain) + row;
+    const Crossing* const x = band_->crossings(chain) + row;
     return edge_between(x[0] - left, x[1] - left);
 }
 
@@ -126,10 +122,12 @@ bool LayerRow::find_edges(int row)
     edge_count_ = 0;
     if (!has_few_)
         return false;
-    if (are_apart_) {
-        did(Work::layer_edge, static_cast<std::uint32_t>(chain_count_));
-        for (; edge_count_ != chain_count_; ++edge_count_)
-            edges_[edge_count_] = edge_of(*chains_[edge_count_], row);
+    if (has_sides_) {
+        did(Work::layer_edge, static_cast<std::uint32_t>(side_count_));
+        for (; edge_count_ != side_count_; ++edge_count_) {
+            const Side& side = sides_[edge_count_];
+            edges_[edge_count_] = edge_between(side.x[row] - side.start, side.x[row + 1] - side.start);
+        }
         return true;
     }
     std::int32_t winding = winding_ >> band_->height_bits();
@@ -216,8 +214,9 @@ bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) cons
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
     const std::int32_t left = (left_ - chain.left) * grid;
-    found.top_x = band_->crossing(chain, row) - left;
-    found.bottom_x = band_->crossing(chain, row + 1) - left;
+    const Crossing* const x = band_->crossings(chain) + row;
+    found.top_x = x[0] - left;
+    found.bottom_x = x[1] - left;
     found.bend = band_->bends(chain);
     found.left = left;
     found.top = top - origin;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace kfast::raster {
 
@@ -25,8 +26,7 @@ public:
     /// Finds the edges of a row of the band between what is inside and what is outside. False if they do not
     /// tell the coverage: then sum_up() does.
     bool find_edges(int row);
-    std::size_t edge_count() const { return edge_count_; }
-    const RowEdge& edge(std::size_t number) const { return edges_[number]; }
+    std::span<const RowEdge> edges() const { return {edges_.data(), edge_count_}; }
 
     /// Calls span(begin, end, coverage) for all columns of a row, from left to right.
     template <class Span>
@@ -41,6 +41,12 @@ private:
     static constexpr std::size_t max_edges = 8;
     static constexpr int no_pixel = 1 << 20; ///< further to the right than any
 
+    /// An edge between what is inside and what is outside, through all rows of the band.
+    struct Side {
+        const Crossing* x;  ///< at the borders of the rows
+        std::int32_t start; ///< what these count at the left border of the tile
+    };
+
     /// Chains of the band that follow each other.
     struct Cluster {
         std::uint32_t first = Chain::none;
@@ -49,7 +55,7 @@ private:
 
     bool find_chains(const Region& region);
     void begin_list(std::uint32_t first, std::int32_t winding);
-    void keep_borders();
+    void find_sides();
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
     void add_few(int row);
@@ -79,11 +85,13 @@ private:
     int begin_ = 0;            ///< pixels of chains that are left of here do not matter in the row
     std::int32_t winding_ = 0; ///< to the left of all chains, in the unit of Chain::winding
     bool has_few_ = false;     ///< chains: they are in the list
-    bool are_apart_ = false;   ///< they go through the band without touching the same column
+    bool has_sides_ = false;   ///< all chains go through the band without touching the same column
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
+    std::size_t side_count_ = 0;
     std::array<const Chain*, max_edges> chains_;
     std::array<RowEdge, max_edges> edges_;
+    std::array<Side, max_edges> sides_;
     std::array<RowChain, max_group> group_;
     CoverageSums sums_;
 };

@@ -75,9 +75,10 @@ public:
         return reinterpret_cast<const Crossing*>(bytes_ + place);
     }
     const Bend* bend(std::uint32_t place) const { return reinterpret_cast<const Bend*>(bytes_ + place); }
-    const StraightLine& line(const Chain& chain) const
+    /// Of a chain that is straight.
+    StraightLine& line(const Chain& chain) const
     {
-        return *reinterpret_cast<const StraightLine*>(bytes_ + chain.crossings);
+        return *reinterpret_cast<StraightLine*>(bytes_ + (chain.crossings - offsetof(StraightLine, crossings)));
     }
     /// Calls visit(chain) for each of the picture.
     template <class Visit>

@@ -18,7 +18,7 @@ inline std::vector<std::vector<int>> told_of(const raster::Band& band)
         const int from = std::max(raster::floor_pixel(chain.top), band.top_row()) - band.top_row();
         const int to = std::min(raster::ceil_pixel(chain.bottom) - band.top_row(), band.row_count());
         for (int row = from; row <= to; ++row)
-            own.push_back(band.crossing(chain, row) + chain.left * raster::grid);
+            own.push_back(band.crossings(chain)[row] + chain.left * raster::grid);
         told.push_back(own);
     }
     std::ranges::sort(told);

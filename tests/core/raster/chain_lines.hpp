@@ -28,9 +28,10 @@ inline std::vector<raster::Crossing> crossings_of(const raster::OutlineStore& st
     const int last = raster::ceil_pixel(chain.bottom);
     std::vector<raster::Crossing> crossings;
     for (int row = first; row <= last; ++row) {
-        const int band = (first >> store.band_bits()) << store.band_bits();
-        crossings.push_back(chain.is_straight ? raster::crossing_of(chain, store.line(chain), row)
-                                              : store.crossing(chain.crossings)[row - band]);
+        int band = (first >> store.band_bits()) << store.band_bits();
+        if (chain.is_straight)
+            raster::find_crossings(chain, store.line(chain), band = row, 0);
+        crossings.push_back(store.crossing(chain.crossings)[row - band]);
     }
     return crossings;
 }
