@@ -92,19 +92,35 @@ void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
 void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)
 {
     did(Work::sum_part);
-    constexpr std::int32_t whole = 2 * grid; // the width of a pixel, on both ends of the part
+    const int column = floor_pixel(a);
+    if (column == floor_pixel(b))
+        put_part(column, height, (a & (grid - 1)) + (b & (grid - 1)), columns);
+    else if (a < b)
+        add_wide_part(a, b, height, columns);
+    else
+        add_wide_part(b, a, height, columns);
+}
+
+/// Of an edge within a pixel; `ends` is how far its ends lie to the right of the pixel's left border.
+void CoverageSums::put_part(int column, std::int32_t height, std::int32_t ends, int columns)
+{
     static_assert(part_height * whole == full);
-    // The part of it within a pixel; `ends` is how far its ends lie to the right of the pixel's left border.
-    const auto put_part = [&](int column, std::int32_t part, std::int32_t ends) {
-        put(column, part * (whole - ends), columns);
-        put(column + 1, part * ends, columns);
-    };
-    if (a > b)
-        std::swap(a, b);
+    if (column >= columns)
+        return;
+    const std::int32_t right = height * ends;
+    if (column < 0) {
+        sums_[0] += height * whole; // also what counts from column 0 on
+        return;
+    }
+    sums_[static_cast<std::size_t>(column)] += height * whole - right;
+    if (column + 1 < columns)
+        sums_[static_cast<std::size_t>(column) + 1] += right;
+}
+
+void CoverageSums::add_wide_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)
+{
     int column = floor_pixel(a);
     const int last = floor_pixel(b);
-    if (column == last)
-        return put_part(column, height, (a & (grid - 1)) + (b & (grid - 1)));
     if (column >= columns)
         return;
     if (last < 0)
@@ -120,11 +136,11 @@ void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height,
     }
     for (; column < last && column < columns; ++column) {
         const std::int32_t part = ramp.part(height, static_cast<std::uint32_t>((column + 1) * grid - a));
-        put_part(column, part - done, from + grid);
+        put_part(column, part - done, from + grid, columns);
         done = part;
         from = 0;
     }
-    put_part(last, height - done, b & (grid - 1));
+    put_part(last, height - done, b & (grid - 1), columns);
 }
 
 }

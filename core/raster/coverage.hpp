@@ -100,7 +100,11 @@ public:
     }
 
 private:
+    static constexpr std::int32_t whole = 2 * grid; ///< the width of a pixel, on both ends of a part
+
     void put(int column, std::int32_t area, int columns);
+    void put_part(int column, std::int32_t height, std::int32_t ends, int columns);
+    void add_wide_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns);
 
     std::array<std::int32_t, tile_columns + 1> sums_{};
 };

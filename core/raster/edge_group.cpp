@@ -288,8 +288,8 @@ void RowChain::find_pixels()
     std::int32_t low = top_x;
     std::int32_t high = low;
     each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t) {
-        low = std::min(low, x);
-        high = std::max(high, x);
+        low = x < low ? x : low;
+        high = x > high ? x : high;
     });
     first = floor_pixel(low);
     last = floor_pixel(high);

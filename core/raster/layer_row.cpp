@@ -198,8 +198,8 @@ std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t wi
         winding = add_group(std::span{group_}.subspan(begin, end - begin), rule_, winding, columns_, sums_);
         begin = end;
     }
-    std::copy(group_.begin() + static_cast<std::ptrdiff_t>(begin),
-              group_.begin() + static_cast<std::ptrdiff_t>(count), group_.begin());
+    for (std::size_t place = begin; place != count; ++place)
+        group_[place - begin] = group_[place];
     count -= begin;
     return winding;
 }
