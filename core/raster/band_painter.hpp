@@ -181,8 +181,8 @@ private:
     {
         Cell* cell = at;
         CoverageRun run;
-        for (const RowEdge& edge : row_.edges()) {
-            cover(edge, columns, run);
+        for (std::size_t number = 0; number != row_.edge_count(); ++number) {
+            row_.cover_edge(number, is_inside, run);
             if (is_inside)
                 lay(cell, at + run.begin, coat.ink, coat.opacity);
             did(Work::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));

@@ -4,6 +4,7 @@
 #include "core/work.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace kfast::raster {
@@ -87,6 +88,22 @@ void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
     }
     put(std::max(ceil_pixel(edge.high), edge.pixel() + 1), (full_coverage - before) * direction * unit,
         columns);
+}
+
+/// What is inside is rounded, as in sums of all edges of a row.
+void CoverageSums::take(int begin, int end, bool left, CoverageRun& run)
+{
+    run.begin = begin;
+    run.end = end;
+    std::int32_t sum = 0;
+    std::uint16_t* out = run.pixels.data();
+    for (int column = begin; column != end; ++column) {
+        std::int32_t& area = sums_[static_cast<std::size_t>(column)];
+        sum += std::exchange(area, 0);
+        const std::int32_t right = left ? full_coverage - coverage(std::abs(full - sum)) : coverage(std::abs(sum));
+        *out++ = static_cast<std::uint16_t>(right);
+    }
+    sums_[static_cast<std::size_t>(end)] = 0;
 }
 
 void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)

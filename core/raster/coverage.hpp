@@ -79,6 +79,18 @@ public:
     /// Of edges to the left of the tile, in the grid; negative if outlines run up.
     void add_height(std::int32_t height) { sums_[0] += height * (full / grid); }
 
+    /// The coverage of a pixel with an area, rounded to nearest.
+    static constexpr std::int32_t coverage(std::int32_t area)
+    {
+        constexpr std::int32_t unit = full / full_coverage;
+        return (std::min(area, full) + unit / 2) / unit;
+    }
+
+    /// Of a single edge whose parts were added as if it ran down, and that touches the pixels `begin` up to
+    /// `end`: as cover() of an edge, for a layer that is inside on its left side or on its right one. All is
+    /// forgotten.
+    void take(int begin, int end, bool left, CoverageRun& run);
+
     /// Calls span(begin, end, sum) for stretches of pixels that have the same sum; to the left of them it is
     /// `sum`. All is forgotten.
     template <class Span>

@@ -12,6 +12,7 @@ namespace {
 enum class Way : std::uint8_t {
     none,     ///< it does not reach it
     straight, ///< from border to border, as one edge
+    bent,     ///< from border to border
     other,
 };
 
@@ -28,7 +29,7 @@ Way way_through(const Band& band, const Chain& chain, int row)
     const Bend* bend = band.bends(chain);
     while (bend->y <= top - origin && chain.top != top)
         --bend;
-    return bend->y <= top + grid - origin ? Way::other : Way::straight;
+    return bend->y <= top + grid - origin ? Way::bent : Way::straight;
 }
 
 }
@@ -126,6 +127,7 @@ bool LayerRow::find_edges(int row)
         did(Work::layer_edge, static_cast<std::uint32_t>(side_count_));
         for (; edge_count_ != side_count_; ++edge_count_) {
             const Side& side = sides_[edge_count_];
+            bent_[edge_count_] = nullptr;
             edges_[edge_count_] = edge_between(side.x[row] - side.start, side.x[row + 1] - side.start);
         }
         return true;
@@ -133,27 +135,45 @@ bool LayerRow::find_edges(int row)
     std::int32_t winding = winding_ >> band_->height_bits();
     bool was_inside = is_inside(rule_, winding);
     int past = -1; // the last pixel of the edge before
+    RowChain* bent = group_.data();
     for (std::size_t i = 0; i != chain_count_; ++i) {
         const Chain& chain = *chains_[i];
         did(Work::layer_edge);
-        if (!chain.is_whole) {
-            const Way way = way_through(*band_, chain, row);
-            if (way == Way::none)
-                continue;
-            if (way == Way::other)
-                return false;
+        const Way way = way_through(*band_, chain, row);
+        if (way == Way::none)
+            continue;
+        if (way == Way::other)
+            return false;
+        RowEdge edge{};
+        if (way == Way::bent) {
+            set_row_chain(chain, row, false, *bent);
+            edge = {bent->first * grid, (bent->last + 1) * grid - 1};
+        } else {
+            edge = edge_of(chain, row);
         }
-        const RowEdge edge = edge_of(chain, row);
         if (edge.pixel() <= past || edge.high > columns_ * grid)
             return false;
         past = floor_pixel(edge.high);
         winding += chain.runs_down ? 1 : -1;
         if (is_inside(rule_, winding) == was_inside)
             continue;
+        bent_[edge_count_] = way == Way::bent ? bent++ : nullptr;
         edges_[edge_count_++] = edge;
         was_inside = !was_inside;
     }
     return true;
+}
+
+void LayerRow::cover_edge(std::size_t number, bool left, CoverageRun& run)
+{
+    const RowChain* const bent = bent_[number];
+    if (bent == nullptr)
+        return cover(edges_[number], columns_, run);
+    constexpr std::int32_t unit = CoverageSums::part_height / grid;
+    bent->each_edge([&](std::int32_t x, std::int32_t y, std::int32_t next_x, std::int32_t next_y) {
+        sums_.add_part(x, next_x, (next_y - y) * unit, columns_);
+    });
+    sums_.take(bent->first, bent->last + 1, left, run);
 }
 
 void LayerRow::add_row(int row)
@@ -208,8 +228,13 @@ std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t wi
 bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) const
 {
     const Way way = way_through(*band_, chain, row);
-    if (way == Way::none)
-        return false;
+    if (way != Way::none)
+        set_row_chain(chain, row, way == Way::straight, found);
+    return way != Way::none;
+}
+
+void LayerRow::set_row_chain(const Chain& chain, int row, bool is_straight, RowChain& found) const
+{
     did(Work::row_chain);
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
@@ -223,10 +248,9 @@ bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) cons
     found.from = std::max<std::int32_t>(chain.top - top, 0);
     found.to = std::min(chain.bottom - top, grid);
     found.runs_down = chain.runs_down;
-    found.is_straight = way == Way::straight;
+    found.is_straight = is_straight;
     found.begins = chain.top >= top;
     found.find_pixels();
-    return true;
 }
 
 std::int32_t LayerRow::coverage_of(std::int32_t sum) const
@@ -236,8 +260,7 @@ std::int32_t LayerRow::coverage_of(std::int32_t sum) const
         area &= 2 * CoverageSums::full - 1;
         area = std::min(area, 2 * CoverageSums::full - area);
     }
-    return (std::min(area, CoverageSums::full) + CoverageSums::full / full_coverage / 2) /
-           (CoverageSums::full / full_coverage);
+    return CoverageSums::coverage(area);
 }
 
 }

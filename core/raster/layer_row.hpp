@@ -14,7 +14,7 @@
 namespace kfast::raster {
 
 /// What one layer covers of a part of a band, row by row: by its edges where these are apart, by sums of
-/// areas where they share a pixel, begin, end or bend.
+/// areas where they share a pixel, begin or end.
 class LayerRow {
 public:
     /// The chains of a layer that lie in a region; columns are counted from `left` from now on, and end at
@@ -26,7 +26,10 @@ public:
     /// Finds the edges of a row of the band between what is inside and what is outside. False if they do not
     /// tell the coverage: then sum_up() does.
     bool find_edges(int row);
-    std::span<const RowEdge> edges() const { return {edges_.data(), edge_count_}; }
+    std::size_t edge_count() const { return edge_count_; }
+    /// How much of the pixels that such an edge touches lies to the right of it; `left`: the layer is inside
+    /// on its left side.
+    [[gnu::noinline]] void cover_edge(std::size_t number, bool left, CoverageRun& run);
 
     /// Calls span(begin, end, coverage) for all columns of a row, from left to right.
     template <class Span>
@@ -73,6 +76,7 @@ private:
     [[gnu::cold, gnu::noinline]] std::int32_t add_large_group(EachChain each_chain, std::int32_t winding);
     int end_of_group(const Cluster& cluster, int row, int begin) const;
     bool find_row_chain(const Chain& chain, int row, RowChain& found) const;
+    void set_row_chain(const Chain& chain, int row, bool is_straight, RowChain& found) const;
     RowEdge edge_of(const Chain& chain, int row) const;
 
     const Band* band_ = nullptr;
@@ -91,6 +95,7 @@ private:
     std::size_t side_count_ = 0;
     std::array<const Chain*, max_edges> chains_;
     std::array<RowEdge, max_edges> edges_;
+    std::array<const RowChain*, max_edges> bent_; ///< in place of an edge: one that bends; null if it does not
     std::array<Side, max_edges> sides_;
     std::array<RowChain, max_group> group_;
     CoverageSums sums_;
