@@ -45,9 +45,7 @@ private:
     unsigned shift_ = 16;
 };
 
-}
-
-void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
+[[gnu::noinline]] void cover_wide(const RowEdge& edge, int columns, CoverageRun& run)
 {
     const int first = edge.pixel();
     const int behind = ceil_pixel(edge.high);
@@ -65,6 +63,29 @@ void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
                 [put](std::int32_t coverage) { put(std::min(coverage, full_coverage)); });
     if (run.end == behind && behind > pixel)
         put(full_coverage - ramp.triangle(static_cast<std::uint32_t>(edge.high - (behind - 1) * grid)));
+}
+
+}
+
+/// Nearly all edges are short enough for the table of reciprocals, and lie within the tile.
+void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
+{
+    const int first = edge.pixel();
+    const int behind = ceil_pixel(edge.high);
+    const auto width = static_cast<std::uint32_t>(edge.high - edge.low);
+    if (first < 0 || behind > columns || width >= reciprocals.size())
+        return cover_wide(edge, columns, run);
+    did(Work::flat_pixel, static_cast<std::uint32_t>(behind - first));
+    run.begin = first;
+    run.end = behind;
+    const std::uint32_t inverse = reciprocals[width];
+    std::uint32_t length = grid - (static_cast<std::uint32_t>(edge.low) & (grid - 1)); // in the first pixel
+    std::uint16_t* out = run.pixels.data();
+    *out++ = static_cast<std::uint16_t>(length * length * inverse >> 15);
+    for (; width - length > grid; length += grid)
+        *out++ = static_cast<std::uint16_t>(std::min<std::uint32_t>((length + grid / 2) * inverse >> 8, full_coverage));
+    length = width - length;
+    *out = static_cast<std::uint16_t>(full_coverage - (length * length * inverse >> 15));
 }
 
 /// What lies to the left of the tile counts from its first pixel on.
