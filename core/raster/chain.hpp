@@ -69,10 +69,10 @@ struct Chain {
     bool runs_down : 1 = true;    ///< as the outline was drawn
     bool is_straight : 1 = false; ///< a StraightLine tells its crossings, band by band
 
-    bool is_whole : 1 = false;  ///< it crosses the band from border to border without bends
     bool is_border : 1 = false; ///< its layer is inside on one side of it, and outside on the other
     RowMask rows = all_rows;    ///< that it reaches
     std::uint8_t slot = 0;      ///< of the layer in the band
+    bool is_whole = false;      ///< it crosses the band from border to border without bends
     std::int16_t begin = 0;     ///< first column that it touches in the band
     std::int16_t end = 0;       ///< column behind the last one
     std::int16_t height = 0;    ///< of its part of the band in the grid; negative if it does not run down

@@ -121,17 +121,14 @@ RowEdge LayerRow::edge_of(const Chain& chain, int row) const
 bool LayerRow::find_edges(int row)
 {
     edge_count_ = 0;
-    if (!has_few_)
-        return false;
     if (has_sides_) {
         did(Work::layer_edge, static_cast<std::uint32_t>(side_count_));
-        for (; edge_count_ != side_count_; ++edge_count_) {
-            const Side& side = sides_[edge_count_];
-            bent_[edge_count_] = nullptr;
-            edges_[edge_count_] = edge_between(side.x[row] - side.start, side.x[row + 1] - side.start);
-        }
+        row_ = row;
+        edge_count_ = side_count_;
         return true;
     }
+    if (!has_few_)
+        return false;
     std::int32_t winding = winding_ >> band_->height_bits();
     bool was_inside = is_inside(rule_, winding);
     int past = -1; // the last pixel of the edge before
@@ -166,6 +163,11 @@ bool LayerRow::find_edges(int row)
 
 void LayerRow::cover_edge(std::size_t number, bool left, CoverageRun& run)
 {
+    if (has_sides_) {
+        const Side& side = sides_[number];
+        const Crossing* const x = side.x + row_;
+        return cover(edge_between(x[0] - side.start, x[1] - side.start), columns_, run);
+    }
     const RowChain* const bent = bent_[number];
     if (bent == nullptr)
         return cover(edges_[number], columns_, run);

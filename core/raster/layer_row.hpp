@@ -93,6 +93,7 @@ private:
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
     std::size_t side_count_ = 0;
+    int row_ = 0; ///< that find_edges() was asked for, if there are sides
     std::array<const Chain*, max_edges> chains_;
     std::array<RowEdge, max_edges> edges_;
     std::array<const RowChain*, max_edges> bent_; ///< in place of an edge: one that bends; null if it does not

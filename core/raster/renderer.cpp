@@ -264,7 +264,7 @@ void Renderer::draw_tile(const Tile<Cells>& tile)
 
 /// An area of the band.
 template <PixelFormat format>
-void Renderer::draw_area(Rect area, std::span<std::byte> pixels)
+void Renderer::draw_area(const Rect& area, std::span<std::byte> pixels)
 {
     using Pack = Packing<format>;
     using Cells = typename Pack::Cells;
@@ -334,8 +334,11 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
         // Whole rows go together; else slow buses take long ways without a break.
         if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area))
             extend(changes_[count - 1], area.height, bytes);
-        else
-            changes_[count++] = {area, pixels.first(bytes)};
+        else {
+            Change& change = changes_[count++];
+            change.area = area;
+            change.pixels = pixels.first(bytes);
+        }
         pixels = pixels.subspan(bytes);
         drawn_columns_ = area.x + area.width;
     }

@@ -93,7 +93,7 @@ private:
     };
     Window next_window(int granularity, int gap);
     template <PixelFormat format>
-    void draw_area(Rect area, std::span<std::byte> pixels);
+    void draw_area(const Rect& area, std::span<std::byte> pixels);
     template <class Cells>
     void draw_tile(const Tile<Cells>& tile);
 
