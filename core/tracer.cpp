@@ -144,9 +144,8 @@ void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const Rig
     }
     raster::ContourCache& cache = picture_.contours;
     picture_.outlines.place_contours(placement.map, &name, moves ? &cache : nullptr);
-    if (!moves || !cache.each_contour(name, [&](const raster::KeptContour& contour) {
-            picture_.outlines.add(contour);
-        })) {
+    if (!moves || !cache.each_contour(
+                      name, [&](const raster::KeptContour& contour) { picture_.outlines.add(contour); })) {
         if (moves)
             cache.begin(name);
         trace_upright(placement, pen, [&](const Affine& upright, ObjectOutline& outline) {

@@ -114,7 +114,8 @@ void Band::find_part(Chain& chain) const
     const int first = floor_pixel(from - top_);
     const int last = ceil_pixel(to - top_);
     chain.is_whole = false;
-    chain.rows = store_->band_bits() <= default_band_bits ? row_mask(first, std::max(last, first + 1)) : all_rows;
+    chain.rows =
+        store_->band_bits() <= default_band_bits ? row_mask(first, std::max(last, first + 1)) : all_rows;
     const bool is_cut = chain.bottom == panel_.height * grid; // what is cut off would go on through the band
     const std::int32_t height = (is_cut ? bottom_ : to) - from;
     chain.height = static_cast<std::int16_t>(chain.runs_down ? height : -height);

@@ -106,7 +106,8 @@ private:
                 *cell = left;
             const std::uint16_t* coverage = run.pixels.data();
             for (const Cell* const end = at + run.end; cell != end; ++cell)
-                *cell = Cells::cell(Cells::mixed(below, ink, Cells::share(inside_coverage(*coverage++, is_inside))));
+                *cell = Cells::cell(
+                    Cells::mixed(below, ink, Cells::share(inside_coverage(*coverage++, is_inside))));
             for (const Cell* const end = at + tile.columns; cell != end; ++cell)
                 *cell = right;
         }
@@ -189,8 +190,8 @@ private:
             const std::uint16_t* coverage = run.pixels.data();
             const Cell* const end = at + run.end;
             for (cell = at + run.begin; cell != end; ++cell)
-                *cell = Cells::cell(
-                    Cells::mixed(Cells::ink_of(*cell), coat.ink, coat.share_of(inside_coverage(*coverage++, is_inside))));
+                *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), coat.ink,
+                                                 coat.share_of(inside_coverage(*coverage++, is_inside))));
             is_inside = !is_inside;
         }
         if (is_inside)

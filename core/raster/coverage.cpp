@@ -83,7 +83,8 @@ void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
     std::uint16_t* out = run.pixels.data();
     *out++ = static_cast<std::uint16_t>(length * length * inverse >> 15);
     for (; width - length > grid; length += grid)
-        *out++ = static_cast<std::uint16_t>(std::min<std::uint32_t>((length + grid / 2) * inverse >> 8, full_coverage));
+        *out++ = static_cast<std::uint16_t>(
+            std::min<std::uint32_t>((length + grid / 2) * inverse >> 8, full_coverage));
     length = width - length;
     *out = static_cast<std::uint16_t>(full_coverage - (length * length * inverse >> 15));
 }
@@ -112,19 +113,17 @@ void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
 }
 
 /// What is inside is rounded, as in sums of all edges of a row.
-void CoverageSums::take(int begin, int end, bool left, CoverageRun& run)
+void CoverageSums::take(bool runs_down, bool left, CoverageRun& run)
 {
-    run.begin = begin;
-    run.end = end;
     std::int32_t sum = 0;
     std::uint16_t* out = run.pixels.data();
-    for (int column = begin; column != end; ++column) {
-        std::int32_t& area = sums_[static_cast<std::size_t>(column)];
-        sum += std::exchange(area, 0);
-        const std::int32_t right = left ? full_coverage - coverage(std::abs(full - sum)) : coverage(std::abs(sum));
-        *out++ = static_cast<std::uint16_t>(right);
+    for (int column = run.begin; column != run.end; ++column) {
+        sum += std::exchange(sums_[static_cast<std::size_t>(column)], 0);
+        const std::int32_t right = runs_down ? sum : -sum;
+        *out++ = static_cast<std::uint16_t>(left ? full_coverage - coverage(std::abs(full - right))
+                                                 : coverage(std::abs(right)));
     }
-    sums_[static_cast<std::size_t>(end)] = 0;
+    sums_[static_cast<std::size_t>(run.end)] = 0;
 }
 
 void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)

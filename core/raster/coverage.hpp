@@ -86,10 +86,10 @@ public:
         return (std::min(area, full) + unit / 2) / unit;
     }
 
-    /// Of a single edge whose parts were added as if it ran down, and that touches the pixels `begin` up to
-    /// `end`: as cover() of an edge, for a layer that is inside on its left side or on its right one. All is
+    /// The coverages of a single edge whose parts were added, in pixels from run.begin up to run.end: what
+    /// lies to the right of it, for a layer that is inside on its left side or on its right one. All is
     /// forgotten.
-    void take(int begin, int end, bool left, CoverageRun& run);
+    void take(bool runs_down, bool left, CoverageRun& run);
 
     /// Calls span(begin, end, sum) for stretches of pixels that have the same sum; to the left of them it is
     /// `sum`. All is forgotten.

@@ -171,11 +171,10 @@ void LayerRow::cover_edge(std::size_t number, bool left, CoverageRun& run)
     const RowChain* const bent = bent_[number];
     if (bent == nullptr)
         return cover(edges_[number], columns_, run);
-    constexpr std::int32_t unit = CoverageSums::part_height / grid;
-    bent->each_edge([&](std::int32_t x, std::int32_t y, std::int32_t next_x, std::int32_t next_y) {
-        sums_.add_part(x, next_x, (next_y - y) * unit, columns_);
-    });
-    sums_.take(bent->first, bent->last + 1, left, run);
+    add_chain(*bent, columns_, sums_);
+    run.begin = bent->first;
+    run.end = bent->last + 1;
+    sums_.take(bent->runs_down, left, run);
 }
 
 void LayerRow::add_row(int row)

@@ -96,7 +96,8 @@ private:
     int row_ = 0; ///< that find_edges() was asked for, if there are sides
     std::array<const Chain*, max_edges> chains_;
     std::array<RowEdge, max_edges> edges_;
-    std::array<const RowChain*, max_edges> bent_; ///< in place of an edge: one that bends; null if it does not
+    std::array<const RowChain*, max_edges>
+        bent_; ///< in place of an edge: one that bends; null if it does not
     std::array<Side, max_edges> sides_;
     std::array<RowChain, max_group> group_;
     CoverageSums sums_;

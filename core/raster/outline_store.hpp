@@ -48,8 +48,8 @@ public:
     void add_behind(Corner corner);
     /// Joins the last corner to the first.
     void close();
-    /// From now on, contours are simplified when they are closed, kept in `cache`, and placed by `map`. Their
-    /// name tells them from others in this layer of other pictures. There need not be a name, nor a cache.
+    /// From now on, contours are placed by `map` when they are closed, and before that simplified and kept in
+    /// `cache`, if there is one. Their name, if they have one, stands for their corners in the fingerprint.
     void place_contours(const CornerMap& map, const ContourName* name, ContourCache* cache);
     /// Adds a contour that was kept.
     void add(const KeptContour& contour);
@@ -78,7 +78,8 @@ public:
     /// Of a chain that is straight.
     StraightLine& line(const Chain& chain) const
     {
-        return *reinterpret_cast<StraightLine*>(bytes_ + (chain.crossings - offsetof(StraightLine, crossings)));
+        return *reinterpret_cast<StraightLine*>(bytes_ +
+                                                (chain.crossings - offsetof(StraightLine, crossings)));
     }
     /// Calls visit(chain) for each of the picture.
     template <class Visit>

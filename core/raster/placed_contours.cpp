@@ -28,7 +28,8 @@ void OutlineStore::end_placed()
 void OutlineStore::add(const KeptContour& contour)
 {
     did(Work::placed_corner, static_cast<std::uint32_t>(contour.corners.size()));
-    if (contour.room > static_cast<std::size_t>(behind_ - corners_end_) || !find_room(contour.room * sizeof(Corner)))
+    if (contour.room > static_cast<std::size_t>(behind_ - corners_end_) ||
+        !find_room(contour.room * sizeof(Corner)))
         is_full_ = true;
     if (is_full_)
         return begin_contour();
@@ -41,15 +42,15 @@ void OutlineStore::add(const KeptContour& contour)
 /// All corners of the contour that is coming in.
 void OutlineStore::place_corners()
 {
-    const auto room = static_cast<std::size_t>(corners_end_ - first_corner());
-    find_room(0);
-    corners_end_ = simplify(first_corner(), corners_end_);
-    const std::span<Corner> corners{first_corner(), corners_end_};
-    did(Work::placed_corner, static_cast<std::uint32_t>(corners.size()));
-    if (cache_ != nullptr)
-        cache_->add(corners, room);
-    for (Corner& corner : corners)
-        corner = (*map_)(corner);
+    if (cache_ != nullptr) {
+        const auto room = static_cast<std::size_t>(corners_end_ - first_corner());
+        find_room(0);
+        corners_end_ = simplify(first_corner(), corners_end_);
+        cache_->add(std::span<const Corner>{first_corner(), corners_end_}, room);
+    }
+    did(Work::placed_corner, static_cast<std::uint32_t>(corners_end_ - first_corner()));
+    for (Corner* corner = first_corner(); corner != corners_end_; ++corner)
+        *corner = (*map_)(*corner);
 }
 
 }

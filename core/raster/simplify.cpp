@@ -13,8 +13,8 @@ constexpr std::ptrdiff_t max_replaced = 8;
 /// Of an edge that replaces others, to either side: products have 32 bits.
 constexpr std::int32_t max_extent = 256 * grid;
 
-/// The length of a vector, no more than 12 % too small.
-std::int32_t least_length(std::int32_t x, std::int32_t y)
+/// The length of a vector, at most 12 % too small or 4 % too large.
+std::int32_t length(std::int32_t x, std::int32_t y)
 {
     const std::int32_t a = std::abs(x);
     const std::int32_t b = std::abs(y);
@@ -29,7 +29,7 @@ bool are_near_line(const Corner* from, const Corner* to)
     if (std::abs(width) > max_extent || std::abs(height) > max_extent)
         return false;
     const std::int32_t square = width * width + height * height;
-    const std::int32_t limit = simplify_tolerance * least_length(width, height);
+    const std::int32_t limit = simplify_tolerance * length(width, height);
     for (const Corner* corner = from + 1; corner != to; ++corner) {
         const std::int32_t x = corner->x - from->x;
         const std::int32_t y = corner->y - from->y;

@@ -6,7 +6,8 @@
 
 namespace kfast::raster {
 
-/// How far a corner that is left out lies from the edge that replaces its two, in the grid.
+/// How far a corner that is left out lies from the edge that replaces its two, in the grid, to a few
+/// hundredths.
 inline constexpr std::int32_t simplify_tolerance = 3;
 
 /// Leaves out corners of a closed contour, as many as follow each other nearly in a straight line:

@@ -17,16 +17,17 @@ void keep(ContourCache& cache, const ContourName& name, const std::vector<Contou
 {
     cache.begin(name);
     for (const Contour& contour : contours)
-        cache.add(contour);
+        cache.add(contour, contour.size() + 2);
     cache.end(true);
 }
 
 std::optional<std::vector<Contour>> kept(ContourCache& cache, const ContourName& name)
 {
     std::vector<Contour> contours;
-    const bool are_kept = cache.each_contour(name, [&](std::span<const ShortCorner> contour) {
+    const bool are_kept = cache.each_contour(name, [&](const KeptContour& contour) {
+        CHECK(contour.room == contour.corners.size() + 2);
         contours.emplace_back();
-        for (const ShortCorner corner : contour)
+        for (const ShortCorner corner : contour.corners)
             contours.back().push_back({corner.x, corner.y});
     });
     return are_kept ? std::optional{contours} : std::nullopt;
@@ -67,8 +68,12 @@ TEST_CASE("what finds no room, lies far away or is not complete is not kept")
     keep(room.cache, name_of(2), {{{0, 0}, {32768, 0}, {0, 5}}});
     CHECK_FALSE(kept(room.cache, name_of(2)));
     room.cache.begin(name_of(3));
-    room.cache.add(triangle);
+    room.cache.add(triangle, triangle.size());
     room.cache.end(false);
+    CHECK_FALSE(kept(room.cache, name_of(3)));
+    room.cache.begin(name_of(3));
+    room.cache.add(triangle, 65536);
+    room.cache.end(true);
     CHECK_FALSE(kept(room.cache, name_of(3)));
     keep(room.cache, name_of(4), {triangle});
     CHECK(kept(room.cache, name_of(4)));

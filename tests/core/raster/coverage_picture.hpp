@@ -68,13 +68,13 @@ private:
         }
     }
 
-    void draw_edges(int* out, int columns) const
+    void draw_edges(int* out, int columns)
     {
         bool is_inside = row_.is_inside_at_left();
         int column = 0;
         for (std::size_t i = 0; i != row_.edge_count(); ++i) {
             raster::CoverageRun run;
-            cover(row_.edge(i), columns, run);
+            row_.cover_edge(i, is_inside, run);
             std::fill(out + column, out + run.begin, is_inside ? raster::full_coverage : 0);
             for (column = run.begin; column != run.end; ++column) {
                 const int right = run.pixels[static_cast<std::size_t>(column - run.begin)];
