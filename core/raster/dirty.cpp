@@ -50,6 +50,8 @@ private:
     {
         const SlotMask left = inside_;
         const SlotMask shown_left = shown_inside_;
+        const std::uint32_t first = place_;
+        const Record::Border* const first_border = border_;
         Region* const mark = end_;
         SlotMask touched = 0;
         unsigned rows = 0;
@@ -85,18 +87,59 @@ private:
                 read_border();
             }
         } while (begin_ < end || shown_begin_ < end);
-        const bool is_same = (touched & ~slots_.same) == 0 && left == shown_left &&
-                             ((left | touched) & slots_.recoloured) == 0;
+        const bool is_same_left = left == shown_left && ((left | touched) & slots_.recoloured) == 0;
+        const bool is_same = is_same_left && (touched & ~slots_.same) == 0;
         if (is_known_ && (is_same || slots_.is_hidden(left, shown_left, touched)))
             end_ = mark;
         else if (chains_end < 0)
             add_flat(begin, std::min(end, columns_));
         else
             end_region(std::min(end, columns_));
-        if (is_known_ && rows != all_rows && left == shown_left && (left & slots_.recoloured) == 0)
-            for (Region* region = mark; region != end_; ++region)
-                region->rows = static_cast<RowMask>(rows);
+        if (is_known_ && is_same_left && end_ != mark) {
+            if ((touched & slots_.same) != 0)
+                trim(mark, first, first_border);
+            else if (rows != all_rows)
+                for (Region* region = mark; region != end_; ++region)
+                    region->rows = static_cast<RowMask>(rows);
+        }
         return end;
+    }
+
+    /// Of the regions of a cluster that was passed, what no chain touches that has moved is as it was: rows,
+    /// and columns to the left, and to the right if the same layers cover what comes then.
+    [[gnu::noinline]] void trim(Region* region, std::uint32_t first, const Record::Border* border)
+    {
+        int moved_begin = far;
+        int moved_end = 0;
+        unsigned rows = 0;
+        const auto take = [&](unsigned slot, int begin, int end, unsigned touched) {
+            if ((bit_of(slot) & slots_.same) != 0)
+                return;
+            moved_begin = std::min(moved_begin, begin);
+            moved_end = std::max(moved_end, end);
+            rows |= touched;
+        };
+        for (; first != place_; first = band_.chain(first).next) {
+            const Chain& chain = band_.chain(first);
+            take(chain.slot, chain.begin, chain.end, chain.rows);
+        }
+        for (; border != border_; ++border)
+            take(steps_[border->layer].slot, border->begin, border->end, border->rows);
+        if (inside_ != shown_inside_)
+            moved_end = columns_;
+        Region* kept = region;
+        for (; region != end_; ++region) {
+            const int begin = std::max<int>(region->begin, moved_begin);
+            const int end = std::min<int>(region->end, moved_end);
+            if (begin >= end)
+                continue;
+            *kept = *region;
+            kept->begin = static_cast<std::int16_t>(begin);
+            kept->end = static_cast<std::int16_t>(end);
+            kept->rows = static_cast<RowMask>(rows);
+            ++kept;
+        }
+        end_ = kept;
     }
 
     /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last
