@@ -38,6 +38,8 @@ enum class Work : std::uint8_t {
     kept_chain,      ///< of a layer that stays as it is
     // From outlines to pixels.
     step,           ///< compared with the last picture
+    passed_band,    ///< of rows that stay as they are
+    passed_border,  ///< of the record, in one of these
     band,           ///< of rows
     band_chain,     ///< in a band
     straight_chain, ///< likewise one that is straight
@@ -49,6 +51,7 @@ enum class Work : std::uint8_t {
     layer,          ///< laid on a region
     layer_row,      ///< of that
     layer_edge,     ///< through such a row
+    bent_edge,      ///< one that bends
     sum_row,        ///< in which areas are summed up
     row_chain,      ///< a chain in it
     sum_part,       ///< of an edge in it

@@ -90,7 +90,6 @@ private:
         const Cell left = Cells::cell(is_inside ? ink : below);
         const Cell right = Cells::cell(is_inside ? below : ink);
         work_for(slots_.layer(chain.slot).coming->item);
-        did(Work::edge_row, static_cast<std::uint32_t>(tile.rows));
         const std::int32_t start = (tile.left - chain.left) * grid;
         const Crossing* x = band_.crossings(chain) + tile.first_row;
         Cell* at = tile.cells;
@@ -98,9 +97,12 @@ private:
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
             if (row != 0 && x[0] == x[1] && x[0] == x[-1]) { // as the row above
                 repeat(at - tile.stride, tile.columns, at);
+                did(Work::filled_pixel, static_cast<std::uint32_t>(tile.columns));
                 continue;
             }
+            did(Work::edge_row);
             cover(edge_between(x[0] - start, x[1] - start), tile.columns, run);
+            did(Work::filled_pixel, static_cast<std::uint32_t>(tile.columns - (run.end - run.begin)));
             Cell* cell = at;
             for (const Cell* const end = at + run.begin; cell != end; ++cell)
                 *cell = left;

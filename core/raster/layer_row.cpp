@@ -171,6 +171,7 @@ void LayerRow::cover_edge(std::size_t number, bool left, CoverageRun& run)
     const RowChain* const bent = bent_[number];
     if (bent == nullptr)
         return cover(edges_[number], columns_, run);
+    did(Work::bent_edge);
     add_chain(*bent, columns_, sums_);
     run.begin = bent->first;
     run.end = bent->last + 1;

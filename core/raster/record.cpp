@@ -1,6 +1,7 @@
 #include "core/raster/record.hpp"
 
 #include "core/wide_fill.hpp"
+#include "core/work.hpp"
 
 #include <algorithm>
 
@@ -47,6 +48,8 @@ void Record::make_room()
 void Record::pass_band(int band, std::span<const PaintStep> shown)
 {
     std::uint8_t& count = counts_[static_cast<std::size_t>(band)];
+    did(Work::passed_band);
+    did(Work::passed_border, count);
     if (read_ != written_)
         copy_borders(read_, count, written_);
     Border* const begin = written_;

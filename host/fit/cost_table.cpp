@@ -40,6 +40,8 @@ constexpr auto kinds = std::to_array<std::string_view>({
     "crossing",
     "kept_chain",
     "step",
+    "passed_band",
+    "passed_border",
     "band",
     "band_chain",
     "straight_chain",
@@ -51,6 +53,7 @@ constexpr auto kinds = std::to_array<std::string_view>({
     "layer",
     "layer_row",
     "layer_edge",
+    "bent_edge",
     "sum_row",
     "row_chain",
     "sum_part",
@@ -68,254 +71,266 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 72240,
+        .code = 72404,
         .fixed_ram = 4,
-        .stack = 8896,
-        .cycles = 1.70,
-        .frame = 790,
-        .area = 745,
+        .stack = 8984,
+        .cycles = 1.72,
+        .frame = 791,
+        .area = 766,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2368.3, // item
-                3509.2, // track
-                838.6, // key
-                0.0, // placement
-                1672.2, // law
-                4004.9, // bezier_law
+                2402.4, // item
+                3506.0, // track
+                820.0, // key
+                79.5, // placement
+                1617.9, // law
+                3856.2, // bezier_law
                 0.0, // bone
-                1570.3, // object
-                6779.9, // stroke
+                1673.9, // object
+                7044.8, // stroke
                 0.0, // line
-                1101.0, // curve
-                691.7, // split
-                40.7, // point
+                1102.8, // curve
+                687.7, // split
+                41.3, // point
                 0.0, // wide_point
-                1032.7, // projected_point
-                409.0, // carried_point
-                971.3, // bent_point
-                215.7, // piece
-                189.1, // wide_piece
-                480.4, // pen_piece
-                188.3, // bend
+                1042.2, // projected_point
+                402.6, // carried_point
+                964.9, // bent_point
+                206.0, // piece
+                182.4, // wide_piece
+                475.6, // pen_piece
+                361.6, // bend
                 0.0, // slight_bend
-                267.3, // placed_corner
-                208.3, // corner
-                590.1, // chain
-                11.5, // crossing
-                239.1, // kept_chain
-                634.3, // step
-                487.3, // band
-                274.8, // band_chain
-                375.0, // straight_chain
-                159.0, // border
-                144.4, // region
-                199.7, // edge_row
-                1.9, // flat_pixel
-                52.9, // chain_visit
-                737.6, // layer
+                272.5, // placed_corner
+                198.1, // corner
+                500.5, // chain
+                12.2, // crossing
+                199.8, // kept_chain
+                329.4, // step
+                76.1, // passed_band
+                0.0, // passed_border
+                253.1, // band
+                343.6, // band_chain
+                437.0, // straight_chain
+                98.0, // border
+                279.6, // region
+                147.6, // edge_row
+                0.0, // flat_pixel
+                65.1, // chain_visit
+                501.1, // layer
                 0.0, // layer_row
-                169.6, // layer_edge
-                0.0, // sum_row
-                203.5, // row_chain
-                132.3, // sum_part
-                1.8, // sum_pixel
-                394.9, // edge_group
-                191.7, // line_crossing
-                111.0, // span
-                8.5, // fill
-                2.7, // filled_pixel
-                39.7, // blended_pixel
-                49.8, // faded_pixel
+                147.7, // layer_edge
+                280.2, // bent_edge
+                147.0, // sum_row
+                172.0, // row_chain
+                127.3, // sum_part
+                11.2, // sum_pixel
+                69.4, // edge_group
+                159.9, // line_crossing
+                77.2, // span
+                0.0, // fill
+                0.0, // filled_pixel
+                41.8, // blended_pixel
+                49.7, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 68348,
+        .code = 68852,
         .fixed_ram = 4,
-        .stack = 8776,
-        .cycles = 1.82,
+        .stack = 8832,
+        .cycles = 1.83,
         .frame = 403,
-        .area = 594,
+        .area = 668,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2178.6, // item
-                1870.5, // track
-                347.5, // key
+                2123.0, // item
+                1911.9, // track
+                331.8, // key
                 0.0, // placement
-                836.0, // law
-                2573.5, // bezier_law
+                803.7, // law
+                2468.4, // bezier_law
                 0.0, // bone
-                735.1, // object
-                3598.8, // stroke
+                846.5, // object
+                3766.4, // stroke
                 0.0, // line
-                1053.0, // curve
-                450.3, // split
-                20.2, // point
+                1046.3, // curve
+                447.7, // split
+                23.4, // point
                 0.0, // wide_point
-                253.1, // projected_point
-                318.1, // carried_point
-                586.6, // bent_point
-                113.7, // piece
-                52.7, // wide_piece
-                256.8, // pen_piece
-                14.0, // bend
+                261.2, // projected_point
+                314.3, // carried_point
+                582.2, // bent_point
+                108.7, // piece
+                48.9, // wide_piece
+                251.8, // pen_piece
+                88.1, // bend
                 0.0, // slight_bend
                 162.9, // placed_corner
-                205.3, // corner
-                444.6, // chain
-                11.4, // crossing
-                129.3, // kept_chain
-                461.4, // step
-                291.2, // band
-                233.7, // band_chain
-                322.7, // straight_chain
-                128.4, // border
-                174.3, // region
-                155.4, // edge_row
+                199.0, // corner
+                415.8, // chain
+                11.7, // crossing
+                110.5, // kept_chain
+                244.3, // step
+                53.3, // passed_band
+                0.0, // passed_border
+                106.7, // band
+                295.5, // band_chain
+                310.2, // straight_chain
+                84.8, // border
+                250.3, // region
+                94.5, // edge_row
                 0.0, // flat_pixel
-                47.0, // chain_visit
-                568.8, // layer
+                55.9, // chain_visit
+                369.6, // layer
                 0.0, // layer_row
-                130.2, // layer_edge
-                0.0, // sum_row
-                168.8, // row_chain
-                97.9, // sum_part
-                0.0, // sum_pixel
-                235.7, // edge_group
-                163.2, // line_crossing
-                94.5, // span
-                0.8, // fill
-                2.2, // filled_pixel
-                27.7, // blended_pixel
-                34.9, // faded_pixel
+                117.2, // layer_edge
+                168.7, // bent_edge
+                29.0, // sum_row
+                143.4, // row_chain
+                114.2, // sum_part
+                8.4, // sum_pixel
+                0.0, // edge_group
+                131.0, // line_crossing
+                62.8, // span
+                0.0, // fill
+                0.0, // filled_pixel
+                31.6, // blended_pixel
+                34.4, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 68388,
+        .code = 68876,
         .fixed_ram = 4,
-        .stack = 8776,
-        .cycles = 1.82,
+        .stack = 8832,
+        .cycles = 1.83,
         .frame = 402,
-        .area = 592,
+        .area = 664,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2181.0, // item
-                1871.9, // track
-                348.8, // key
+                2126.2, // item
+                1912.7, // track
+                333.5, // key
                 0.0, // placement
-                838.1, // law
-                2575.7, // bezier_law
+                805.4, // law
+                2469.3, // bezier_law
                 0.0, // bone
-                718.5, // object
-                3610.5, // stroke
+                828.7, // object
+                3778.8, // stroke
                 0.0, // line
-                1049.8, // curve
-                448.9, // split
-                19.3, // point
+                1043.3, // curve
+                446.2, // split
+                22.4, // point
                 0.0, // wide_point
-                254.9, // projected_point
-                317.1, // carried_point
-                586.8, // bent_point
-                115.2, // piece
-                54.1, // wide_piece
-                258.8, // pen_piece
-                13.8, // bend
+                263.1, // projected_point
+                313.2, // carried_point
+                582.4, // bent_point
+                110.2, // piece
+                50.3, // wide_piece
+                253.7, // pen_piece
+                88.3, // bend
                 0.0, // slight_bend
-                165.3, // placed_corner
-                206.5, // corner
-                445.5, // chain
-                11.4, // crossing
-                129.8, // kept_chain
-                465.1, // step
-                293.0, // band
-                232.2, // band_chain
-                323.0, // straight_chain
-                128.8, // border
-                177.6, // region
-                157.1, // edge_row
+                165.5, // placed_corner
+                200.3, // corner
+                416.4, // chain
+                11.8, // crossing
+                110.7, // kept_chain
+                244.8, // step
+                54.3, // passed_band
+                0.0, // passed_border
+                109.8, // band
+                294.0, // band_chain
+                307.2, // straight_chain
+                85.3, // border
+                249.4, // region
+                96.0, // edge_row
                 0.0, // flat_pixel
-                47.0, // chain_visit
-                577.9, // layer
+                56.4, // chain_visit
+                373.3, // layer
                 0.0, // layer_row
-                131.1, // layer_edge
-                0.0, // sum_row
-                168.5, // row_chain
-                95.2, // sum_part
-                0.0, // sum_pixel
-                243.3, // edge_group
-                163.9, // line_crossing
-                95.9, // span
+                117.8, // layer_edge
+                180.7, // bent_edge
+                32.9, // sum_row
+                141.6, // row_chain
+                113.7, // sum_part
+                7.6, // sum_pixel
+                1.1, // edge_group
+                131.2, // line_crossing
+                64.8, // span
                 0.0, // fill
-                2.2, // filled_pixel
-                27.0, // blended_pixel
-                33.9, // faded_pixel
+                0.0, // filled_pixel
+                31.6, // blended_pixel
+                33.4, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 68408,
+        .code = 68904,
         .fixed_ram = 4,
-        .stack = 8768,
+        .stack = 8824,
         .cycles = 1.69,
         .frame = 400,
-        .area = 589,
+        .area = 674,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2177.6, // item
-                1871.4, // track
-                347.6, // key
+                2122.2, // item
+                1912.7, // track
+                332.0, // key
                 0.0, // placement
-                834.1, // law
-                2574.8, // bezier_law
+                801.7, // law
+                2469.6, // bezier_law
                 0.0, // bone
-                729.8, // object
-                3597.8, // stroke
+                840.9, // object
+                3765.2, // stroke
                 0.0, // line
-                1051.4, // curve
-                448.4, // split
-                20.3, // point
+                1044.7, // curve
+                445.7, // split
+                23.5, // point
                 0.0, // wide_point
-                254.1, // projected_point
-                317.5, // carried_point
-                585.6, // bent_point
-                113.9, // piece
-                53.0, // wide_piece
-                257.0, // pen_piece
-                14.7, // bend
+                262.2, // projected_point
+                313.7, // carried_point
+                581.2, // bent_point
+                108.9, // piece
+                49.2, // wide_piece
+                252.0, // pen_piece
+                88.8, // bend
                 0.0, // slight_bend
                 162.9, // placed_corner
-                205.1, // corner
-                444.7, // chain
-                11.4, // crossing
-                129.4, // kept_chain
-                464.8, // step
-                297.8, // band
-                234.1, // band_chain
-                321.6, // straight_chain
-                129.4, // border
-                175.4, // region
-                153.6, // edge_row
+                198.8, // corner
+                415.9, // chain
+                11.7, // crossing
+                110.6, // kept_chain
+                245.3, // step
+                54.1, // passed_band
+                0.0, // passed_border
+                112.7, // band
+                297.1, // band_chain
+                310.8, // straight_chain
+                85.6, // border
+                247.7, // region
+                97.6, // edge_row
                 0.0, // flat_pixel
-                47.1, // chain_visit
-                569.4, // layer
+                56.2, // chain_visit
+                362.5, // layer
                 0.0, // layer_row
-                129.7, // layer_edge
-                0.0, // sum_row
-                168.7, // row_chain
-                98.9, // sum_part
-                0.0, // sum_pixel
-                231.4, // edge_group
-                162.7, // line_crossing
-                95.0, // span
-                1.1, // fill
-                2.1, // filled_pixel
-                27.8, // blended_pixel
-                34.9, // faded_pixel
+                117.2, // layer_edge
+                177.3, // bent_edge
+                32.4, // sum_row
+                143.4, // row_chain
+                117.6, // sum_part
+                10.9, // sum_pixel
+                0.0, // edge_group
+                130.3, // line_crossing
+                55.3, // span
+                0.0, // fill
+                0.0, // filled_pixel
+                32.5, // blended_pixel
+                34.5, // faded_pixel
             }),
     },
 }};

@@ -29,7 +29,8 @@ struct Placed {
     {
         raster::OutlineStore& store = outlines.store();
         store.place_contours(map, name ? &*name : nullptr, cache);
-        if (cache == nullptr || !cache->each_contour(*name, [&](const raster::KeptContour& contour) { store.add(contour); })) {
+        if (cache == nullptr ||
+            !cache->each_contour(*name, [&](const raster::KeptContour& contour) { store.add(contour); })) {
             if (cache != nullptr)
                 cache->begin(*name);
             outlines.add({{0, 0}, {0, -500}, {0, -1000}, {500, -1001}, {1000, -1000}, {1000, 0}});
@@ -70,9 +71,12 @@ TEST_CASE("names and places tell contours apart, and so do corners without a nam
     CHECK(Placed{turned(10), name}.fingerprint == first.fingerprint);
     CHECK_FALSE(Placed{turned(11), name}.fingerprint == first.fingerprint);
     CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 4}}.fingerprint == first.fingerprint);
-    CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 3, .half_width = 0}}.fingerprint == first.fingerprint);
-    CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 3, .scale_bits = 1}}.fingerprint == first.fingerprint);
-    CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 3, .coarseness = 1}}.fingerprint == first.fingerprint);
+    CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 3, .half_width = 0}}.fingerprint ==
+                first.fingerprint);
+    CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 3, .scale_bits = 1}}.fingerprint ==
+                first.fingerprint);
+    CHECK_FALSE(Placed{turned(10), ContourName{.drawing = 3, .coarseness = 1}}.fingerprint ==
+                first.fingerprint);
     CHECK_FALSE(Placed{turned(10)}.fingerprint == Placed{turned(11)}.fingerprint);
     CHECK(Placed{turned(10)}.fingerprint == Placed{turned(10)}.fingerprint);
 }

@@ -161,24 +161,37 @@ TEST_CASE("a picture that has not changed sends nothing")
     CHECK(panel.sent_bytes() == 2 * whole);
 }
 
-/// A picture of an opaque rectangle, and of a wide one below it, which stays.
-void show_rectangles(Renderer& renderer, const Rect& rect)
+/// Corners of an opaque layer, in pixels.
+using Polygon = std::vector<std::pair<int, int>>;
+
+Polygon polygon_of(const Rect& area)
 {
-    const auto add = [&renderer](std::uint32_t item, const Rect& area) {
-        renderer.picture().add_layer({.colour = {255, 255, 255, 255}, .item = item}, 0, {}, [&] {
+    const int right = area.x + area.width;
+    const int bottom = area.y + area.height;
+    return {{area.x, area.y}, {right, area.y}, {right, bottom}, {area.x, bottom}};
+}
+
+void show_polygons(Renderer& renderer, const std::vector<Polygon>& polygons)
+{
+    renderer.picture().outlines.clear();
+    renderer.picture().step_count = 0;
+    std::uint32_t item = 0;
+    for (const Polygon& polygon : polygons) {
+        const auto level = static_cast<std::uint8_t>(255 - 60 * item);
+        renderer.picture().add_layer({.colour = {level, level, level, 255}, .item = ++item}, 0, {}, [&] {
             OutlineStore& outlines = renderer.picture().outlines;
-            for (const auto& [x, y] : {std::pair{area.x, area.y}, std::pair{area.x + area.width, area.y},
-                                       std::pair{area.x + area.width, area.y + area.height},
-                                       std::pair{area.x, area.y + area.height}})
+            for (const auto& [x, y] : polygon)
                 outlines.add({x * grid, y * grid});
             outlines.close();
         });
-    };
-    renderer.picture().outlines.clear();
-    renderer.picture().step_count = 0;
-    add(1, rect);
-    add(2, {0, 44, 60, 6});
+    }
     renderer.begin();
+}
+
+/// A picture of a rectangle, and of a wide one below it, which stays.
+void show_rectangles(Renderer& renderer, const Rect& rect)
+{
+    show_polygons(renderer, {polygon_of(rect), polygon_of({0, 44, 60, 6})});
 }
 
 TEST_CASE("rows that nothing reaches which has changed are not sent, and bands are passed over")
@@ -221,6 +234,28 @@ std::vector<std::byte> rows_of(OwnedRenderer& renderer, int first_row)
         std::as_writable_bytes(std::span{words}).first(stride * static_cast<std::size_t>(rows - first_row));
     renderer->draw_rows<PixelFormat::rgb565>(first_row, rows - first_row, pixels);
     return {pixels.begin(), pixels.end()};
+}
+
+TEST_CASE("what is still and long is drawn only where something moves over it")
+{
+    OwnedRenderer renderer{needs_of({}), {60, 50}};
+    PanelModel<PixelFormat::rgb565> panel{{60, 50}, {1, 1}};
+    const Polygon line{{2, 16}, {58, 19}, {58, 20}, {2, 17}};
+    const auto sent_for = [&](const std::vector<Polygon>& polygons) {
+        const std::size_t before = panel.sent_bytes();
+        show_polygons(*renderer, polygons);
+        panel.take(*renderer, 8);
+        OwnedRenderer fresh{needs_of({}), {60, 50}};
+        show_polygons(*fresh, polygons);
+        CHECK(panel.pixels() == rows_of(fresh, 0));
+        return panel.sent_bytes() - before;
+    };
+    sent_for({polygon_of({20, 17, 6, 2}), line});
+    CHECK(sent_for({polygon_of({22, 17, 6, 2}), line}) <= std::size_t{2} * 9 * 2);
+    CHECK(sent_for({polygon_of({22, 17, 16, 2}), line}) <= std::size_t{2} * 17 * 2);
+    // What covers the end of the line has changed: all behind it is drawn.
+    CHECK(sent_for({polygon_of({22, 16, 38, 4}), line}) >= std::size_t{20} * 2);
+    CHECK(sent_for({line, polygon_of({22, 16, 38, 4})}) >= std::size_t{20} * 2);
 }
 
 TEST_CASE("rows of a picture do not go on where those of the one before ended")

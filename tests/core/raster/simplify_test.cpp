@@ -15,7 +15,8 @@ using Contour = std::vector<Corner>;
 
 Contour simplified(Contour contour)
 {
-    contour.resize(static_cast<std::size_t>(simplify(contour.data(), contour.data() + contour.size()) - contour.data()));
+    contour.resize(
+        static_cast<std::size_t>(simplify(contour.data(), contour.data() + contour.size()) - contour.data()));
     return contour;
 }
 
@@ -23,7 +24,8 @@ double distance(Corner from, Corner to, Corner point)
 {
     const double x = to.x - from.x;
     const double y = to.y - from.y;
-    const double share = std::clamp(((point.x - from.x) * x + (point.y - from.y) * y) / (x * x + y * y), 0.0, 1.0);
+    const double share =
+        std::clamp(((point.x - from.x) * x + (point.y - from.y) * y) / (x * x + y * y), 0.0, 1.0);
     return std::hypot(from.x + share * x - point.x, from.y + share * y - point.y);
 }
 
@@ -37,10 +39,10 @@ TEST_CASE("corners on a straight line are left out")
 TEST_CASE("corners further away than the tolerance stay, and so do spikes along the line")
 {
     constexpr std::int32_t far = simplify_tolerance + 1;
-    for (const Contour& contour : {Contour{{0, 0}, {100, far}, {200, 0}, {100, 300}},
-                                   Contour{{0, 0}, {300, 1}, {200, 0}, {100, 300}},
-                                   Contour{{0, 0}, {-90, 1}, {200, 0}, {100, 300}}, Contour{{0, 0}, {5, 5}},
-                                   Contour{{3, 4}}, Contour{}})
+    for (const Contour& contour :
+         {Contour{{0, 0}, {100, far}, {200, 0}, {100, 300}}, Contour{{0, 0}, {300, 1}, {200, 0}, {100, 300}},
+          Contour{{0, 0}, {-90, 1}, {200, 0}, {100, 300}}, Contour{{0, 0}, {5, 5}}, Contour{{3, 4}},
+          Contour{}})
         CHECK(simplified(contour) == contour);
 }
 
