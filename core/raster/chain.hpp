@@ -25,8 +25,8 @@ inline constexpr int max_band_bits = 3;
 /// 4 rows, unless a panel asks for others.
 inline constexpr int default_band_bits = 2;
 
-/// The most borders of rows in a band, up to a whole word.
-inline constexpr std::size_t band_borders = (1 << max_band_bits) + 2;
+/// Where a chain crosses the borders between the rows of a band.
+using BandCrossings = std::array<Crossing, (1 << max_band_bits) + 1>;
 
 /// A set of rows of a band, the first in the lowest bit. Of bands that are higher than four rows all rows are
 /// always in it: panels that have them take all rows together.
@@ -40,13 +40,12 @@ constexpr RowMask row_mask(int begin, int end)
     return static_cast<RowMask>(((1U << end) - (1U << begin)) & all_rows);
 }
 
-/// A long edge that is a chain of its own. Its crossings are those of one band at a time.
+/// A long edge that is a chain of its own.
 struct StraightLine {
     std::int32_t slope = 0; ///< how far it goes to the right over each row, in 1/1024 of the grid
     std::int32_t first = 0; ///< x where it crosses the first border below its upper end, likewise
     Crossing top = 0;       ///< x at its upper end
     Crossing bottom = 0;    ///< x at its lower end
-    std::array<Crossing, band_borders> crossings{};
 };
 
 /// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
@@ -67,7 +66,7 @@ struct Chain {
     std::int16_t left = 0;       ///< column
     std::uint16_t layer = 0;
     bool runs_down : 1 = true;    ///< as the outline was drawn
-    bool is_straight : 1 = false; ///< a StraightLine tells its crossings, band by band
+    bool is_straight : 1 = false; ///< a StraightLine stands in for its crossings
 
     bool is_border : 1 = false; ///< its layer is inside on one side of it, and outside on the other
     RowMask rows = all_rows;    ///< that it reaches
@@ -82,10 +81,9 @@ struct Chain {
 
 static_assert(sizeof(Chain) == 40 && sizeof(Bend) == 4);
 
-/// Puts in where a straight chain crosses the borders of so many rows of the panel, from `row` on; beyond its
-/// ends, x of the end. It goes on to the right from row to row, or to the left, also where its slope is
-/// rounded.
-inline void find_crossings(const Chain& chain, StraightLine& line, int row, int rows)
+/// Where a straight chain crosses the borders of so many rows of the panel, from `row` on; beyond its ends, x
+/// of the end. It goes on to the right from row to row, or to the left, also where its slope is rounded.
+inline void find_crossings(const Chain& chain, const StraightLine& line, int row, int rows, Crossing* out)
 {
     const int top = row - floor_pixel(chain.top);
     const int end = ceil_pixel(chain.bottom) - floor_pixel(chain.top);
@@ -94,11 +92,10 @@ inline void find_crossings(const Chain& chain, StraightLine& line, int row, int 
     for (int border = top; border <= top + rows; ++border, fine += line.slope) {
         const std::int32_t x = fine >> 10;
         const bool is_beyond = runs_left ? x < line.bottom : x > line.bottom;
-        Crossing& crossing = line.crossings[static_cast<std::size_t>(border - top)];
         if (border <= 0)
-            crossing = line.top;
+            *out++ = line.top;
         else
-            crossing = border >= end || is_beyond ? line.bottom : static_cast<Crossing>(x);
+            *out++ = border >= end || is_beyond ? line.bottom : static_cast<Crossing>(x);
     }
 }
 

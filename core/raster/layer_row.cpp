@@ -107,14 +107,18 @@ void LayerRow::find_sides()
         if (is_inside(rule_, winding) == was_inside)
             continue;
         was_inside = !was_inside;
-        sides_[side_count_++] = {band_->crossings(chain), (left_ - chain.left) * grid};
+        const int rows = 1 << (band_->height_bits() - grid_bits);
+        sides_[side_count_] = {band_->crossings(chain, 0, rows, side_rooms_[side_count_]),
+                               (left_ - chain.left) * grid};
+        ++side_count_;
     }
 }
 
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
 {
     const std::int32_t left = (left_ - chain.left) * grid;
-    const Crossing* const x = band_->crossings(chain) + row;
+    BandCrossings room;
+    const Crossing* const x = band_->crossings(chain, row, 1, room);
     return edge_between(x[0] - left, x[1] - left);
 }
 
@@ -241,7 +245,8 @@ void LayerRow::set_row_chain(const Chain& chain, int row, bool is_straight, RowC
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
     const std::int32_t left = (left_ - chain.left) * grid;
-    const Crossing* const x = band_->crossings(chain) + row;
+    BandCrossings room;
+    const Crossing* const x = band_->crossings(chain, row, 1, room);
     found.top_x = x[0] - left;
     found.bottom_x = x[1] - left;
     found.bend = band_->bends(chain);

@@ -76,10 +76,9 @@ public:
     }
     const Bend* bend(std::uint32_t place) const { return reinterpret_cast<const Bend*>(bytes_ + place); }
     /// Of a chain that is straight.
-    StraightLine& line(const Chain& chain) const
+    const StraightLine& line(const Chain& chain) const
     {
-        return *reinterpret_cast<StraightLine*>(bytes_ +
-                                                (chain.crossings - offsetof(StraightLine, crossings)));
+        return *reinterpret_cast<const StraightLine*>(bytes_ + chain.crossings);
     }
     /// Calls visit(chain) for each of the picture.
     template <class Visit>

@@ -28,10 +28,12 @@ inline std::vector<raster::Crossing> crossings_of(const raster::OutlineStore& st
     const int last = raster::ceil_pixel(chain.bottom);
     std::vector<raster::Crossing> crossings;
     for (int row = first; row <= last; ++row) {
-        int band = (first >> store.band_bits()) << store.band_bits();
+        const int band = (first >> store.band_bits()) << store.band_bits();
+        crossings.emplace_back();
         if (chain.is_straight)
-            raster::find_crossings(chain, store.line(chain), band = row, 0);
-        crossings.push_back(store.crossing(chain.crossings)[row - band]);
+            raster::find_crossings(chain, store.line(chain), row, 0, &crossings.back());
+        else
+            crossings.back() = store.crossing(chain.crossings)[row - band];
     }
     return crossings;
 }
