@@ -201,7 +201,7 @@ void Tracer::trace_label(const ItemView& item, const ItemState& state, const Con
         [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });
 }
 
-/// As add_layers(), but placed as drawings of the scene are, so that they look the same.
+/// As add_layers(), but outlined upright and placed, as drawings of the scene are.
 void Tracer::add_live_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
                              FunctionRef<Point()> first_point, TraceStrokes trace)
 {

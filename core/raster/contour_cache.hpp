@@ -29,7 +29,7 @@ struct ContourName {
 /// A contour before it is placed.
 struct KeptContour {
     std::span<const ShortCorner> corners;
-    std::size_t room; ///< for as many corners is needed until it is simplified
+    std::size_t room; ///< corners that it had before it was simplified: so many must find room
 };
 
 /// Contours of drawings that move as a whole, before they are placed: kept from picture to picture, in memory

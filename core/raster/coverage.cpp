@@ -67,7 +67,8 @@ private:
 
 }
 
-/// Nearly all edges are short enough for the table of reciprocals, and lie within the tile.
+/// Nearly all edges are short enough for the table of reciprocals, and lie within the tile. Ramp gives the
+/// same.
 void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
 {
     const int first = edge.pixel();
@@ -113,15 +114,15 @@ void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
 }
 
 /// What is inside is rounded, as in sums of all edges of a row.
-void CoverageSums::take(bool runs_down, bool left, CoverageRun& run)
+void CoverageSums::take(bool runs_down, bool is_inside_left, CoverageRun& run)
 {
     std::int32_t sum = 0;
     std::uint16_t* out = run.pixels.data();
     for (int column = run.begin; column != run.end; ++column) {
         sum += std::exchange(sums_[static_cast<std::size_t>(column)], 0);
         const std::int32_t right = runs_down ? sum : -sum;
-        *out++ = static_cast<std::uint16_t>(left ? full_coverage - coverage(std::abs(full - right))
-                                                 : coverage(std::abs(right)));
+        *out++ = static_cast<std::uint16_t>(is_inside_left ? full_coverage - coverage(std::abs(full - right))
+                                                           : coverage(std::abs(right)));
     }
     sums_[static_cast<std::size_t>(run.end)] = 0;
 }

@@ -86,10 +86,10 @@ public:
         return (std::min(area, full) + unit / 2) / unit;
     }
 
-    /// The coverages of a single edge whose parts were added, in pixels from run.begin up to run.end: what
-    /// lies to the right of it, for a layer that is inside on its left side or on its right one. All is
-    /// forgotten.
-    void take(bool runs_down, bool left, CoverageRun& run);
+    /// The coverages of an edge whose parts are all that was added, and which touches the pixels from
+    /// run.begin up to run.end: what lies to the right of it. The layer is inside on its left side or on its
+    /// right one. All is forgotten.
+    void take(bool runs_down, bool is_inside_left, CoverageRun& run);
 
     /// Calls span(begin, end, sum) for stretches of pixels that have the same sum; to the left of them it is
     /// `sum`. All is forgotten.

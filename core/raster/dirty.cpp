@@ -14,9 +14,9 @@ class Walk {
 public:
     Walk(const Band& band, std::span<const Record::Border> shown, std::span<const PaintStep> shown_steps,
          const Slots& slots, int columns, bool is_known, RegionList& dirty)
-        : band_{band}, steps_{shown_steps}, slots_{slots}, regions_{dirty.data()}, end_{dirty.data()},
-          columns_{columns}, is_known_{is_known}, border_{shown.data()}, borders_end_{shown.data() +
-                                                                                      shown.size()}
+        : band_{band}, steps_{shown_steps}, slots_{slots}, fixed_{slots.same & ~slots.recoloured},
+          regions_{dirty.data()}, end_{dirty.data()}, columns_{columns}, is_known_{is_known},
+          border_{shown.data()}, borders_end_{shown.data() + shown.size()}
     {
         take_chain(band.first());
         read_border();
@@ -87,8 +87,8 @@ private:
                 read_border();
             }
         } while (begin_ < end || shown_begin_ < end);
-        const bool is_same_left = left == shown_left && ((left | touched) & slots_.recoloured) == 0;
-        const bool is_same = is_same_left && (touched & ~slots_.same) == 0;
+        const bool is_same_left = left == shown_left && (left & slots_.recoloured) == 0;
+        const bool is_same = is_same_left && (touched & ~fixed_) == 0;
         if (is_known_ && (is_same || slots_.is_hidden(left, shown_left, touched)))
             end_ = mark;
         else if (chains_end < 0)
@@ -96,7 +96,7 @@ private:
         else
             end_region(std::min(end, columns_));
         if (is_known_ && is_same_left && end_ != mark) {
-            if ((touched & slots_.same) != 0)
+            if ((touched & fixed_) != 0)
                 trim(mark, first, first_border);
             else if (rows != all_rows)
                 for (Region* region = mark; region != end_; ++region)
@@ -105,41 +105,34 @@ private:
         return end;
     }
 
-    /// Of the regions of a cluster that was passed, what no chain touches that has moved is as it was: rows,
-    /// and columns to the left, and to the right if the same layers cover what comes then.
+    /// Of the regions of a cluster that was passed, what only layers touch that look as before is as it was:
+    /// rows, and columns to the left, and to the right if the same layers cover what comes then. Each region
+    /// is touched by another layer: these are not the only ones that keep the cluster together.
     [[gnu::noinline]] void trim(Region* region, std::uint32_t first, const Record::Border* border)
     {
         int moved_begin = far;
         int moved_end = 0;
-        unsigned rows = 0;
-        const auto take = [&](unsigned slot, int begin, int end, unsigned touched) {
-            if ((bit_of(slot) & slots_.same) != 0)
+        unsigned moved_rows = 0;
+        const auto add = [&](unsigned slot, int begin, int end, unsigned rows) {
+            if ((bit_of(slot) & fixed_) != 0)
                 return;
             moved_begin = std::min(moved_begin, begin);
             moved_end = std::max(moved_end, end);
-            rows |= touched;
+            moved_rows |= rows;
         };
         for (; first != place_; first = band_.chain(first).next) {
             const Chain& chain = band_.chain(first);
-            take(chain.slot, chain.begin, chain.end, chain.rows);
+            add(chain.slot, chain.begin, chain.end, chain.rows);
         }
         for (; border != border_; ++border)
-            take(steps_[border->layer].slot, border->begin, border->end, border->rows);
-        if (inside_ != shown_inside_)
+            add(steps_[border->layer].slot, border->begin, border->end, border->rows);
+        if (inside_ != shown_inside_ || (inside_ & slots_.recoloured) != 0)
             moved_end = columns_;
-        Region* kept = region;
         for (; region != end_; ++region) {
-            const int begin = std::max<int>(region->begin, moved_begin);
-            const int end = std::min<int>(region->end, moved_end);
-            if (begin >= end)
-                continue;
-            *kept = *region;
-            kept->begin = static_cast<std::int16_t>(begin);
-            kept->end = static_cast<std::int16_t>(end);
-            kept->rows = static_cast<RowMask>(rows);
-            ++kept;
+            region->begin = static_cast<std::int16_t>(std::max<int>(region->begin, moved_begin));
+            region->end = static_cast<std::int16_t>(std::min<int>(region->end, moved_end));
+            region->rows = static_cast<RowMask>(moved_rows);
         }
-        end_ = kept;
     }
 
     /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last
@@ -173,6 +166,7 @@ private:
     const Band& band_;
     std::span<const PaintStep> steps_;
     const Slots& slots_;
+    const SlotMask fixed_; ///< layers that are where they were, and look as before
     Region* const regions_;
     Region* end_; ///< behind the last one
     int columns_;

@@ -32,8 +32,9 @@ public:
     friend constexpr bool operator==(Fingerprint, Fingerprint) = default;
 
 private:
-    std::uint32_t high_ = 0;
-    std::uint32_t low_ = 0;
+    // Not 0, which corners at the origin would leave as it is.
+    std::uint32_t high_ = 0x6A09'E667;
+    std::uint32_t low_ = 0xBB67'AE85;
 };
 
 }

@@ -95,7 +95,7 @@ void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
     has_few_ = has_sides_ = true;
 }
 
-/// Leaves windings of 0 and 1, or 0 and -1.
+/// Of the chains in the list, those between inside and outside.
 void LayerRow::find_sides()
 {
     std::int32_t winding = winding_ >> band_->height_bits();
@@ -165,7 +165,7 @@ bool LayerRow::find_edges(int row)
     return true;
 }
 
-void LayerRow::cover_edge(std::size_t number, bool left, CoverageRun& run)
+void LayerRow::cover_edge(std::size_t number, bool is_inside_left, CoverageRun& run)
 {
     if (has_sides_) {
         const Side& side = sides_[number];
@@ -179,7 +179,7 @@ void LayerRow::cover_edge(std::size_t number, bool left, CoverageRun& run)
     add_chain(*bent, columns_, sums_);
     run.begin = bent->first;
     run.end = bent->last + 1;
-    sums_.take(bent->runs_down, left, run);
+    sums_.take(bent->runs_down, is_inside_left, run);
 }
 
 void LayerRow::add_row(int row)

@@ -27,9 +27,9 @@ public:
     /// tell the coverage: then sum_up() does.
     bool find_edges(int row);
     std::size_t edge_count() const { return edge_count_; }
-    /// How much of the pixels that such an edge touches lies to the right of it; `left`: the layer is inside
-    /// on its left side.
-    [[gnu::noinline]] void cover_edge(std::size_t number, bool left, CoverageRun& run);
+    /// How much of the pixels that such an edge touches lies to the right of it; the layer is inside on its
+    /// left side or on its right one.
+    [[gnu::noinline]] void cover_edge(std::size_t number, bool is_inside_left, CoverageRun& run);
 
     /// Calls span(begin, end, coverage) for all columns of a row, from left to right.
     template <class Span>

@@ -231,13 +231,13 @@ bool OutlineStore::find_runs(Corner* first, Corner* last, bool frees_corners)
     return true;
 }
 
-/// Of the run that ends at `end`.
+/// Of the run that ends at `end`: a long edge, or level edges in front of one, or edges that go one way.
 Corner* OutlineStore::begin_of_run(Corner* first, Corner* end) const
 {
     Reach reached{*end};
     const auto is_in_reach = [&](const Corner& corner) { return !is_large_ || reached.take(corner); };
     Corner* begin = end - 1;
-    is_in_reach(*begin); // or it is cut later
+    is_in_reach(*begin); // the first edge is taken in any case
     while (begin != first && begin->y == end->y && is_in_reach(begin[-1]))
         --begin;
     const std::int32_t rise = end->y - begin->y;
@@ -245,7 +245,8 @@ Corner* OutlineStore::begin_of_run(Corner* first, Corner* end) const
         return begin + 1 == end ? begin : begin + 1;
     const std::int32_t sense = rise < 0 ? -1 : 1;
     const auto next_rise = [&] { return (begin->y - begin[-1].y) * sense; };
-    while (begin != first && static_cast<std::uint32_t>(next_rise()) <= long_edge && is_in_reach(begin[-1]))
+    const auto goes_on = [&] { return static_cast<std::uint32_t>(next_rise()) <= long_edge; }; // nor turns
+    while (begin != first && goes_on() && is_in_reach(begin[-1]))
         --begin;
     if (rise != 0 && begin != first && next_rise() < 0)
         while (begin->y == begin[1].y)

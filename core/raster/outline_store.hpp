@@ -152,9 +152,9 @@ private:
     std::byte* kept_ = nullptr;      ///< the end of the layer that may come next
     std::byte* kept_end_ = nullptr;  ///< below all that were kept
     std::size_t waiting_ = 0;        ///< bytes of layers that were kept and have not been reused
-    const CornerMap* map_ = nullptr; ///< of contours that come in
-    ContourCache* cache_ = nullptr;  ///< that keeps them
-    bool is_named_ = false;          ///< they are
+    const CornerMap* map_ = nullptr; ///< that places contours; null if they come in where they are seen
+    ContourCache* cache_ = nullptr;  ///< that keeps contours before they are placed
+    bool is_named_ = false;          ///< the fingerprint has the name of the contours that come in
     std::span<std::uint32_t> heads_;
     std::size_t size_ = 0;
     std::size_t needed_ = 0;

@@ -36,6 +36,8 @@ bool are_near_line(const Corner* from, const Corner* to)
         if (std::abs(x) > max_extent || std::abs(y) > max_extent)
             return false;
         const std::int32_t along = x * width + y * height;
+        if (square == 0 && (x | y) != 0) // there and back
+            return false;
         if (along < 0 || along > square || std::abs(x * height - y * width) > limit)
             return false;
     }

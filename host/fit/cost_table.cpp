@@ -71,266 +71,266 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 72404,
+        .code = 72548,
         .fixed_ram = 4,
-        .stack = 8984,
+        .stack = 9128,
         .cycles = 1.72,
         .frame = 791,
-        .area = 766,
+        .area = 821,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2402.4, // item
-                3506.0, // track
-                820.0, // key
-                79.5, // placement
-                1617.9, // law
-                3856.2, // bezier_law
+                2369.6, // item
+                3536.1, // track
+                817.2, // key
+                0.0, // placement
+                1640.5, // law
+                3900.8, // bezier_law
                 0.0, // bone
-                1673.9, // object
-                7044.8, // stroke
+                1710.0, // object
+                7047.8, // stroke
                 0.0, // line
-                1102.8, // curve
-                687.7, // split
-                41.3, // point
+                1104.3, // curve
+                690.3, // split
+                39.7, // point
                 0.0, // wide_point
-                1042.2, // projected_point
-                402.6, // carried_point
-                964.9, // bent_point
-                206.0, // piece
+                1041.1, // projected_point
+                405.3, // carried_point
+                964.0, // bent_point
+                206.9, // piece
                 182.4, // wide_piece
-                475.6, // pen_piece
-                361.6, // bend
+                478.5, // pen_piece
+                371.7, // bend
                 0.0, // slight_bend
-                272.5, // placed_corner
-                198.1, // corner
-                500.5, // chain
-                12.2, // crossing
-                199.8, // kept_chain
-                329.4, // step
-                76.1, // passed_band
+                274.2, // placed_corner
+                199.0, // corner
+                485.3, // chain
+                11.7, // crossing
+                200.2, // kept_chain
+                326.5, // step
+                76.6, // passed_band
                 0.0, // passed_border
-                253.1, // band
-                343.6, // band_chain
-                437.0, // straight_chain
-                98.0, // border
-                279.6, // region
-                147.6, // edge_row
+                226.1, // band
+                331.7, // band_chain
+                572.6, // straight_chain
+                88.3, // border
+                263.5, // region
+                145.1, // edge_row
                 0.0, // flat_pixel
-                65.1, // chain_visit
-                501.1, // layer
+                65.4, // chain_visit
+                502.5, // layer
                 0.0, // layer_row
-                147.7, // layer_edge
-                280.2, // bent_edge
-                147.0, // sum_row
-                172.0, // row_chain
-                127.3, // sum_part
-                11.2, // sum_pixel
-                69.4, // edge_group
-                159.9, // line_crossing
-                77.2, // span
-                0.0, // fill
-                0.0, // filled_pixel
-                41.8, // blended_pixel
-                49.7, // faded_pixel
+                162.0, // layer_edge
+                247.8, // bent_edge
+                293.8, // sum_row
+                192.0, // row_chain
+                115.6, // sum_part
+                9.9, // sum_pixel
+                209.5, // edge_group
+                160.0, // line_crossing
+                76.8, // span
+                0.8, // fill
+                0.2, // filled_pixel
+                40.5, // blended_pixel
+                49.5, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 68852,
+        .code = 69004,
         .fixed_ram = 4,
-        .stack = 8832,
+        .stack = 8976,
         .cycles = 1.83,
         .frame = 403,
-        .area = 668,
+        .area = 710,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2123.0, // item
-                1911.9, // track
-                331.8, // key
+                2105.5, // item
+                1919.1, // track
+                326.3, // key
                 0.0, // placement
-                803.7, // law
-                2468.4, // bezier_law
+                815.9, // law
+                2472.1, // bezier_law
                 0.0, // bone
-                846.5, // object
-                3766.4, // stroke
+                867.3, // object
+                3769.5, // stroke
                 0.0, // line
-                1046.3, // curve
-                447.7, // split
-                23.4, // point
+                1045.7, // curve
+                450.8, // split
+                22.3, // point
                 0.0, // wide_point
-                261.2, // projected_point
-                314.3, // carried_point
-                582.2, // bent_point
-                108.7, // piece
-                48.9, // wide_piece
-                251.8, // pen_piece
-                88.1, // bend
+                260.4, // projected_point
+                316.6, // carried_point
+                582.4, // bent_point
+                110.4, // piece
+                49.3, // wide_piece
+                254.9, // pen_piece
+                94.6, // bend
                 0.0, // slight_bend
-                162.9, // placed_corner
-                199.0, // corner
-                415.8, // chain
-                11.7, // crossing
-                110.5, // kept_chain
-                244.3, // step
-                53.3, // passed_band
+                163.4, // placed_corner
+                198.9, // corner
+                403.6, // chain
+                11.6, // crossing
+                109.6, // kept_chain
+                242.4, // step
+                53.6, // passed_band
                 0.0, // passed_border
-                106.7, // band
-                295.5, // band_chain
-                310.2, // straight_chain
-                84.8, // border
-                250.3, // region
-                94.5, // edge_row
+                83.7, // band
+                291.7, // band_chain
+                452.0, // straight_chain
+                77.2, // border
+                240.3, // region
+                92.5, // edge_row
                 0.0, // flat_pixel
                 55.9, // chain_visit
-                369.6, // layer
+                376.3, // layer
                 0.0, // layer_row
-                117.2, // layer_edge
-                168.7, // bent_edge
-                29.0, // sum_row
-                143.4, // row_chain
-                114.2, // sum_part
-                8.4, // sum_pixel
-                0.0, // edge_group
-                131.0, // line_crossing
-                62.8, // span
+                129.6, // layer_edge
+                141.5, // bent_edge
+                140.4, // sum_row
+                158.9, // row_chain
+                104.0, // sum_part
+                7.2, // sum_pixel
+                101.0, // edge_group
+                131.4, // line_crossing
+                62.4, // span
                 0.0, // fill
-                0.0, // filled_pixel
-                31.6, // blended_pixel
-                34.4, // faded_pixel
+                0.2, // filled_pixel
+                30.5, // blended_pixel
+                34.3, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 68876,
+        .code = 69028,
         .fixed_ram = 4,
-        .stack = 8832,
+        .stack = 8976,
         .cycles = 1.83,
         .frame = 402,
-        .area = 664,
+        .area = 706,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2126.2, // item
-                1912.7, // track
-                333.5, // key
+                2108.3, // item
+                1920.0, // track
+                328.0, // key
                 0.0, // placement
-                805.4, // law
-                2469.3, // bezier_law
+                817.7, // law
+                2472.2, // bezier_law
                 0.0, // bone
-                828.7, // object
-                3778.8, // stroke
+                849.5, // object
+                3782.2, // stroke
                 0.0, // line
-                1043.3, // curve
-                446.2, // split
-                22.4, // point
+                1042.6, // curve
+                449.4, // split
+                21.3, // point
                 0.0, // wide_point
-                263.1, // projected_point
-                313.2, // carried_point
-                582.4, // bent_point
-                110.2, // piece
-                50.3, // wide_piece
-                253.7, // pen_piece
-                88.3, // bend
+                262.3, // projected_point
+                315.6, // carried_point
+                582.6, // bent_point
+                112.0, // piece
+                50.7, // wide_piece
+                256.9, // pen_piece
+                94.9, // bend
                 0.0, // slight_bend
-                165.5, // placed_corner
-                200.3, // corner
-                416.4, // chain
-                11.8, // crossing
-                110.7, // kept_chain
-                244.8, // step
-                54.3, // passed_band
+                166.1, // placed_corner
+                200.2, // corner
+                403.9, // chain
+                11.7, // crossing
+                109.8, // kept_chain
+                243.0, // step
+                54.6, // passed_band
                 0.0, // passed_border
-                109.8, // band
-                294.0, // band_chain
-                307.2, // straight_chain
-                85.3, // border
-                249.4, // region
-                96.0, // edge_row
+                86.4, // band
+                290.1, // band_chain
+                448.9, // straight_chain
+                77.7, // border
+                239.0, // region
+                94.2, // edge_row
                 0.0, // flat_pixel
-                56.4, // chain_visit
-                373.3, // layer
+                56.3, // chain_visit
+                379.6, // layer
                 0.0, // layer_row
-                117.8, // layer_edge
-                180.7, // bent_edge
-                32.9, // sum_row
-                141.6, // row_chain
-                113.7, // sum_part
-                7.6, // sum_pixel
-                1.1, // edge_group
-                131.2, // line_crossing
-                64.8, // span
+                130.5, // layer_edge
+                153.5, // bent_edge
+                146.1, // sum_row
+                158.1, // row_chain
+                103.4, // sum_part
+                6.3, // sum_pixel
+                102.9, // edge_group
+                131.5, // line_crossing
+                64.6, // span
                 0.0, // fill
-                0.0, // filled_pixel
-                31.6, // blended_pixel
-                33.4, // faded_pixel
+                0.3, // filled_pixel
+                30.5, // blended_pixel
+                33.3, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 68904,
+        .code = 69056,
         .fixed_ram = 4,
-        .stack = 8824,
+        .stack = 8968,
         .cycles = 1.69,
         .frame = 400,
-        .area = 674,
+        .area = 714,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2122.2, // item
-                1912.7, // track
-                332.0, // key
+                2104.6, // item
+                1919.9, // track
+                326.4, // key
                 0.0, // placement
-                801.7, // law
-                2469.6, // bezier_law
+                814.0, // law
+                2473.3, // bezier_law
                 0.0, // bone
-                840.9, // object
-                3765.2, // stroke
+                861.7, // object
+                3768.3, // stroke
                 0.0, // line
-                1044.7, // curve
-                445.7, // split
-                23.5, // point
+                1044.1, // curve
+                448.8, // split
+                22.4, // point
                 0.0, // wide_point
-                262.2, // projected_point
-                313.7, // carried_point
-                581.2, // bent_point
-                108.9, // piece
-                49.2, // wide_piece
-                252.0, // pen_piece
-                88.8, // bend
+                261.5, // projected_point
+                316.0, // carried_point
+                581.4, // bent_point
+                110.7, // piece
+                49.6, // wide_piece
+                255.1, // pen_piece
+                95.3, // bend
                 0.0, // slight_bend
-                162.9, // placed_corner
-                198.8, // corner
-                415.9, // chain
-                11.7, // crossing
-                110.6, // kept_chain
-                245.3, // step
-                54.1, // passed_band
+                163.4, // placed_corner
+                198.7, // corner
+                403.7, // chain
+                11.6, // crossing
+                109.7, // kept_chain
+                243.5, // step
+                54.5, // passed_band
                 0.0, // passed_border
-                112.7, // band
-                297.1, // band_chain
-                310.8, // straight_chain
-                85.6, // border
-                247.7, // region
-                97.6, // edge_row
+                91.1, // band
+                293.2, // band_chain
+                453.0, // straight_chain
+                78.0, // border
+                237.4, // region
+                95.9, // edge_row
                 0.0, // flat_pixel
-                56.2, // chain_visit
-                362.5, // layer
+                55.9, // chain_visit
+                368.5, // layer
                 0.0, // layer_row
-                117.2, // layer_edge
-                177.3, // bent_edge
-                32.4, // sum_row
-                143.4, // row_chain
-                117.6, // sum_part
-                10.9, // sum_pixel
-                0.0, // edge_group
-                130.3, // line_crossing
-                55.3, // span
+                129.9, // layer_edge
+                149.2, // bent_edge
+                146.6, // sum_row
+                160.1, // row_chain
+                107.2, // sum_part
+                9.8, // sum_pixel
+                86.5, // edge_group
+                130.9, // line_crossing
+                54.9, // span
                 0.0, // fill
-                0.0, // filled_pixel
-                32.5, // blended_pixel
-                34.5, // faded_pixel
+                0.3, // filled_pixel
+                31.3, // blended_pixel
+                34.4, // faded_pixel
             }),
     },
 }};

@@ -19,9 +19,6 @@ from scenes import compile_scenes  # noqa: E402
 HOST, IMAGES = (pathlib.Path(argument) for argument in sys.argv[1:3])
 CPUS = ("cortex-m0", "cortex-m4")
 TOLERANCE = 0.15
-# The keys of crane's bones cost less than those of the scenes of the calibration; what plot spends on the record of bands
-# that stay as they are is not counted.
-WIDER = {"crane": 0.21, "plot": 0.2}
 
 
 def estimates(scene):
@@ -46,7 +43,7 @@ class Estimate(unittest.TestCase):
                 estimated = estimates(scene)[cpu]
                 for what, figure in (("median", statistics.median), ("worst", max)):
                     with self.subTest(scene=scene.name, cpu=cpu, frame=what):
-                        self.assertAlmostEqual(figure(estimated) / figure(counted), 1, delta=WIDER.get(scene.name, TOLERANCE))
+                        self.assertAlmostEqual(figure(estimated) / figure(counted), 1, delta=TOLERANCE)
 
 
 if __name__ == "__main__":

@@ -224,6 +224,18 @@ TEST_CASE("rows that nothing reaches which has changed are not sent, and bands a
     work_tally = nullptr;
 }
 
+TEST_CASE("outlines with a corner less at the origin are others")
+{
+    OwnedRenderer renderer{needs_of({}), {60, 50}};
+    PanelModel<PixelFormat::rgb565> panel{{60, 50}, {1, 1}};
+    show_polygons(*renderer, {{{0, 0}, {20, 0}, {20, 20}, {0, 20}}});
+    panel.take(*renderer, 8);
+    const std::size_t before = panel.sent_bytes();
+    show_polygons(*renderer, {{{20, 0}, {20, 20}, {0, 20}}});
+    panel.take(*renderer, 8);
+    CHECK(panel.sent_bytes() > before);
+}
+
 /// All rows of what the renderer shows, from a row on.
 std::vector<std::byte> rows_of(OwnedRenderer& renderer, int first_row)
 {
@@ -253,6 +265,8 @@ TEST_CASE("what is still and long is drawn only where something moves over it")
     sent_for({polygon_of({20, 17, 6, 2}), line});
     CHECK(sent_for({polygon_of({22, 17, 6, 2}), line}) <= std::size_t{2} * 9 * 2);
     CHECK(sent_for({polygon_of({22, 17, 16, 2}), line}) <= std::size_t{2} * 17 * 2);
+    CHECK(sent_for({polygon_of({0, 0, 0, 0}), line}) <= std::size_t{2} * 17 * 2); // it vanishes
+    sent_for({polygon_of({22, 17, 16, 2}), line});
     // What covers the end of the line has changed: all behind it is drawn.
     CHECK(sent_for({polygon_of({22, 16, 38, 4}), line}) >= std::size_t{20} * 2);
     CHECK(sent_for({line, polygon_of({22, 16, 38, 4})}) >= std::size_t{20} * 2);

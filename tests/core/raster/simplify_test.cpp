@@ -24,6 +24,8 @@ double distance(Corner from, Corner to, Corner point)
 {
     const double x = to.x - from.x;
     const double y = to.y - from.y;
+    if (from == to)
+        return std::hypot(from.x - point.x, from.y - point.y);
     const double share =
         std::clamp(((point.x - from.x) * x + (point.y - from.y) * y) / (x * x + y * y), 0.0, 1.0);
     return std::hypot(from.x + share * x - point.x, from.y + share * y - point.y);
@@ -41,8 +43,8 @@ TEST_CASE("corners further away than the tolerance stay, and so do spikes along 
     constexpr std::int32_t far = simplify_tolerance + 1;
     for (const Contour& contour :
          {Contour{{0, 0}, {100, far}, {200, 0}, {100, 300}}, Contour{{0, 0}, {300, 1}, {200, 0}, {100, 300}},
-          Contour{{0, 0}, {-90, 1}, {200, 0}, {100, 300}}, Contour{{0, 0}, {5, 5}}, Contour{{3, 4}},
-          Contour{}})
+          Contour{{0, 0}, {-90, 1}, {200, 0}, {100, 300}}, Contour{{0, 0}, {8000, -498}, {0, 0}, {0, 3000}},
+          Contour{{0, 0}, {5, 5}}, Contour{{3, 4}}, Contour{}})
         CHECK(simplified(contour) == contour);
 }
 
