@@ -25,7 +25,7 @@ group face { use eye 15 20 }
 object still fill=red { rect 0 0 4 4 }
 """
 
-COMB = " ".join(f"L {i} {35 + i % 2}" for i in range(60))
+COMB = " ".join(f"L {i} {35 - 9 * (i % 2)}" for i in range(60))
 WITHOUT_TRACKS = f"""kfast 1
 canvas 60 40 frames=8
 object comb fill=red {{{{ path "M 0 40 {COMB} L 60 40 Z" }}}}
