@@ -142,17 +142,20 @@ void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const Rig
         name.pen = static_cast<std::uint8_t>(static_cast<int>(pen->cap) | static_cast<int>(pen->join) << 4);
         name.miter_limit = static_cast<std::uint8_t>(pen->miter_limit);
     }
-    raster::ContourCache& cache = picture_.contours;
-    picture_.outlines.place_contours(placement.map, &name, moves ? &cache : nullptr);
-    if (!moves || !cache.each_contour(
-                      name, [&](const raster::KeptContour& contour) { picture_.outlines.add(contour); })) {
-        if (moves)
-            cache.begin(name);
+    const auto trace = [&] {
         trace_upright(placement, pen, [&](const Affine& upright, ObjectOutline& outline) {
             strokes.trace_drawing(upright, outline);
         });
-        if (moves)
-            cache.end(!picture_.outlines.is_full());
+    };
+    raster::ContourCache* const cache = moves ? &picture_.contours : nullptr;
+    picture_.outlines.place_contours(placement.map, &name, cache);
+    if (cache == nullptr)
+        trace();
+    else if (!cache->each_contour(name,
+                                  [&](const raster::KeptContour& kept) { picture_.outlines.add(kept); })) {
+        cache->begin(name);
+        trace();
+        cache->end(!picture_.outlines.is_full());
     }
     picture_.outlines.end_placed();
 }

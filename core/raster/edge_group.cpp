@@ -158,7 +158,7 @@ std::pair<int, int> columns_of(std::span<const RowChain> chains)
 }
 
 /// By their upper ends, so that their order before does not matter.
-void sort(std::span<RowChain> chains)
+[[gnu::noinline]] void sort(std::span<RowChain> chains)
 {
     const auto is_before = [](const RowChain& a, const RowChain& b) {
         if (a.top_x != b.top_x)

@@ -57,7 +57,7 @@ public:
     std::int32_t add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const;
 
 private:
-    static constexpr std::size_t max_count = 24;
+    static constexpr std::size_t max_count = max_group;
 
     /// Compares by place, then by the order of add().
     struct Crossing {

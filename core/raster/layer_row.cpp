@@ -224,8 +224,7 @@ std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t wi
         winding = add_group(std::span{group_}.subspan(begin, end - begin), rule_, winding, columns_, sums_);
         begin = end;
     }
-    for (std::size_t place = begin; place != count; ++place)
-        group_[place - begin] = group_[place];
+    std::copy(group_.begin() + begin, group_.begin() + count, group_.begin());
     count -= begin;
     return winding;
 }

@@ -28,10 +28,7 @@ void OutlineStore::end_placed()
 void OutlineStore::add(const KeptContour& contour)
 {
     did(Work::placed_corner, static_cast<std::uint32_t>(contour.corners.size()));
-    if (contour.room > static_cast<std::size_t>(behind_ - corners_end_) ||
-        !find_room(contour.room * sizeof(Corner)))
-        is_full_ = true;
-    if (is_full_)
+    if (!find_room(contour.room * sizeof(Corner)))
         return begin_contour();
     const CornerMap map = *map_;
     for (const ShortCorner corner : contour.corners)

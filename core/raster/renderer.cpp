@@ -35,7 +35,7 @@ void extend(Change& change, int rows, std::size_t bytes)
 }
 
 /// Cuts off rows of a band above and below those of the mask.
-void leave_rows(RowMask rows, Rect& area)
+void trim_rows(RowMask rows, Rect& area)
 {
     for (; (rows & 1) == 0 && area.height > 1; rows >>= 1) {
         ++area.y;
@@ -320,7 +320,7 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
         }
         Rect area{window.begin, band_.top_row(), window.end - window.begin, band_.row_count()};
         if (granularity.height == 1 && window.rows != all_rows)
-            leave_rows(window.rows, area);
+            trim_rows(window.rows, area);
         const auto rows = static_cast<std::size_t>(area.height);
         std::size_t bytes = row_bytes(format, area.width) * rows;
         if (bytes > pixels.size()) {
@@ -332,9 +332,9 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
         }
         draw_area<format>(area, pixels.first(bytes));
         // Whole rows go together; else slow buses take long ways without a break.
-        if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area))
+        if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area)) {
             extend(changes_[count - 1], area.height, bytes);
-        else {
+        } else {
             Change& change = changes_[count++];
             change.area = area;
             change.pixels = pixels.first(bytes);

@@ -99,6 +99,20 @@ TEST_CASE("a level edge within a chain is kept")
     CHECK(corners[7] == at(20, 6));
 }
 
+TEST_CASE("a level edge at a turn belongs to the chain before it")
+{
+    const std::int32_t top = raster::grid / 2;
+    const std::int32_t bottom = 9 * raster::grid + raster::grid / 2;
+    const raster::Corner upper_right{10 * raster::grid, top};
+    const raster::Corner lower_left{0, bottom};
+    const auto lines = stored({{upper_right, {10 * raster::grid, bottom}, lower_left, {0, top}}});
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0].corners.front() == upper_right);
+    CHECK(lines[0].corners.back() == lower_left);
+    CHECK(lines[1].corners.front() == upper_right);
+    CHECK(lines[1].corners.back() == lower_left);
+}
+
 TEST_CASE("corners added behind follow those added, the last one first")
 {
     OwnedOutlines outlines{small_panel};
