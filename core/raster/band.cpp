@@ -125,8 +125,7 @@ void Band::find_part(Chain& chain) const
 /// The columns, by the crossings `first` to `last` and the bends down to `bottom`.
 void Band::find_range(Chain& chain, int first, int last, std::int32_t bottom) const
 {
-    BandCrossings room;
-    const Crossing* x = crossings(chain, first, last - first, room);
+    const Crossing* x = crossings(chain, first);
     std::int32_t low = *x;
     std::int32_t high = low;
     for (const Crossing* const end = x + (last - first); x != end;) {
@@ -144,12 +143,6 @@ void Band::find_range(Chain& chain, int first, int last, std::int32_t bottom) co
     chain.end = static_cast<std::int16_t>(std::max(floor_pixel(high) + chain.left + 1, 1));
 }
 
-const Crossing* Band::crossings_of_line(const Chain& chain, int row, int rows, BandCrossings& room) const
-{
-    find_crossings(chain, store_->line(chain), floor_pixel(top_) + row, rows, room.data());
-    return room.data();
-}
-
 /// Mostly behind the one that came before: chains come in the order of the band above, or follow each other
 /// along an outline.
 void Band::insert(std::uint32_t place)
@@ -157,6 +150,10 @@ void Band::insert(std::uint32_t place)
     Chain& added = chain(place);
     work_for(steps_[added.layer].item);
     did(added.is_straight ? Work::straight_chain : Work::band_chain);
+    if (added.is_straight) {
+        StraightLine& line = store_->line(added);
+        find_crossings(added, line, floor_pixel(top_), floor_pixel(bottom_ - top_), line.in_band.data());
+    }
     find_columns(added);
     if (added.begin >= panel_.width) {
         added.next = std::exchange(hidden_, place);

@@ -40,13 +40,10 @@ public:
     std::uint32_t first() const { return first_; }
     Chain& chain(std::uint32_t place) const { return store_->chain(place); }
     /// x where the chain crosses the border above a row of the band, in the grid; then come the borders
-    /// below, of so many rows. Only those within the chain mean anything. They are put into `room`, if they
-    /// are not kept.
-    [[gnu::always_inline]] const Crossing* crossings(const Chain& chain, int row, int rows,
-                                                     BandCrossings& room) const
+    /// below. Only those within the chain mean anything.
+    const Crossing* crossings(const Chain& chain, int row) const
     {
-        return chain.is_straight ? crossings_of_line(chain, row, rows, room)
-                                 : store_->crossing(chain.crossings) + row;
+        return store_->crossing(chain.crossings) + row;
     }
     const Bend* bends(const Chain& chain) const { return store_->bend(chain.bends); }
 
@@ -57,8 +54,6 @@ private:
     void find_part(Chain& chain) const;
     void find_range(Chain& chain, int first, int last, std::int32_t bottom) const;
     void insert(std::uint32_t place);
-    [[gnu::noinline]] const Crossing* crossings_of_line(const Chain& chain, int row, int rows,
-                                                        BandCrossings& room) const;
 
     const OutlineStore* store_ = nullptr;
     std::uint32_t first_ = Chain::none;

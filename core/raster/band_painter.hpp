@@ -91,8 +91,7 @@ private:
         const Cell right = Cells::cell(is_inside ? below : ink);
         work_for(slots_.layer(chain.slot).coming->item);
         const std::int32_t start = (tile.left - chain.left) * grid;
-        BandCrossings room;
-        const Crossing* x = band_.crossings(chain, tile.first_row, tile.rows, room);
+        const Crossing* x = band_.crossings(chain, tile.first_row);
         Cell* at = tile.cells;
         CoverageRun run;
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {

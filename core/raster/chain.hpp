@@ -46,6 +46,7 @@ struct StraightLine {
     std::int32_t first = 0; ///< x where it crosses the first border below its upper end, likewise
     Crossing top = 0;       ///< x at its upper end
     Crossing bottom = 0;    ///< x at its lower end
+    BandCrossings in_band;  ///< of the band that is looked at
 };
 
 /// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
@@ -66,8 +67,7 @@ struct Chain {
     std::int16_t left = 0;       ///< column
     std::uint16_t layer = 0;
     bool runs_down : 1 = true;    ///< as the outline was drawn
-    bool is_straight : 1 = false; ///< a StraightLine stands in for its crossings
-
+    bool is_straight : 1 = false; ///< it is a StraightLine, which has the crossings of the band
     bool is_border : 1 = false; ///< its layer is inside on one side of it, and outside on the other
     RowMask rows = all_rows;    ///< that it reaches
     std::uint8_t slot = 0;      ///< of the layer in the band

@@ -58,6 +58,15 @@ private:
     bool has_zero_ = false;
 };
 
+/// Whether sums of areas tell the coverage of chains that are in order.
+bool add_up_in_order(std::span<const RowChain> chains, FillRule rule, std::int32_t winding)
+{
+    Windings windings{winding};
+    for (const RowChain& chain : chains)
+        windings.note(winding += step_of(chain));
+    return windings.add_up(rule);
+}
+
 /// Adds edges between inside and outside alone, of chains that are in order.
 void add_borders(std::span<const RowChain> chains, FillRule rule, std::int32_t winding, int columns,
                  CoverageSums& sums)
@@ -72,31 +81,40 @@ void add_borders(std::span<const RowChain> chains, FillRule rule, std::int32_t w
     }
 }
 
-/// No more than max_group have room in one part of a line.
+/// Calls visit(line) for one line after another, as long as it returns true; true if there is none left. No
+/// more than max_group have room in one part of a line.
 template <class Visit>
-void each_line(std::span<const RowChain> chains, Visit visit)
+bool each_line(std::span<const RowChain> chains, Visit visit)
 {
     for (int number = 0; number != Line::count_in_row; ++number) {
         Line line{number};
         line.begin_part();
         for (const RowChain& chain : chains)
             line.add(chain);
-        visit(line);
+        if (!visit(line))
+            return false;
     }
+    return true;
 }
 
-/// The windings on lines. Lines take much stack: not while areas are added.
-[[gnu::noinline]] void note_lines(std::span<const RowChain> chains, std::int32_t winding, Windings& windings)
+/// Whether sums of areas tell the coverage, by the windings on lines. Lines take much stack: not while areas
+/// are added.
+[[gnu::noinline]] bool add_up_on_lines(std::span<const RowChain> chains, FillRule rule, std::int32_t winding)
 {
-    each_line(chains, [&](const Line& line) {
+    Windings windings{winding};
+    return each_line(chains, [&](const Line& line) {
         line.walk(winding, [&](std::int32_t passed) { windings.note(passed); });
+        return windings.add_up(rule);
     });
 }
 
 [[gnu::noinline]] void add_lines(std::span<const RowChain> chains, FillRule rule, std::int32_t winding,
                                  int columns, CoverageSums& sums)
 {
-    each_line(chains, [&](const Line& line) { line.add_inside(rule, winding, columns, sums); });
+    each_line(chains, [&](const Line& line) {
+        line.add_inside(rule, winding, columns, sums);
+        return true;
+    });
 }
 
 /// All are straight, and in the order of their upper ends, no two cross.
@@ -200,15 +218,10 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
     }
     sort(chains);
     const bool in_order = are_in_order(chains);
-    Windings windings{winding};
-    if (in_order) {
-        std::int32_t passed = winding;
-        for (const RowChain& chain : chains)
-            windings.note(passed += step_of(chain));
-    } else if (chains.size() != 2 || !are_plain(chains[0], chains[1])) {
-        note_lines(chains, winding, windings);
-    }
-    if (windings.add_up(rule)) {
+    const bool add_up = in_order ? add_up_in_order(chains, rule, winding)
+                                 : (chains.size() == 2 && are_plain(chains[0], chains[1])) ||
+                                       add_up_on_lines(chains, rule, winding);
+    if (add_up) {
         for (const RowChain& chain : chains)
             add_chain(chain, columns, sums);
         return right;

@@ -107,18 +107,14 @@ void LayerRow::find_sides()
         if (is_inside(rule_, winding) == was_inside)
             continue;
         was_inside = !was_inside;
-        const int rows = 1 << (band_->height_bits() - grid_bits);
-        sides_[side_count_] = {band_->crossings(chain, 0, rows, side_rooms_[side_count_]),
-                               (left_ - chain.left) * grid};
-        ++side_count_;
+        sides_[side_count_++] = {band_->crossings(chain, 0), (left_ - chain.left) * grid};
     }
 }
 
 RowEdge LayerRow::edge_of(const Chain& chain, int row) const
 {
     const std::int32_t left = (left_ - chain.left) * grid;
-    BandCrossings room;
-    const Crossing* const x = band_->crossings(chain, row, 1, room);
+    const Crossing* const x = band_->crossings(chain, row);
     return edge_between(x[0] - left, x[1] - left);
 }
 
@@ -244,8 +240,7 @@ void LayerRow::set_row_chain(const Chain& chain, int row, bool is_straight, RowC
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
     const std::int32_t left = (left_ - chain.left) * grid;
-    BandCrossings room;
-    const Crossing* const x = band_->crossings(chain, row, 1, room);
+    const Crossing* const x = band_->crossings(chain, row);
     found.top_x = x[0] - left;
     found.bottom_x = x[1] - left;
     found.bend = band_->bends(chain);

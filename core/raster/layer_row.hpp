@@ -99,7 +99,6 @@ private:
     std::array<const RowChain*, max_edges>
         bent_; ///< in place of an edge: one that bends; null if it does not
     std::array<Side, max_edges> sides_;
-    std::array<BandCrossings, max_edges> side_rooms_; ///< of straight chains
     std::array<RowChain, max_group> group_;
     CoverageSums sums_;
 };

@@ -374,8 +374,9 @@ void OutlineStore::rewind(Chain& chain)
     const int row = floor_pixel(chain.top);
     const int band = row >> band_bits_;
     if (chain.is_straight) {
-        chain.crossings = end - std::uint32_t{sizeof(StraightLine)};
-        chain.bends = chain.crossings - std::uint32_t{sizeof(Bend)};
+        const std::uint32_t line = end - std::uint32_t{sizeof(StraightLine)};
+        chain.crossings = line + std::uint32_t{offsetof(StraightLine, in_band)};
+        chain.bends = line - std::uint32_t{sizeof(Bend)};
     } else {
         const std::uint32_t crossings = end - ChainBuilder::crossing_bytes(chain.top, chain.bottom);
         const auto rows_above = static_cast<std::uint32_t>(row - (band << band_bits_));

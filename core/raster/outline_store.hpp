@@ -76,9 +76,9 @@ public:
     }
     const Bend* bend(std::uint32_t place) const { return reinterpret_cast<const Bend*>(bytes_ + place); }
     /// Of a chain that is straight.
-    const StraightLine& line(const Chain& chain) const
+    StraightLine& line(const Chain& chain) const
     {
-        return *reinterpret_cast<const StraightLine*>(bytes_ + chain.crossings);
+        return *reinterpret_cast<StraightLine*>(bytes_ + chain.crossings - offsetof(StraightLine, in_band));
     }
     /// Calls visit(chain) for each of the picture.
     template <class Visit>

@@ -14,12 +14,11 @@ inline std::vector<std::vector<int>> told_of(const raster::Band& band)
     std::vector<std::vector<int>> told;
     for (std::uint32_t place = band.first(); place != raster::Chain::none; place = band.chain(place).next) {
         const raster::Chain& chain = band.chain(place);
-        raster::BandCrossings room;
         std::vector<int> own{chain.begin, chain.end, chain.height, chain.is_whole};
         const int from = std::max(raster::floor_pixel(chain.top), band.top_row()) - band.top_row();
         const int to = std::min(raster::ceil_pixel(chain.bottom) - band.top_row(), band.row_count());
         for (int row = from; row <= to; ++row)
-            own.push_back(*band.crossings(chain, row, 0, room) + chain.left * raster::grid);
+            own.push_back(*band.crossings(chain, row) + chain.left * raster::grid);
         told.push_back(own);
     }
     std::ranges::sort(told);

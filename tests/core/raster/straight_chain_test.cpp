@@ -68,7 +68,7 @@ TEST_CASE("a chain of one edge is straight if this takes less memory than its cr
                                     ? sizeof(raster::StraightLine)
                                     : raster::ChainBuilder::crossing_bytes(chain.top, chain.bottom)));
             CHECK(bytes <= 40 + 4 + 2 * (static_cast<std::size_t>(rows) + 1) + 2);
-            CHECK(bytes <= 40 + 4 + 12);
+            CHECK(bytes <= 40 + 4 + 32);
         });
     }
 }
