@@ -88,14 +88,19 @@ inline void find_crossings(const Chain& chain, const StraightLine& line, int row
     const int top = row - floor_pixel(chain.top);
     const int end = ceil_pixel(chain.bottom) - floor_pixel(chain.top);
     const bool runs_left = line.slope < 0;
+    const auto is_beyond = [&](std::int32_t x) { return runs_left ? x < line.bottom : x > line.bottom; };
     std::int32_t fine = line.first + (top - 1) * line.slope;
+    if (top > 0 && top + rows < end && !is_beyond((fine + rows * line.slope) >> 10)) {
+        for (; rows >= 0; --rows, fine += line.slope)
+            *out++ = static_cast<Crossing>(fine >> 10);
+        return;
+    }
     for (int border = top; border <= top + rows; ++border, fine += line.slope) {
         const std::int32_t x = fine >> 10;
-        const bool is_beyond = runs_left ? x < line.bottom : x > line.bottom;
         if (border <= 0)
             *out++ = line.top;
         else
-            *out++ = border >= end || is_beyond ? line.bottom : static_cast<Crossing>(x);
+            *out++ = border >= end || is_beyond(x) ? line.bottom : static_cast<Crossing>(x);
     }
 }
 

@@ -26,12 +26,20 @@ std::int32_t x_at(const RowChain& chain, std::int32_t y)
 {
     if (chain.is_straight)
         return chain.top_x + ((chain.bottom_x - chain.top_x) * y >> grid_bits);
-    std::int32_t found = chain.bottom_x;
-    chain.each_edge([&](std::int32_t x, std::int32_t top, std::int32_t next_x, std::int32_t bottom) {
-        if (top <= y && y < bottom)
-            found = x + ((next_x - x) * part_of(y - top, bottom - top) >> part_bits);
-    });
-    return found;
+    if (y >= chain.to)
+        return chain.bottom_x;
+    std::int32_t x = chain.top_x;
+    std::int32_t top = chain.from;
+    const Bend* bend = chain.bend;
+    for (; bend->y <= chain.top + y; --bend)
+        if (chain.has(*bend)) {
+            x = bend->x - chain.left;
+            top = bend->y - chain.top;
+        }
+    const bool is_last = bend->y > chain.top + chain.to;
+    const std::int32_t next_x = is_last ? chain.bottom_x : bend->x - chain.left;
+    const std::int32_t bottom = is_last ? chain.to : bend->y - chain.top;
+    return x + ((next_x - x) * part_of(y - top, bottom - top) >> part_bits);
 }
 
 /// The windings that occur in a group.
@@ -58,26 +66,76 @@ private:
     bool has_zero_ = false;
 };
 
-/// Whether sums of areas tell the coverage of chains that are in order.
-bool add_up_in_order(std::span<const RowChain> chains, FillRule rule, std::int32_t winding)
-{
-    Windings windings{winding};
-    for (const RowChain& chain : chains)
-        windings.note(winding += step_of(chain));
-    return windings.add_up(rule);
-}
-
-/// Adds edges between inside and outside alone, of chains that are in order.
-void add_borders(std::span<const RowChain> chains, FillRule rule, std::int32_t winding, int columns,
-                 CoverageSums& sums)
+/// Of chains that are in order, calls visit(chain, sign) for those between inside and outside; sign is 1 if
+/// the inside begins there.
+template <class Visit>
+void each_border(std::span<const RowChain> chains, FillRule rule, std::int32_t winding, Visit visit)
 {
     bool was_inside = is_inside(rule, winding);
     for (const RowChain& chain : chains) {
         winding += step_of(chain);
         if (is_inside(rule, winding) == was_inside)
             continue;
-        sums.add(edge_between(chain.top_x, chain.bottom_x), was_inside ? -1 : 1, columns);
+        visit(chain, was_inside ? -1 : 1);
         was_inside = !was_inside;
+    }
+}
+
+void add_in_order(std::span<const RowChain> chains, FillRule rule, std::int32_t winding, int columns,
+                  CoverageSums& sums)
+{
+    each_border(chains, rule, winding, [&](const RowChain& chain, std::int32_t sign) {
+        sums.add(edge_between(chain.top_x, chain.bottom_x), sign, columns);
+    });
+}
+
+/// Two straight edges that follow each other cross at a height of a row, from its top, in part_height.
+struct EdgeCrossing {
+    std::int32_t height = CoverageSums::part_height; ///< none if this is it
+    std::size_t left = 0;                            ///< the number of the left edge
+};
+
+/// The next crossing below a height of the row. Edges that have not crossed are in order at the top.
+EdgeCrossing next_crossing(std::span<const RowChain> chains, std::int32_t top)
+{
+    EdgeCrossing next;
+    for (std::size_t i = 0; i + 1 != chains.size(); ++i) {
+        const std::int32_t above = chains[i + 1].top_x - chains[i].top_x;
+        const std::int32_t below = chains[i].bottom_x - chains[i + 1].bottom_x;
+        if (below <= 0)
+            continue;
+        const std::int32_t height = std::max(above * CoverageSums::part_height / (above + below), top);
+        if (height < next.height)
+            next = {height, i};
+    }
+    return next;
+}
+
+std::int32_t x_at_height(const RowChain& chain, std::int32_t height)
+{
+    return chain.top_x + (chain.bottom_x - chain.top_x) * height / CoverageSums::part_height;
+}
+
+/// Adds edges between inside and outside alone, of straight edges that may cross: part by part of the row,
+/// from crossing to crossing.
+///
+///     a   b c      they are in order at the top
+///      \ / /
+///       x /        b a c
+///      / x
+///     b c a        and in the end at the bottom
+void add_crossing(std::span<RowChain> chains, FillRule rule, std::int32_t winding, int columns,
+                  CoverageSums& sums)
+{
+    EdgeCrossing next;
+    for (std::int32_t top = 0; top != CoverageSums::part_height; top = next.height) {
+        next = next_crossing(chains, top);
+        each_border(chains, rule, winding, [&](const RowChain& chain, std::int32_t sign) {
+            sums.add_part(x_at_height(chain, top), x_at_height(chain, next.height),
+                          sign * (next.height - top), columns);
+        });
+        if (next.height != CoverageSums::part_height)
+            std::swap(chains[next.left], chains[next.left + 1]);
     }
 }
 
@@ -117,14 +175,18 @@ bool each_line(std::span<const RowChain> chains, Visit visit)
     });
 }
 
-/// All are straight, and in the order of their upper ends, no two cross.
-bool are_in_order(std::span<const RowChain> chains)
+/// How chains that are in the order of their upper ends go through a row.
+enum class Way : std::uint8_t {
+    in_order, ///< as straight edges that do not cross
+    crossing, ///< as straight edges
+    bent,
+};
+
+Way way_through(std::span<const RowChain> chains)
 {
-    for (std::size_t i = 0; i != chains.size(); ++i)
-        if (!chains[i].is_straight || (i != 0 && (chains[i].top_x < chains[i - 1].top_x ||
-                                                  chains[i].bottom_x < chains[i - 1].bottom_x)))
-            return false;
-    return true;
+    if (!std::ranges::all_of(chains, &RowChain::is_straight))
+        return Way::bent;
+    return std::ranges::is_sorted(chains, {}, &RowChain::bottom_x) ? Way::in_order : Way::crossing;
 }
 
 bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chain.to; }
@@ -162,6 +224,20 @@ bool are_plain(const RowChain& a, const RowChain& b)
     if (a.top_x <= b.top_x && a.bottom_x <= b.bottom_x && are_apart(a, b))
         return true;
     return a.top_x >= b.top_x && a.bottom_x >= b.bottom_x && are_apart(b, a);
+}
+
+/// Whether sums of areas tell the coverage. Straight edges that cross are no more work if they do not.
+bool add_up(std::span<const RowChain> chains, Way way, FillRule rule, std::int32_t winding)
+{
+    if (way == Way::crossing)
+        return false;
+    if (way == Way::bent)
+        return (chains.size() == 2 && are_plain(chains[0], chains[1])) ||
+               add_up_on_lines(chains, rule, winding);
+    Windings windings{winding};
+    for (const RowChain& chain : chains)
+        windings.note(winding += step_of(chain));
+    return windings.add_up(rule);
 }
 
 /// The first pixel of a group, and that behind it.
@@ -217,21 +293,25 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
         return right;
     }
     sort(chains);
-    const bool in_order = are_in_order(chains);
-    const bool add_up = in_order ? add_up_in_order(chains, rule, winding)
-                                 : (chains.size() == 2 && are_plain(chains[0], chains[1])) ||
-                                       add_up_on_lines(chains, rule, winding);
-    if (add_up) {
+    const Way way = way_through(chains);
+    if (add_up(chains, way, rule, winding)) {
         for (const RowChain& chain : chains)
             add_chain(chain, columns, sums);
         return right;
     }
     did(Work::edge_group);
     begin_inside(first, rule, winding, columns, sums);
-    if (in_order)
-        add_borders(chains, rule, winding, columns, sums);
-    else
+    switch (way) {
+    case Way::in_order:
+        add_in_order(chains, rule, winding, columns, sums);
+        break;
+    case Way::crossing:
+        add_crossing(chains, rule, winding, columns, sums);
+        break;
+    case Way::bent:
         add_lines(chains, rule, winding, columns, sums);
+        break;
+    }
     end_inside(behind, rule, right, columns, sums);
     return right;
 }
@@ -262,16 +342,17 @@ void Line::add(const RowChain& chain)
         return;
     did(Work::line_crossing);
     const Crossing added{2 * x_at(chain, y_) + (chain.runs_down ? 0 : 1), added_++};
-    if (!is_first_ && added <= before_)
+    if (!is_first_ &&
+        (added.x2 < before_.x2 || (added.x2 == before_.x2 && added.number <= before_.number)))
         return;
     if (count_ == max_count) {
         has_more_ = true;
-        if (added > crossings_[max_count - 1])
+        if (added.x2 >= crossings_[max_count - 1].x2)
             return;
         --count_;
     }
     std::size_t place = count_++;
-    for (; place != 0 && crossings_[place - 1] > added; --place)
+    for (; place != 0 && crossings_[place - 1].x2 > added.x2; --place)
         crossings_[place] = crossings_[place - 1];
     crossings_[place] = added;
 }

@@ -59,12 +59,10 @@ public:
 private:
     static constexpr std::size_t max_count = max_group;
 
-    /// Compares by place, then by the order of add().
+    /// They are in the order of their places, then in that of add().
     struct Crossing {
         std::int32_t x2; ///< 2 x, or 2 x + 1 if the outline runs up there
         std::int32_t number;
-
-        friend constexpr auto operator<=>(const Crossing&, const Crossing&) = default;
     };
 
     int step(std::size_t place) const { return (crossings_[place].x2 & 1) == 0 ? 1 : -1; }

@@ -29,6 +29,9 @@ struct RowChain {
     /// Of its winding, in the grid.
     std::int32_t height() const { return runs_down ? to - from : from - to; }
 
+    /// Whether a bend that lies above its lower end is part of it, and not of the row above.
+    bool has(const Bend& at) const { return at.y - top > from || (at.y - top == from && begins); }
+
     /// Calls visit(x, y, next x, next y) for its edges from the top down.
     template <class Visit>
     void each_edge(Visit visit) const
@@ -36,9 +39,9 @@ struct RowChain {
         std::int32_t x = top_x;
         std::int32_t y = from;
         for (const Bend* at = bend; at->y <= top + to; --at) {
-            const std::int32_t next_y = at->y - top;
-            if (next_y < from || (next_y == from && !begins))
+            if (!has(*at))
                 continue;
+            const std::int32_t next_y = at->y - top;
             visit(x, y, at->x - left, next_y);
             x = at->x - left;
             y = next_y;
