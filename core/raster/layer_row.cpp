@@ -43,9 +43,9 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
     left_ = left;
     columns_ = columns;
     const bool has_any = find_chains(region);
-    has_sides_ = has_sides_ && has_few_;
-    if (has_sides_)
-        find_sides();
+    are_apart_ = are_apart_ && has_few_;
+    if (are_apart_)
+        keep_borders();
     return has_any;
 }
 
@@ -73,13 +73,13 @@ bool LayerRow::find_chains(const Region& region)
             if (!has_any || end <= left_)
                 begin_list(here, winding);
         }
-        has_sides_ = has_sides_ && chain.is_whole && (chain_count_ == 0 || chain.begin >= end);
+        are_apart_ = are_apart_ && chain.is_whole && (chain_count_ == 0 || chain.begin >= end);
         has_any = true;
         winding += chain.height;
         end = std::max<int>(end, chain.end);
         has_few_ = has_few_ && chain_count_ != max_edges;
         if (has_few_)
-            chains_[chain_count_++] = &chain;
+            chains_[chain_count_++] = {&chain, band_->crossings(chain, 0), (left_ - chain.left) * grid};
     }
     if (end <= left_)
         begin_list(behind_, winding);
@@ -92,51 +92,42 @@ void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
     first_ = first;
     winding_ = winding;
     chain_count_ = 0;
-    has_few_ = has_sides_ = true;
+    has_few_ = are_apart_ = true;
 }
 
 /// Of the chains in the list, those between inside and outside.
-void LayerRow::find_sides()
+void LayerRow::keep_borders()
 {
     std::int32_t winding = winding_ >> band_->height_bits();
     bool was_inside = is_inside(rule_, winding);
-    side_count_ = 0;
+    edge_count_ = 0;
     for (std::size_t i = 0; i != chain_count_; ++i) {
-        const Chain& chain = *chains_[i];
-        winding += chain.runs_down ? 1 : -1;
+        winding += chains_[i].chain->runs_down ? 1 : -1;
         if (is_inside(rule_, winding) == was_inside)
             continue;
         was_inside = !was_inside;
-        sides_[side_count_++] = {band_->crossings(chain, 0), (left_ - chain.left) * grid};
+        chains_[edge_count_++] = chains_[i];
     }
-}
-
-RowEdge LayerRow::edge_of(const Chain& chain, int row) const
-{
-    const std::int32_t left = (left_ - chain.left) * grid;
-    const Crossing* const x = band_->crossings(chain, row);
-    return edge_between(x[0] - left, x[1] - left);
 }
 
 bool LayerRow::find_edges(int row)
 {
-    edge_count_ = 0;
-    if (has_sides_) {
-        did(Work::layer_edge, static_cast<std::uint32_t>(side_count_));
+    if (are_apart_) {
+        did(Work::layer_edge, static_cast<std::uint32_t>(edge_count_));
         row_ = row;
-        edge_count_ = side_count_;
         return true;
     }
     if (!has_few_)
         return false;
+    edge_count_ = 0;
     std::int32_t winding = winding_ >> band_->height_bits();
     bool was_inside = is_inside(rule_, winding);
     int past = -1; // the last pixel of the edge before
     RowChain* bent = group_.data();
     for (std::size_t i = 0; i != chain_count_; ++i) {
-        const Chain& chain = *chains_[i];
+        const Chain& chain = *chains_[i].chain;
         did(Work::layer_edge);
-        const Way way = way_through(*band_, chain, row);
+        const Way way = chain.is_whole ? Way::straight : way_through(*band_, chain, row);
         if (way == Way::none)
             continue;
         if (way == Way::other)
@@ -146,7 +137,7 @@ bool LayerRow::find_edges(int row)
             set_row_chain(chain, row, false, *bent);
             edge = {bent->first * grid, (bent->last + 1) * grid - 1};
         } else {
-            edge = edge_of(chain, row);
+            edge = chains_[i].edge(row);
         }
         if (edge.pixel() <= past || edge.high > columns_ * grid)
             return false;
@@ -163,11 +154,8 @@ bool LayerRow::find_edges(int row)
 
 void LayerRow::cover_edge(std::size_t number, bool is_inside_left, CoverageRun& run)
 {
-    if (has_sides_) {
-        const Side& side = sides_[number];
-        const Crossing* const x = side.x + row_;
-        return cover(edge_between(x[0] - side.start, x[1] - side.start), columns_, run);
-    }
+    if (are_apart_)
+        return cover(chains_[number].edge(row_), columns_, run);
     const RowChain* const bent = bent_[number];
     if (bent == nullptr)
         return cover(edges_[number], columns_, run);
@@ -193,7 +181,7 @@ void LayerRow::add_few(int row)
     const int right = band_->panel_width() - left_;
     std::size_t count = 0;
     for (std::size_t i = 0; i != chain_count_; ++i)
-        if (find_row_chain(*chains_[i], row, group_[count]) && group_[count].first < right)
+        if (find_row_chain(*chains_[i].chain, row, group_[count]) && group_[count].first < right)
             sort_last(++count);
     add_groups(count, no_pixel, winding_ >> band_->height_bits());
 }

@@ -44,10 +44,16 @@ private:
     static constexpr std::size_t max_edges = 8;
     static constexpr int no_pixel = 1 << 20; ///< further to the right than any
 
-    /// An edge between what is inside and what is outside, through all rows of the band.
-    struct Side {
-        const Crossing* x;  ///< at the borders of the rows
+    struct ListedChain {
+        const Chain* chain;
+        const Crossing* x;  ///< at the borders of the rows of the band
         std::int32_t start; ///< what these count at the left border of the tile
+
+        /// In a row that it goes through without bends.
+        [[gnu::always_inline]] RowEdge edge(int row) const
+        {
+            return edge_between(x[row] - start, x[row + 1] - start);
+        }
     };
 
     /// Chains of the band that follow each other.
@@ -58,7 +64,7 @@ private:
 
     bool find_chains(const Region& region);
     void begin_list(std::uint32_t first, std::int32_t winding);
-    void find_sides();
+    void keep_borders();
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
     void add_few(int row);
@@ -77,7 +83,6 @@ private:
     int end_of_group(const Cluster& cluster, int row, int begin) const;
     bool find_row_chain(const Chain& chain, int row, RowChain& found) const;
     void set_row_chain(const Chain& chain, int row, bool is_straight, RowChain& found) const;
-    RowEdge edge_of(const Chain& chain, int row) const;
 
     const Band* band_ = nullptr;
     std::uint32_t first_ = Chain::none; ///< chain of the first cluster that reaches the tile
@@ -89,16 +94,15 @@ private:
     int begin_ = 0;            ///< pixels of chains that are left of here do not matter in the row
     std::int32_t winding_ = 0; ///< to the left of all chains, in the unit of Chain::winding
     bool has_few_ = false;     ///< chains: they are in the list
-    bool has_sides_ = false;   ///< all chains go through the band without touching the same column
+    /// All chains go through the band without touching the same column; the list has those between inside and
+    /// outside alone.
+    bool are_apart_ = false;
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
-    std::size_t side_count_ = 0;
-    int row_ = 0; ///< that find_edges() was asked for, if there are sides
-    std::array<const Chain*, max_edges> chains_;
-    std::array<RowEdge, max_edges> edges_;
-    std::array<const RowChain*, max_edges>
-        bent_; ///< in place of an edge: one that bends; null if it does not
-    std::array<Side, max_edges> sides_;
+    int row_ = 0; ///< that find_edges() was asked for, if they are apart
+    std::array<ListedChain, max_edges> chains_;
+    std::array<RowEdge, max_edges> edges_; ///< if they are not
+    std::array<const RowChain*, max_edges> bent_; ///< in place of an edge: one that bends; null if it does not
     std::array<RowChain, max_group> group_;
     CoverageSums sums_;
 };
