@@ -188,16 +188,22 @@ private:
             row_.cover_edge(number, is_inside, run);
             if (is_inside)
                 lay(cell, at + run.begin, coat.ink, coat.opacity);
-            did(Work::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));
-            const std::uint16_t* coverage = run.pixels.data();
-            const Cell* const end = at + run.end;
-            for (cell = at + run.begin; cell != end; ++cell)
-                *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), coat.ink,
-                                                 coat.share_of(inside_coverage(*coverage++, is_inside))));
+            lay_edge(at, run, coat, is_inside);
+            cell = at + run.end;
             is_inside = !is_inside;
         }
         if (is_inside)
             lay(cell, at + columns, coat.ink, coat.opacity);
+    }
+
+    [[gnu::noinline]] static void lay_edge(Cell* at, const CoverageRun& run, const Coat coat, bool is_inside)
+    {
+        did(Work::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));
+        const std::uint16_t* coverage = run.pixels.data();
+        const Cell* const end = at + run.end;
+        for (Cell* cell = at + run.begin; cell != end; ++cell)
+            *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), coat.ink,
+                                             coat.share_of(inside_coverage(*coverage++, is_inside))));
     }
 
     [[gnu::noinline]] static void lay(Cell* cell, Cell* end, std::uint32_t ink, std::uint32_t share)
