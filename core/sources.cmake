@@ -82,6 +82,8 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer_block.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/row_chain.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/sample_line.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/simplify.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/rigid_placement.cpp

@@ -68,14 +68,14 @@ struct Chain {
     std::uint16_t layer = 0;
     bool runs_down : 1 = true;    ///< as the outline was drawn
     bool is_straight : 1 = false; ///< it is a StraightLine, which has the crossings of the band
-    bool is_border : 1 = false; ///< its layer is inside on one side of it, and outside on the other
-    RowMask rows = all_rows;    ///< that it reaches
-    std::uint8_t slot = 0;      ///< of the layer in the band
-    bool is_whole = false;      ///< it crosses the band from border to border without bends
-    std::int16_t begin = 0;     ///< first column that it touches in the band
-    std::int16_t end = 0;       ///< column behind the last one
-    std::int16_t height = 0;    ///< of its part of the band in the grid; negative if it does not run down
-    std::uint16_t words = 0;    ///< of memory, with its crossings and bends
+    bool is_border : 1 = false;   ///< its layer is inside on one side of it, and outside on the other
+    RowMask rows = all_rows;      ///< that it reaches
+    std::uint8_t slot = 0;        ///< of the layer in the band
+    bool is_whole = false;        ///< it crosses the band from border to border without bends
+    std::int16_t begin = 0;       ///< first column that it touches in the band
+    std::int16_t end = 0;         ///< column behind the last one
+    std::int16_t height = 0;      ///< of its part of the band in the grid; negative if it does not run down
+    std::uint16_t words = 0;      ///< of memory, with its crossings and bends
     std::int32_t winding = 0; ///< around its layer's outlines to the left of it, times the height of the band
 };
 

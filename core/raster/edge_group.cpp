@@ -1,10 +1,8 @@
 #include "core/raster/edge_group.hpp"
 
-#include "core/raster/reciprocal.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -12,35 +10,6 @@ namespace kfast::raster {
 namespace {
 
 int step_of(const RowChain& chain) { return chain.runs_down ? 1 : -1; }
-
-/// A part of an edge's height, in 1/2^part_bits.
-constexpr int part_bits = 12;
-
-std::int32_t part_of(std::int32_t part, std::int32_t height)
-{
-    return part * reciprocals[static_cast<std::size_t>(height)] >> (16 - part_bits);
-}
-
-/// Where a chain crosses a line of the row; `y` lies within it.
-std::int32_t x_at(const RowChain& chain, std::int32_t y)
-{
-    if (chain.is_straight)
-        return chain.top_x + ((chain.bottom_x - chain.top_x) * y >> grid_bits);
-    if (y >= chain.to)
-        return chain.bottom_x;
-    std::int32_t x = chain.top_x;
-    std::int32_t top = chain.from;
-    const Bend* bend = chain.bend;
-    for (; bend->y <= chain.top + y; --bend)
-        if (chain.has(*bend)) {
-            x = bend->x - chain.left;
-            top = bend->y - chain.top;
-        }
-    const bool is_last = bend->y > chain.top + chain.to;
-    const std::int32_t next_x = is_last ? chain.bottom_x : bend->x - chain.left;
-    const std::int32_t bottom = is_last ? chain.to : bend->y - chain.top;
-    return x + ((next_x - x) * part_of(y - top, bottom - top) >> part_bits);
-}
 
 /// The windings that occur in a group.
 class Windings {
@@ -139,13 +108,12 @@ void add_crossing(std::span<RowChain> chains, FillRule rule, std::int32_t windin
     }
 }
 
-/// Calls visit(line) for one line after another, as long as it returns true; true if there is none left. No
-/// more than max_group have room in one part of a line.
+/// Calls visit(line) for one line after another, as long as it returns true; true if there is none left.
 template <class Visit>
 bool each_line(std::span<const RowChain> chains, Visit visit)
 {
-    for (int number = 0; number != Line::count_in_row; ++number) {
-        Line line{number};
+    for (int number = 0; number != SampleLine::count_in_row; ++number) {
+        SampleLine line{number};
         line.begin_part();
         for (const RowChain& chain : chains)
             line.add(chain);
@@ -160,7 +128,7 @@ bool each_line(std::span<const RowChain> chains, Visit visit)
 [[gnu::noinline]] bool add_up_on_lines(std::span<const RowChain> chains, FillRule rule, std::int32_t winding)
 {
     Windings windings{winding};
-    return each_line(chains, [&](const Line& line) {
+    return each_line(chains, [&](const SampleLine& line) {
         line.walk(winding, [&](std::int32_t passed) { windings.note(passed); });
         return windings.add_up(rule);
     });
@@ -169,24 +137,25 @@ bool each_line(std::span<const RowChain> chains, Visit visit)
 [[gnu::noinline]] void add_lines(std::span<const RowChain> chains, FillRule rule, std::int32_t winding,
                                  int columns, CoverageSums& sums)
 {
-    each_line(chains, [&](const Line& line) {
+    each_line(chains, [&](const SampleLine& line) {
         line.add_inside(rule, winding, columns, sums);
         return true;
     });
 }
 
 /// How chains that are in the order of their upper ends go through a row.
-enum class Way : std::uint8_t {
+enum class GroupKind : std::uint8_t {
     in_order, ///< as straight edges that do not cross
     crossing, ///< as straight edges
     bent,
 };
 
-Way way_through(std::span<const RowChain> chains)
+GroupKind kind_of(std::span<const RowChain> chains)
 {
     if (!std::ranges::all_of(chains, &RowChain::is_straight))
-        return Way::bent;
-    return std::ranges::is_sorted(chains, {}, &RowChain::bottom_x) ? Way::in_order : Way::crossing;
+        return GroupKind::bent;
+    return std::ranges::is_sorted(chains, {}, &RowChain::bottom_x) ? GroupKind::in_order
+                                                                   : GroupKind::crossing;
 }
 
 bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chain.to; }
@@ -203,7 +172,7 @@ bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chai
                                                : std::max(other.top_x, other.bottom_x);
     bool stays = true;
     chain.each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t y) {
-        stays = stays && ((side - x) * sign >= 0 || (x_at(other, y) - x) * sign >= -1);
+        stays = stays && ((side - x) * sign >= 0 || (other.x_at(y) - x) * sign >= -1);
     });
     return stays;
 }
@@ -227,11 +196,11 @@ bool are_plain(const RowChain& a, const RowChain& b)
 }
 
 /// Whether sums of areas tell the coverage. Straight edges that cross are no more work if they do not.
-bool add_up(std::span<const RowChain> chains, Way way, FillRule rule, std::int32_t winding)
+bool add_up(std::span<const RowChain> chains, GroupKind kind, FillRule rule, std::int32_t winding)
 {
-    if (way == Way::crossing)
+    if (kind == GroupKind::crossing)
         return false;
-    if (way == Way::bent)
+    if (kind == GroupKind::bent)
         return (chains.size() == 2 && are_plain(chains[0], chains[1])) ||
                add_up_on_lines(chains, rule, winding);
     Windings windings{winding};
@@ -293,22 +262,22 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
         return right;
     }
     sort(chains);
-    const Way way = way_through(chains);
-    if (add_up(chains, way, rule, winding)) {
+    const GroupKind kind = kind_of(chains);
+    if (add_up(chains, kind, rule, winding)) {
         for (const RowChain& chain : chains)
             add_chain(chain, columns, sums);
         return right;
     }
     did(Work::edge_group);
     begin_inside(first, rule, winding, columns, sums);
-    switch (way) {
-    case Way::in_order:
+    switch (kind) {
+    case GroupKind::in_order:
         add_in_order(chains, rule, winding, columns, sums);
         break;
-    case Way::crossing:
+    case GroupKind::crossing:
         add_crossing(chains, rule, winding, columns, sums);
         break;
-    case Way::bent:
+    case GroupKind::bent:
         add_lines(chains, rule, winding, columns, sums);
         break;
     }
@@ -324,69 +293,6 @@ void begin_inside(int column, FillRule rule, std::int32_t winding, int columns, 
 void end_inside(int column, FillRule rule, std::int32_t winding, int columns, CoverageSums& sums)
 {
     sums.add_windings(column, winding - (is_inside(rule, winding) ? 1 : 0), columns);
-}
-
-void Line::begin_part()
-{
-    is_first_ = count_ == 0;
-    if (!is_first_)
-        before_ = crossings_[count_ - 1];
-    count_ = 0;
-    added_ = 0;
-    has_more_ = false;
-}
-
-void Line::add(const RowChain& chain)
-{
-    if (y_ < chain.from || y_ >= chain.to)
-        return;
-    did(Work::line_crossing);
-    const Crossing added{2 * x_at(chain, y_) + (chain.runs_down ? 0 : 1), added_++};
-    if (!is_first_ &&
-        (added.x2 < before_.x2 || (added.x2 == before_.x2 && added.number <= before_.number)))
-        return;
-    if (count_ == max_count) {
-        has_more_ = true;
-        if (added.x2 >= crossings_[max_count - 1].x2)
-            return;
-        --count_;
-    }
-    std::size_t place = count_++;
-    for (; place != 0 && crossings_[place - 1].x2 > added.x2; --place)
-        crossings_[place] = crossings_[place - 1];
-    crossings_[place] = added;
-}
-
-std::int32_t Line::add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const
-{
-    constexpr std::int32_t height = CoverageSums::part_height / count_in_row;
-    bool was_inside = is_inside(rule, winding);
-    for (std::size_t i = 0; i != count_; ++i) {
-        winding += step(i);
-        if (is_inside(rule, winding) == was_inside)
-            continue;
-        const std::int32_t x = crossings_[i].x2 >> 1;
-        sums.add_part(x, x, was_inside ? -height : height, columns);
-        was_inside = !was_inside;
-    }
-    return winding;
-}
-
-void RowChain::find_pixels()
-{
-    if (is_straight) {
-        first = floor_pixel(std::min(top_x, bottom_x));
-        last = std::max(ceil_pixel(std::max(top_x, bottom_x)) - 1, first);
-        return;
-    }
-    std::int32_t low = top_x;
-    std::int32_t high = low;
-    each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t) {
-        low = x < low ? x : low;
-        high = x > high ? x : high;
-    });
-    first = floor_pixel(low);
-    last = floor_pixel(high);
 }
 
 }

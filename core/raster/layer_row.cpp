@@ -45,7 +45,7 @@ bool LayerRow::begin(const Band& band, const Region& region, std::uint16_t layer
     const bool has_any = find_chains(region);
     are_apart_ = are_apart_ && has_few_;
     if (are_apart_)
-        keep_borders();
+        find_borders();
     return has_any;
 }
 
@@ -96,7 +96,7 @@ void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
 }
 
 /// Of the chains in the list, those between inside and outside.
-void LayerRow::keep_borders()
+void LayerRow::find_borders()
 {
     std::int32_t winding = winding_ >> band_->height_bits();
     bool was_inside = is_inside(rule_, winding);
@@ -106,7 +106,7 @@ void LayerRow::keep_borders()
         if (is_inside(rule_, winding) == was_inside)
             continue;
         was_inside = !was_inside;
-        chains_[edge_count_++] = chains_[i];
+        borders_[edge_count_++] = &chains_[i];
     }
 }
 
@@ -155,7 +155,7 @@ bool LayerRow::find_edges(int row)
 void LayerRow::cover_edge(std::size_t number, bool is_inside_left, CoverageRun& run)
 {
     if (are_apart_)
-        return cover(chains_[number].edge(row_), columns_, run);
+        return cover(borders_[number]->edge(row_), columns_, run);
     const RowChain* const bent = bent_[number];
     if (bent == nullptr)
         return cover(edges_[number], columns_, run);

@@ -64,7 +64,7 @@ private:
 
     bool find_chains(const Region& region);
     void begin_list(std::uint32_t first, std::int32_t winding);
-    void keep_borders();
+    void find_borders();
     std::int32_t coverage_of(std::int32_t sum) const;
     void add_row(int row);
     void add_few(int row);
@@ -94,15 +94,15 @@ private:
     int begin_ = 0;            ///< pixels of chains that are left of here do not matter in the row
     std::int32_t winding_ = 0; ///< to the left of all chains, in the unit of Chain::winding
     bool has_few_ = false;     ///< chains: they are in the list
-    /// All chains go through the band without touching the same column; the list has those between inside and
-    /// outside alone.
-    bool are_apart_ = false;
+    bool are_apart_ = false;   ///< all chains go through the band without touching the same column
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
     int row_ = 0; ///< that find_edges() was asked for, if they are apart
     std::array<ListedChain, max_edges> chains_;
-    std::array<RowEdge, max_edges> edges_; ///< if they are not
-    std::array<const RowChain*, max_edges> bent_; ///< in place of an edge: one that bends; null if it does not
+    std::array<const ListedChain*, max_edges> borders_; ///< if they are apart: those that are edges
+    std::array<RowEdge, max_edges> edges_;              ///< if they are not
+    std::array<const RowChain*, max_edges>
+        bent_; ///< in place of an edge: one that bends; null if it does not
     std::array<RowChain, max_group> group_;
     CoverageSums sums_;
 };

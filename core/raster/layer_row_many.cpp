@@ -136,7 +136,7 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
     }
 }
 
-/// Line by line, and each of these part by part.
+/// SampleLine by line, and each of these part by part.
 std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t winding)
 {
     int first = no_pixel;
@@ -149,8 +149,8 @@ std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t windin
     });
     const std::int32_t right = winding + height / grid;
     begin_inside(first, rule_, winding, columns_, sums_);
-    for (int number = 0; number != Line::count_in_row; ++number) {
-        Line line{number};
+    for (int number = 0; number != SampleLine::count_in_row; ++number) {
+        SampleLine line{number};
         std::int32_t passed = winding;
         do {
             line.begin_part();

@@ -25,6 +25,8 @@ struct RowChain {
 
     /// Finds the first pixel and the last one, of those that its chain has in the band.
     void find_pixels();
+    /// Where it crosses a height that lies within it.
+    std::int32_t x_at(std::int32_t y) const;
 
     /// Of its winding, in the grid.
     std::int32_t height() const { return runs_down ? to - from : from - to; }

@@ -232,6 +232,23 @@ TEST_CASE("edges between borders of rows add up their areas, but for the grid")
     CHECK(worst <= 1.5 * grid_error); // three edges meet at a corner
 }
 
+TEST_CASE("straight edges that cross within a row cover the area of what is inside")
+{
+    std::mt19937 random{8};
+    std::uniform_real_distribution<double> place{0, 6};
+    double worst = 0;
+    for (int round = 0; round < rounds(1000); ++round) {
+        std::vector<Polygon> polygons(2 + random() % 2);
+        for (Polygon& part : polygons)
+            part = polygon({{place(random), 0}, {place(random), 0}, {place(random), 1}, {place(random), 1}});
+        const CoveragePicture picture = filled({6, 1}, polygons, rule_of(round));
+        for (int x = 0; x < picture.width(); ++x)
+            worst = std::max(worst,
+                             std::abs(picture.at(x, 0) - sampled(polygons, x, 0, rule_of(round)).coverage));
+    }
+    CHECK(worst < 6); // the sampling itself is as coarse as 5
+}
+
 TEST_CASE("the edges of triangles add up their areas, but for corners that are dropped")
 {
     std::mt19937 random{5};

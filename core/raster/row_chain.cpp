@@ -1,0 +1,58 @@
+#include "core/raster/row_chain.hpp"
+
+#include "core/raster/reciprocal.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace kfast::raster {
+namespace {
+
+/// A part of an edge's height, in 1/2^part_bits.
+constexpr int part_bits = 12;
+
+std::int32_t part_of(std::int32_t part, std::int32_t height)
+{
+    return part * reciprocals[static_cast<std::size_t>(height)] >> (16 - part_bits);
+}
+
+}
+
+void RowChain::find_pixels()
+{
+    if (is_straight) {
+        first = floor_pixel(std::min(top_x, bottom_x));
+        last = std::max(ceil_pixel(std::max(top_x, bottom_x)) - 1, first);
+        return;
+    }
+    std::int32_t low = top_x;
+    std::int32_t high = low;
+    each_edge([&](std::int32_t, std::int32_t, std::int32_t x, std::int32_t) {
+        low = x < low ? x : low;
+        high = x > high ? x : high;
+    });
+    first = floor_pixel(low);
+    last = floor_pixel(high);
+}
+
+std::int32_t RowChain::x_at(std::int32_t y) const
+{
+    if (is_straight)
+        return top_x + ((bottom_x - top_x) * y >> grid_bits);
+    if (y >= to)
+        return bottom_x;
+    std::int32_t upper_x = top_x;
+    std::int32_t upper_y = from;
+    const Bend* next = bend;
+    for (; next->y <= top + y; --next)
+        if (has(*next)) {
+            upper_x = next->x - left;
+            upper_y = next->y - top;
+        }
+    const bool is_last = next->y > top + to;
+    const std::int32_t lower_x = is_last ? bottom_x : next->x - left;
+    const std::int32_t lower_y = is_last ? to : next->y - top;
+    return upper_x + ((lower_x - upper_x) * part_of(y - upper_y, lower_y - upper_y) >> part_bits);
+}
+
+}
