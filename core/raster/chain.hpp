@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/raster/grid.hpp"
+#include "core/raster/reciprocal.hpp"
 
 #include <array>
 #include <cstddef>
@@ -42,12 +43,14 @@ constexpr RowMask row_mask(int begin, int end)
 
 /// A long edge that is a chain of its own.
 struct StraightLine {
-    std::int32_t slope = 0; ///< how far it goes to the right over each row, in 1/1024 of the grid
-    std::int32_t first = 0; ///< x where it crosses the first border below its upper end, likewise
-    Crossing top = 0;       ///< x at its upper end
-    Crossing bottom = 0;    ///< x at its lower end
-    BandCrossings in_band;  ///< of the band that is looked at
+    std::int32_t slope = 0;             ///< how far it goes to the right over each row, in 1/1024 of the grid
+    Crossing top = 0;                   ///< x at its upper end
+    Crossing bottom = 0;                ///< x at its lower end
+    BandCrossings in_band{};            ///< of the band that is looked at
+    std::uint16_t no_bend = Bend::no_y; ///< with the last one of these it is the Bend that stands behind all
 };
+
+static_assert(sizeof(StraightLine) == 28);
 
 /// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
 /// and what it is in the band of rows that is looked at.
@@ -89,7 +92,8 @@ inline void find_crossings(const Chain& chain, const StraightLine& line, int row
     const int end = ceil_pixel(chain.bottom) - floor_pixel(chain.top);
     const bool runs_left = line.slope < 0;
     const auto is_beyond = [&](std::int32_t x) { return runs_left ? x < line.bottom : x > line.bottom; };
-    std::int32_t fine = line.first + (top - 1) * line.slope;
+    const std::int32_t first = first_crossing(line.top, line.slope, grid - (chain.top & (grid - 1)));
+    std::int32_t fine = first + (top - 1) * line.slope;
     if (top > 0 && top + rows < end && !is_beyond((fine + rows * line.slope) >> 10)) {
         for (; rows >= 0; --rows, fine += line.slope)
             *out++ = static_cast<Crossing>(fine >> 10);

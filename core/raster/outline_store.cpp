@@ -297,7 +297,8 @@ bool OutlineStore::add_chain(const Corner* top, const Corner* bottom, std::ptrdi
     if (is_large_ && std::abs(top->x) >= farthest)
         return false;
     const std::int32_t left = is_large_ ? (top->x & -grid) - reach / 2 : -margin;
-    if (top + step == bottom && ChainBuilder::crossing_bytes(top->y, bottom->y) > sizeof(StraightLine))
+    if (top + step == bottom &&
+        ChainBuilder::crossing_bytes(top->y, bottom->y) + sizeof(Bend) > sizeof(StraightLine))
         return add_straight(*top, *bottom, left, step > 0);
     const auto corners = static_cast<std::size_t>((bottom - top) * step + 1);
     const std::size_t bytes = ChainBuilder::room_for(corners, top->y, bottom->y) + sizeof(Chain);
@@ -318,25 +319,23 @@ bool OutlineStore::add_straight(Corner top, Corner bottom, std::int32_t left, bo
     const std::int32_t bottom_x = bottom.x - left;
     if (((top_x | bottom_x) & -reach) != 0 || bottom.y - (top.y & -grid) > ChainBuilder::max_height)
         return false;
-    if (!find_room(sizeof(Chain) + sizeof(Bend) + sizeof(StraightLine)))
+    if (!find_room(sizeof(Chain) + sizeof(StraightLine)))
         return true;
     auto* const line = new (chains_ - sizeof(StraightLine)) StraightLine;
     line->top = static_cast<Crossing>(top_x);
     line->bottom = static_cast<Crossing>(bottom_x);
     line->slope = slope_of(bottom_x - top_x, bottom.y - top.y);
-    line->first = first_crossing(top_x, line->slope, grid - (top.y & (grid - 1)));
-    auto* const bend = new (reinterpret_cast<std::byte*>(line) - sizeof(Bend)) Bend{0, Bend::no_y};
-    Chain& chain = put_chain(reinterpret_cast<std::byte*>(bend), top, bottom, left, runs_down);
+    Chain& chain = put_chain(reinterpret_cast<std::byte*>(line), top, bottom, left, runs_down);
     chain.is_straight = true;
     rewind(chain);
     return true;
 }
 
-/// In front of its bends.
-Chain& OutlineStore::put_chain(std::byte* bends, Corner top, Corner bottom, std::int32_t left, bool runs_down)
+/// In front of its bends, or of its line.
+Chain& OutlineStore::put_chain(std::byte* end, Corner top, Corner bottom, std::int32_t left, bool runs_down)
 {
-    const std::byte* const end = chains_;
-    end_chains_at(bends - sizeof(Chain));
+    const std::byte* const above = chains_;
+    end_chains_at(end - sizeof(Chain));
     did(Work::chain);
     auto* const chain = new (chains_) Chain;
     chain->top = top.y;
@@ -344,7 +343,7 @@ Chain& OutlineStore::put_chain(std::byte* bends, Corner top, Corner bottom, std:
     chain->left = static_cast<std::int16_t>(floor_pixel(left));
     chain->layer = layer_->step;
     chain->runs_down = runs_down;
-    chain->words = static_cast<std::uint16_t>((end - chains_) / 4);
+    chain->words = static_cast<std::uint16_t>((above - chains_) / 4);
     layer_->reach(floor_pixel(top.y), std::max(ceil_pixel(bottom.y), floor_pixel(top.y) + 1));
     return *chain;
 }
@@ -374,9 +373,8 @@ void OutlineStore::rewind(Chain& chain)
     const int row = floor_pixel(chain.top);
     const int band = row >> band_bits_;
     if (chain.is_straight) {
-        const std::uint32_t line = end - std::uint32_t{sizeof(StraightLine)};
-        chain.crossings = line + std::uint32_t{offsetof(StraightLine, in_band)};
-        chain.bends = line - std::uint32_t{sizeof(Bend)};
+        chain.crossings = end - std::uint32_t{sizeof(StraightLine) - offsetof(StraightLine, in_band)};
+        chain.bends = end - std::uint32_t{sizeof(Bend)};
     } else {
         const std::uint32_t crossings = end - ChainBuilder::crossing_bytes(chain.top, chain.bottom);
         const auto rows_above = static_cast<std::uint32_t>(row - (band << band_bits_));

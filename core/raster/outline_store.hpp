@@ -135,7 +135,7 @@ private:
     bool add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step);
     bool add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step);
     bool add_straight(Corner top, Corner bottom, std::int32_t left, bool runs_down);
-    Chain& put_chain(std::byte* bends, Corner top, Corner bottom, std::int32_t left, bool runs_down);
+    Chain& put_chain(std::byte* end, Corner top, Corner bottom, std::int32_t left, bool runs_down);
     void rewind(Chain& chain);
     void end_chains_at(std::byte* chains);
     void remove_chains(std::byte* mark);

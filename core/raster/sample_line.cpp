@@ -34,7 +34,8 @@ void SampleLine::add(const RowChain& chain)
     crossings_[place] = added;
 }
 
-std::int32_t SampleLine::add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const
+std::int32_t SampleLine::add_inside(FillRule rule, std::int32_t winding, int columns,
+                                    CoverageSums& sums) const
 {
     constexpr std::int32_t height = CoverageSums::part_height / count_in_row;
     bool was_inside = is_inside(rule, winding);

@@ -15,8 +15,7 @@ constexpr std::size_t chain_bytes = sizeof(raster::Chain) + sizeof(raster::Bend)
 /// (core/raster/outline_store.hpp).
 std::size_t max_edge_bytes(std::size_t rows)
 {
-    constexpr std::size_t line_bytes =
-        sizeof(raster::Chain) + sizeof(raster::Bend) + sizeof(raster::StraightLine);
+    constexpr std::size_t line_bytes = sizeof(raster::Chain) + sizeof(raster::StraightLine);
     return std::min(chain_bytes + rows * sizeof(raster::Crossing), line_bytes + chain_bytes);
 }
 
