@@ -71,266 +71,266 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 72548,
+        .code = 72732,
         .fixed_ram = 4,
-        .stack = 9128,
-        .cycles = 1.72,
+        .stack = 9016,
+        .cycles = 1.70,
         .frame = 791,
-        .area = 821,
+        .area = 412,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2369.6, // item
-                3536.1, // track
-                817.2, // key
-                0.0, // placement
-                1640.5, // law
-                3900.8, // bezier_law
+                2403.1, // item
+                3506.0, // track
+                819.0, // key
+                81.0, // placement
+                1616.3, // law
+                3865.3, // bezier_law
                 0.0, // bone
-                1710.0, // object
-                7047.8, // stroke
+                1685.7, // object
+                7041.9, // stroke
                 0.0, // line
-                1104.3, // curve
-                690.3, // split
-                39.7, // point
+                1103.8, // curve
+                687.1, // split
+                41.3, // point
                 0.0, // wide_point
-                1041.1, // projected_point
-                405.3, // carried_point
-                964.0, // bent_point
-                206.9, // piece
-                182.4, // wide_piece
-                478.5, // pen_piece
-                371.7, // bend
+                1042.2, // projected_point
+                402.7, // carried_point
+                965.0, // bent_point
+                205.4, // piece
+                182.3, // wide_piece
+                475.0, // pen_piece
+                362.0, // bend
                 0.0, // slight_bend
-                274.2, // placed_corner
-                199.0, // corner
-                485.3, // chain
-                11.7, // crossing
-                200.2, // kept_chain
-                326.5, // step
-                76.6, // passed_band
+                272.6, // placed_corner
+                198.6, // corner
+                501.5, // chain
+                12.0, // crossing
+                200.0, // kept_chain
+                328.5, // step
+                76.2, // passed_band
                 0.0, // passed_border
-                226.1, // band
-                331.7, // band_chain
-                572.6, // straight_chain
-                88.3, // border
-                263.5, // region
-                145.1, // edge_row
-                0.0, // flat_pixel
-                65.4, // chain_visit
-                502.5, // layer
+                598.3, // band
+                293.9, // band_chain
+                351.0, // straight_chain
+                87.5, // border
+                196.9, // region
+                183.6, // edge_row
+                5.9, // flat_pixel
+                48.8, // chain_visit
+                669.7, // layer
                 0.0, // layer_row
-                162.0, // layer_edge
-                247.8, // bent_edge
-                293.8, // sum_row
-                192.0, // row_chain
-                115.6, // sum_part
-                9.9, // sum_pixel
-                209.5, // edge_group
-                160.0, // line_crossing
-                76.8, // span
-                0.8, // fill
-                0.2, // filled_pixel
-                40.5, // blended_pixel
-                49.5, // faded_pixel
+                105.0, // layer_edge
+                255.2, // bent_edge
+                341.1, // sum_row
+                177.6, // row_chain
+                141.9, // sum_part
+                13.1, // sum_pixel
+                0.0, // edge_group
+                148.6, // line_crossing
+                76.2, // span
+                29.9, // fill
+                0.0, // filled_pixel
+                40.6, // blended_pixel
+                46.8, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 69004,
+        .code = 69188,
         .fixed_ram = 4,
-        .stack = 8976,
-        .cycles = 1.83,
+        .stack = 8864,
+        .cycles = 1.81,
         .frame = 403,
-        .area = 710,
+        .area = 332,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2105.5, // item
-                1919.1, // track
-                326.3, // key
+                2125.5, // item
+                1910.8, // track
+                331.2, // key
                 0.0, // placement
-                815.9, // law
-                2472.1, // bezier_law
+                802.4, // law
+                2483.4, // bezier_law
                 0.0, // bone
-                867.3, // object
-                3769.5, // stroke
+                857.4, // object
+                3764.3, // stroke
                 0.0, // line
-                1045.7, // curve
-                450.8, // split
-                22.3, // point
+                1047.9, // curve
+                446.8, // split
+                23.4, // point
                 0.0, // wide_point
-                260.4, // projected_point
-                316.6, // carried_point
-                582.4, // bent_point
-                110.4, // piece
-                49.3, // wide_piece
-                254.9, // pen_piece
-                94.6, // bend
+                261.4, // projected_point
+                314.2, // carried_point
+                582.2, // bent_point
+                107.6, // piece
+                48.6, // wide_piece
+                250.8, // pen_piece
+                89.7, // bend
                 0.0, // slight_bend
-                163.4, // placed_corner
-                198.9, // corner
-                403.6, // chain
-                11.6, // crossing
-                109.6, // kept_chain
-                242.4, // step
-                53.6, // passed_band
+                163.1, // placed_corner
+                199.6, // corner
+                417.3, // chain
+                11.5, // crossing
+                111.0, // kept_chain
+                243.8, // step
+                53.3, // passed_band
                 0.0, // passed_border
-                83.7, // band
-                291.7, // band_chain
-                452.0, // straight_chain
-                77.2, // border
-                240.3, // region
-                92.5, // edge_row
-                0.0, // flat_pixel
-                55.9, // chain_visit
-                376.3, // layer
+                445.9, // band
+                253.4, // band_chain
+                298.3, // straight_chain
+                73.0, // border
+                184.8, // region
+                132.7, // edge_row
+                0.6, // flat_pixel
+                41.8, // chain_visit
+                518.4, // layer
                 0.0, // layer_row
-                129.6, // layer_edge
-                141.5, // bent_edge
-                140.4, // sum_row
-                158.9, // row_chain
-                104.0, // sum_part
-                7.2, // sum_pixel
-                101.0, // edge_group
-                131.4, // line_crossing
-                62.4, // span
-                0.0, // fill
-                0.2, // filled_pixel
-                30.5, // blended_pixel
-                34.3, // faded_pixel
+                84.3, // layer_edge
+                170.4, // bent_edge
+                242.0, // sum_row
+                146.0, // row_chain
+                112.2, // sum_part
+                10.3, // sum_pixel
+                0.0, // edge_group
+                115.0, // line_crossing
+                62.8, // span
+                21.8, // fill
+                0.4, // filled_pixel
+                29.7, // blended_pixel
+                32.1, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 69028,
+        .code = 69204,
         .fixed_ram = 4,
-        .stack = 8976,
-        .cycles = 1.83,
+        .stack = 8864,
+        .cycles = 1.81,
         .frame = 402,
-        .area = 706,
+        .area = 329,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2108.3, // item
-                1920.0, // track
-                328.0, // key
+                2128.4, // item
+                1911.7, // track
+                332.8, // key
                 0.0, // placement
-                817.7, // law
-                2472.2, // bezier_law
+                804.2, // law
+                2484.4, // bezier_law
                 0.0, // bone
-                849.5, // object
-                3782.2, // stroke
+                839.6, // object
+                3776.7, // stroke
                 0.0, // line
-                1042.6, // curve
-                449.4, // split
-                21.3, // point
+                1044.8, // curve
+                445.3, // split
+                22.4, // point
                 0.0, // wide_point
-                262.3, // projected_point
-                315.6, // carried_point
-                582.6, // bent_point
-                112.0, // piece
-                50.7, // wide_piece
-                256.9, // pen_piece
-                94.9, // bend
+                263.3, // projected_point
+                313.2, // carried_point
+                582.3, // bent_point
+                109.1, // piece
+                50.0, // wide_piece
+                252.8, // pen_piece
+                89.8, // bend
                 0.0, // slight_bend
-                166.1, // placed_corner
-                200.2, // corner
-                403.9, // chain
-                11.7, // crossing
-                109.8, // kept_chain
-                243.0, // step
-                54.6, // passed_band
+                165.8, // placed_corner
+                201.0, // corner
+                417.9, // chain
+                11.6, // crossing
+                111.2, // kept_chain
+                244.3, // step
+                54.3, // passed_band
                 0.0, // passed_border
-                86.4, // band
-                290.1, // band_chain
-                448.9, // straight_chain
-                77.7, // border
-                239.0, // region
-                94.2, // edge_row
-                0.0, // flat_pixel
-                56.3, // chain_visit
-                379.6, // layer
+                449.5, // band
+                252.9, // band_chain
+                296.5, // straight_chain
+                73.2, // border
+                183.3, // region
+                133.0, // edge_row
+                1.2, // flat_pixel
+                41.6, // chain_visit
+                521.1, // layer
                 0.0, // layer_row
-                130.5, // layer_edge
-                153.5, // bent_edge
-                146.1, // sum_row
-                158.1, // row_chain
-                103.4, // sum_part
-                6.3, // sum_pixel
-                102.9, // edge_group
-                131.5, // line_crossing
-                64.6, // span
-                0.0, // fill
-                0.3, // filled_pixel
-                30.5, // blended_pixel
-                33.3, // faded_pixel
+                83.5, // layer_edge
+                183.2, // bent_edge
+                244.8, // sum_row
+                145.1, // row_chain
+                112.1, // sum_part
+                9.5, // sum_pixel
+                0.0, // edge_group
+                114.9, // line_crossing
+                63.8, // span
+                22.4, // fill
+                0.4, // filled_pixel
+                29.7, // blended_pixel
+                31.1, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 69056,
+        .code = 69240,
         .fixed_ram = 4,
-        .stack = 8968,
-        .cycles = 1.69,
+        .stack = 8856,
+        .cycles = 1.68,
         .frame = 400,
-        .area = 714,
+        .area = 338,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2104.6, // item
-                1919.9, // track
-                326.4, // key
+                2124.6, // item
+                1911.7, // track
+                331.3, // key
                 0.0, // placement
-                814.0, // law
-                2473.3, // bezier_law
+                800.4, // law
+                2484.6, // bezier_law
                 0.0, // bone
-                861.7, // object
-                3768.3, // stroke
+                851.7, // object
+                3763.2, // stroke
                 0.0, // line
-                1044.1, // curve
-                448.8, // split
-                22.4, // point
+                1046.3, // curve
+                444.9, // split
+                23.4, // point
                 0.0, // wide_point
-                261.5, // projected_point
-                316.0, // carried_point
-                581.4, // bent_point
-                110.7, // piece
-                49.6, // wide_piece
-                255.1, // pen_piece
-                95.3, // bend
+                262.5, // projected_point
+                313.6, // carried_point
+                581.1, // bent_point
+                107.9, // piece
+                48.9, // wide_piece
+                251.0, // pen_piece
+                90.3, // bend
                 0.0, // slight_bend
-                163.4, // placed_corner
-                198.7, // corner
-                403.7, // chain
-                11.6, // crossing
-                109.7, // kept_chain
-                243.5, // step
-                54.5, // passed_band
+                163.1, // placed_corner
+                199.5, // corner
+                417.4, // chain
+                11.5, // crossing
+                111.0, // kept_chain
+                244.8, // step
+                54.2, // passed_band
                 0.0, // passed_border
-                91.1, // band
-                293.2, // band_chain
-                453.0, // straight_chain
-                78.0, // border
-                237.4, // region
-                95.9, // edge_row
+                456.0, // band
+                254.3, // band_chain
+                299.1, // straight_chain
+                73.2, // border
+                178.0, // region
+                137.1, // edge_row
                 0.0, // flat_pixel
-                55.9, // chain_visit
-                368.5, // layer
+                42.1, // chain_visit
+                510.7, // layer
                 0.0, // layer_row
-                129.9, // layer_edge
-                149.2, // bent_edge
-                146.6, // sum_row
-                160.1, // row_chain
-                107.2, // sum_part
-                9.8, // sum_pixel
-                86.5, // edge_group
-                130.9, // line_crossing
-                54.9, // span
-                0.0, // fill
-                0.3, // filled_pixel
-                31.3, // blended_pixel
-                34.4, // faded_pixel
+                84.8, // layer_edge
+                176.0, // bent_edge
+                247.2, // sum_row
+                146.1, // row_chain
+                115.0, // sum_part
+                12.3, // sum_pixel
+                0.0, // edge_group
+                113.1, // line_crossing
+                57.2, // span
+                22.5, // fill
+                0.5, // filled_pixel
+                30.9, // blended_pixel
+                32.3, // faded_pixel
             }),
     },
 }};
