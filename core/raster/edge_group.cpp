@@ -93,8 +93,8 @@ std::int32_t x_at_height(const RowChain& chain, std::int32_t height)
 ///       x /        b a c
 ///      / x
 ///     b c a        and in the end at the bottom
-void add_crossing(std::span<RowChain> chains, FillRule rule, std::int32_t winding, int columns,
-                  CoverageSums& sums)
+[[gnu::cold, gnu::noinline]] void add_crossing(std::span<RowChain> chains, FillRule rule,
+                                               std::int32_t winding, int columns, CoverageSums& sums)
 {
     EdgeCrossing next;
     for (std::int32_t top = 0; top != CoverageSums::part_height; top = next.height) {
