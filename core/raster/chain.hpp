@@ -43,11 +43,10 @@ constexpr RowMask row_mask(int begin, int end)
 
 /// A long edge that is a chain of its own.
 struct StraightLine {
-    std::int32_t slope = 0;             ///< how far it goes to the right over each row, in 1/1024 of the grid
-    Crossing top = 0;                   ///< x at its upper end
-    Crossing bottom = 0;                ///< x at its lower end
-    BandCrossings in_band{};            ///< of the band that is looked at
-    std::uint16_t no_bend = Bend::no_y; ///< with the last one of these it is the Bend that stands behind all
+    std::int32_t slope = 0;     ///< how far it goes to the right over each row, in 1/1024 of the grid
+    Crossing top = 0;           ///< x at its upper end
+    BandCrossings in_band{};    ///< of the band that is looked at
+    Bend bottom{0, Bend::no_y}; ///< x at its lower end, which stands behind its bends: it has none
 };
 
 static_assert(sizeof(StraightLine) == 28);
@@ -91,7 +90,7 @@ inline void find_crossings(const Chain& chain, const StraightLine& line, int row
     const int top = row - floor_pixel(chain.top);
     const int end = ceil_pixel(chain.bottom) - floor_pixel(chain.top);
     const bool runs_left = line.slope < 0;
-    const auto is_beyond = [&](std::int32_t x) { return runs_left ? x < line.bottom : x > line.bottom; };
+    const auto is_beyond = [&](std::int32_t x) { return runs_left ? x < line.bottom.x : x > line.bottom.x; };
     const std::int32_t first = first_crossing(line.top, line.slope, grid - (chain.top & (grid - 1)));
     std::int32_t fine = first + (top - 1) * line.slope;
     if (top > 0 && top + rows < end && !is_beyond((fine + rows * line.slope) >> 10)) {
@@ -104,7 +103,7 @@ inline void find_crossings(const Chain& chain, const StraightLine& line, int row
         if (border <= 0)
             *out++ = line.top;
         else
-            *out++ = border >= end || is_beyond(x) ? line.bottom : static_cast<Crossing>(x);
+            *out++ = border >= end || is_beyond(x) ? line.bottom.x : static_cast<Crossing>(x);
     }
 }
 

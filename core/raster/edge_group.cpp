@@ -24,7 +24,7 @@ public:
     }
 
     /// Whether sums of areas tell the coverage.
-    bool add_up(FillRule rule) const
+    bool areas_add_up(FillRule rule) const
     {
         return most_ - least_ <= 1 || (rule == FillRule::nonzero && !has_zero_);
     }
@@ -80,9 +80,12 @@ EdgeCrossing next_crossing(std::span<const RowChain> chains, std::int32_t top)
     return next;
 }
 
+/// Rounded to nearest: the same for the part that ends there and the one that begins.
 std::int32_t x_at_height(const RowChain& chain, std::int32_t height)
 {
-    return chain.top_x + (chain.bottom_x - chain.top_x) * height / CoverageSums::part_height;
+    constexpr std::int32_t whole = CoverageSums::part_height;
+    static_assert(whole == 1 << 10);
+    return chain.top_x + (((chain.bottom_x - chain.top_x) * height + whole / 2) >> 10);
 }
 
 /// Adds edges between inside and outside alone, of straight edges that may cross: part by part of the row,
@@ -99,10 +102,11 @@ std::int32_t x_at_height(const RowChain& chain, std::int32_t height)
     EdgeCrossing next;
     for (std::int32_t top = 0; top != CoverageSums::part_height; top = next.height) {
         next = next_crossing(chains, top);
-        each_border(chains, rule, winding, [&](const RowChain& chain, std::int32_t sign) {
-            sums.add_part(x_at_height(chain, top), x_at_height(chain, next.height),
-                          sign * (next.height - top), columns);
-        });
+        if (next.height != top) // others cross where these did
+            each_border(chains, rule, winding, [&](const RowChain& chain, std::int32_t sign) {
+                sums.add_part(x_at_height(chain, top), x_at_height(chain, next.height),
+                              sign * (next.height - top), columns);
+            });
         if (next.height != CoverageSums::part_height)
             std::swap(chains[next.left], chains[next.left + 1]);
     }
@@ -125,12 +129,13 @@ bool each_line(std::span<const RowChain> chains, Visit visit)
 
 /// Whether sums of areas tell the coverage, by the windings on lines. Lines take much stack: not while areas
 /// are added.
-[[gnu::noinline]] bool add_up_on_lines(std::span<const RowChain> chains, FillRule rule, std::int32_t winding)
+[[gnu::noinline]] bool areas_add_up_on_lines(std::span<const RowChain> chains, FillRule rule,
+                                             std::int32_t winding)
 {
     Windings windings{winding};
     return each_line(chains, [&](const SampleLine& line) {
         line.walk(winding, [&](std::int32_t passed) { windings.note(passed); });
-        return windings.add_up(rule);
+        return windings.areas_add_up(rule);
     });
 }
 
@@ -196,17 +201,17 @@ bool are_plain(const RowChain& a, const RowChain& b)
 }
 
 /// Whether sums of areas tell the coverage. Straight edges that cross are no more work if they do not.
-bool add_up(std::span<const RowChain> chains, GroupKind kind, FillRule rule, std::int32_t winding)
+bool areas_add_up(std::span<const RowChain> chains, GroupKind kind, FillRule rule, std::int32_t winding)
 {
     if (kind == GroupKind::crossing)
         return false;
     if (kind == GroupKind::bent)
         return (chains.size() == 2 && are_plain(chains[0], chains[1])) ||
-               add_up_on_lines(chains, rule, winding);
+               areas_add_up_on_lines(chains, rule, winding);
     Windings windings{winding};
     for (const RowChain& chain : chains)
         windings.note(winding += step_of(chain));
-    return windings.add_up(rule);
+    return windings.areas_add_up(rule);
 }
 
 /// The first pixel of a group, and that behind it.
@@ -263,7 +268,7 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
     }
     sort(chains);
     const GroupKind kind = kind_of(chains);
-    if (add_up(chains, kind, rule, winding)) {
+    if (areas_add_up(chains, kind, rule, winding)) {
         for (const RowChain& chain : chains)
             add_chain(chain, columns, sums);
         return right;

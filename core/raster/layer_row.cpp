@@ -208,7 +208,8 @@ std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t wi
         winding = add_group(std::span{group_}.subspan(begin, end - begin), rule_, winding, columns_, sums_);
         begin = end;
     }
-    std::copy(group_.begin() + begin, group_.begin() + count, group_.begin());
+    if (begin != 0)
+        std::copy(group_.begin() + begin, group_.begin() + count, group_.begin());
     count -= begin;
     return winding;
 }

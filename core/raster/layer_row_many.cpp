@@ -136,7 +136,7 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
     }
 }
 
-/// SampleLine by line, and each of these part by part.
+/// Line by line, and each of these part by part.
 std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t winding)
 {
     int first = no_pixel;

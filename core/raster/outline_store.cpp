@@ -323,7 +323,7 @@ bool OutlineStore::add_straight(Corner top, Corner bottom, std::int32_t left, bo
         return true;
     auto* const line = new (chains_ - sizeof(StraightLine)) StraightLine;
     line->top = static_cast<Crossing>(top_x);
-    line->bottom = static_cast<Crossing>(bottom_x);
+    line->bottom.x = static_cast<Crossing>(bottom_x);
     line->slope = slope_of(bottom_x - top_x, bottom.y - top.y);
     Chain& chain = put_chain(reinterpret_cast<std::byte*>(line), top, bottom, left, runs_down);
     chain.is_straight = true;
@@ -374,7 +374,7 @@ void OutlineStore::rewind(Chain& chain)
     const int band = row >> band_bits_;
     if (chain.is_straight) {
         chain.crossings = end - std::uint32_t{sizeof(StraightLine) - offsetof(StraightLine, in_band)};
-        chain.bends = end - std::uint32_t{sizeof(Bend)};
+        chain.bends = end - std::uint32_t{sizeof(StraightLine) - offsetof(StraightLine, bottom)};
     } else {
         const std::uint32_t crossings = end - ChainBuilder::crossing_bytes(chain.top, chain.bottom);
         const auto rows_above = static_cast<std::uint32_t>(row - (band << band_bits_));
