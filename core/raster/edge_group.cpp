@@ -200,7 +200,8 @@ bool are_plain(const RowChain& a, const RowChain& b)
     return a.top_x >= b.top_x && a.bottom_x >= b.bottom_x && are_apart(b, a);
 }
 
-/// Whether sums of areas tell the coverage. Straight edges that cross are no more work if they do not.
+/// Whether the coverage is the sum of the areas of all chains. Straight edges that cross are cut in any case:
+/// to find out would take as long.
 bool areas_add_up(std::span<const RowChain> chains, GroupKind kind, FillRule rule, std::int32_t winding)
 {
     if (kind == GroupKind::crossing)
