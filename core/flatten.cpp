@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 
 namespace kfast {
 namespace {
@@ -21,85 +19,88 @@ std::int32_t bend(Point a, Point b, Point c)
     return rough_length(of(a.x, b.x, c.x), of(a.y, b.y, c.y));
 }
 
-constexpr int most_freely = 32; ///< pieces: beyond it, powers of two
-constexpr int ratio_bits = 29;
+/// Powers of 1 / pieces, each shifted up by `shift` as often as its exponent says: 1/2 … 1 in Q16.
+struct StepLength {
+    std::uint32_t first;
+    std::uint32_t square;
+    std::uint32_t cube;
+    int shift;
+};
 
-constexpr int halvings_of(int pieces)
-{
-    return static_cast<int>(std::bit_width(static_cast<unsigned>(pieces - 1)));
-}
-
-/// (2^halvings / n)^3 for n pieces; up to 8.
-constexpr auto ratios = [] {
-    std::array<std::uint32_t, most_freely> table{};
-    for (std::size_t n = 3; n < table.size(); ++n) {
-        const std::uint64_t cube = n * n * n;
-        table[n] = static_cast<std::uint32_t>(
-            ((std::uint64_t{1} << (3 * halvings_of(static_cast<int>(n)) + ratio_bits)) + cube / 2) / cube);
+constexpr auto step_lengths = [] {
+    std::array<StepLength, most_steps + 1> table{};
+    for (std::uint32_t n = 1; n <= most_steps; ++n) {
+        int shift = 0;
+        while (2U << shift <= n)
+            ++shift;
+        const auto power = [shift](std::uint32_t divisor, int exponent) {
+            return ((Share::one << exponent * shift) + divisor / 2) / divisor;
+        };
+        table[n] = {power(n, 1), power(n * n, 2), power(n * n * n, 3), shift};
     }
     return table;
 }();
 
-/// value * ratio, rounded to nearest, halves up; value is signed, and the result fits. Small processors
-/// multiply 64 bits by a function: so the halves are multiplied, and what their sum drops is added apart.
-std::uint32_t scaled(std::uint32_t value, std::uint32_t ratio)
+constexpr int finest_unit_bits = 10;
+
+/// The bits of the largest of these lengths, in 1/4096 px.
+std::uint32_t spread(Fixed c1, Fixed c2, Fixed to)
 {
-    constexpr int bits = ratio_bits - 16;
-    constexpr std::uint32_t dropped = (1U << bits) - 1;
-    const std::uint32_t low = value & 0xFFFF;
-    const auto high = static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> 16);
-    const std::uint32_t a = high * (ratio & 0xFFFF); // signed
-    const std::uint32_t b = low * (ratio >> 16);
-    const std::uint32_t rest =
-        (a & dropped) + (b & dropped) + (low * (ratio & 0xFFFF) >> 16) + (1U << (bits - 1));
-    return (high * (ratio >> 16) << (32 - ratio_bits)) +
-           static_cast<std::uint32_t>(static_cast<std::int32_t>(a) >> bits) + (b >> bits) + (rest >> bits);
+    constexpr int bits = 4;
+    const std::int32_t p1 = c1.raw() >> bits;
+    const std::int32_t p2 = c2.raw() >> bits;
+    const std::int32_t p3 = to.raw() >> bits;
+    const auto length = [](std::int32_t value) { return static_cast<std::uint32_t>(std::abs(value)); };
+    return length(3 * p1) | length(3 * (p2 - 2 * p1)) | length(3 * (p1 - 2 * p2 + p3)) | length(p2) |
+           length(p3);
 }
 
-std::uint64_t scaled(std::uint64_t value, std::uint32_t ratio)
+/// A unit of 2^-bits px in which no step of CubicSteps::along() needs more than 32 bits; down to -4.
+int unit_bits_for(Point c1, Point c2, Point to)
 {
-    const auto high = static_cast<std::uint64_t>(static_cast<std::int64_t>(value) >> 32);
-    const std::uint64_t low = (value & 0xFFFF'FFFF) * ratio + (1U << (ratio_bits - 1));
-    return (high * ratio << (32 - ratio_bits)) + (low >> ratio_bits);
+    const std::uint32_t all = spread(c1.x, c2.x, to.x) | spread(c1.y, c2.y, to.y);
+    int bits = finest_unit_bits;
+    for (std::uint32_t limit = 31U << 12; all >= limit; limit <<= 1) // and a pixel for rounding
+        --bits;
+    return bits;
+}
+
+/// value * factor / 2^bits, rounded to nearest.
+std::int32_t divided(std::int32_t value, std::uint32_t factor, int bits)
+{
+    return (value * static_cast<std::int32_t>(factor) + (1 << bits >> 1)) >> bits;
 }
 
 }
 
-template <class Word>
-CubicSteps<Word>::CubicSteps(int pieces, Fixed c1, Fixed c2, Fixed to)
+CubicSteps::CubicSteps(const Segment& cubic, int pieces) : from_{cubic.from}
 {
-    const int halvings = halvings_of(pieces);
-    if constexpr (std::is_same_v<FractionBits, int>)
-        fraction_bits_ = 3 * halvings;
-    const auto word = [](Fixed value) { return static_cast<Word>(value.raw()); };
-    const auto n = static_cast<Word>(pieces);
-    const Word slope = 3 * word(c1);
-    const Word square = 3 * (word(c2) - 2 * word(c1));
-    const Word cube = word(to) - 3 * (word(c2) - word(c1));
-    const auto divided = [this, pieces, halvings](Word cubed) { // by n^3
-        const Word shifted = cubed << (fraction_bits_ - 3 * halvings);
-        return (pieces & (pieces - 1)) == 0 // small processors count bits by a function
-                   ? shifted
-                   : scaled(shifted, ratios[static_cast<std::size_t>(pieces)]);
-    };
-    value_ = Word{1} << (fraction_bits_ - 1);
-    first_ = divided((slope * n + square) * n + cube);
-    third_ = divided(6 * cube);
-    second_ = divided(2 * square * n) + third_;
+    const Point c1 = cubic.c1 - cubic.from;
+    const Point c2 = cubic.c2 - cubic.from;
+    const Point to = cubic.to - cubic.from;
+    shift_ = unit_bits_for(c1, c2, to) + result_bits;
+    x_ = along(c1.x, c2.x, to.x, pieces);
+    y_ = along(c1.y, c2.y, to.y, pieces);
 }
 
-template class CubicSteps<std::uint32_t>;
-template class CubicSteps<std::uint64_t>;
-
-bool is_small(const Segment& cubic, int pieces)
+CubicSteps::Axis CubicSteps::along(Fixed c1, Fixed c2, Fixed to, int pieces) const
 {
-    const int room = std::max(4 - pieces, 0) + 1; // for second differences: 24 times the reach / pieces^2
-    const std::int32_t reach = std::numeric_limits<std::int32_t>::max() >> (3 * halvings_of(pieces) + room);
-    const auto is_near = [&cubic, reach](Point point) {
-        const Point away = point - cubic.from;
-        return std::abs(away.x.raw()) <= reach && std::abs(away.y.raw()) <= reach;
-    };
-    return is_near(cubic.c1) && is_near(cubic.c2) && is_near(cubic.to);
+    const int dropped = 15 + result_bits - shift_;
+    const auto units = [dropped](Fixed value) { return ((value.raw() >> dropped) + 1) >> 1; };
+    const std::int32_t p1 = units(c1);
+    const std::int32_t p2 = units(c2);
+    const std::int32_t bend = p2 - 2 * p1;
+    const std::int32_t last_bend = p1 - 2 * p2 + units(to);
+    const StepLength& h = step_lengths[static_cast<std::size_t>(pieces)];
+    const std::int32_t slope = divided(3 * p1, h.first, h.shift);
+    const std::int32_t square = divided(3 * bend, h.square, 2 * h.shift);
+    const std::int32_t cube = divided(last_bend - bend, h.cube, 3 * h.shift);
+    const std::int32_t twelfth = (square >> 3) + (square >> 5) + (square >> 7); // of 2 B h^2
+    const std::int32_t third = 6 * cube;
+    return {.value = static_cast<std::uint32_t>((1 << shift_ >> 1) - twelfth),
+            .first = static_cast<std::uint32_t>(slope + square + cube - (cube >> 1)),
+            .second = static_cast<std::uint32_t>(2 * square + third),
+            .third = static_cast<std::uint32_t>(third)};
 }
 
 int pieces_for(const Segment& segment)
@@ -111,7 +112,7 @@ int pieces_for(const Segment& segment)
     constexpr std::int32_t limit = (flatness.raw() * 4 / 3) >> spare_bits;
     int pieces = 1;
     while (pieces < most_pieces && pieces * pieces * limit < bent)
-        pieces = pieces < most_freely ? pieces + 1 : 2 * pieces;
+        pieces = pieces < most_steps ? pieces + 1 : 2 * pieces;
     return pieces;
 }
 

@@ -4,7 +4,6 @@
 #include "core/work.hpp"
 
 #include <cstdint>
-#include <type_traits>
 
 namespace kfast {
 
@@ -12,70 +11,65 @@ namespace kfast {
 /// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
 inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 16);
 
-/// A curve is cut into any number of pieces up to 32, or into 64, 128 or 256.
+/// A curve is cut into any number of pieces up to most_steps, or into 64, 128 or 256.
 inline constexpr int most_pieces = 256;
+inline constexpr int most_steps = 32;
 
-/// One coordinate of a cubic at `pieces` steps of equal parameter length, each moved away from the chord
-/// between its neighbours by 5/64 (1/16 and 1/64, each rounded down) of its second difference: the pieces
-/// between the points enclose about what the curve does, where 1/12 would be exact.
+/// The points of a cubic at steps of equal parameter length by forward differences, in 32 bits without a
+/// division. Each is moved away from the chord between its neighbours by 1/12 of its second difference: the
+/// pieces between the points enclose what the curve does.
 ///
-/// n^3 times a polynomial has whole differences at n steps, and sums of these are exact. If n is a power of
-/// two, 1/n^3 is a shift, and points are rounded to nearest, halves up. Otherwise the differences are rounded
-/// when they are divided, and points are off by one at most. Only the value itself and its second difference
-/// have to fit in a Word: what the others lose beyond it, the sums lose again.
-template <class Word>
+///     P(t) = from + C t + B t^2 + A t^3,  h = 1 / pieces
+///     first  = C h + B h^2 + A h^3        from one point to the next
+///     second = 2 B h^2 + 6 A h^3          from one first difference to the next
+///     third  = 6 A h^3
+///
+/// Differences are kept in 1/65536 of a unit, which is 1/1024 px, or as much more as the cubic is larger than
+/// 32 px. Points are off by less than a unit, from the beginning of the curve on.
 class CubicSteps {
 public:
-    /// From 0 to `to`; 2 … most_pieces pieces.
-    CubicSteps(int pieces, Fixed c1, Fixed c2, Fixed to);
+    /// 2 … most_steps pieces.
+    CubicSteps(const Segment& cubic, int pieces);
 
-    /// The value after the next step.
-    Fixed next()
-    {
-        value_ += first_;
-        const std::int32_t bend = whole(second_);
-        first_ += second_;
-        second_ += third_;
-        return Fixed::from_raw(whole(value_) - (bend >> 4) - (bend >> 6));
-    }
+    /// The next point behind the beginning, before the end.
+    Point next() { return {from_.x + x_.next(shift_), from_.y + y_.next(shift_)}; }
 
 private:
-    /// In 64 bits as many as the most pieces need.
-    using FractionBits = std::conditional_t<sizeof(Word) == 8, std::integral_constant<int, 24>, int>;
+    static constexpr int result_bits = 4; ///< points come in 2^result_bits / 65536 px
 
-    std::int32_t whole(Word word) const
-    {
-        return static_cast<std::int32_t>(static_cast<std::make_signed_t<Word>>(word) >> fraction_bits_);
-    }
+    /// Along x or y.
+    struct Axis {
+        std::uint32_t value;
+        std::uint32_t first;
+        std::uint32_t second;
+        std::uint32_t third;
 
-    [[no_unique_address]] FractionBits fraction_bits_;
-    Word value_;
-    Word first_;
-    Word second_;
-    Word third_;
+        Fixed next(int shift)
+        {
+            value += first;
+            first += second;
+            second += third;
+            return Fixed::from_raw((static_cast<std::int32_t>(value) >> shift) * (1 << result_bits));
+        }
+    };
+
+    Axis along(Fixed c1, Fixed c2, Fixed to, int pieces) const;
+
+    Point from_;
+    int shift_; ///< a unit is 2^(result_bits - shift) px
+    Axis x_;
+    Axis y_;
 };
 
-extern template class CubicSteps<std::uint32_t>;
-extern template class CubicSteps<std::uint64_t>;
-
-/// All of a cubic but its end.
-template <class Word, class LineTo>
-void flatten_in(const Segment& cubic, int pieces, LineTo& line_to)
+/// All of a cubic but its end, in 2 … most_steps pieces.
+template <class LineTo>
+void flatten_freely(const Segment& cubic, int pieces, LineTo& line_to)
 {
-    const Point c1 = cubic.c1 - cubic.from;
-    const Point c2 = cubic.c2 - cubic.from;
-    const Point to = cubic.to - cubic.from;
-    did(sizeof(Word) == 8 ? Work::wide_piece : Work::piece, static_cast<std::uint32_t>(pieces));
-    CubicSteps<Word> x{pieces, c1.x, c2.x, to.x};
-    CubicSteps<Word> y{pieces, c1.y, c2.y, to.y};
-    for (int steps = pieces - 1; steps > 0; --steps) {
-        const Fixed right = x.next();
-        line_to(cubic.from + Point{right, y.next()});
-    }
+    did(Work::piece, static_cast<std::uint32_t>(pieces));
+    CubicSteps steps{cubic, pieces};
+    for (int left = pieces - 1; left > 0; --left)
+        line_to(steps.next());
 }
-
-/// Whether all points of `cubic` lie so near to its beginning that CubicSteps needs no more than 32 bits.
-bool is_small(const Segment& cubic, int pieces);
 
 /// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
 /// `pieces` of equal parameter length for a curve. The point it begins at is not among them, the last one is
@@ -83,11 +77,16 @@ bool is_small(const Segment& cubic, int pieces);
 template <class LineTo>
 void flatten(const Segment& segment, int pieces, LineTo line_to)
 {
-    if (segment.kind == Segment::Kind::cubic && pieces != 1) {
-        if (is_small(segment, pieces))
-            flatten_in<std::uint32_t>(segment, pieces, line_to);
-        else
-            flatten_in<std::uint64_t>(segment, pieces, line_to);
+    if (segment.kind == Segment::Kind::cubic && pieces > most_steps) {
+        const Share part{Share::one / static_cast<std::uint32_t>(pieces / most_steps)};
+        for (Share begin; begin.raw != Share::one; begin.raw += part.raw) {
+            const Segment cubic = stretch(segment, begin, {begin.raw + part.raw});
+            if (begin.raw != 0)
+                line_to(cubic.from);
+            flatten_freely(cubic, most_steps, line_to);
+        }
+    } else if (segment.kind == Segment::Kind::cubic && pieces != 1) {
+        flatten_freely(segment, pieces, line_to);
     }
     line_to(segment.to);
 }

@@ -27,7 +27,6 @@ enum class Work : std::uint8_t {
     carried_point,   ///< by a bone
     bent_point,      ///< by a backbone
     piece,           ///< of a curve
-    wide_piece,      ///< likewise, in 64 bits
     pen_piece,       ///< a straight piece that a pen follows
     bend,            ///< between two of them
     slight_bend,     ///< likewise, a corner on each side

@@ -30,7 +30,6 @@ constexpr auto kinds = std::to_array<std::string_view>({
     "carried_point",
     "bent_point",
     "piece",
-    "wide_piece",
     "pen_piece",
     "bend",
     "slight_bend",
@@ -98,7 +97,6 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 402.7, // carried_point
                 965.0, // bent_point
                 205.4, // piece
-                182.3, // wide_piece
                 475.0, // pen_piece
                 362.0, // bend
                 0.0, // slight_bend
@@ -164,7 +162,6 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 314.2, // carried_point
                 582.2, // bent_point
                 107.6, // piece
-                48.6, // wide_piece
                 250.8, // pen_piece
                 89.7, // bend
                 0.0, // slight_bend
@@ -230,7 +227,6 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 313.2, // carried_point
                 582.3, // bent_point
                 109.1, // piece
-                50.0, // wide_piece
                 252.8, // pen_piece
                 89.8, // bend
                 0.0, // slight_bend
@@ -296,7 +292,6 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 313.6, // carried_point
                 581.1, // bent_point
                 107.9, // piece
-                48.9, // wide_piece
                 251.0, // pen_piece
                 90.3, // bend
                 0.0, // slight_bend
