@@ -7,13 +7,25 @@
 namespace kfast {
 namespace {
 
+/// a * b in Q30, rounded to nearest but for 1/1000 of a unit. Small processors multiply 64 bits by a
+/// function.
+constexpr std::int32_t product_q30(std::int32_t a, std::int32_t b)
+{
+    const auto low = [](std::int32_t value) { return static_cast<std::uint32_t>(value) & 0xFFFF; };
+    const auto half = [low](std::int32_t high, std::int32_t other) { // of a product of 16 bits and 16
+        return (high >> 16) * static_cast<std::int32_t>(low(other)) >> 1;
+    };
+    const auto lowest = static_cast<std::int32_t>(low(a) * low(b) >> 17);
+    return (a >> 16) * (b >> 16) * 4 + ((half(a, b) + half(b, a) + lowest + (1 << 12)) >> 13);
+}
+
 /// Horner's scheme in Q30: coefficients from the lowest power, `at` in 0 … 1.
 template <std::size_t count>
 constexpr std::int32_t polynomial(const std::array<std::int32_t, count>& coefficients, std::int32_t at)
 {
     std::int32_t sum = coefficients[count - 1];
     for (std::size_t i = count - 1; i-- > 0;)
-        sum = coefficients[i] + multiply(sum, at, 30);
+        sum = coefficients[i] + product_q30(sum, at);
     return sum;
 }
 
@@ -36,7 +48,7 @@ std::int32_t arctangent(std::int32_t ratio)
 /// sin(at * 90 degrees) in Q30 for `at` in Q30, 0 … 1.
 std::int32_t quarter_sine(std::int32_t at)
 {
-    return multiply(at, polynomial(sine_terms, static_cast<std::int32_t>((std::int64_t{at} * at) >> 30)), 30);
+    return product_q30(at, polynomial(sine_terms, product_q30(at, at)));
 }
 
 /// smaller / larger in Q15 for 0 <= smaller <= larger, larger > 0.

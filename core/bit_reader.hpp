@@ -22,7 +22,8 @@ public:
     {
     }
 
-    /// Takes the whole bytes of `count` numbers of `width` bits. It may read ahead in what follows them.
+    /// Takes the whole bytes of `count` numbers of `width` bits, at most 64. It may read ahead in what
+    /// follows them.
     static BitReader take(ByteReader& bytes, std::uint32_t count, std::uint32_t width);
 
     /// The next bits, at least `most`, the first one highest.

@@ -4,12 +4,17 @@
 #include "core/work.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace kfast {
 namespace {
 
 constexpr std::int32_t one = Fixed::one;
 constexpr std::int32_t widest = 8 * one; ///< Q16, across
+/// What lies along a cell whose points are within modest_reach, or as far again beyond either end of it, is
+/// within three times that, and within nine times if it is up to modest_width across: Fixed can tell that.
+constexpr std::int32_t modest_reach = 1023 * one;
+constexpr std::int32_t modest_width = 2 * one;
 
 /// `share` is in Q16 and may lie beyond 0 … 1.
 std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
@@ -17,14 +22,29 @@ std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
     return a + (((b - a) * share + one / 2) >> 16);
 }
 
-/// From the line between two nodes towards that between their outline points.
-template <Fixed Point::*axis>
-std::int64_t point_across(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side,
-                          std::int32_t along, std::int32_t width)
+/// Likewise where all of it fits in 32 bits.
+std::int32_t mix(std::int32_t a, std::int32_t b, std::int32_t share)
 {
-    const std::int64_t middle = mix((a.middle.*axis).raw(), (b.middle.*axis).raw(), along);
-    const std::int64_t outline = mix((a.*side.*axis).raw(), (b.*side.*axis).raw(), along);
-    return mix(middle, outline, width);
+    return a + multiply_q16(b - a, share);
+}
+
+/// From the line between two nodes towards that between their outline points.
+template <class Number>
+Point placed_across(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side,
+                    std::int32_t along, std::int32_t width)
+{
+    const auto placed = [=, &a, &b](Fixed Point::*axis) {
+        const auto mixed = [=, &a, &b](Point BackboneNode::*line) {
+            return mix(Number{(a.*line.*axis).raw()}, Number{(b.*line.*axis).raw()}, along);
+        };
+        return mix(mixed(&BackboneNode::middle), mixed(side), width);
+    };
+    return held_point(placed(&Point::x), placed(&Point::y), farthest_tweened);
+}
+
+bool is_modest(Point point)
+{
+    return std::abs(point.x.raw()) <= modest_reach && std::abs(point.y.raw()) <= modest_reach;
 }
 
 }
@@ -64,12 +84,14 @@ void LiveBackbones::take_stroke(PackedDrawing& from, PackedDrawing& to, Progress
 {
     const std::uint32_t segments = from.next_stroke();
     to.next_stroke();
-    nodes_[first].*side = lerp(from.start(), to.start(), way.x, way.y);
-    nodes_[first].backbone = backbone;
-    for (std::uint32_t i = 1; i <= segments; ++i) {
-        nodes_[first + i].*side = lerp(from.next_segment().to, to.next_segment().to, way.x, way.y);
-        nodes_[first + i].backbone = backbone;
-    }
+    const auto take = [&](BackboneNode& node, Point a, Point b) {
+        node.*side = lerp(a, b, way.x, way.y);
+        node.backbone = backbone;
+        are_modest_ = are_modest_ && is_modest(node.*side);
+    };
+    take(nodes_[first], from.start(), to.start());
+    for (std::uint32_t i = 1; i <= segments; ++i)
+        take(nodes_[first + i], from.next_segment().to, to.next_segment().to);
 }
 
 Point LiveBackbones::place(Point relative) const { return place(cell_at(relative.x), relative.y); }
@@ -81,8 +103,9 @@ Point LiveBackbones::place(Cell cell, Fixed across) const
     const auto side = across >= Fixed{} ? &BackboneNode::left : &BackboneNode::right;
     const std::int32_t size = across >= Fixed{} ? across.raw() : -across.raw();
     const std::int32_t width = std::min(size >> (unit_bits_ - 4), widest);
-    return held_point(point_across<&Point::x>(a, b, side, cell.along, width),
-                      point_across<&Point::y>(a, b, side, cell.along, width), farthest_tweened);
+    if (are_modest_ && width <= modest_width)
+        return placed_across<std::int32_t>(a, b, side, cell.along, width);
+    return placed_across<std::int64_t>(a, b, side, cell.along, width);
 }
 
 Point LiveBackbones::between(Point a, Point b, Progress way) const

@@ -59,6 +59,7 @@ private:
 
     std::span<BackboneNode> nodes_;
     std::uint32_t unit_bits_;
+    bool are_modest_ = true; ///< the nodes lie where 32 bits are enough for most points
 };
 
 }
