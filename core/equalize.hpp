@@ -64,14 +64,15 @@ public:
         const std::uint32_t count = sub_segments_ * pieces;
         advance();
         did(Work::split);
-        next = count == 1 ? segment_
-                          : stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count));
+        next = count == 1 ? segment_ : piece_of_segment(number, count);
     }
 
     /// The first point of the stroke that the part belongs to.
     Point stroke_start() const { return reader_.start(); }
     /// The part is a whole stroke.
     bool is_whole() const { return stroke_parts_ == 1; }
+    /// Each segment of the part is one piece.
+    bool is_plain() const { return is_plain_; }
     /// Goes on reading from where this stands.
     const R& reader() const { return reader_; }
 
@@ -98,6 +99,18 @@ private:
         segment_ = next_segment();
         sub_segments_ = is_subdivided() ? Distribution{stroke_parts_, segments_}.at(read_segments_) : 1;
         ++read_segments_;
+    }
+
+    /// Its ends are those of the segment where it has none of its own.
+    Segment piece_of_segment(std::uint32_t number, std::uint32_t count) const
+    {
+        Segment piece =
+            rounded_to_grid(stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count)));
+        if (number == 0)
+            piece.from = segment_.from;
+        if (number + 1 == count)
+            piece.to = segment_.to;
+        return piece;
     }
 
     void advance()
@@ -137,6 +150,16 @@ struct Pair {
     T b;
 };
 
+/// A line paired with a curve becomes a curve.
+inline void make_alike(Pair<Segment>& both)
+{
+    if (both.a.kind == both.b.kind)
+        return;
+    Segment& line = both.a.kind == Segment::Kind::line ? both.a : both.b;
+    const Segment cubic = rounded_to_grid(as_cubic(line));
+    line = {Segment::Kind::cubic, line.from, cubic.c1, cubic.c2, line.to};
+}
+
 /// Walks two drawings side by side:
 ///
 ///     EqualizedPair pair{a, b};
@@ -146,6 +169,7 @@ struct Pair {
 ///
 /// An empty drawing is its partner with every stroke drawn together to the centre of its vertices' box; two
 /// empty ones have no strokes. Every segment that next_stroke() counts is read before the next is begun.
+/// Points that are added lie on a grid of 1/64 px, as those of drawings do.
 ///
 /// A drawing has at most 65535 strokes, a stroke at most 65535 segments, and their points lie less than
 /// 32768 px apart in x and in y (core/segment.hpp). What the readers look at must outlive the pair.
@@ -173,21 +197,25 @@ public:
         const std::uint32_t pieces = std::max(a, b);
         a_.divide_part(pieces, a);
         b_.divide_part(pieces, b);
+        is_plain_ = is_plain_ && is_whole() && a_.is_plain() && b_.is_plain();
         return pieces;
     }
 
-    /// Stays as it is until the next call.
+    /// Of the same kind. Stays as it is until the next call.
     const Pair<Segment>& next_segment()
     {
         a_.next_piece(both_.a);
-        if (is_single_)
+        if (is_single_) {
             both_.b = both_.a;
-        else
-            b_.next_piece(both_.b);
+            return both_;
+        }
+        b_.next_piece(both_.b);
         if (a_is_empty_)
             both_.a = still_segment(centre_);
         if (b_is_empty_)
             both_.b = still_segment(centre_);
+        is_plain_ = is_plain_ && both_.a.kind == both_.b.kind;
+        make_alike(both_);
         return both_;
     }
 
@@ -199,6 +227,10 @@ public:
                 b_is_empty_ ? centre_ : (is_single_ ? a_ : b_).stroke_start()};
     }
 
+    /// Of all that has been read, nothing is broken, no points have been added, and no line has become a
+    /// curve: at either end of the way between them lies the drawing itself.
+    bool is_plain() const { return is_plain_; }
+
     /// Neither side is a part of a broken stroke: closed strokes stay closed.
     bool is_whole() const { return a_.is_whole() && (is_single_ || b_.is_whole()); }
 
@@ -206,7 +238,7 @@ private:
     EqualizedPair(const R& a, const R& b, bool is_single)
         : a_{a.strokes() != 0 ? a : b, b.strokes()}, b_{b.strokes() != 0 ? b : a, a.strokes()},
           is_single_{is_single}, a_is_empty_{a.strokes() == 0}, b_is_empty_{b.strokes() == 0},
-          strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
+          is_plain_{a.strokes() == b.strokes()}, strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
     {
     }
 
@@ -222,7 +254,7 @@ private:
             low = {std::min(low.x, to.x), std::min(low.y, to.y)};
             high = {std::max(high.x, to.x), std::max(high.y, to.y)};
         }
-        centre_ = lerp(low, high, {Share::one / 2});
+        centre_ = rounded_to_grid(still_segment(lerp(low, high, {Share::one / 2}))).to;
     }
 
     BrokenDrawing<R> a_;
@@ -230,6 +262,7 @@ private:
     bool is_single_;
     bool a_is_empty_;
     bool b_is_empty_;
+    bool is_plain_;
     std::uint32_t strokes_left_;
     Point centre_;
     Pair<Segment> both_;

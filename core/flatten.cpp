@@ -55,7 +55,7 @@ std::uint32_t spread(Fixed c1, Fixed c2, Fixed to)
            length(p3);
 }
 
-/// A unit of 2^-bits px in which no step of CubicSteps::along() needs more than 32 bits; down to -4.
+/// A unit of 2^-bits px in which no step of CubicSteps::set() needs more than 32 bits; down to -4.
 int unit_bits_for(Point c1, Point c2, Point to)
 {
     const std::uint32_t all = spread(c1.x, c2.x, to.x) | spread(c1.y, c2.y, to.y);
@@ -79,11 +79,12 @@ CubicSteps::CubicSteps(const Segment& cubic, int pieces) : from_{cubic.from}
     const Point c2 = cubic.c2 - cubic.from;
     const Point to = cubic.to - cubic.from;
     shift_ = unit_bits_for(c1, c2, to) + result_bits;
-    x_ = along(c1.x, c2.x, to.x, pieces);
-    y_ = along(c1.y, c2.y, to.y, pieces);
+    set(x_, c1.x, c2.x, to.x, pieces);
+    set(y_, c1.y, c2.y, to.y, pieces);
 }
 
-CubicSteps::Axis CubicSteps::along(Fixed c1, Fixed c2, Fixed to, int pieces) const
+/// From the beginning on, where the curve leads to `to` by way of `c1` and `c2`.
+void CubicSteps::set(Axis& axis, Fixed c1, Fixed c2, Fixed to, int pieces) const
 {
     const int dropped = 15 + result_bits - shift_;
     const auto units = [dropped](Fixed value) { return ((value.raw() >> dropped) + 1) >> 1; };
@@ -97,7 +98,7 @@ CubicSteps::Axis CubicSteps::along(Fixed c1, Fixed c2, Fixed to, int pieces) con
     const std::int32_t cube = divided(last_bend - bend, h.cube, 3 * h.shift);
     const std::int32_t twelfth = (square >> 3) + (square >> 5) + (square >> 7); // of 2 B h^2
     const std::int32_t third = 6 * cube;
-    return {.value = static_cast<std::uint32_t>((1 << shift_ >> 1) - twelfth),
+    axis = {.value = static_cast<std::uint32_t>((1 << shift_ >> 1) - twelfth),
             .first = static_cast<std::uint32_t>(slope + square + cube - (cube >> 1)),
             .second = static_cast<std::uint32_t>(2 * square + third),
             .third = static_cast<std::uint32_t>(third)};

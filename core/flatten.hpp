@@ -53,7 +53,7 @@ private:
         }
     };
 
-    Axis along(Fixed c1, Fixed c2, Fixed to, int pieces) const;
+    void set(Axis& axis, Fixed c1, Fixed c2, Fixed to, int pieces) const;
 
     Point from_;
     int shift_; ///< a unit is 2^(result_bits - shift) px

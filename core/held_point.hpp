@@ -3,6 +3,7 @@
 #include "core/point.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 
 namespace kfast {
@@ -13,21 +14,20 @@ inline constexpr std::int32_t farthest_held = 16383;
 /// The same for what is yet to be tweened by ways that may lead beyond 0 … 1 (core/fixed.hpp).
 inline constexpr std::int32_t farthest_tweened = 4095;
 
-constexpr Fixed held(std::int64_t raw, std::int32_t farthest = farthest_held)
-{
-    const std::int64_t limit = Fixed::pixels(farthest).raw();
-    return Fixed::from_raw(static_cast<std::int32_t>(std::clamp(raw, -limit, limit)));
-}
+/// What a coordinate is computed in: 64 bits if 32 may not be enough.
+template <class T>
+concept Coordinate = std::same_as<T, std::int32_t> || std::same_as<T, std::int64_t>;
 
-/// Likewise for what fits in 32 bits.
-constexpr Fixed held_short(std::int32_t raw)
+template <Coordinate Number>
+constexpr Fixed held(Number raw, std::int32_t farthest = farthest_held)
 {
-    constexpr std::int32_t limit = Fixed::pixels(farthest_held).raw();
-    return Fixed::from_raw(std::clamp(raw, -limit, limit));
+    const Number limit = Fixed::pixels(farthest).raw();
+    return Fixed::from_raw(static_cast<std::int32_t>(std::clamp(raw, static_cast<Number>(-limit), limit)));
 }
 
 /// `x` and `y` are in 1/65536 px.
-constexpr Point held_point(std::int64_t x, std::int64_t y, std::int32_t farthest = farthest_held)
+template <Coordinate Number>
+constexpr Point held_point(Number x, Number y, std::int32_t farthest = farthest_held)
 {
     return {held(x, farthest), held(y, farthest)};
 }

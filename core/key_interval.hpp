@@ -47,6 +47,8 @@ auto interval_at(Cursor keys, Time time)
 struct Progress {
     Way x;
     Way y;
+
+    constexpr bool is_at_beginning() const { return x == Way{} && y == Way{}; }
 };
 
 /// How far the way that leads from the time `from` to the time `to` has come at `time`; nothing of it on and

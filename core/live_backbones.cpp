@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -62,36 +63,91 @@ std::size_t backbone_node_count(PackedDrawing drawing)
     return count;
 }
 
-LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
-                             PackedDrawing to, Progress way)
-    : nodes_{nodes.first(backbone_node_count(from))}, unit_bits_{unit_bits}
-{
-    std::ranges::fill(nodes_, BackboneNode{});
-    std::size_t first = 0;
-    const std::uint32_t count = from.strokes() / 3;
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const auto backbone = static_cast<std::int32_t>(number);
-        for (const auto side : {&BackboneNode::middle, &BackboneNode::left, &BackboneNode::right})
-            take_stroke(from, to, way, side, first, backbone);
-        while (is_node(static_cast<std::int32_t>(first)))
-            ++first;
-        ++first;
+namespace {
+
+/// The points of two drawings made alike, on the way between them, stroke by stroke.
+struct PointsBetween {
+    PackedDrawing from;
+    PackedDrawing to;
+    Progress way;
+    bool is_first = false; ///< the next point is that of a stroke
+
+    std::uint32_t strokes() const { return from.strokes(); }
+    std::uint32_t next_stroke()
+    {
+        is_first = true;
+        to.next_stroke();
+        return from.next_stroke();
     }
+    Point next()
+    {
+        const bool is_start = std::exchange(is_first, false);
+        const Point a = is_start ? from.start() : from.next_segment().to;
+        return lerp(a, is_start ? to.start() : to.next_segment().to, way.x, way.y);
+    }
+};
+
+/// The same of two that are kept.
+struct KeptPointsBetween {
+    TweenReader both;
+    Progress way;
+    bool is_first = false;
+
+    std::uint32_t strokes() const { return both.strokes(); }
+    std::uint32_t next_stroke()
+    {
+        is_first = true;
+        return both.next_stroke();
+    }
+    Point next()
+    {
+        if (!std::exchange(is_first, false))
+            both.is_next_cubic(); // they are lines
+        return both.next_point(way);
+    }
+};
+
 }
 
-void LiveBackbones::take_stroke(PackedDrawing& from, PackedDrawing& to, Progress way,
-                                Point BackboneNode::*side, std::size_t first, std::int32_t backbone)
+LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
+                             PackedDrawing to, Progress way)
+    : nodes_{nodes}, unit_bits_{unit_bits}
 {
-    const std::uint32_t segments = from.next_stroke();
-    to.next_stroke();
-    const auto take = [&](BackboneNode& node, Point a, Point b) {
-        node.*side = lerp(a, b, way.x, way.y);
-        node.backbone = backbone;
-        are_modest_ = are_modest_ && is_modest(node.*side);
-    };
-    take(nodes_[first], from.start(), to.start());
-    for (std::uint32_t i = 1; i <= segments; ++i)
-        take(nodes_[first + i], from.next_segment().to, to.next_segment().to);
+    take(PointsBetween{from, to, way});
+}
+
+LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both,
+                             Progress way)
+    : nodes_{nodes}, unit_bits_{unit_bits}
+{
+    take(KeptPointsBetween{both, way});
+}
+
+/// Three strokes for each backbone, and a gap behind it.
+template <class Points>
+void LiveBackbones::take(Points points)
+{
+    std::size_t first = 0;
+    const auto count = static_cast<std::int32_t>(points.strokes() / 3);
+    for (std::int32_t backbone = 0; backbone < count; ++backbone) {
+        std::size_t behind = first;
+        for (const auto side : {&BackboneNode::middle, &BackboneNode::left, &BackboneNode::right}) {
+            behind = first + points.next_stroke() + 1;
+            for (std::size_t node = first; node != behind; ++node)
+                take(node, side, points.next(), backbone);
+        }
+        nodes_[behind].backbone = -1;
+        first = behind + 1;
+    }
+    nodes_ = nodes_.first(first);
+    is_one_ = count == 1;
+}
+
+void LiveBackbones::take(std::size_t node, Point BackboneNode::*side, Point at, std::int32_t backbone)
+{
+    nodes_[node].*side = at;
+    nodes_[node].backbone = backbone;
+    are_modest_ = are_modest_ && is_modest(at);
 }
 
 Point LiveBackbones::place(Point relative) const { return place(cell_at(relative.x), relative.y); }
@@ -113,23 +169,15 @@ Point LiveBackbones::between(Point a, Point b, Progress way) const
     did(Work::bent_point);
     if (a == b)
         return place(a);
+    const Point at = lerp(a, b, way.x, way.y);
+    if (is_one_)
+        return place(at);
     const std::int32_t backbone = backbone_of(cell_at(a.x));
     if (backbone != backbone_of(cell_at(b.x)))
         return lerp(place(a), place(b), way.x, way.y);
-    const Point at = lerp(a, b, way.x, way.y);
     const Cell cell = cell_at(at.x);
     const std::int32_t reached = backbone_of(cell);
     return place(reached == backbone ? cell : end_of(backbone, reached < backbone), at.y);
-}
-
-Segment LiveBackbones::between(const Segment& a, const Segment& b, Progress way) const
-{
-    if (a.kind == Segment::Kind::line && b.kind == Segment::Kind::line)
-        return {.from = between(a.from, b.from, way), .to = between(a.to, b.to, way)};
-    const Segment from = as_cubic(a);
-    const Segment to = as_cubic(b);
-    return {Segment::Kind::cubic, between(from.from, to.from, way), between(from.c1, to.c1, way),
-            between(from.c2, to.c2, way), between(from.to, to.to, way)};
 }
 
 LiveBackbones::Cell LiveBackbones::cell_at(Fixed along) const

@@ -3,7 +3,7 @@
 #include "core/backbone_view.hpp"
 #include "core/key_interval.hpp"
 #include "core/packed_drawing.hpp"
-#include "core/segment.hpp"
+#include "core/tween_cache.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +32,8 @@ public:
     /// two drawings of the backbones, on whose way `way` has come.
     LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
                   PackedDrawing to, Progress way);
+    /// The same, of the two drawings as they are kept.
+    LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both, Progress way);
 
     /// To the canvas, held within ±4095 px; rounded to 1/65536 px three times.
     Point place(Point relative) const;
@@ -39,8 +41,6 @@ public:
     /// way that swings far does not leave either; else straight from one place to the other. Within ±16380
     /// px.
     Point between(Point a, Point b, Progress way) const;
-    /// Likewise for the points of two segments; a line paired with a curve becomes a curve.
-    Segment between(const Segment& a, const Segment& b, Progress way) const;
 
 private:
     /// Where on which segment.
@@ -49,8 +49,9 @@ private:
         std::int32_t along; ///< Q16, 0 … 1, further at the ends of a backbone: -1 … 2
     };
 
-    void take_stroke(PackedDrawing& from, PackedDrawing& to, Progress way, Point BackboneNode::*side,
-                     std::size_t first, std::int32_t backbone);
+    template <class Points>
+    void take(Points points);
+    void take(std::size_t node, Point BackboneNode::*side, Point at, std::int32_t backbone);
     Cell cell_at(Fixed along) const;
     Cell end_of(std::int32_t backbone, bool is_beginning) const;
     Point place(Cell cell, Fixed across) const;
@@ -59,6 +60,7 @@ private:
 
     std::span<BackboneNode> nodes_;
     std::uint32_t unit_bits_;
+    bool is_one_ = false;    ///< there is a single backbone
     bool are_modest_ = true; ///< the nodes lie where 32 bits are enough for most points
 };
 

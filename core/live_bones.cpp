@@ -157,8 +157,8 @@ Point LiveBone::operator()(Point point) const
     const std::int32_t y = from.y.raw();
     if (is_modest_way(x) && is_modest_way(y) && is_modest_factor(xx_) && is_modest_factor(xy_) &&
         is_modest_factor(yx_) && is_modest_factor(yy_)) // mostly
-        return {held_short(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
-                held_short(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
+        return {held(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
+                held(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
     return held_point(posed_.origin.x.raw() + sum_of_products(xx_, x, xy_, y),
                       posed_.origin.y.raw() + sum_of_products(yx_, x, yy_, y));
 }

@@ -5,6 +5,7 @@
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
 #include "core/point_map.hpp"
+#include "core/tween_cache.hpp"
 #include "core/work.hpp"
 
 #include <cstdint>
@@ -63,5 +64,9 @@ private:
 // For pictures, compiled where live() can be laid into it.
 class ObjectOutline;
 extern template void LiveStrokes::trace(ObjectOutline& outline);
+
+/// As LiveStrokes, of two drawings without bones that are kept: the same strokes, sooner.
+void trace_kept(TweenReader tween, Progress way, const LiveBackbones* backbones, const Affine& placement,
+                ObjectOutline& outline);
 
 }

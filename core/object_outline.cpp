@@ -12,7 +12,12 @@ void ObjectOutline::begin(Point from)
 
 void ObjectOutline::add(const Segment& segment)
 {
-    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(to); });
+    const int pieces = sight_.pieces_of(segment);
+    if (stroke_ || !sight_.is_flat())
+        return flatten(segment, pieces, [this](Point to) { line_to(to); });
+    FillOutline fill = fill_; // most of what is drawn, in registers
+    flatten(segment, pieces, [&fill](Point to) { fill.line_to(to); });
+    fill_ = fill;
 }
 
 void ObjectOutline::end(Point hub, bool is_closed)

@@ -59,6 +59,19 @@ void ObjectStrokes::trace_drawing(const Affine& placement, ObjectOutline& outlin
     LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
 }
 
+void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
+{
+    if (object_.carrier == Carrier::bones)
+        return trace(placement, outline);
+    const LiveBackbones* const backbones = live_backbones(&cache); // first, for it may write to the cache
+    const auto tween = kept_tween(cache, on_panel_.scene.drawings(), keys_.from.drawing, arrival());
+    const Progress way = progress();
+    if (!tween || (way.is_at_beginning() && !tween->is_plain()))
+        return trace(placement, outline);
+    did(Work::object);
+    trace_kept(*tween, way, backbones, placement, outline);
+}
+
 Progress ObjectStrokes::progress() const
 {
     return progress_between(keys_.from.time, keys_.to.time, time_, on_panel_.scene.laws(keys_.from.laws));
@@ -81,14 +94,25 @@ WireDrawing ObjectStrokes::wires(const Key& key) const
             on_panel_.scene.drawing(static_cast<std::uint32_t>(key.more))};
 }
 
-LiveBackbones ObjectStrokes::live_backbones() const
+/// Null if none carry the object. Their drawings are kept if there is a cache.
+const LiveBackbones* ObjectStrokes::live_backbones(PictureCache* cache) const
 {
+    if (object_.carrier != Carrier::backbones || backbones_)
+        return backbones_ ? &*backbones_ : nullptr;
     const SceneView& scene = on_panel_.scene;
     const BackboneKeyCursor keys = object_.backbones.keys();
     const Time time = moment_.at(keys.beats().clock());
     const auto [from, to] = interval_at(keys, time);
-    return {on_panel_.backbone_nodes, object_.backbones.unit_bits, scene.drawing(from.drawing),
-            scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
+    const Progress way = progress_between(from.time, to.time, time, scene.laws(from.laws));
+    const std::span<BackboneNode> nodes = on_panel_.backbone_nodes;
+    const std::uint32_t unit_bits = object_.backbones.unit_bits;
+    const auto both =
+        cache != nullptr ? kept_tween(*cache, scene.drawings(), from.drawing, to.drawing) : std::nullopt;
+    if (both)
+        backbones_.emplace(nodes, unit_bits, *both, way);
+    else
+        backbones_.emplace(nodes, unit_bits, scene.drawing(from.drawing), scene.drawing(to.drawing), way);
+    return &*backbones_;
 }
 
 }

@@ -8,6 +8,7 @@
 #include "core/live_strokes.hpp"
 #include "core/live_wires.hpp"
 #include "core/moment.hpp"
+#include "core/picture_cache.hpp"
 #include "core/point.hpp"
 #include "core/scene_on_panel.hpp"
 #include "core/still.hpp"
@@ -37,19 +38,18 @@ public:
     [[gnu::cold, gnu::noinline]] void trace_drawing(const Affine& placement, ObjectOutline& outline) const;
     /// Of the drawing of the key before, or of the backbones that carry it.
     Point first_point() const;
-    /// Adds the strokes, placed, to `outline`, of which LiveStrokes::trace() tells what it is.
+    /// Adds the strokes, placed, to `outline`. What drawings without bones come to between two keys is kept
+    /// in `cache` if it finds room; the strokes are the same.
+    void trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
+    /// Likewise without a cache; LiveStrokes::trace() tells what an outline is.
     template <class Outline>
     void trace(const Affine& placement, Outline& outline) const
     {
         did(Work::object);
         const Progress way = progress();
-        const bool is_on_key = way.x == Way{} && way.y == Way{};
         const CarriedDrawing begin = carried(keys_.from.drawing, keys_.from.more);
-        const CarriedDrawing end = is_on_key ? begin : carried(arrival(), keys_.to.more);
-        std::optional<LiveBackbones> backbones;
-        if (object_.carrier == Carrier::backbones)
-            backbones = live_backbones();
-        LiveStrokes{begin, end, way, backbones ? &*backbones : nullptr, placement}.trace(outline);
+        const CarriedDrawing end = way.is_at_beginning() ? begin : carried(arrival(), keys_.to.more);
+        LiveStrokes{begin, end, way, live_backbones(nullptr), placement}.trace(outline);
     }
 
     /// Likewise of a wire frame: what is seen of its strokes.
@@ -67,7 +67,7 @@ private:
     std::uint32_t arrival() const { return object_.has_arrivals ? keys_.from.arrival : keys_.to.drawing; }
     CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const;
     WireDrawing wires(const Key& key) const;
-    LiveBackbones live_backbones() const;
+    const LiveBackbones* live_backbones(PictureCache* cache) const;
 
     const SceneOnPanel& on_panel_;
     const ObjectView& object_;
@@ -75,6 +75,7 @@ private:
     Clock clock_;
     Time time_; ///< of the clock that the keys go by
     KeyInterval<Key> keys_;
+    mutable std::optional<LiveBackbones> backbones_; ///< made when they are first wanted
 };
 
 }

@@ -1,5 +1,7 @@
 #include "core/packed_drawing.hpp"
 
+#include "core/work.hpp"
+
 namespace kfast {
 namespace {
 
@@ -92,6 +94,7 @@ void PackedDrawing::foretell(std::uint32_t byte)
 
 Segment PackedDrawing::next_segment()
 {
+    did(Work::segment);
     if (left_ == half_)
         turn();
     --left_;

@@ -24,17 +24,17 @@ std::size_t record_bytes(const SceneView& scene, Size panel)
                     static_cast<std::size_t>(panel.height) * 36);
 }
 
-/// Nothing if nothing moves as a whole.
-std::size_t contour_bytes(const SceneView& scene, Size panel)
+/// Nothing if nothing is kept from picture to picture.
+std::size_t cache_bytes(const SceneView& scene, Size panel)
 {
-    return scene.contour_bytes() == 0 ? 0 : scaled_to_panel(scene.contour_bytes(), scene.canvas(), panel);
+    return scene.cache_bytes() == 0 ? 0 : scaled_to_panel(scene.cache_bytes(), scene.canvas(), panel);
 }
 
 raster::RendererNeeds needs_of(const SceneView& scene, Size panel)
 {
     return {.outline_bytes = scaled_to_panel(scene.outline_bytes(), scene.canvas(), panel),
             .record_bytes = record_bytes(scene, panel),
-            .contour_bytes = contour_bytes(scene, panel),
+            .cache_bytes = cache_bytes(scene, panel),
             .steps = scene.paint_steps(),
             .group_depth = scene.blended_depth()};
 }

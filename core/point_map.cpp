@@ -27,6 +27,12 @@ PointMap::PointMap(const Affine& map) : map_{map}, kind_{Kind::any}
         kind_ = Kind::modest;
 }
 
+Point PointMap::shift() const
+{
+    return {Fixed::from_raw(static_cast<std::int32_t>(map_.x0)),
+            Fixed::from_raw(static_cast<std::int32_t>(map_.y0))};
+}
+
 Point PointMap::operator()(Point point) const
 {
     const std::int32_t x = point.x.raw();
@@ -38,8 +44,8 @@ Point PointMap::operator()(Point point) const
     const bool is_short = kind_ == Kind::modest && is_modest_way(x) && is_modest_way(y);
     did(is_short ? Work::point : Work::wide_point);
     if (is_short)
-        return {held_short(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
-                held_short(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
+        return {held(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
+                held(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
     return map_(point);
 }
 

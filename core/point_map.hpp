@@ -15,6 +15,10 @@ public:
 
     Point operator()(Point point) const;
 
+    /// Whether points within 1024 px, or more, are moved by shift() and no more.
+    bool is_shift() const { return kind_ == Kind::shift; }
+    Point shift() const;
+
 private:
     enum class Kind : std::uint8_t { shift, modest, any };
 

@@ -65,7 +65,7 @@ bool SceneView::read_sections(ByteReader reader)
 {
     outline_bytes_ = read_words(reader, kfb::max_outline_bytes);
     borders_ = std::min(reader.varint(), kfb::max_borders + 1);
-    contour_bytes_ = read_words(reader, kfb::max_contour_bytes);
+    cache_bytes_ = read_words(reader, kfb::max_cache_bytes);
     const std::uint32_t head = reader.u8();
     loop_ = static_cast<Loop>(head & loop_bits);
     length_ = read_time_code(reader);

@@ -46,8 +46,9 @@ public:
     /// The most borders that a picture of it has, those in each band of four rows counted, on a panel as
     /// large as the canvas: what tells what the panel shows has room for them.
     std::uint32_t borders() const { return borders_; }
-    /// Memory for the contours of drawings that move as a whole, of one picture, likewise; a multiple of 4.
-    std::uint32_t contour_bytes() const { return contour_bytes_; }
+    /// Memory for what is kept from picture to picture, likewise; a multiple of 4: contours of drawings that
+    /// move as a whole, and drawings between two keys. Too little costs time alone.
+    std::uint32_t cache_bytes() const { return cache_bytes_; }
     /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.
     std::uint32_t paint_steps() const { return paint_steps_; }
@@ -114,7 +115,7 @@ private:
     Loop loop_ = Loop::repeat;
     std::uint32_t outline_bytes_ = 0;
     std::uint32_t borders_ = 0;
-    std::uint32_t contour_bytes_ = 0;
+    std::uint32_t cache_bytes_ = 0;
     std::uint32_t paint_steps_ = 0;
     std::uint32_t blended_depth_ = 0;
     std::uint32_t bone_count_ = 0;

@@ -26,6 +26,17 @@ Segment as_cubic(const Segment& segment)
             .to = segment.to};
 }
 
+Segment rounded_to_grid(const Segment& segment)
+{
+    const auto rounded = [](Point point) {
+        constexpr std::int32_t step = Fixed::one / 64;
+        const auto of = [](Fixed at) { return Fixed::from_raw((at.raw() + step / 2) & -step); };
+        return Point{of(point.x), of(point.y)};
+    };
+    return {segment.kind, rounded(segment.from), rounded(segment.c1), rounded(segment.c2),
+            rounded(segment.to)};
+}
+
 Point point_at(const Segment& segment, Share share)
 {
     if (segment.kind == Segment::Kind::line)

@@ -29,6 +29,9 @@ constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 /// A line as a curve, its control points at the thirds to 1/65536 of its length.
 Segment as_cubic(const Segment& segment);
 
+/// With all points rounded to 1/64 px, halves up.
+Segment rounded_to_grid(const Segment& segment);
+
 /// The stretch of `whole` between two shares of its parameter; curves by de Casteljau's construction, each
 /// point within 2/65536 px. Two stretches that share an end share its very bits.
 Segment stretch(const Segment& whole, Share begin, Share end);

@@ -13,6 +13,7 @@ public:
     /// that often twice as long as the precision asks for.
     Sight(const Projection* projection, int coarseness) : projection_{projection}, coarseness_{coarseness} {}
 
+    bool is_flat() const { return projection_ == nullptr; }
     Point operator()(Point at) const { return projection_ == nullptr ? at : (*projection_)(at); }
     /// How many straight pieces are to be seen in the place of `segment`. The pieces are projected: the
     /// projection of a curve is not the curve of the projected points.

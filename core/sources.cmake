@@ -61,6 +61,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
     ${CMAKE_CURRENT_LIST_DIR}/paint_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/passage.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/picture_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
@@ -102,4 +103,5 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tween_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/velocity_law.cpp)

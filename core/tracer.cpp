@@ -27,7 +27,7 @@ Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 void Tracer::run(std::uint32_t moved)
 {
     raster::OutlineStore& outlines = picture_.outlines;
-    picture_.contours.begin_picture();
+    picture_.cache.begin_picture();
     if (picture_.coarseness == 0)
         outlines.keep(moment_.time(), moved);
     else
@@ -121,7 +121,9 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, cons
             });
     add_layers(
         object.style, state, context, [&] { return strokes.first_point(); },
-        [&](const Affine& placement, ObjectOutline& outline) { strokes.trace(placement, outline); });
+        [&](const Affine& placement, ObjectOutline& outline) {
+            strokes.trace(picture_.cache, placement, outline);
+        });
 }
 
 std::optional<RigidPlacement> Tracer::rigid_placement(const Affine& carrier, const Context& context) const
@@ -147,15 +149,15 @@ void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const Rig
             strokes.trace_drawing(upright, outline);
         });
     };
-    raster::ContourCache* const cache = moves ? &picture_.contours : nullptr;
-    picture_.outlines.place_contours(placement.map, &name, cache);
-    if (cache == nullptr)
+    raster::ContourCache cache{picture_.cache};
+    picture_.outlines.place_contours(placement.map, &name, moves ? &cache : nullptr);
+    if (!moves)
         trace();
-    else if (!cache->each_contour(name,
-                                  [&](const raster::KeptContour& kept) { picture_.outlines.add(kept); })) {
-        cache->begin(name);
+    else if (!cache.each_contour(name,
+                                 [&](const raster::KeptContour& kept) { picture_.outlines.add(kept); })) {
+        cache.begin(name);
         trace();
-        cache->end(!picture_.outlines.is_full());
+        cache.end(!picture_.outlines.is_full());
     }
     picture_.outlines.end_placed();
 }

@@ -18,7 +18,8 @@ enum class Work : std::uint8_t {
     bone,            ///< posed
     object,          ///< traced, once for its fill and once for its stroke
     stroke,          ///< of a drawing
-    line,            ///< segment between two drawings
+    segment,         ///< of a drawing, read
+    line,            ///< between two drawings
     curve,           ///< likewise
     split,           ///< of a segment, to have as many as its partner
     point,           ///< placed by a map that has to multiply

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/picture_cache.hpp"
 #include "core/raster/corner_map.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,7 +17,7 @@ struct ContourName {
     std::uint8_t pen = 0;         ///< its cap and join
     std::uint8_t miter_limit = 0;
     std::int8_t scale_bits = 0;
-    std::uint8_t coarseness = 0;
+    std::uint8_t coarseness = 0; ///< less than 255, which names of other sets in the cache have in its place
 
     friend constexpr bool operator==(const ContourName&, const ContourName&) = default;
 
@@ -32,74 +34,51 @@ struct KeptContour {
     std::size_t room; ///< corners that it had before it was simplified: so many must find room
 };
 
-/// Contours of drawings that move as a whole, before they are placed: kept from picture to picture, in memory
-/// that the caller lends. What finds no room, or what lies further away than ShortCorner tells, is not kept:
-/// to make it anew gives the same corners.
-///
-///     | set | contour: counts, corners | contour | ... | set | contour | ...  free |
+/// Contours of drawings that move as a whole, before they are placed, in a cache: sets of contours, each a
+/// word of counts and its corners. What lies further away than ShortCorner tells is not kept.
 class ContourCache {
 public:
-    ContourCache() = default;
-    /// `memory` is aligned to 4 bytes.
-    explicit ContourCache(std::span<std::byte> memory) : memory_{memory.data()}, end_{memory.size() / 4 * 4}
-    {
-    }
-
-    /// Contours that were of use in the picture before stay; others, if room is needed.
-    void begin_picture();
+    /// `cache` must outlive this.
+    explicit ContourCache(PictureCache& cache) : cache_{&cache} {}
 
     /// If they are kept, calls visit(KeptContour) for each of them, and returns true.
     template <class Visit>
     bool each_contour(const ContourName& name, Visit visit)
     {
-        Set* const set = find(name);
-        if (set == nullptr)
+        const std::uint32_t* at = cache_->find(words_of(name));
+        if (at == nullptr)
             return false;
-        set->picture = picture_;
-        const std::byte* at = reinterpret_cast<const std::byte*>(set + 1);
-        for (const std::byte* const end = at + set->bytes - sizeof(Set); at != end;) {
-            const auto& counts = *reinterpret_cast<const Counts*>(at);
-            at += sizeof(Counts);
-            visit(KeptContour{{reinterpret_cast<const ShortCorner*>(at), counts.corners}, counts.room});
-            at += counts.corners * sizeof(ShortCorner);
+        for (const std::uint32_t* const end = at + cache_->count(); at != end;) {
+            const std::uint32_t counts = *at++;
+            const std::size_t corners = counts & max_count;
+            visit(KeptContour{{reinterpret_cast<const ShortCorner*>(at), corners}, counts >> count_bits});
+            at += corners;
         }
         return true;
     }
 
     /// Keeps those that come until end(). None of this name is kept.
-    [[gnu::cold, gnu::noinline]] void begin(const ContourName& name);
+    void begin(const ContourName& name)
+    {
+        is_one_far_ = false;
+        cache_->begin(words_of(name), PictureCache::Coming::beside_others);
+    }
     /// A contour that is simplified; `room` as in KeptContour.
     [[gnu::cold, gnu::noinline]] void add(std::span<const Corner> contour, std::size_t room);
     /// They are not kept if some are missing.
-    [[gnu::cold, gnu::noinline]] void end(bool are_complete);
-
-    /// What is taken by contours that were of use in this picture.
-    std::size_t bytes_in_use() const;
+    void end(bool are_complete) { cache_->end(are_complete && !is_one_far_); }
 
 private:
-    struct Set {
-        ContourName name;
-        std::uint32_t bytes : 24;  ///< with its contours
-        std::uint32_t picture : 8; ///< the last one that it was of use in
-    };
+    static constexpr int count_bits = 16; ///< of corners; above it, of the room
+    static constexpr std::size_t max_count = (1U << count_bits) - 1;
 
-    struct Counts {
-        std::uint16_t corners;
-        std::uint16_t room; ///< as in KeptContour
-    };
+    static PictureCache::Name words_of(const ContourName& name)
+    {
+        return std::bit_cast<PictureCache::Name>(name);
+    }
 
-    Set* find(const ContourName& name) const;
-    Set& set_at(std::size_t place) const { return *reinterpret_cast<Set*>(memory_ + place); }
-    bool find_room(std::size_t bytes);
-    [[gnu::cold, gnu::noinline]] void remove_unused();
-
-    std::byte* memory_ = nullptr;
-    std::size_t end_ = 0;      ///< of the memory
-    std::size_t used_ = 0;     ///< of it
-    std::size_t coming_ = 0;   ///< place of the set that is coming in
-    bool is_coming_ = false;   ///< one is, and has found room so far
-    bool was_full_ = false;    ///< something found no room
-    std::uint8_t picture_ = 0; ///< a number of it
+    PictureCache* cache_;
+    bool is_one_far_ = false; ///< a contour that was added has not found place in its words
 };
 
 }

@@ -129,15 +129,6 @@ bool OutlineStore::find_room(std::size_t bytes)
     return !is_full_;
 }
 
-void OutlineStore::add(Corner corner)
-{
-    did(Work::corner);
-    if (corners_end_ + 1 > behind_)
-        is_full_ = true;
-    else
-        *corners_end_++ = corner;
-}
-
 void OutlineStore::add_behind(Corner corner)
 {
     did(Work::corner);

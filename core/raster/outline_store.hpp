@@ -6,6 +6,7 @@
 #include "core/raster/grid.hpp"
 #include "core/raster/layer_outlines.hpp"
 #include "core/size.hpp"
+#include "core/work.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,7 +45,14 @@ public:
     /// A contour comes from both of its ends at once: its corners in order are those that were added, then
     /// those that were added behind, the last of these first. So both sides of a line can be drawn as it is
     /// followed. Nothing else is added before close().
-    void add(Corner corner);
+    void add(Corner corner)
+    {
+        did(Work::corner);
+        if (corners_end_ + 1 > behind_)
+            is_full_ = true;
+        else
+            *corners_end_++ = corner;
+    }
     void add_behind(Corner corner);
     /// Joins the last corner to the first.
     void close();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/raster/contour_cache.hpp"
+#include "core/picture_cache.hpp"
 #include "core/raster/outline_store.hpp"
 #include "core/raster/paint_step.hpp"
 #include "core/still.hpp"
@@ -14,7 +14,7 @@ namespace kfast::raster {
 /// A moment of a scene, ready to be drawn, in memory that the caller lends.
 struct Picture {
     OutlineStore outlines;
-    ContourCache contours;        ///< of drawings that move as a whole
+    PictureCache cache;           ///< of contours before they are placed, and of key drawings made equal
     std::span<PaintStep> storage; ///< of the steps
     std::size_t step_count = 0;
     Still still;                 ///< of the whole scene, around the moment

@@ -17,7 +17,7 @@ constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 
 /// How the lent block is divided.
 struct BlockPlan {
     std::size_t outlines; ///< bytes of each part
-    std::size_t contours;
+    std::size_t cache;
     std::size_t steps;
     std::size_t heads;
     std::size_t backdrops;
@@ -26,7 +26,7 @@ struct BlockPlan {
     std::size_t changed;
 
     BlockPlan(const RendererNeeds& needs, Size panel)
-        : outlines{needs.outline_bytes}, contours{needs.contour_bytes},
+        : outlines{needs.outline_bytes}, cache{needs.cache_bytes},
           steps{needs.steps * sizeof(PaintStep)}, heads{static_cast<std::size_t>(band_count(panel)) * 4},
           backdrops{needs.group_depth * tile_bytes}, record{whole_words(needs.record_bytes)},
           counts{whole_words(static_cast<std::size_t>(band_count(panel)))}, changed{BandSet::words_for(
@@ -37,7 +37,7 @@ struct BlockPlan {
 
     std::size_t size() const
     {
-        return outlines + contours + 2 * steps + heads + backdrops + record + counts + changed;
+        return outlines + cache + 2 * steps + heads + backdrops + record + counts + changed;
     }
 };
 
@@ -54,7 +54,7 @@ Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, st
     const BlockPlan plan{needs, panel};
     BlockCutter cutter{block};
     const std::span<std::byte> outlines = cutter.cut(plan.outlines);
-    picture_.contours = ContourCache{cutter.cut(plan.contours)};
+    picture_.cache = PictureCache{cutter.cut(plan.cache)};
     picture_.storage = cutter.cut_as<PaintStep>(plan.steps);
     shown_storage_ = cutter.cut_as<PaintStep>(plan.steps);
     picture_.outlines =

@@ -45,7 +45,7 @@ void write_header(const scene::Scene& scene, const Sections& sections, ByteWrite
     const bool with_opacity = !std::ranges::all_of(scene.palette, is_opaque);
     bytes.varint(nothing.bytes);
     bytes.varint(nothing.borders);
-    bytes.varint(nothing.contour_bytes);
+    bytes.varint(nothing.cache_bytes);
     bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_usual_camera(scene), 2) |
              flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
              flag(sections.symbols, 6) | flag(sections.inputs, 7));
@@ -82,7 +82,7 @@ void set_outline_needs(std::vector<std::byte>& file, const OutlineNeeds& needs)
     ByteWriter body;
     body.varint(needs.bytes / 4);
     body.varint(needs.borders);
-    body.varint(needs.contour_bytes / 4);
+    body.varint(needs.cache_bytes / 4);
     body.append(old.rest());
     file = sealed(body);
 }

@@ -21,7 +21,7 @@ struct Sections {
 struct OutlineNeeds {
     std::uint32_t bytes = 0;         ///< a multiple of 4
     std::uint32_t borders = 0;       ///< in bands of four rows, all bands together
-    std::uint32_t contour_bytes = 0; ///< of drawings that move as a whole; a multiple of 4
+    std::uint32_t cache_bytes = 0; ///< for what is kept from picture to picture; a multiple of 4
 };
 
 /// Appends the header of `scene` from what outlines need on, which is nothing, and its palette

@@ -9,14 +9,6 @@
 namespace kfast {
 namespace {
 
-/// A way of nothing, or all of the way, makes a curve of the line that is paired with one.
-Pair<Segment> of_one_kind(const Pair<Segment>& both)
-{
-    constexpr Way none{0};
-    constexpr Way all{Way::one};
-    return {tween(both.a, both.b, none, none), tween(both.a, both.b, all, all)};
-}
-
 /// How many parts the strokes of the drawing with fewer strokes break into.
 Distribution parts_of_strokes(const scene::Drawing& a, const scene::Drawing& b)
 {
@@ -66,7 +58,7 @@ MatchedSegments match_by_count(const scene::Drawing& a, const scene::Drawing& b)
             strokes.emplace_back();
         SegmentPairs& part = strokes.back().emplace_back();
         for (std::uint32_t i = 0; i < segments; ++i)
-            part.push_back(of_one_kind(pair.next_segment()));
+            part.push_back(pair.next_segment());
     }
     return matched;
 }

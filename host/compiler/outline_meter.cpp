@@ -16,7 +16,7 @@ Size panel_for(Size canvas) { return {canvas.width, std::min(3 * canvas.height, 
 }
 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
-    : outlines_(bytes / 4), contours_(kfb::max_contour_bytes / 4),
+    : outlines_(bytes / 4), cache_(kfb::max_cache_bytes / 4),
       heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)), steps_(scene.paint_steps()),
       bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()), inputs_(scene.input_count()),
       drawings_(LiveDrawings::bytes_for(scene) / 4),
@@ -28,7 +28,7 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     on_panel_.texts = {scene, texts_};
     picture_.outlines = raster::OutlineStore{std::as_writable_bytes(std::span{outlines_}), heads_,
                                              panel_for(scene.canvas()), band_bits};
-    picture_.contours = raster::ContourCache{std::as_writable_bytes(std::span{contours_})};
+    picture_.cache = PictureCache{std::as_writable_bytes(std::span{cache_})};
     picture_.storage = steps_;
     set_up_bones(scene, bones_);
     std::uint32_t input = 0;

@@ -34,7 +34,7 @@ private:
     void trace(const Moment& moment, std::uint32_t moved);
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
-    std::vector<std::uint32_t> contours_; // likewise
+    std::vector<std::uint32_t> cache_;    // likewise
     std::vector<std::uint32_t> heads_;
     std::vector<raster::PaintStep> steps_;
     std::vector<LiveBone> bones_;

@@ -54,7 +54,7 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
     const std::vector<MeasuredMoment> moments = measured_moments(*view);
     std::size_t most = 0;
     std::size_t most_borders = 0;
-    std::size_t most_contour_bytes = 0;
+    std::size_t most_cache_bytes = 0;
     const std::vector<InputTexts> all_texts = largest_texts(*view, moments, meter);
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
@@ -76,13 +76,13 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
             }
             most = std::max(most, bytes);
             most_borders = std::max(most_borders, borders_of(outlines) + live_borders(live));
-            most_contour_bytes = std::max(most_contour_bytes, picture.contours.bytes_in_use());
+            most_cache_bytes = std::max(most_cache_bytes, picture.cache.bytes_in_use());
         }
     }
     return OutlineNeeds{.bytes = with_reserve(most),
                         .borders = borders_with_reserve(most_borders),
-                        .contour_bytes = static_cast<std::uint32_t>(
-                            std::min<std::size_t>(most_contour_bytes, kfb::max_contour_bytes))};
+                        .cache_bytes = static_cast<std::uint32_t>(
+                            std::min<std::size_t>(most_cache_bytes, kfb::max_cache_bytes))};
 }
 
 }

@@ -24,20 +24,11 @@ scene::Point rounded(Point point)
     return {sixteenths(point.x), sixteenths(point.y)};
 }
 
-/// As a curve if `is_cubic`; a line then has its control points at its thirds.
-scene::Segment stored(const Segment& segment, bool is_cubic)
+scene::Segment stored(const Segment& segment)
 {
-    if (!is_cubic)
+    if (segment.kind == Segment::Kind::line)
         return {.cubic = false, .c1 = {}, .c2 = {}, .to = rounded(segment.to)};
-    const bool is_line = segment.kind == Segment::Kind::line;
-    const Point c1 = is_line ? lerp(segment.from, segment.to, Share::ratio(1, 3)) : segment.c1;
-    const Point c2 = is_line ? lerp(segment.from, segment.to, Share::ratio(2, 3)) : segment.c2;
-    return {.cubic = true, .c1 = rounded(c1), .c2 = rounded(c2), .to = rounded(segment.to)};
-}
-
-bool is_cubic(const Pair<Segment>& both)
-{
-    return both.a.kind == Segment::Kind::cubic || both.b.kind == Segment::Kind::cubic;
+    return {.cubic = true, .c1 = rounded(segment.c1), .c2 = rounded(segment.c2), .to = rounded(segment.to)};
 }
 
 /// Of a stroke that is divided into `pieces`; `own` are those of its points as they were.
@@ -79,9 +70,9 @@ SkinnedDrawing divided(const scene::Drawing& first, std::span<const scene::Bindi
         rest.from = first.strokes[i].from;
         own.from = drawing.strokes[i].from;
         for (std::uint32_t segment = 0; segment < segments; ++segment) {
-            const Pair<Segment> both = pair.next_segment();
-            rest.segments.push_back(stored(both.a, is_cubic(both)));
-            own.segments.push_back(stored(both.b, is_cubic(both)));
+            const Pair<Segment>& both = pair.next_segment();
+            rest.segments.push_back(stored(both.a));
+            own.segments.push_back(stored(both.b));
         }
         add_bindings(bindings.first(points), segments, result.bindings);
         bindings = bindings.subspan(points);

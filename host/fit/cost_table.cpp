@@ -21,6 +21,7 @@ constexpr auto kinds = std::to_array<std::string_view>({
     "bone",
     "object",
     "stroke",
+    "segment",
     "line",
     "curve",
     "split",
@@ -88,6 +89,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 0.0, // bone
                 1685.7, // object
                 7041.9, // stroke
+                300.0, // segment
                 0.0, // line
                 1103.8, // curve
                 687.1, // split
@@ -153,6 +155,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 0.0, // bone
                 857.4, // object
                 3764.3, // stroke
+                300.0, // segment
                 0.0, // line
                 1047.9, // curve
                 446.8, // split
@@ -218,6 +221,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 0.0, // bone
                 839.6, // object
                 3776.7, // stroke
+                300.0, // segment
                 0.0, // line
                 1044.8, // curve
                 445.3, // split
@@ -283,6 +287,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 0.0, // bone
                 851.7, // object
                 3763.2, // stroke
+                300.0, // segment
                 0.0, // line
                 1046.3, // curve
                 444.9, // split

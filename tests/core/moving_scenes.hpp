@@ -22,7 +22,7 @@ inline RawScene empty_scene()
 {
     RawScene scene;
     scene.outline_bytes = 400'000;
-    scene.contour_bytes = 2'000;
+    scene.cache_bytes = 2'000;
     scene.ticks = 30 * 1024;
     scene.width = 60;
     scene.height = 40;

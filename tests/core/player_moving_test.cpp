@@ -129,7 +129,7 @@ TEST_CASE("a block has room for all bones, and for the nodes and gaps of one obj
         const raster::RendererNeeds needs{
             .outline_bytes = outline_bytes,
             .record_bytes = std::min(scene.borders() * std::size_t{6} + 4, std::size_t{36} * canvas.height),
-            .contour_bytes = scene.contour_bytes() + 4,
+            .cache_bytes = scene.cache_bytes() + 4,
             .steps = scene.paint_steps(),
             .group_depth = scene.blended_depth()};
         return Player::block_bytes(scene, scene.canvas()) -

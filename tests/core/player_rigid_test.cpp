@@ -14,7 +14,8 @@
 #include <random>
 #include <string>
 
-/// Drawings that move as a whole: their contours are kept from picture to picture.
+/// What is kept from picture to picture: contours of drawings that move as a whole, and drawings between two
+/// keys.
 namespace kfast::test {
 namespace {
 
@@ -34,22 +35,38 @@ object squashed fill=white { circle 15 30 r=6; key 0 scale-x=1; key 30 scale-x=0
 object held fill=silver { key 0 law=hold { rect 2 2 5 5 }; key 15 { rect 3 3 5 5 }; key 20 { rect 8 3 9 5 } }
 )scene";
 
-Bytes with_contour_bytes(std::string_view text, std::uint32_t bytes)
+Bytes with_cache_bytes(std::string_view text, std::uint32_t bytes)
 {
     Bytes file = compiled(text);
     const SceneView scene = *SceneView::parse(file);
     set_outline_needs(file,
-                      {.bytes = scene.outline_bytes(), .borders = scene.borders(), .contour_bytes = bytes});
+                      {.bytes = scene.outline_bytes(), .borders = scene.borders(), .cache_bytes = bytes});
     return file;
 }
 
-TEST_CASE("how much room contours have does not change a picture")
+/// How often something is done to show a frame.
+std::uint32_t done_at(Stage& stage, int frame, Work work)
+{
+    class Tally : public WorkTally {
+    public:
+        std::uint32_t* counts_for(std::uint32_t) override { return all.data(); }
+
+        std::array<std::uint32_t, work_kinds> all{};
+    } tally;
+    tally.counts = tally.all.data();
+    work_tally = &tally;
+    stage.player.show_moment(Time::frame(frame));
+    work_tally = nullptr;
+    return tally.all[static_cast<std::size_t>(work)];
+}
+
+TEST_CASE("how much room the cache has does not change a picture")
 {
     for (const std::string_view text : {mover, everything}) {
-        Stage none{with_contour_bytes(text, 0), {60, 40}};
+        Stage none{with_cache_bytes(text, 0), {60, 40}};
         for (const std::uint32_t bytes : {4U, 100U, 300U, 700U, 4000U}) {
             std::mt19937 random{bytes};
-            Stage some{with_contour_bytes(text, bytes), {60, 40}};
+            Stage some{with_cache_bytes(text, bytes), {60, 40}};
             PanelMemory<PixelFormat::rgb565> memory{{60, 40}};
             for (int round = 0; round < rounds(120); ++round) {
                 const Time moment = Time::frame(static_cast<int>(random() % 30));
@@ -64,50 +81,58 @@ TEST_CASE("how much room contours have does not change a picture")
 TEST_CASE("nor does it on panels of other sizes")
 {
     for (const Size panel : {Size{30, 20}, Size{100, 90}, Size{240, 160}}) {
-        Stage none{with_contour_bytes(mover, 0), panel};
+        Stage none{with_cache_bytes(mover, 0), panel};
         Stage some{compiled(mover), panel};
         for (int frame = 0; frame < rounds(30); ++frame)
             REQUIRE(some.picture(Time::frame(frame)) == none.picture(Time::frame(frame)));
     }
 }
 
-TEST_CASE("the compiler leaves room for contours of what moves as a whole, and for no others")
+TEST_CASE("the compiler leaves room for contours of what moves as a whole, and for drawings between two keys")
 {
-    const auto contour_bytes = [](const std::string& items) {
-        return SceneView::parse(compiled("kfast 1\ncanvas 40 40 frames=10\n" + items))->contour_bytes();
+    const auto cache_bytes = [](const std::string& items) {
+        return SceneView::parse(compiled("kfast 1\ncanvas 40 40 frames=10\n" + items))->cache_bytes();
     };
     const std::string shape = "rect 5 5 10 10";
-    CHECK(contour_bytes("object o fill=red { " + shape + " }") == 0);
-    CHECK(contour_bytes("object o fill=red { key 0 { " + shape + " }; key 9 { rect 6 6 9 9 } }") == 0);
-    CHECK(contour_bytes("object o fill=red { " + shape + "; key 0 rotate=0; key 9 rotate=90 }") ==
+    CHECK(cache_bytes("object o fill=red { " + shape + " }") == 0);
+    CHECK(cache_bytes("object o fill=red { key 0 { " + shape + " }; key 9 { rect 6 6 9 9 } }") ==
+          16 + 4 + 8 + 5 * 8);
+    CHECK(cache_bytes("object o fill=red { " + shape + "; key 0 rotate=0; key 9 rotate=90 }") ==
           16 + 4 + 4 * 4);
-    CHECK(contour_bytes("symbol s { object o fill=red { " + shape +
-                        " } }\n"
-                        "use s { key 0 x=0; key 9 x=9 }; use s { key 0 y=0; key 9 y=9 }") == 16 + 4 + 4 * 4);
+    CHECK(cache_bytes("symbol s { object o fill=red { " + shape +
+                      " } }\n"
+                      "use s { key 0 x=0; key 9 x=9 }; use s { key 0 y=0; key 9 y=9 }") == 16 + 4 + 4 * 4);
 }
 
 TEST_CASE("contours that have room are not made anew in each picture")
 {
     Stage stage{compiled(mover), {60, 40}};
     stage.player.show_moment(Time::frame(3));
-    const std::size_t bytes = stage.player.picture().contours.bytes_in_use();
+    const std::size_t bytes = stage.player.picture().cache.bytes_in_use();
     CHECK(bytes > 0);
-    const auto curves_at = [](Stage& shown, int frame) {
-        class Tally : public WorkTally {
-        public:
-            std::uint32_t* counts_for(std::uint32_t) override { return all.data(); }
+    Stage without_room{with_cache_bytes(mover, 0), {60, 40}};
+    CHECK(done_at(stage, 4, Work::curve) < done_at(without_room, 4, Work::curve)); // squashed: in its place
+    CHECK(stage.player.picture().cache.bytes_in_use() == bytes);
+}
 
-            std::array<std::uint32_t, work_kinds> all{};
-        } tally;
-        tally.counts = tally.all.data();
-        work_tally = &tally;
-        shown.player.show_moment(Time::frame(frame));
-        work_tally = nullptr;
-        return tally.all[static_cast<std::size_t>(Work::curve)];
-    };
-    Stage without_room{with_contour_bytes(mover, 0), {60, 40}};
-    CHECK(curves_at(stage, 4) < curves_at(without_room, 4)); // what is squashed is made in its place
-    CHECK(stage.player.picture().contours.bytes_in_use() == bytes);
+TEST_CASE("drawings are read and made equal once between two keys, in any order of moments")
+{
+    const std::string text = "kfast 1\ncanvas 40 40 frames=31\nobject o fill=red { key 0 { circle 9 9 r=4 }; "
+                             "key 10 { circle 20 9 r=8 }; key 20 { circle 20 20 r=5 } }";
+    Stage stage{compiled(text), {40, 40}};
+    const auto reads_at = [&stage](int frame) { return done_at(stage, frame, Work::segment); };
+    CHECK(reads_at(1) == 0); // they were for frame 0
+    CHECK(reads_at(7) == 0);
+    CHECK(reads_at(2) == 0);
+    CHECK(reads_at(0) == 0); // on a key between drawings of the same make, too
+    CHECK(reads_at(12) == 8);
+    CHECK(reads_at(10) == 0);
+    CHECK(reads_at(9) == 8);
+    CHECK(reads_at(25) == 4);
+    CHECK(reads_at(28) == 0);
+    Stage without_room{with_cache_bytes(text, 0), {40, 40}};
+    CHECK(done_at(without_room, 7, Work::segment) == 8);
+    CHECK(done_at(without_room, 8, Work::segment) == 8);
 }
 
 }

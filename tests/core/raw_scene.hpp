@@ -177,7 +177,7 @@ inline Bytes path_bytes(bool turns, std::uint32_t drawing, const std::vector<std
 struct RawScene {
     std::uint32_t outline_bytes = 24'000;
     std::uint32_t borders = 1'500;
-    std::uint32_t contour_bytes = 0;
+    std::uint32_t cache_bytes = 0;
     std::uint32_t law_count = 0;
     std::uint32_t loop = 0;
     std::uint32_t ticks = 10 * 1024;
@@ -210,7 +210,7 @@ struct RawScene {
         ByteWriter body;
         body.varint(outline_bytes / 4);
         body.varint(borders);
-        body.varint(contour_bytes / 4);
+        body.varint(cache_bytes / 4);
         body.u8(loop | 0x0C | bit(!marks.empty(), 4) | bit(!bones.empty(), 5) | bit(symbol_count != 0, 6) |
                 bit(input_count != 0, 7));
         body.varint(ticks <= kfb::max_time ? time_code({static_cast<std::int32_t>(ticks)}) : 0xFFFFFFFF);

@@ -38,12 +38,13 @@ struct Room {
     static constexpr std::size_t set_bytes = 16 + 4 + 3 * 4;
 
     explicit Room(std::size_t sets)
-        : words(sets * set_bytes / 4 + 1), cache{std::as_writable_bytes(std::span{words})}
+        : words(sets * set_bytes / 4 + 1), pictures{std::as_writable_bytes(std::span{words})}
     {
     }
 
     std::vector<std::uint32_t> words;
-    ContourCache cache;
+    PictureCache pictures;
+    ContourCache cache{pictures};
 };
 
 const Contour triangle{{0, 0}, {640, -3}, {-32768, 32767}};
@@ -77,37 +78,10 @@ TEST_CASE("what finds no room, lies far away or is not complete is not kept")
     CHECK_FALSE(kept(room.cache, name_of(3)));
     keep(room.cache, name_of(4), {triangle});
     CHECK(kept(room.cache, name_of(4)));
-    ContourCache none;
+    PictureCache nothing;
+    ContourCache none{nothing};
     keep(none, name_of(1), {triangle});
     CHECK_FALSE(kept(none, name_of(1)));
-}
-
-TEST_CASE("contours that a picture had no use for make room for those of the next")
-{
-    Room room{2};
-    room.cache.begin_picture();
-    keep(room.cache, name_of(1), {triangle});
-    keep(room.cache, name_of(2), {triangle});
-    CHECK(room.cache.bytes_in_use() == 2 * Room::set_bytes);
-    room.cache.begin_picture();
-    CHECK(kept(room.cache, name_of(2)));
-    CHECK(room.cache.bytes_in_use() == Room::set_bytes);
-    keep(room.cache, name_of(3), {triangle}); // no room, in this picture
-    CHECK_FALSE(kept(room.cache, name_of(3)));
-    room.cache.begin_picture();
-    CHECK(kept(room.cache, name_of(2)));
-    CHECK_FALSE(kept(room.cache, name_of(1)));
-    keep(room.cache, name_of(3), {triangle});
-    CHECK(kept(room.cache, name_of(3)) == std::vector<Contour>{triangle});
-}
-
-TEST_CASE("as long as there is room, contours stay")
-{
-    Room room{2};
-    keep(room.cache, name_of(1), {triangle});
-    for (int picture = 0; picture < 300; ++picture)
-        room.cache.begin_picture();
-    CHECK(kept(room.cache, name_of(1)));
 }
 
 }

@@ -48,11 +48,12 @@ struct Placed {
 TEST_CASE("contours are placed, also where they come from a cache, and take the same room")
 {
     std::vector<std::uint32_t> memory(100);
-    ContourCache cache{std::as_writable_bytes(std::span{memory})};
+    PictureCache pictures{std::as_writable_bytes(std::span{memory})};
+    ContourCache cache{pictures};
     const ContourName name{.drawing = 3};
     const Placed first{turned(10), name, &cache};
     const Placed kept{turned(10), name, &cache};
-    CHECK(cache.bytes_in_use() == 16 + 4 + 4 * 4); // no corners in the middle of a side
+    CHECK(pictures.bytes_in_use() == 16 + 4 + 4 * 4); // no corners in the middle of a side
     const std::vector<ChainLine> lines = lines_of(first.outlines.store());
     REQUIRE(lines.size() == 2);
     const Corner left{10 * raster::grid, 3 * raster::grid};

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// What pictures are made from and need not be made anew for each of them: sets of words by name, kept in
+/// memory that the caller lends. What finds no room is not kept; whoever makes it again makes the same.
+///
+///     | name, size | words | name, size | words | ...  free |
+///
+/// Sets are looked for from the one that was found last on, for pictures want them in the same order.
+class PictureCache {
+public:
+    using Name = std::array<std::uint32_t, 3>;
+
+    PictureCache() = default;
+    /// `memory` is aligned to 4 bytes.
+    explicit PictureCache(std::span<std::byte> memory)
+        : memory_{reinterpret_cast<std::uint32_t*>(memory.data())}, size_{memory.size() / 4}
+    {
+    }
+
+    void begin_picture();
+
+    /// The words of a set, which is of use for this picture; valid until another set is begun. Null if it is
+    /// not kept.
+    const std::uint32_t* find(const Name& name);
+    /// Likewise, of the set that was found or has been completed last.
+    std::size_t count() const { return set_at(found_).words - head_words; }
+
+    /// For what comes in, sets make way that neither this picture nor the one before has wanted; then, if it
+    /// replaces the next, those of its kind (the last word of names) that come next and that this picture has
+    /// not wanted so far.
+    enum class Coming : std::uint8_t { beside_others, replaces_next };
+
+    /// A set comes in. None of this name is kept.
+    [[gnu::cold, gnu::noinline]] void begin(const Name& name, Coming coming);
+    /// Memory for `count` words more of it; valid until the next call. Null if they find no room, then the
+    /// set is not kept.
+    [[gnu::cold, gnu::noinline]] std::uint32_t* add(std::size_t count);
+    /// All of its words so far; valid likewise.
+    std::uint32_t* coming() const { return words_of(used_); }
+    /// Its words, if it is complete and found room; then it is kept.
+    [[gnu::cold, gnu::noinline]] const std::uint32_t* end(bool is_complete);
+
+    /// What is taken by sets that were of use in this picture.
+    std::size_t bytes_in_use() const;
+
+private:
+    struct Set {
+        Name name;
+        std::uint32_t words : 24;  ///< with these
+        std::uint32_t picture : 8; ///< the last one that it was of use in
+    };
+
+    static constexpr std::size_t head_words = sizeof(Set) / 4;
+    static constexpr std::size_t max_words = (1U << 24) - 1;
+    static constexpr std::uint32_t max_picture = 255;
+
+    Set& set_at(std::size_t place) const { return *reinterpret_cast<Set*>(memory_ + place); }
+    std::uint32_t* words_of(std::size_t place) const { return memory_ + place + head_words; }
+    std::size_t next_place(std::size_t place) const;
+    bool find_room(std::size_t count);
+    bool remove_one();
+    void remove(std::size_t place);
+
+    std::uint32_t* memory_ = nullptr;
+    std::size_t size_ = 0;   ///< of the memory, in words, as all that follows
+    std::size_t used_ = 0;   ///< by sets that are kept
+    std::size_t end_ = 0;    ///< of the set that is coming in
+    std::size_t found_ = 0;  ///< place of the set that was found last
+    bool is_coming_ = false; ///< a set is, and has found room so far
+    Coming coming_ = Coming::beside_others;
+    std::uint32_t kind_ = 0;   ///< of that set
+    std::uint8_t picture_ = 2; ///< a number of it; sets of older ones may have 0
+};
+
+}
