@@ -169,7 +169,7 @@ inline void make_alike(Pair<Segment>& both)
 ///
 /// An empty drawing is its partner with every stroke drawn together to the centre of its vertices' box; two
 /// empty ones have no strokes. Every segment that next_stroke() counts is read before the next is begun.
-/// Points that are added lie on a grid of 1/64 px, as those of drawings do.
+/// Points that are added lie on a grid of 1/64 px, as those that are drawn do.
 ///
 /// A drawing has at most 65535 strokes, a stroke at most 65535 segments, and their points lie less than
 /// 32768 px apart in x and in y (core/segment.hpp). What the readers look at must outlive the pair.
@@ -243,7 +243,7 @@ private:
     }
 
     /// Of the stroke that comes next: both sides read the drawing that is not empty.
-    void find_centre()
+    [[gnu::cold, gnu::noinline]] void find_centre()
     {
         R outline = a_.reader();
         const std::uint32_t segments = outline.next_stroke();

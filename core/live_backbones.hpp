@@ -30,8 +30,8 @@ class LiveBackbones {
 public:
     /// `nodes` has room for as many as backbone_node_count() says and must outlive this. `from` and `to` are
     /// two drawings of the backbones, on whose way `way` has come.
-    LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
-                  PackedDrawing to, Progress way);
+    [[gnu::cold, gnu::noinline]] LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits,
+                                               PackedDrawing from, PackedDrawing to, Progress way);
     /// The same, of the two drawings as they are kept.
     LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both, Progress way);
 

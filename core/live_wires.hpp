@@ -26,7 +26,7 @@ class LiveWires {
 public:
     /// At the very beginning of the way, `from` alone. `projection` must outlive the wires.
     LiveWires(const WireDrawing& from, const WireDrawing& to, Progress way, const Projection& projection)
-        : LiveWires{from, to, way, projection, way.x == Way{} && way.y == Way{}}
+        : LiveWires{from, to, way, projection, way.is_at_beginning()}
     {
     }
 

@@ -64,12 +64,20 @@ void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOu
     if (object_.carrier == Carrier::bones)
         return trace(placement, outline);
     const LiveBackbones* const backbones = live_backbones(&cache); // first, for it may write to the cache
-    const auto tween = kept_tween(cache, on_panel_.scene.drawings(), keys_.from.drawing, arrival());
+    const std::uint32_t to = is_held() ? keys_.from.drawing : arrival();
+    const auto tween = kept_tween(cache, on_panel_.scene.drawings(), keys_.from.drawing, to);
     const Progress way = progress();
     if (!tween || (way.is_at_beginning() && !tween->is_plain()))
         return trace(placement, outline);
     did(Work::object);
     trace_kept(*tween, way, backbones, placement, outline);
+}
+
+/// The drawing of the key before stays until the next key.
+bool ObjectStrokes::is_held() const
+{
+    const LawPair laws = on_panel_.scene.laws(keys_.from.laws);
+    return laws.x == VelocityLaw::hold && laws.y == VelocityLaw::hold;
 }
 
 Progress ObjectStrokes::progress() const

@@ -54,7 +54,7 @@ public:
 
     /// Likewise of a wire frame: what is seen of its strokes.
     template <class Outline>
-    void trace(const Projection& projection, Outline& outline) const
+    [[gnu::cold]] void trace(const Projection& projection, Outline& outline) const
     {
         did(Work::object);
         LiveWires{wires(keys_.from), wires(keys_.to), progress(), projection}.trace(outline);
@@ -63,6 +63,7 @@ public:
 private:
     /// On the whole way from key to key.
     bool has_one_drawing() const;
+    bool is_held() const;
     Progress progress() const;
     std::uint32_t arrival() const { return object_.has_arrivals ? keys_.from.arrival : keys_.to.drawing; }
     CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const;

@@ -41,8 +41,8 @@ const std::uint32_t* PictureCache::find(const Name& name)
 
 void PictureCache::begin(const Name& name, Coming coming)
 {
-    kind_ = name.back();
-    coming_ = coming;
+    name_ = name;
+    coming_ = name == failed_ ? Coming::beside_others : coming; // it would replace others for nothing again
     end_ = used_;
     is_coming_ = find_room(head_words);
     if (!is_coming_)
@@ -64,8 +64,10 @@ const std::uint32_t* PictureCache::end(bool is_complete)
 {
     const bool is_kept = is_coming_ && is_complete && end_ - used_ <= max_words;
     is_coming_ = false;
-    if (!is_kept)
+    if (!is_kept) {
+        failed_ = name_;
         return nullptr;
+    }
     found_ = used_;
     set_at(found_).words = static_cast<std::uint32_t>(end_ - used_) & max_words;
     used_ = end_;
@@ -95,7 +97,7 @@ bool PictureCache::remove_one()
             remove(place);
             return true;
         }
-        if (set.picture != picture_ && set.name.back() == kind_ && next_alike == used_)
+        if (set.picture != picture_ && set.name.back() == name_.back() && next_alike == used_)
             next_alike = place;
     } while (place != found_);
     if (coming_ != Coming::replaces_next || next_alike == used_)

@@ -34,7 +34,7 @@ public:
 
     /// For what comes in, sets make way that neither this picture nor the one before has wanted; then, if it
     /// replaces the next, those of its kind (the last word of names) that come next and that this picture has
-    /// not wanted so far.
+    /// not wanted so far. What found no room in that way replaces none when it comes in again.
     enum class Coming : std::uint8_t { beside_others, replaces_next };
 
     /// A set comes in. None of this name is kept.
@@ -64,9 +64,9 @@ private:
     Set& set_at(std::size_t place) const { return *reinterpret_cast<Set*>(memory_ + place); }
     std::uint32_t* words_of(std::size_t place) const { return memory_ + place + head_words; }
     std::size_t next_place(std::size_t place) const;
-    bool find_room(std::size_t count);
-    bool remove_one();
-    void remove(std::size_t place);
+    [[gnu::cold]] bool find_room(std::size_t count);
+    [[gnu::cold]] bool remove_one();
+    [[gnu::cold]] void remove(std::size_t place);
 
     std::uint32_t* memory_ = nullptr;
     std::size_t size_ = 0;   ///< of the memory, in words, as all that follows
@@ -75,7 +75,8 @@ private:
     std::size_t found_ = 0;  ///< place of the set that was found last
     bool is_coming_ = false; ///< a set is, and has found room so far
     Coming coming_ = Coming::beside_others;
-    std::uint32_t kind_ = 0;   ///< of that set
+    Name name_{};              ///< of that set
+    Name failed_{};            ///< of the last one that found no room
     std::uint8_t picture_ = 2; ///< a number of it; sets of older ones may have 0
 };
 

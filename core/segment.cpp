@@ -56,8 +56,6 @@ Segment stretch(const Segment& whole, Share begin, Share end)
 
 Segment tween(const Segment& a, const Segment& b, Way x, Way y)
 {
-    if (a.kind != b.kind)
-        return tween(as_cubic(a), as_cubic(b), x, y);
     Segment live{.kind = a.kind, .from = lerp(a.from, b.from, x, y), .to = lerp(a.to, b.to, x, y)};
     if (a.kind == Segment::Kind::cubic) {
         live.c1 = lerp(a.c1, b.c1, x, y);

@@ -27,20 +27,20 @@ struct Segment {
 constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 
 /// A line as a curve, its control points at the thirds to 1/65536 of its length.
-Segment as_cubic(const Segment& segment);
+[[gnu::cold]] Segment as_cubic(const Segment& segment);
 
 /// With all points rounded to 1/64 px, halves up.
-Segment rounded_to_grid(const Segment& segment);
+[[gnu::cold]] Segment rounded_to_grid(const Segment& segment);
 
 /// The stretch of `whole` between two shares of its parameter; curves by de Casteljau's construction, each
 /// point within 2/65536 px. Two stretches that share an end share its very bits.
-Segment stretch(const Segment& whole, Share begin, Share end);
+[[gnu::cold]] Segment stretch(const Segment& whole, Share begin, Share end);
 
 /// The point on `segment` at a share of its parameter, within 2/65536 px; on a line rounded once.
 Point point_at(const Segment& segment, Share share);
 
-/// Between two segments, with separate ways for x and y, which may lead beyond either; rounded once, each end
-/// exact. A line paired with a curve becomes a curve: as_cubic().
+/// Between two segments of one kind, with separate ways for x and y, which may lead beyond either; rounded
+/// once, each end exact.
 Segment tween(const Segment& a, const Segment& b, Way x, Way y);
 
 }

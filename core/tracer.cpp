@@ -122,7 +122,10 @@ void Tracer::trace_object(const ObjectView& object, const ItemState& state, cons
     add_layers(
         object.style, state, context, [&] { return strokes.first_point(); },
         [&](const Affine& placement, ObjectOutline& outline) {
-            strokes.trace(picture_.cache, placement, outline);
+            if (moves(context.still))
+                strokes.trace(picture_.cache, placement, outline);
+            else
+                strokes.trace(placement, outline); // once for all pictures
         });
 }
 

@@ -25,7 +25,7 @@ public:
 
     /// Whether all of it found room, and place in short coordinates unless they are wide. `pair` has not been
     /// read.
-    bool write(EqualizedPair<CarriedDrawing>& pair)
+    [[gnu::cold]] bool write(EqualizedPair<CarriedDrawing>& pair)
     {
         add(1);
         std::uint32_t strokes = 0;
@@ -44,7 +44,7 @@ public:
     bool is_too_short() const { return !is_short_; }
 
 private:
-    void write_stroke(EqualizedPair<CarriedDrawing>& pair, std::uint32_t segments)
+    [[gnu::cold]] void write_stroke(EqualizedPair<CarriedDrawing>& pair, std::uint32_t segments)
     {
         const std::size_t head = written_;
         add(1);
@@ -67,7 +67,7 @@ private:
                                     (a_meets && b_meets && !is_part ? TweenReader::closed_flag : 0);
     }
 
-    void write_segment(const Pair<Segment>& both, std::uint32_t number)
+    [[gnu::cold]] void write_segment(const Pair<Segment>& both, std::uint32_t number)
     {
         const std::uint32_t bit = number % TweenReader::kinds_in_word;
         if (bit == 0) {
@@ -84,7 +84,7 @@ private:
         write({both.a.to, both.b.to});
     }
 
-    void write(const Pair<Point>& both)
+    [[gnu::cold]] void write(const Pair<Point>& both)
     {
         const bool is_wide = (form_ & TweenReader::wide_form) != 0;
         const bool is_single = (form_ & TweenReader::single_form) != 0;
@@ -127,7 +127,7 @@ private:
                std::abs((b.raw() - a.raw()) >> bits) <= TweenReader::max_short_difference;
     }
 
-    std::uint32_t* add(std::size_t count)
+    [[gnu::cold]] std::uint32_t* add(std::size_t count)
     {
         std::uint32_t* const words = cache_.add(count);
         written_ += count;
@@ -160,7 +160,8 @@ Point TweenReader::wide_point(Progress way)
 
 namespace {
 
-EqualizedPair<CarriedDrawing> equalized(const PictureCache::Name& name, std::span<const std::byte> drawings)
+[[gnu::cold]] EqualizedPair<CarriedDrawing> equalized(const PictureCache::Name& name,
+                                                      std::span<const std::byte> drawings)
 {
     const CarriedDrawing from{drawing_at(drawings, name[0])};
     if (name[0] == name[1])

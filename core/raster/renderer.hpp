@@ -27,7 +27,7 @@ inline constexpr Size max_granularity{8, 8};
 struct RendererNeeds {
     std::size_t outline_bytes = 0; ///< a multiple of 4
     std::size_t record_bytes = 0;  ///< too little costs bytes on the bus, not pixels
-    std::size_t cache_bytes = 0; ///< a multiple of 4; too little costs time
+    std::size_t cache_bytes = 0;   ///< a multiple of 4; too little costs time
     std::size_t steps = 0;
     std::size_t group_depth = 0;
 };

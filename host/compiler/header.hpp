@@ -19,8 +19,8 @@ struct Sections {
 
 /// What the outlines of a picture need at most, on a panel as large as the canvas.
 struct OutlineNeeds {
-    std::uint32_t bytes = 0;         ///< a multiple of 4
-    std::uint32_t borders = 0;       ///< in bands of four rows, all bands together
+    std::uint32_t bytes = 0;       ///< a multiple of 4
+    std::uint32_t borders = 0;     ///< in bands of four rows, all bands together
     std::uint32_t cache_bytes = 0; ///< for what is kept from picture to picture; a multiple of 4
 };
 

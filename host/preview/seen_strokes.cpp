@@ -143,8 +143,7 @@ bool stands_at_key(const SceneView& scene, const ObjectView& object, const Momen
     const KeyCursor keys = object.keys();
     const Time time = moment.at(keys.beats().clock());
     const auto [from, to] = interval_at(keys, time);
-    const Progress progress = progress_between(from.time, to.time, time, scene.laws(from.laws));
-    return progress.x == Way{} && progress.y == Way{};
+    return progress_between(from.time, to.time, time, scene.laws(from.laws)).is_at_beginning();
 }
 
 void trace_live(const SceneOnPanel& on_panel, const LiveView& live, const Affine& placement,

@@ -129,8 +129,10 @@ TEST_CASE("points are held in 32 bits at the ends of the range, where pieces are
 {
     const auto far = [](int x, int y) { return Point{Fixed::pixels(16383 * x), Fixed::pixels(16383 * y)}; };
     const Segment cubic{Segment::Kind::cubic, far(-1, 1), far(1, -1), far(-1, -1), far(1, 1)};
+    const Segment pinned{Segment::Kind::cubic, far(-1, 1), far(1, -1), far(1, -1), far(1, -1)};
     for (int pieces = 2; pieces <= most_steps; ++pieces)
-        CHECK(worst_from_formula(cubic, pieces) <= 32766.0 / pieces / pieces / 2 + 64);
+        for (const Segment& segment : {cubic, pinned})
+            CHECK(worst_from_formula(segment, pieces) <= 2048.0 / pieces / pieces + 48);
 }
 
 TEST_CASE("pieces hardly turn back more often than a cubic can: in y they run in three stretches")

@@ -83,7 +83,7 @@ TEST_CASE("what comes in takes the place of the next set that the picture has no
     for (const std::uint32_t number : {1U, 2U, 3U})
         CHECK(room.keep(number));
     CHECK(room.cache.bytes_in_use() == 3 * Room::set_bytes);
-    CHECK_FALSE(room.keep(4)); // all are of use in this picture
+    CHECK_FALSE(room.keep(9)); // all are of use in this picture
     room.cache.begin_picture();
     CHECK(room.cache.bytes_in_use() == 0);
     CHECK(room.has(1));
@@ -146,6 +146,38 @@ TEST_CASE("as long as there is room, sets stay, and are of use only in pictures 
         REQUIRE(room.cache.bytes_in_use() == 0);
     }
     CHECK(room.has(1));
+}
+
+TEST_CASE("what is too large for the room replaces others once, and not in every picture")
+{
+    Room room{4};
+    int found = 0;
+    for (int picture = 0; picture < 10; ++picture) {
+        room.cache.begin_picture();
+        CHECK_FALSE(is_kept(room.cache, 100, 500));
+        CHECK_FALSE(keep(room.cache, 100, 500));
+        for (const std::uint32_t number : {1U, 2U, 3U})
+            if (room.has(number))
+                ++found;
+            else
+                CHECK(room.keep(number));
+    }
+    CHECK(found == 9 * 3);
+}
+
+TEST_CASE("when the numbers of pictures begin again, sets of the picture before stay")
+{
+    for (int pictures = 250; pictures < 260; ++pictures) {
+        Room room{2};
+        CHECK(room.keep(1));
+        for (int picture = 0; picture < pictures; ++picture)
+            room.cache.begin_picture();
+        CHECK(room.keep(2));
+        room.cache.begin_picture();
+        CHECK(keep(room.cache, 3, 3, Coming::beside_others)); // in the place of 1, which is older
+        CHECK(room.has(2));
+        CHECK_FALSE(room.has(1));
+    }
 }
 
 TEST_CASE("sets of any size come and go without a change to those that stay")

@@ -35,6 +35,18 @@ object squashed fill=white { circle 15 30 r=6; key 0 scale-x=1; key 30 scale-x=0
 object held fill=silver { key 0 law=hold { rect 2 2 5 5 }; key 15 { rect 3 3 5 5 }; key 20 { rect 8 3 9 5 } }
 )scene";
 
+/// Drawings between two keys in all ways: strokes that break, lines beside curves, an empty drawing, closed
+/// beside open, held, swinging beyond both keys, by backbones, in space, squashed.
+constexpr std::string_view shifter = R"scene(
+kfast 1
+canvas 60 40 frames=30
+object splits fill=red stroke=white width=1 { key 0 law="bezier(0.3,-0.4,0.7,1.5)" { circle 12 10 r=8 }; key 10 { rect 2 2 8 8; rect 14 4 8 8; path "M 30 2 C 34 2 34 8 30 8" }; key 20 { empty }; key 29 { line 2 2 20 20 } }
+object opens stroke=yellow width=2 join=round { key 0 { path "M 30 30 L 40 30 L 35 38 Z" }; key 12 { path "M 28 28 L 42 30 C 44 32 36 36 32 38" } }
+object held fill=silver { key 0 law=hold { rect 2 30 5 5 }; key 15 law=hold { circle 8 32 r=4; circle 14 32 r=2 }; key 20 { rect 8 30 9 5 } }
+object squashed fill=green { key 0 scale-x=0.5 { regular 50 10 r=8 sides=5 }; key 29 scale-x=2 { star 50 10 r=8 inner=3 points=5 } }
+object deep fill=blue { key 0 rotate-y=0 { rect 40 20 12 12 }; key 29 rotate-y=70 { circle 46 26 r=6 } }
+)scene";
+
 Bytes with_cache_bytes(std::string_view text, std::uint32_t bytes)
 {
     Bytes file = compiled(text);
@@ -62,14 +74,15 @@ std::uint32_t done_at(Stage& stage, int frame, Work work)
 
 TEST_CASE("how much room the cache has does not change a picture")
 {
-    for (const std::string_view text : {mover, everything}) {
+    for (const std::string_view text : {mover, shifter, everything}) {
         Stage none{with_cache_bytes(text, 0), {60, 40}};
         for (const std::uint32_t bytes : {4U, 100U, 300U, 700U, 4000U}) {
             std::mt19937 random{bytes};
             Stage some{with_cache_bytes(text, bytes), {60, 40}};
             PanelMemory<PixelFormat::rgb565> memory{{60, 40}};
             for (int round = 0; round < rounds(120); ++round) {
-                const Time moment = Time::frame(static_cast<int>(random() % 30));
+                const Time moment{
+                    static_cast<std::int32_t>(random() % 2 == 0 ? random() % 30 * 1024 : random() % 30'720)};
                 some.player.show_moment(moment);
                 bring_up_to_date(some, memory, 5);
                 REQUIRE(memory.bytes() == none.picture(moment));

@@ -72,17 +72,6 @@ TEST_CASE("stretches that meet share the very point, and the whole has its own e
     }
 }
 
-TEST_CASE("a line tweens to a curve as a curve with its control points at the thirds")
-{
-    const Segment line{.from = pixels(0, 0), .to = pixels(9, 3)};
-    const Segment curve{Segment::Kind::cubic, pixels(0, 0), pixels(3, 7), pixels(6, 8), pixels(9, 9)};
-    const Segment begin = tween(line, curve, {0}, {0});
-    CHECK(begin.kind == Segment::Kind::cubic);
-    CHECK(std::abs((begin.c1.x - pixels(3, 0).x).raw()) <= 4);
-    CHECK(std::abs((begin.c2.y - pixels(0, 2).y).raw()) <= 4);
-    CHECK(tween(line, curve, {Way::one}, {Way::one}) == curve);
-}
-
 TEST_CASE("x and y have ways of their own, which may lead beyond either end")
 {
     const Segment a{.from = pixels(0, 0), .to = pixels(4, 0)};

@@ -209,8 +209,12 @@ TEST_CASE("what finds no room is not kept, and nothing else is touched")
         const std::size_t words = enough.cache.bytes_in_use() / 4;
         Memory exact{words};
         CHECK(kept_tween(exact.cache, drawings.raw.bytes(), drawings.from, drawings.to));
-        Memory less{random() % words};
-        CHECK_FALSE(kept_tween(less.cache, drawings.raw.bytes(), drawings.from, drawings.to));
+        const std::size_t too_few = random() % words;
+        std::vector<std::uint32_t> guarded(words + 8, 0x5A5A'5A5A);
+        PictureCache less{std::as_writable_bytes(std::span{guarded}.first(too_few))};
+        CHECK_FALSE(kept_tween(less, drawings.raw.bytes(), drawings.from, drawings.to));
+        for (std::size_t behind = too_few; behind != guarded.size(); ++behind)
+            REQUIRE(guarded[behind] == 0x5A5A'5A5A);
     }
 }
 
