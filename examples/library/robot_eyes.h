@@ -6,7 +6,7 @@ enum {
     robot_eyes_bytes = 305,
     robot_eyes_width = 240, /* of the panel */
     robot_eyes_height = 240,
-    robot_eyes_block_bytes = 7495 /* of memory to be lent: the player and what the scene needs on such a panel */
+    robot_eyes_block_bytes = 7527 /* of memory to be lent: the player and what the scene needs on such a panel */
 };
 
 static const unsigned char robot_eyes[robot_eyes_bytes] = {

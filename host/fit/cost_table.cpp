@@ -71,266 +71,266 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 72732,
+        .code = 76932,
         .fixed_ram = 4,
-        .stack = 9016,
-        .cycles = 1.70,
+        .stack = 9000,
+        .cycles = 1.68,
         .frame = 791,
-        .area = 412,
+        .area = 416,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2403.1, // item
-                3506.0, // track
-                819.0, // key
-                81.0, // placement
-                1616.3, // law
-                3865.3, // bezier_law
-                0.0, // bone
-                1685.7, // object
-                7041.9, // stroke
-                300.0, // segment
-                0.0, // line
-                1103.8, // curve
-                687.1, // split
-                41.3, // point
+                4249.6, // item
+                2440.8, // track
+                416.1, // key
+                2609.0, // placement
+                143.9, // law
+                3322.0, // bezier_law
+                4273.7, // bone
+                781.8, // object
+                2839.7, // stroke
+                827.3, // segment
+                42.6, // line
+                234.5, // curve
+                1207.2, // split
+                126.8, // point
                 0.0, // wide_point
-                1042.2, // projected_point
-                402.7, // carried_point
-                965.0, // bent_point
-                205.4, // piece
-                475.0, // pen_piece
-                362.0, // bend
+                1042.4, // projected_point
+                129.0, // carried_point
+                577.2, // bent_point
+                74.4, // piece
+                511.4, // pen_piece
+                250.6, // bend
                 0.0, // slight_bend
-                272.6, // placed_corner
-                198.6, // corner
-                501.5, // chain
-                12.0, // crossing
-                200.0, // kept_chain
-                328.5, // step
-                76.2, // passed_band
+                260.7, // placed_corner
+                234.3, // corner
+                492.0, // chain
+                9.7, // crossing
+                89.2, // kept_chain
+                329.6, // step
+                76.3, // passed_band
                 0.0, // passed_border
-                598.3, // band
-                293.9, // band_chain
-                351.0, // straight_chain
-                87.5, // border
-                196.9, // region
-                183.6, // edge_row
-                5.9, // flat_pixel
-                48.8, // chain_visit
-                669.7, // layer
+                609.3, // band
+                294.8, // band_chain
+                351.3, // straight_chain
+                86.6, // border
+                190.7, // region
+                186.0, // edge_row
+                4.8, // flat_pixel
+                48.5, // chain_visit
+                663.5, // layer
                 0.0, // layer_row
-                105.0, // layer_edge
-                255.2, // bent_edge
-                341.1, // sum_row
-                177.6, // row_chain
-                141.9, // sum_part
-                13.1, // sum_pixel
+                106.2, // layer_edge
+                260.3, // bent_edge
+                350.1, // sum_row
+                176.3, // row_chain
+                139.9, // sum_part
+                12.7, // sum_pixel
                 0.0, // edge_group
-                148.6, // line_crossing
-                76.2, // span
-                29.9, // fill
+                149.0, // line_crossing
+                77.1, // span
+                30.8, // fill
                 0.0, // filled_pixel
-                40.6, // blended_pixel
-                46.8, // faded_pixel
+                40.8, // blended_pixel
+                46.7, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 69188,
+        .code = 73384,
         .fixed_ram = 4,
-        .stack = 8864,
-        .cycles = 1.81,
+        .stack = 8960,
+        .cycles = 1.80,
         .frame = 403,
-        .area = 332,
+        .area = 337,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2125.5, // item
-                1910.8, // track
-                331.2, // key
-                0.0, // placement
-                802.4, // law
-                2483.4, // bezier_law
-                0.0, // bone
-                857.4, // object
-                3764.3, // stroke
-                300.0, // segment
+                3117.2, // item
+                1594.3, // track
+                299.0, // key
+                890.1, // placement
+                0.0, // law
+                2062.3, // bezier_law
+                2704.3, // bone
+                630.3, // object
+                1347.0, // stroke
+                539.2, // segment
                 0.0, // line
-                1047.9, // curve
-                446.8, // split
-                23.4, // point
+                245.5, // curve
+                1055.0, // split
+                91.3, // point
                 0.0, // wide_point
-                261.4, // projected_point
-                314.2, // carried_point
-                582.2, // bent_point
-                107.6, // piece
-                250.8, // pen_piece
-                89.7, // bend
+                264.5, // projected_point
+                138.4, // carried_point
+                522.4, // bent_point
+                18.2, // piece
+                304.5, // pen_piece
+                36.1, // bend
                 0.0, // slight_bend
-                163.1, // placed_corner
-                199.6, // corner
-                417.3, // chain
-                11.5, // crossing
-                111.0, // kept_chain
-                243.8, // step
+                167.2, // placed_corner
+                207.7, // corner
+                398.7, // chain
+                8.9, // crossing
+                50.4, // kept_chain
+                243.9, // step
                 53.3, // passed_band
                 0.0, // passed_border
-                445.9, // band
-                253.4, // band_chain
-                298.3, // straight_chain
-                73.0, // border
-                184.8, // region
-                132.7, // edge_row
-                0.6, // flat_pixel
-                41.8, // chain_visit
-                518.4, // layer
+                452.3, // band
+                254.4, // band_chain
+                299.1, // straight_chain
+                72.4, // border
+                179.9, // region
+                134.2, // edge_row
+                0.0, // flat_pixel
+                41.5, // chain_visit
+                511.9, // layer
                 0.0, // layer_row
-                84.3, // layer_edge
-                170.4, // bent_edge
-                242.0, // sum_row
-                146.0, // row_chain
-                112.2, // sum_part
-                10.3, // sum_pixel
+                85.3, // layer_edge
+                178.9, // bent_edge
+                247.0, // sum_row
+                145.0, // row_chain
+                109.9, // sum_part
+                10.2, // sum_pixel
                 0.0, // edge_group
-                115.0, // line_crossing
-                62.8, // span
-                21.8, // fill
-                0.4, // filled_pixel
-                29.7, // blended_pixel
+                115.8, // line_crossing
+                63.1, // span
+                22.9, // fill
+                0.3, // filled_pixel
+                29.8, // blended_pixel
                 32.1, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 69204,
+        .code = 73396,
         .fixed_ram = 4,
-        .stack = 8864,
-        .cycles = 1.81,
+        .stack = 8952,
+        .cycles = 1.80,
         .frame = 402,
-        .area = 329,
+        .area = 334,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2128.4, // item
-                1911.7, // track
-                332.8, // key
-                0.0, // placement
-                804.2, // law
-                2484.4, // bezier_law
-                0.0, // bone
-                839.6, // object
-                3776.7, // stroke
-                300.0, // segment
+                3121.0, // item
+                1597.1, // track
+                300.5, // key
+                887.5, // placement
+                0.0, // law
+                2068.4, // bezier_law
+                2697.8, // bone
+                619.6, // object
+                1356.4, // stroke
+                537.7, // segment
                 0.0, // line
-                1044.8, // curve
-                445.3, // split
-                22.4, // point
+                245.3, // curve
+                1051.2, // split
+                90.3, // point
                 0.0, // wide_point
-                263.3, // projected_point
-                313.2, // carried_point
-                582.3, // bent_point
-                109.1, // piece
-                252.8, // pen_piece
-                89.8, // bend
+                266.3, // projected_point
+                138.1, // carried_point
+                522.3, // bent_point
+                18.7, // piece
+                305.9, // pen_piece
+                34.1, // bend
                 0.0, // slight_bend
-                165.8, // placed_corner
-                201.0, // corner
-                417.9, // chain
-                11.6, // crossing
-                111.2, // kept_chain
-                244.3, // step
+                169.9, // placed_corner
+                209.7, // corner
+                399.3, // chain
+                9.0, // crossing
+                50.5, // kept_chain
+                244.4, // step
                 54.3, // passed_band
                 0.0, // passed_border
-                449.5, // band
-                252.9, // band_chain
-                296.5, // straight_chain
-                73.2, // border
-                183.3, // region
-                133.0, // edge_row
-                1.2, // flat_pixel
-                41.6, // chain_visit
-                521.1, // layer
+                457.0, // band
+                253.7, // band_chain
+                297.3, // straight_chain
+                72.4, // border
+                177.6, // region
+                135.2, // edge_row
+                0.2, // flat_pixel
+                41.4, // chain_visit
+                514.6, // layer
                 0.0, // layer_row
-                83.5, // layer_edge
-                183.2, // bent_edge
-                244.8, // sum_row
-                145.1, // row_chain
-                112.1, // sum_part
-                9.5, // sum_pixel
+                84.8, // layer_edge
+                190.6, // bent_edge
+                250.5, // sum_row
+                144.0, // row_chain
+                109.7, // sum_part
+                9.4, // sum_pixel
                 0.0, // edge_group
-                114.9, // line_crossing
-                63.8, // span
-                22.4, // fill
-                0.4, // filled_pixel
-                29.7, // blended_pixel
+                115.6, // line_crossing
+                64.5, // span
+                23.4, // fill
+                0.3, // filled_pixel
+                29.9, // blended_pixel
                 31.1, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 69240,
+        .code = 73456,
         .fixed_ram = 4,
-        .stack = 8856,
-        .cycles = 1.68,
+        .stack = 8952,
+        .cycles = 1.66,
         .frame = 400,
-        .area = 338,
+        .area = 342,
         .work =
             std::to_array<double>({
                 0.0, // picture
-                2124.6, // item
-                1911.7, // track
-                331.3, // key
-                0.0, // placement
-                800.4, // law
-                2484.6, // bezier_law
-                0.0, // bone
-                851.7, // object
-                3763.2, // stroke
-                300.0, // segment
+                3115.4, // item
+                1595.5, // track
+                299.6, // key
+                887.4, // placement
+                0.0, // law
+                2062.1, // bezier_law
+                2704.3, // bone
+                628.7, // object
+                1346.7, // stroke
+                538.2, // segment
                 0.0, // line
-                1046.3, // curve
-                444.9, // split
-                23.4, // point
+                245.6, // curve
+                1050.8, // split
+                91.3, // point
                 0.0, // wide_point
-                262.5, // projected_point
-                313.6, // carried_point
-                581.1, // bent_point
-                107.9, // piece
-                251.0, // pen_piece
-                90.3, // bend
+                265.5, // projected_point
+                137.7, // carried_point
+                523.1, // bent_point
+                18.6, // piece
+                303.1, // pen_piece
+                35.2, // bend
                 0.0, // slight_bend
-                163.1, // placed_corner
-                199.5, // corner
-                417.4, // chain
-                11.5, // crossing
-                111.0, // kept_chain
-                244.8, // step
+                167.2, // placed_corner
+                208.1, // corner
+                398.7, // chain
+                8.9, // crossing
+                50.5, // kept_chain
+                245.0, // step
                 54.2, // passed_band
                 0.0, // passed_border
-                456.0, // band
-                254.3, // band_chain
-                299.1, // straight_chain
-                73.2, // border
-                178.0, // region
-                137.1, // edge_row
+                461.0, // band
+                255.6, // band_chain
+                300.0, // straight_chain
+                72.7, // border
+                174.1, // region
+                137.6, // edge_row
                 0.0, // flat_pixel
-                42.1, // chain_visit
-                510.7, // layer
+                41.7, // chain_visit
+                504.2, // layer
                 0.0, // layer_row
-                84.8, // layer_edge
-                176.0, // bent_edge
-                247.2, // sum_row
-                146.1, // row_chain
-                115.0, // sum_part
+                85.5, // layer_edge
+                186.1, // bent_edge
+                251.2, // sum_row
+                145.1, // row_chain
+                113.0, // sum_part
                 12.3, // sum_pixel
                 0.0, // edge_group
-                113.1, // line_crossing
-                57.2, // span
-                22.5, // fill
-                0.5, // filled_pixel
-                30.9, // blended_pixel
-                32.3, // faded_pixel
+                113.9, // line_crossing
+                57.0, // span
+                23.6, // fill
+                0.4, // filled_pixel
+                31.1, // blended_pixel
+                32.2, // faded_pixel
             }),
     },
 }};
