@@ -23,7 +23,7 @@ std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
     return a + (((b - a) * share + one / 2) >> 16);
 }
 
-/// Likewise where all of it fits in 32 bits.
+/// The same bits, where all of it fits in 32 bits.
 std::int32_t mix(std::int32_t a, std::int32_t b, std::int32_t share)
 {
     return a + multiply_q16(b - a, share);

@@ -41,7 +41,7 @@ public:
     /// Adds the strokes, placed, to `outline`. What drawings without bones come to between two keys is kept
     /// in `cache` if it finds room; the strokes are the same.
     void trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
-    /// Likewise without a cache; LiveStrokes::trace() tells what an outline is.
+    /// The same without a cache; LiveStrokes::trace() says what an outline is.
     template <class Outline>
     void trace(const Affine& placement, Outline& outline) const
     {

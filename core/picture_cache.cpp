@@ -62,12 +62,12 @@ std::uint32_t* PictureCache::add(std::size_t count)
 
 const std::uint32_t* PictureCache::end(bool is_complete)
 {
+    if (!is_coming_)
+        failed_ = name_;
     const bool is_kept = is_coming_ && is_complete && end_ - used_ <= max_words;
     is_coming_ = false;
-    if (!is_kept) {
-        failed_ = name_;
+    if (!is_kept)
         return nullptr;
-    }
     found_ = used_;
     set_at(found_).words = static_cast<std::uint32_t>(end_ - used_) & max_words;
     used_ = end_;

@@ -29,7 +29,7 @@ public:
     /// The words of a set, which is of use for this picture; valid until another set is begun. Null if it is
     /// not kept.
     const std::uint32_t* find(const Name& name);
-    /// Likewise, of the set that was found or has been completed last.
+    /// The number of words of the set that was found or completed last.
     std::size_t count() const { return set_at(found_).words - head_words; }
 
     /// For what comes in, sets make way that neither this picture nor the one before has wanted; then, if it
@@ -42,7 +42,7 @@ public:
     /// Memory for `count` words more of it; valid until the next call. Null if they find no room, then the
     /// set is not kept.
     [[gnu::cold, gnu::noinline]] std::uint32_t* add(std::size_t count);
-    /// All of its words so far; valid likewise.
+    /// All of its words so far; valid until the next call.
     std::uint32_t* coming() const { return words_of(used_); }
     /// Its words, if it is complete and found room; then it is kept.
     [[gnu::cold, gnu::noinline]] const std::uint32_t* end(bool is_complete);

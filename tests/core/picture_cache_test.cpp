@@ -165,6 +165,19 @@ TEST_CASE("what is too large for the room replaces others once, and not in every
     CHECK(found == 9 * 3);
 }
 
+TEST_CASE("what is given up although there was room may replace others when it comes again")
+{
+    Room room{2};
+    CHECK(room.keep(1));
+    CHECK(room.keep(2));
+    room.cache.begin_picture();
+    room.cache.begin(name_of(3), Coming::replaces_next);
+    CHECK(room.cache.add(3) != nullptr); // in the place of one of them
+    CHECK(room.cache.end(false) == nullptr);
+    CHECK(keep(room.cache, 4, 3));
+    CHECK(room.keep(3)); // in that of the other
+}
+
 TEST_CASE("when the numbers of pictures begin again, sets of the picture before stay")
 {
     for (int pictures = 250; pictures < 260; ++pictures) {
