@@ -87,6 +87,7 @@ Json facts_of(const FitFacts& facts)
             {"worst", worst_facts(report)},
             {"noise", report.speed.noise ? frame_facts(*report.speed.noise) : Json(nullptr)},
             {"largest_outlines", outline_facts(report)},
+            {"coarse_pictures", report.speed.coarse_pictures},
             {"unrecorded_bands", report.speed.unrecorded_bands},
             {"fps",
              {{"wanted", report.wanted_rate},

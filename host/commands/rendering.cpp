@@ -125,24 +125,23 @@ Rendered render_video(const Rendering& job, RenderKind kind, FrameSource& source
     return rendered(job, film_length(job) * static_cast<std::size_t>(loops));
 }
 
-Rendered render_film(const Rendering& job, RenderKind kind)
+Rendered render_film(const Rendering& job, RenderKind kind, FrameSource& source)
 {
-    const auto source = source_of(job);
     const auto write = [&source](const fs::path& file, Time moment) {
-        write_png(file, widen(source->show(moment)));
+        write_png(file, widen(source.show(moment)));
     };
     switch (kind) {
     case RenderKind::folder:
         return render_folder(job, ".png", write);
     case RenderKind::apng:
-        write_apng(job.output, *source, job.timeline, job.tell);
+        write_apng(job.output, source, job.timeline, job.tell);
         return rendered(job, film_length(job));
     case RenderKind::gif:
-        write_gif(job.output, *source, job.timeline, job.tell);
+        write_gif(job.output, source, job.timeline, job.tell);
         return rendered(job, gif_moments(job.timeline).size());
     case RenderKind::mp4:
     case RenderKind::webm:
-        return render_video(job, kind, *source);
+        return render_video(job, kind, source);
     case RenderKind::png:
     case RenderKind::svg:
         break;
@@ -150,11 +149,11 @@ Rendered render_film(const Rendering& job, RenderKind kind)
     return render_moment(job, write);
 }
 
-Rendered render_sprite_sheet(const Rendering& job)
+Rendered render_sprite_sheet(const Rendering& job, FrameSource& source)
 {
     const fs::path list = output_path(sprite_list_path(job.output), job.options.file);
     const SpriteSheetForm form{*job.options.columns, job.options.has_way_back};
-    const SpriteSheet sheet = write_sprite_sheet(job.output, *source_of(job), job.timeline, form, job.tell);
+    const SpriteSheet sheet = write_sprite_sheet(job.output, source, job.timeline, form, job.tell);
     return {counted(sheet.pictures, "frame") + " and " + list.filename().string(), sheet.size,
             written_bytes(job.output)};
 }
@@ -172,7 +171,7 @@ Rendered render_contact_sheet(const Rendering& job)
     write_png(job.output, sheet);
     return {counted(moments.size(), "key") +
                 (plan.divisor == 1 ? "" : " at 1/" + std::to_string(plan.divisor) + " of their size"),
-            sheet.size, written_bytes(job.output)};
+            sheet.size, written_bytes(job.output), source->least_detail()};
 }
 
 }
@@ -184,11 +183,15 @@ bool is_vector(const RenderOptions& options, RenderKind kind)
 
 Rendered render_subject(const Rendering& job, RenderSubject subject, RenderKind kind)
 {
-    if (subject == RenderSubject::sprite_sheet)
-        return render_sprite_sheet(job);
     if (subject == RenderSubject::contact_sheet)
         return render_contact_sheet(job);
-    return is_vector(job.options, kind) ? render_vectors(job, kind) : render_film(job, kind);
+    if (is_vector(job.options, kind))
+        return render_vectors(job, kind);
+    const auto source = source_of(job);
+    Rendered done = subject == RenderSubject::sprite_sheet ? render_sprite_sheet(job, *source)
+                                                           : render_film(job, kind, *source);
+    done.least_detail = source->least_detail();
+    return done;
 }
 
 }

@@ -3,6 +3,7 @@
 #include "host/commands/picture_options.hpp"
 #include "host/commands/play_options.hpp"
 #include "host/commands/render_kind.hpp"
+#include "host/picture/frame_source.hpp"
 #include "host/tell_work.hpp"
 
 #include <cstdint>
@@ -45,6 +46,7 @@ struct Rendered {
     std::string contents; ///< "76 frames"
     Size size;
     std::uintmax_t bytes;
+    Detail least_detail = Detail::full;
 };
 
 /// Whether that has outlines, and no pixels.

@@ -111,6 +111,15 @@ void note_stride(const FitReport& report, std::vector<std::string>& notes)
                         " was looked at");
 }
 
+/// They look as they do on the board: nothing else tells that they could be finer.
+void note_coarse_pictures(const FitReport& report, std::vector<std::string>& notes)
+{
+    if (const std::size_t coarse = report.speed.coarse_pictures)
+        notes.push_back(std::to_string(coarse) + " of " + counted(report.speed.frames.size(), "picture") +
+                        " have coarser curves, for their outlines find no room: a smaller panel has it, or a "
+                        "scene of fewer curves");
+}
+
 /// Where a computer cannot tell an input anew for every frame.
 void note_link(const FitReport& report, std::vector<std::string>& notes)
 {
@@ -130,6 +139,7 @@ void judge(const Target& target, FitReport& report)
     report.slowness = slowness_of(report);
     note_bus(target, report.notes);
     note_stride(report, report.notes);
+    note_coarse_pictures(report, report.notes);
     note_link(report, report.notes);
 }
 

@@ -28,6 +28,7 @@ public:
             speed_.heaviest = heaviest_of(frame, cost);
         }
         speed_.frames.push_back(cost);
+        speed_.coarse_pictures += frame.picture.coarseness != 0 ? 1 : 0;
         speed_.unrecorded_bands = std::max(speed_.unrecorded_bands, frame.unrecorded_bands);
         if (frame.picture.outlines.needed_bytes() > speed_.outlines.bytes)
             speed_.outlines = outlines_of(frame.moment, frame.picture);

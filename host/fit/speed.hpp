@@ -42,8 +42,9 @@ struct Speed {
     double leap = 0;                         ///< seconds of the dearest picture in which they leap
     Limits by_cpu;
     Limits by_bus;
-    int unrecorded_bands = 0; ///< after any picture, at most: drawn whole in the next one (Player)
-    int stride = 1;           ///< of how many frames one was looked at
+    std::size_t coarse_pictures = 0; ///< of the frames: curves have fewer pieces, for want of room
+    int unrecorded_bands = 0;        ///< after any picture, at most: drawn whole in the next one (Player)
+    int stride = 1;                  ///< of how many frames one was looked at
 
     const FrameCost& median() const { return frames[frames.size() / 2]; }
     const FrameCost& worst() const { return frames.back(); }

@@ -1,5 +1,7 @@
 #include "host/picture/player_source.hpp"
 
+#include <algorithm>
+
 namespace kfast {
 namespace {
 
@@ -27,7 +29,29 @@ const Frame& PlayerSource::show(Time moment)
 {
     player_.show_moment(moment);
     draw(player_, frame_);
+    least_detail_ = std::min(least_detail_, detail());
     return frame_;
+}
+
+Detail PlayerSource::detail() const
+{
+    const raster::Picture& picture = player_.picture();
+    if (picture.outlines.is_full())
+        return Detail::parts_missing;
+    return picture.coarseness != 0 ? Detail::coarse : Detail::full;
+}
+
+std::string PlayerSource::facts() const
+{
+    switch (detail()) {
+    case Detail::parts_missing:
+        return "parts are missing, for want of room";
+    case Detail::coarse:
+        return "curves are coarser, for want of room";
+    case Detail::full:
+        break;
+    }
+    return {};
 }
 
 }

@@ -5,6 +5,7 @@
 #include "host/word_block.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace kfast {
 
@@ -21,11 +22,16 @@ public:
         return player_.set_drawing(number, strokes);
     }
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
+    std::string facts() const override;
+    Detail least_detail() const override { return least_detail_; }
 
 private:
+    Detail detail() const; ///< of the picture that was shown last
+
     WordBlock block_;
     Player player_;
     Frame frame_;
+    Detail least_detail_ = Detail::full;
 };
 
 }
