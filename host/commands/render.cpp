@@ -58,12 +58,11 @@ void require_fitting_options(const RenderOptions& options, RenderKind kind)
 }
 
 /// A board with a panel of the same size draws the same.
-void tell_lack_of_room(Detail least)
+void print_lack_of_room(Detail detail)
 {
-    if (least != Detail::full)
+    if (detail != Detail::full)
         std::cerr << "kfast: "
-                  << (least == Detail::coarse ? "curves are coarser than usual"
-                                              : "parts of the picture are missing")
+                  << (detail == Detail::coarse ? "curves are coarser" : "parts of the picture are missing")
                   << ", for outlines find no room, nor would they on a board: a smaller --size has it, or a "
                      "scene of fewer curves\n";
 }
@@ -79,7 +78,7 @@ void render_scene(const RenderOptions& options)
     const Rendering job{options, scene, chosen_timeline(options.play, scene.view), output, bar->teller()};
     const Rendered done = render_subject(job, subject, kind);
     bar.reset();
-    tell_lack_of_room(done.least_detail);
+    print_lack_of_room(done.min_detail);
     report_stream(options.quiet) << written_picture_text(output, done.contents, done.size, done.bytes)
                                  << '\n';
 }

@@ -171,7 +171,7 @@ Rendered render_contact_sheet(const Rendering& job)
     write_png(job.output, sheet);
     return {counted(moments.size(), "key") +
                 (plan.divisor == 1 ? "" : " at 1/" + std::to_string(plan.divisor) + " of their size"),
-            sheet.size, written_bytes(job.output), source->least_detail()};
+            sheet.size, written_bytes(job.output), source->min_detail()};
 }
 
 }
@@ -190,7 +190,7 @@ Rendered render_subject(const Rendering& job, RenderSubject subject, RenderKind 
     const auto source = source_of(job);
     Rendered done = subject == RenderSubject::sprite_sheet ? render_sprite_sheet(job, *source)
                                                            : render_film(job, kind, *source);
-    done.least_detail = source->least_detail();
+    done.min_detail = source->min_detail();
     return done;
 }
 

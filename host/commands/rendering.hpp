@@ -46,7 +46,7 @@ struct Rendered {
     std::string contents; ///< "76 frames"
     Size size;
     std::uintmax_t bytes;
-    Detail least_detail = Detail::full;
+    Detail min_detail = Detail::full;
 };
 
 /// Whether that has outlines, and no pixels.

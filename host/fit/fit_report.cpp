@@ -111,7 +111,7 @@ void note_stride(const FitReport& report, std::vector<std::string>& notes)
                         " was looked at");
 }
 
-/// They look as they do on the board: nothing else tells that they could be finer.
+/// Parts that are missing are a shortage: check_outlines().
 void note_coarse_pictures(const FitReport& report, std::vector<std::string>& notes)
 {
     if (const std::size_t coarse = report.speed.coarse_pictures)

@@ -27,6 +27,7 @@ public:
         if (const auto mistake = board_.bus_error())
             throw Failure("the simulated panel was driven wrongly: " + *mistake);
         frame_ = board_.picture();
+        detail_.add(player_.picture());
         return frame_;
     }
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
@@ -35,12 +36,15 @@ public:
         return player_.set_drawing(number, strokes);
     }
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
+    std::string facts() const override { return detail_.text(); }
+    Detail min_detail() const override { return detail_.min(); }
     Pace pace() const override { return Pace::by_frames; }
 
 private:
     SimulatedBoard<P> board_;
     Player player_;
     Frame frame_;
+    ShownDetail detail_;
 };
 
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/time.hpp"
+#include "host/picture/detail.hpp"
 #include "host/picture/frame.hpp"
 #include "host/picture/told_inputs.hpp"
 
-#include <cstdint>
 #include <string>
 
 namespace kfast {
@@ -13,13 +13,6 @@ namespace kfast {
 enum class Pace {
     smooth,    ///< whenever it is asked
     by_frames, ///< at the frames of the scene alone
-};
-
-/// What of a picture found room for its outlines, the least first.
-enum class Detail : std::uint8_t {
-    parts_missing,
-    coarse, ///< all of it, its curves in fewer pieces
-    full,
 };
 
 /// Draws a scene on one panel. Which one is chosen at run time, hence virtual.
@@ -33,8 +26,8 @@ public:
     virtual Pace pace() const { return Pace::smooth; }
     /// What is to be told about the picture that was shown last, on one line; empty if nothing.
     virtual std::string facts() const { return {}; }
-    /// The least of all pictures so far.
-    virtual Detail least_detail() const { return Detail::full; }
+    /// Of all pictures so far.
+    virtual Detail min_detail() const { return Detail::full; }
     /// From the next picture on, also what nobody sees on the display, where there is such a thing.
     virtual void reveal(bool /*hidden*/) {}
 };

@@ -1,7 +1,5 @@
 #include "host/picture/player_source.hpp"
 
-#include <algorithm>
-
 namespace kfast {
 namespace {
 
@@ -29,29 +27,8 @@ const Frame& PlayerSource::show(Time moment)
 {
     player_.show_moment(moment);
     draw(player_, frame_);
-    least_detail_ = std::min(least_detail_, detail());
+    detail_.add(player_.picture());
     return frame_;
-}
-
-Detail PlayerSource::detail() const
-{
-    const raster::Picture& picture = player_.picture();
-    if (picture.outlines.is_full())
-        return Detail::parts_missing;
-    return picture.coarseness != 0 ? Detail::coarse : Detail::full;
-}
-
-std::string PlayerSource::facts() const
-{
-    switch (detail()) {
-    case Detail::parts_missing:
-        return "parts are missing, for want of room";
-    case Detail::coarse:
-        return "curves are coarser, for want of room";
-    case Detail::full:
-        break;
-    }
-    return {};
 }
 
 }

@@ -22,16 +22,14 @@ public:
         return player_.set_drawing(number, strokes);
     }
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
-    std::string facts() const override;
-    Detail least_detail() const override { return least_detail_; }
+    std::string facts() const override { return detail_.text(); }
+    Detail min_detail() const override { return detail_.min(); }
 
 private:
-    Detail detail() const; ///< of the picture that was shown last
-
     WordBlock block_;
     Player player_;
     Frame frame_;
-    Detail least_detail_ = Detail::full;
+    ShownDetail detail_;
 };
 
 }

@@ -24,7 +24,7 @@ public:
     void set_text(std::uint32_t number, std::string_view text) override { source_->set_text(number, text); }
     Pace pace() const override { return source_->pace(); }
     std::string facts() const override { return source_->facts(); }
-    Detail least_detail() const override { return source_->least_detail(); }
+    Detail min_detail() const override { return source_->min_detail(); }
     void reveal(bool hidden) override { source_->reveal(hidden); }
 
 private:

@@ -62,9 +62,9 @@ class OutlineRoomTest(CommandTest):
         self.assertIn("parts of the picture are missing", self.fit("scarce.kfb", status=1)["reasons"][0])
 
     def test_render_says_so_once_for_all_kinds_of_pictures(self):
-        for size, says in ((SCARCE, "curves are coarser than usual"), (NO_ROOM, "parts of the picture are missing")):
+        for size, says in ((SCARCE, "curves are coarser"), (NO_ROOM, "parts of the picture are missing")):
             self.give_room(size)
-            for arguments in (("-o", "a.gif"), ("-o", "a.apng", "--scale", "2"), ("--sheet", "2", "-o", "a.png"),
+            for arguments in (("-o", "a.gif"), ("-o", "a.apng", "--scale", "2"), ("--panel", "ssd1306", "-o", "a.gif"), ("--sheet", "2", "-o", "a.png"),
                               ("--contact", "-o", "a.png"), ("--frame", "2", "-o", "a.png"), ("--all", "-o", "a")):
                 said = self.run_kfast("render", "scarce.kfb", *arguments, "-q").stderr
                 self.assertEqual(said.count("\n"), 1, said)

@@ -28,7 +28,7 @@ object dots fill=white {
         std::vector<std::string> told;
         for (const int frame : {0, 4, 0}) {
             source.show(Time::frame(frame));
-            found.push_back(source.least_detail());
+            found.push_back(source.min_detail());
             told.push_back(source.facts());
         }
         CHECK(told[0].empty());
