@@ -27,6 +27,7 @@ public:
     BackboneKey next();
     /// What has not been read.
     const BeatCursor& beats() const { return beats_; }
+    const PackedValues& drawings() const { return drawings_; }
 
 private:
     BeatCursor beats_;

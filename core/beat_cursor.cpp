@@ -31,11 +31,13 @@ BeatCursor BeatCursor::one()
 
 BeatCursor BeatCursor::take(ByteReader& bytes, const BeatCursor& usual)
 {
+    const std::byte* const place = bytes.rest().data();
     const std::uint32_t count = bytes.varint();
     if (count == 0)
         return usual;
     const std::uint32_t form = bytes.u16();
     BeatCursor beats;
+    beats.place_ = place;
     beats.count_ = count;
     beats.time_bits_ = form & 31;
     beats.time_shift_ = form >> 5 & 15;
@@ -48,6 +50,13 @@ BeatCursor BeatCursor::take(ByteReader& bytes, const BeatCursor& usual)
         beats.clock_ = take_input(bytes);
     beats.bits_ = BitReader::take(bytes, count, std::uint32_t{beats.time_bits_} + beats.law_bits_);
     return beats;
+}
+
+void BeatCursor::go_on_behind(const Beat& last)
+{
+    index_ = last.index + 1;
+    time_ = last.time;
+    bits_.go_to(index_ * (std::uint32_t{time_bits_} + law_bits_));
 }
 
 Beat BeatCursor::next()

@@ -31,12 +31,17 @@ public:
     bool at_end() const { return index_ == count_; }
     /// Only when not at the end, and when no time before was beyond the format's limit.
     Beat next();
+    /// As if `last` had just been read.
+    void go_on_behind(const Beat& last);
+    /// Where take() has found them; null of one().
+    const std::byte* place() const { return place_; }
     /// Of all of them.
     std::uint32_t count() const { return count_; }
     /// What their times count.
     Clock clock() const { return clock_; }
 
 private:
+    const std::byte* place_ = nullptr;
     BitReader bits_;
     std::uint32_t count_ = 0;
     std::uint32_t index_ = 0;

@@ -34,7 +34,8 @@ public:
         return word << (at_ & 7);
     }
     void skip(std::uint32_t count) { at_ += count; }
-    void rewind() { at_ = 0; }
+    /// To the bit `at`, counted from the first one.
+    void go_to(std::uint32_t at) { at_ = at; }
 
     /// The next `count` bits, 1 … `most`.
     std::uint32_t bits(std::uint32_t count)

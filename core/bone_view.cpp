@@ -3,6 +3,7 @@
 namespace kfast {
 namespace {
 
+constexpr std::uint32_t moved_bits = (1 << bone_quantity_count) - 1;
 constexpr std::uint32_t tip_bit = 1 << 4;
 constexpr std::uint32_t as_written_bit = 1 << 5;
 constexpr std::uint32_t straight_bit = 1 << 6;
@@ -26,24 +27,31 @@ BoneKeys BoneKeys::take(ByteReader& bytes, const BeatCursor& common, std::int32_
     return keys;
 }
 
+BoneSetUp BoneSetUp::take(ByteReader& bytes)
+{
+    BoneSetUp bone;
+    bone.parent = bytes.u8();
+    const std::uint32_t head = bytes.u8();
+    bone.is_at_tip = (head & tip_bit) != 0;
+    bone.turns_as_written = (head & as_written_bit) != 0;
+    bone.moved = head & moved_bits;
+    const bool in_pixels = (head & whole_pixels_bit) != 0;
+    const auto coordinate = [&bytes, in_pixels] {
+        return sixteenths(static_cast<std::uint32_t>(bytes.signed_varint()), in_pixels);
+    };
+    const auto angle = static_cast<std::int32_t>((head & straight_bit) != 0 ? 0 : bytes.u16());
+    const std::int32_t x = coordinate();
+    const std::int32_t y = coordinate();
+    bone.set_up = {angle, x, y, sixteenths(bytes.varint(), in_pixels)};
+    return bone;
+}
+
 BoneView BoneCursor::next()
 {
     --left_;
-    BoneView bone;
-    bone.parent = bytes_.u8();
-    const std::uint32_t head = bytes_.u8();
-    bone.is_at_tip = (head & tip_bit) != 0;
-    bone.turns_as_written = (head & as_written_bit) != 0;
-    const bool in_pixels = (head & whole_pixels_bit) != 0;
-    const auto coordinate = [this, in_pixels] {
-        return sixteenths(static_cast<std::uint32_t>(bytes_.signed_varint()), in_pixels);
-    };
-    const auto angle = static_cast<std::int32_t>((head & straight_bit) != 0 ? 0 : bytes_.u16());
-    const std::int32_t x = coordinate();
-    const std::int32_t y = coordinate();
-    bone.set_up = {angle, x, y, sixteenths(bytes_.varint(), in_pixels)};
+    BoneView bone{BoneSetUp::take(bytes_)};
     for (std::size_t i = 0; i < bone_quantity_count; ++i)
-        if ((head & 1U << i) != 0)
+        if ((bone.moved & 1U << i) != 0)
             bone.keys[i] = BoneKeys::take(bytes_, common_, bone.set_up[i]);
     return bone;
 }

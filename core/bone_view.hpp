@@ -24,8 +24,8 @@ public:
     Kind kind() const { return kind_; }
     /// Also those of Kind::common; not of Kind::none.
     TrackKeyCursor keys() const { return {beats_, values_}; }
-    /// At the beat `index`.
-    std::int32_t value(std::uint32_t index) const { return values_[index]; }
+    /// As they are stored: differences from the bone as set up.
+    PackedValues values() const { return values_.as_stored(); }
 
 private:
     Kind kind_ = Kind::none;
@@ -33,15 +33,23 @@ private:
     PackedValues values_;
 };
 
-/// A bone as set up, and what moves it; borrows the scene's bytes.
-struct BoneView {
+/// A bone as set up.
+struct BoneSetUp {
     std::uint32_t parent = 0;      ///< 0 for a root, else the number of an earlier bone, counted from 1
     bool is_at_tip = false;        ///< the origin moves with the length of the parent
     bool turns_as_written = false; ///< angles tween as numbers, not by the shortest way
+    std::uint8_t moved = 0;        ///< a bit for each BoneQuantity that has keys
     std::array<std::int32_t, bone_quantity_count> set_up = {}; ///< by BoneQuantity, in its units
-    std::array<BoneKeys, bone_quantity_count> keys = {};
+
+    static BoneSetUp take(ByteReader& bytes);
 
     std::int32_t at_rest(BoneQuantity quantity) const { return set_up[static_cast<std::size_t>(quantity)]; }
+};
+
+/// A bone, and what moves it; borrows the scene's bytes.
+struct BoneView : BoneSetUp {
+    std::array<BoneKeys, bone_quantity_count> keys = {};
+
     const BoneKeys& keys_of(BoneQuantity quantity) const { return keys[static_cast<std::size_t>(quantity)]; }
 };
 

@@ -15,6 +15,9 @@ struct Clock {
     friend constexpr auto operator<=>(Clock, Clock) = default;
 };
 
+/// Of the input `number`, where each has one, the first the lowest.
+constexpr std::uint32_t bit_of_input(std::uint32_t number) { return std::uint32_t{1} << number; }
+
 /// Where an input stands at its greatest value; at its least it stands at 0.
 inline constexpr Time whole_input{65536};
 

@@ -46,7 +46,6 @@ HermiteSpan hermite_span_at(Cursor keys, Time time)
     KeyTime before = next();
     KeyTime from = before;
     while (!keys.at_end() && from.time <= time) {
-        did(Work::key);
         const KeyTime to = next();
         if (to.time > time)
             return {before, from, to, keys.at_end() ? to : next()};

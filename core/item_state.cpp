@@ -1,34 +1,15 @@
 #include "core/item_state.hpp"
 
+#include "core/angle.hpp"
 #include "core/hermite.hpp"
 #include "core/passage.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace kfast {
 namespace {
-
-bool tweens(Property property) { return property != Property::order && property != Property::visible; }
-
-/// Between its two keys around `time`, which the track has.
-Passage passage_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys,
-                        Time time)
-{
-    if (!tweens(property))
-        return {keys.from.value, keys.from.value, {}};
-    return passage_between(scene, keys, goes_by_y(property) ? LawAxis::y : LawAxis::x, time);
-}
-
-/// Likewise: how long it stays as it is on the way between them.
-Still still_between(const SceneView& scene, Property property, const KeyInterval<TrackKey>& keys, Time time)
-{
-    if (keys.from.value == keys.to.value || !tweens(property))
-        return {.begin = keys.from.time, .end = keys.to.time};
-    const LawPair laws = scene.laws(keys.from.laws);
-    const VelocityLaw& law = goes_by_y(property) ? laws.y : laws.x;
-    return still_between(keys.from.time, keys.to.time, time, {law, law});
-}
 
 std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Way way)
 {
@@ -40,12 +21,6 @@ Colour colour_between(Colour from, Colour to, Way way)
 {
     return {channel_between(from.red, to.red, way), channel_between(from.green, to.green, way),
             channel_between(from.blue, to.blue, way), channel_between(from.opacity, to.opacity, way)};
-}
-
-Colour colour_of(const SceneView& scene, const Passage& passage)
-{
-    return colour_between(scene.colour(static_cast<std::size_t>(passage.from)),
-                          scene.colour(static_cast<std::size_t>(passage.to)), passage.way);
 }
 
 /// A unit vector's component in Q30 times a scale in 1/2^20, as a Q16 factor.
@@ -67,98 +42,67 @@ struct Direction {
     std::int32_t sine;
 };
 
+/// Rounded to nearest, halves up.
+std::int32_t whole(std::int32_t fine) { return (fine + (1 << (fine_bits - 1))) >> fine_bits; }
+
 std::int64_t within_shift(std::int64_t shift)
 {
     constexpr std::int64_t furthest = std::int64_t{65536} * Fixed::one;
     return std::clamp(shift, -furthest, furthest);
 }
 
-}
-
-ItemState::ItemState(const SceneView& scene, const ItemView& item, const Moment& moment) : fine_{}
-{
-    const ObjectStyle& style = item.object.style;
-    for (std::size_t i = 0; i < property_count; ++i)
-        fine_[i] = value_without_track(static_cast<Property>(i)) << fine_bits;
-    fine_[static_cast<std::size_t>(Property::width)] = style.width << fine_bits;
-    if (style.is_filled)
-        fill_ = scene.colour(style.fill);
-    if (style.is_stroked)
-        stroke_ = scene.colour(style.stroke);
-    for (TrackCursor tracks = item.tracks; !tracks.at_end();)
-        read(scene, tracks.next(), moment);
-    if (item.path.is_known)
-        follow(item.path, scene.drawing(item.path.drawing));
-}
-
-void ItemState::read(const SceneView& scene, const TrackView& track, const Moment& moment)
-{
-    did(Work::track);
-    if (track.is_fixed)
-        return take(scene, track.property, {track.value, track.value, {}});
-    const Clock clock = track.keys.beats().clock();
-    const Time time = moment.at(clock);
-    if (track.is_smooth) {
-        const HermiteSpan span = hermite_span_at(track.keys, time);
-        const Still still = still_around<KeyTime>({span.from, span.to}, time, moving_at(time));
-        still_ = still_ & still_by_clock(clock, still);
-        fine_[static_cast<std::size_t>(track.property)] = hermite(span, time);
-        return;
+/// Where an item is put, by what its tracks come to.
+class Placement {
+public:
+    Placement()
+    {
+        fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits;
     }
-    const KeyInterval<TrackKey> keys = interval_at(track.keys, time);
-    const Still still = still_around(keys, time, still_between(scene, track.property, keys, time));
-    still_ = still_ & still_by_clock(clock, still);
-    take(scene, track.property, passage_between(scene, track.property, keys, time));
-}
 
-void ItemState::take(const SceneView& scene, Property property, const Passage& passage)
-{
-    if (property == Property::fill)
-        fill_ = colour_of(scene, passage);
-    else if (property == Property::stroke)
-        stroke_ = colour_of(scene, passage);
-    else
-        fine_[static_cast<std::size_t>(property)] = fine_value(passage);
-}
+    /// In 1/256 of the unit of the property, which is among those that place an item.
+    std::int32_t& fine(Property property) { return fine_[static_cast<std::size_t>(property)]; }
+    /// Puts the pivot onto the path.
+    void follow(const PathView& path, const PackedDrawing& stroke)
+    {
+        const PathPlace place = place_on(path, stroke, value(Property::along));
+        position_ = place.at - Point{in_pixels(Property::pivot_x), in_pixels(Property::pivot_y)};
+        if (path.turns)
+            turned_ = FineAngle::of(place.direction);
+    }
+    Space space() const;
 
-std::uint32_t ItemState::opacity() const
-{
-    if (fine(Property::visible) == 0)
-        return 0;
-    return static_cast<std::uint32_t>(std::clamp<std::int32_t>(whole(Property::opacity), 0, 255));
-}
+private:
+    std::int32_t value(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
+    Fixed in_pixels(Property property) const { return fine_pixels(value(property)); }
+    FineAngle angle(Property property) const { return FineAngle::of_fine(value(property)); }
+    Space turning() const;
 
-/// Puts the pivot onto the path.
-void ItemState::follow(const PathView& path, const PackedDrawing& stroke)
-{
-    const PathPlace place = place_on(path, stroke, fine(Property::along));
-    position_ = place.at - pivot();
-    if (path.turns)
-        turned_ = FineAngle::of(place.direction);
-}
+    std::array<std::int32_t, static_cast<std::size_t>(Property::along) + 1> fine_{};
+    Point position_;   ///< that a path gives it
+    FineAngle turned_; ///< by a path
+};
 
-Space ItemState::placement() const
+Space Placement::space() const
 {
-    did(Work::placement);
     const Space turned = turning();
-    const Fixed pivot_x = pixels(Property::pivot_x);
-    const Fixed pivot_y = pixels(Property::pivot_y);
+    const Fixed pivot_x = in_pixels(Property::pivot_x);
+    const Fixed pivot_y = in_pixels(Property::pivot_y);
     Space placed = turned * Space{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
     const auto shift = [](std::int64_t from_pivot, Fixed position, Fixed along_path, Fixed pivot) {
         return within_shift(from_pivot + position.raw() + along_path.raw() + pivot.raw());
     };
-    placed.plane.x0 = shift(placed.plane.x0, pixels(Property::x), position_.x, pivot_x);
-    placed.plane.y0 = shift(placed.plane.y0, pixels(Property::y), position_.y, pivot_y);
-    placed.z0 = shift(placed.z0, pixels(Property::z), {}, {});
+    placed.plane.x0 = shift(placed.plane.x0, in_pixels(Property::x), position_.x, pivot_x);
+    placed.plane.y0 = shift(placed.plane.y0, in_pixels(Property::y), position_.y, pivot_y);
+    placed.z0 = shift(placed.z0, in_pixels(Property::z), {}, {});
     return placed;
 }
 
 /// Scale, then turn about z, y and x; every factor is rounded to Q16 once.
-Space ItemState::turning() const
+Space Placement::turning() const
 {
     const Direction z{angle(Property::rotation) + turned_};
-    const std::int32_t scale_x = fine(Property::scale_x);
-    const std::int32_t scale_y = fine(Property::scale_y);
+    const std::int32_t scale_x = value(Property::scale_x);
+    const std::int32_t scale_y = value(Property::scale_y);
     if (angle(Property::rotation_x) == FineAngle{} && angle(Property::rotation_y) == FineAngle{})
         return {.plane = {.xx = scaled_component(z.cosine, scale_x),
                           .xy = scaled_component(-z.sine, scale_y),
@@ -179,29 +123,71 @@ Space ItemState::turning() const
             .zz = component(product(x.cosine, y.cosine))};
 }
 
-Fixed ItemState::width() const { return std::max(pixels(Property::width), Fixed{}); }
-
-/// Rounded to nearest, halves up.
-std::int32_t ItemState::whole(Property property) const
-{
-    return (fine(property) + (1 << (fine_bits - 1))) >> fine_bits;
 }
 
-/// Of a property in 1/16 px.
-Fixed ItemState::pixels(Property property) const
+const LiveTrack* ItemState::track(Property property) const
 {
-    return Fixed::from_raw(fine(property) * (Fixed::one >> (4 + fine_bits)));
+    for (const LiveTrack& track : prepared_.tracks(item_))
+        if (track.property == static_cast<std::uint8_t>(property))
+            return &track;
+    return nullptr;
 }
 
-std::int32_t order_at(const ItemView& item, const Moment& moment)
+/// In 1/256 of the unit of the property.
+std::int32_t ItemState::fine(Property property) const
 {
-    for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
-        const TrackView track = tracks.next();
-        if (track.property == Property::order)
-            return track.is_fixed ? track.value
-                                  : interval_at(track.keys, moment.at(track.keys.beats().clock())).from.value;
+    const LiveTrack* const found = track(property);
+    return found != nullptr ? prepared_.fine_value(scene_, *found)
+                            : value_without_track(property) * (1 << fine_bits);
+}
+
+std::uint32_t ItemState::opacity() const
+{
+    if (item_.track_count == 0)
+        return 255;
+    if (fine(Property::visible) == 0)
+        return 0;
+    return static_cast<std::uint32_t>(std::clamp<std::int32_t>(whole(fine(Property::opacity)), 0, 255));
+}
+
+Space ItemState::placement() const
+{
+    did(Work::placement);
+    Placement placement;
+    for (const LiveTrack& track : prepared_.tracks(item_)) {
+        if (track.property > static_cast<std::uint8_t>(Property::along))
+            break;
+        did(Work::track);
+        placement.fine(static_cast<Property>(track.property)) = prepared_.fine_value(scene_, track);
     }
-    return 0;
+    if (item_.has_path) {
+        const PathView path = item_view(scene_, item_).path;
+        placement.follow(path, scene_.drawing(path.drawing));
+    }
+    return placement.space();
+}
+
+Point ItemState::pivot() const
+{
+    return {fine_pixels(fine(Property::pivot_x)), fine_pixels(fine(Property::pivot_y))};
+}
+
+Colour ItemState::colour(Property property, std::uint8_t without_track) const
+{
+    const LiveTrack* const found = track(property);
+    if (found == nullptr)
+        return scene_.colour(without_track);
+    const auto [from, to, way] = prepared_.passage(*found, LawAxis::x);
+    const Colour first = scene_.colour(static_cast<std::size_t>(from));
+    return from == to ? first : colour_between(first, scene_.colour(static_cast<std::size_t>(to)), way);
+}
+
+Fixed ItemState::width() const
+{
+    const LiveTrack* const found = track(Property::width);
+    if (found == nullptr)
+        return Fixed::sixteenths(item_.style.width);
+    return std::max(fine_pixels(prepared_.fine_value(scene_, *found)), Fixed{});
 }
 
 }

@@ -84,7 +84,7 @@ void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
     style.cap = static_cast<Cap>(ends & 3);
     style.join = static_cast<Join>(ends >> 2); // with the bits that must be 0: parse() refuses the rest
     if (style.join == Join::miter)
-        style.miter_limit = static_cast<int>(bytes.u8());
+        style.miter_limit = static_cast<std::uint8_t>(bytes.u8());
 }
 
 ObjectStyle take_style(ByteReader& bytes, std::uint32_t head)

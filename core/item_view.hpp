@@ -22,11 +22,11 @@ struct ObjectStyle {
     bool is_stroked = false;
     FillRule fill_rule = FillRule::nonzero;
     std::uint8_t fill = 0;   ///< index of the palette
-    std::uint8_t stroke = 0; ///< index of the palette
-    int width = 0;           ///< of the stroke, in 1/16 px
+    std::uint8_t stroke = 0; ///< index of the palette; it and the rest only of what is stroked
     Cap cap = Cap::butt;
     Join join = Join::miter;
-    int miter_limit = default_miter_limit; ///< in 1/8 widths
+    std::uint8_t miter_limit = default_miter_limit; ///< in 1/8 widths
+    int width = 0;                                  ///< in 1/16 px
 };
 
 /// One key of an object, and the way from it to the next.
@@ -51,6 +51,9 @@ public:
     Key next() { return at(beats_.next()); }
     /// What has not been read.
     const BeatCursor& beats() const { return beats_; }
+    const PackedValues& drawings() const { return drawings_; }
+    const PackedValues& arrivals() const { return arrivals_; }
+    const PackedValues& more() const { return more_; }
     Key at(const Beat& beat) const;
 
 private:
@@ -82,6 +85,8 @@ struct ObjectView {
     bool has_depths = false;      ///< it is a wire frame; then nothing carries it
     ByteReader key_bytes;         ///< begins with the keys
 
+    /// Its keys have Key::more.
+    bool has_more() const { return has_depths || carrier == Carrier::bones; }
     KeyCursor keys() const
     {
         ByteReader bytes = key_bytes;
@@ -90,7 +95,7 @@ struct ObjectView {
     /// Takes `bytes`, which begin with the keys, as far as these go.
     KeyCursor take_keys(ByteReader& bytes) const
     {
-        return {bytes, has_arrivals, has_depths || carrier == Carrier::bones};
+        return {bytes, has_arrivals, has_more()};
     }
 };
 

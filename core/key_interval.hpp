@@ -34,7 +34,6 @@ auto interval_at(Cursor keys, Time time)
 {
     auto from = keys.next();
     while (!keys.at_end() && from.time <= time) {
-        did(Work::key);
         const auto to = keys.next();
         if (to.time > time)
             return KeyInterval<decltype(from)>{from, to};
@@ -49,6 +48,7 @@ struct Progress {
     Way y;
 
     constexpr bool is_at_beginning() const { return x == Way{} && y == Way{}; }
+    friend constexpr bool operator==(const Progress&, const Progress&) = default;
 };
 
 /// How far the way that leads from the time `from` to the time `to` has come at `time`; nothing of it on and

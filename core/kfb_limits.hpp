@@ -33,6 +33,11 @@ inline constexpr std::size_t max_name_bytes = 255;
 inline constexpr std::uint32_t max_depth = 8;
 /// Items of the whole scene, those of a symbol counted wherever it is used.
 inline constexpr std::uint32_t max_items = 65535;
+/// Items as they are stored, and symbols: a player has a record of each. One less than its numbers of 16 bits
+/// can tell apart.
+inline constexpr std::uint32_t max_nodes = 65535;
+/// Tracks of items as they are stored, of bones, and those of the keys of objects: likewise.
+inline constexpr std::uint32_t max_tracks = 65535;
 /// Fills and strokes of the whole scene, and two for each item that may be blended as a whole; those of a
 /// symbol counted wherever it is used. Steps have numbers of 16 bits.
 inline constexpr std::uint32_t max_paint_steps = 0xFFFF;

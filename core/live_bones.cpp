@@ -21,9 +21,6 @@ std::int32_t of(std::span<const std::int32_t, bone_quantity_count> values, BoneQ
     return values[static_cast<std::size_t>(quantity)];
 }
 
-/// Of a quantity in 1/16 px, in 1/256 of it.
-Fixed pixels(std::int32_t fine) { return Fixed::from_raw(fine * (Fixed::one >> (4 + fine_bits))); }
-
 /// What is at (x, y) in the frame of `parent`.
 Point on_canvas(const BoneFrame& parent, Fixed x, Fixed y)
 {
@@ -38,14 +35,14 @@ BoneFrame frame_in(const BoneFrame& parent, std::span<const std::int32_t, bone_q
                    Fixed shift)
 {
     const FineAngle angle = parent.angle + FineAngle::of_fine(of(fine, BoneQuantity::angle));
-    return {.origin = on_canvas(parent, pixels(of(fine, BoneQuantity::x)) + shift,
-                                pixels(of(fine, BoneQuantity::y))),
+    return {.origin = on_canvas(parent, fine_pixels(of(fine, BoneQuantity::x)) + shift,
+                                fine_pixels(of(fine, BoneQuantity::y))),
             .angle = angle,
             .cosine = cosine(angle),
             .sine = sine(angle)};
 }
 
-FineValues values_at_rest(const BoneView& bone)
+FineValues values_at_rest(const BoneSetUp& bone)
 {
     FineValues fine;
     std::ranges::transform(bone.set_up, fine.begin(),
@@ -62,76 +59,42 @@ std::int32_t factor(std::int64_t stretch, std::int64_t a, std::int64_t b)
     return static_cast<std::int32_t>((((stretch * a) >> 16) + b + (1 << 13)) >> 14);
 }
 
-/// The common beats of a skeleton at one moment.
-class CommonMoment {
-public:
-    CommonMoment(const SceneView& scene, const BonesView& bones, const Moment& moment)
-    {
-        if (bones.common_beats().at_end())
-            return;
-        const Time time = moment.at(bones.common_beats().clock());
-        const auto [from, to] = interval_at(bones.common_beats(), time);
-        from_ = from.index;
-        to_ = to.index;
-        progress_ = progress_between(from.time, to.time, time, scene.laws(from.laws));
-    }
+BoneSetUp set_up_of(const SceneView& scene, const BoneNode& bone)
+{
+    ByteReader bytes = scene.at(bone.place);
+    return BoneSetUp::take(bytes);
+}
 
-    Passage passage(const BoneKeys& keys, LawAxis axis) const
-    {
-        return {keys.value(from_), keys.value(to_), axis == LawAxis::y ? progress_.y : progress_.x};
-    }
-
-private:
-    std::uint32_t from_ = 0;
-    std::uint32_t to_ = 0;
-    Progress progress_;
-};
-
-/// Reads what the quantities of bones come to at one moment.
-class PoseReader {
-public:
-    PoseReader(const SceneView& scene, const BonesView& bones, const Moment& moment)
-        : scene_{scene}, moment_{moment}, common_{scene, bones, moment}
-    {
-    }
-
-    FineValues values(const BoneView& bone) const
-    {
-        FineValues fine = values_at_rest(bone);
-        for (std::size_t i = 0; i < bone_quantity_count; ++i)
-            if (bone.keys[i].kind() != BoneKeys::Kind::none)
-                fine[i] = value(bone, static_cast<BoneQuantity>(i));
-        return fine;
-    }
-
-private:
-    std::int32_t value(const BoneView& bone, BoneQuantity quantity) const
-    {
-        const BoneKeys& keys = bone.keys_of(quantity);
-        const LawAxis axis = quantity == BoneQuantity::y ? LawAxis::y : LawAxis::x;
-        Passage passage =
-            keys.kind() == BoneKeys::Kind::common
-                ? common_.passage(keys, axis)
-                : passage_at(scene_, keys.keys(), axis, moment_.at(keys.keys().beats().clock()));
+/// What the quantities of a bone come to. Tracks have differences from what they are as set up.
+FineValues values_of(const PreparedScene& prepared, const BoneNode& node, const BoneSetUp& bone)
+{
+    FineValues fine = values_at_rest(bone);
+    for (const LiveTrack& track : prepared.tracks(node)) {
+        const auto quantity = static_cast<BoneQuantity>(track.property);
+        Passage passage = prepared.passage(track, quantity == BoneQuantity::y ? LawAxis::y : LawAxis::x);
+        passage.from += bone.at_rest(quantity);
+        passage.to += bone.at_rest(quantity);
         if (quantity == BoneQuantity::angle && !bone.turns_as_written)
             passage.to = passage.from + shortest_turn(BinaryAngle::from_raw(passage.from),
                                                       BinaryAngle::from_raw(passage.to));
-        return fine_value(passage);
+        fine[track.property] = fine_value(passage);
     }
+    return fine;
+}
 
-    const SceneView& scene_;
-    Moment moment_;
-    CommonMoment common_;
-};
+const LiveBone* parent_of(const BoneNode& bone, std::span<const LiveBone> live)
+{
+    return bone.parent == 0 ? nullptr : &live[bone.parent - 1U];
+}
 
 }
 
-void LiveBone::set_up(const BoneView& bone, const LiveBone* parent)
+void LiveBone::set_up(const BoneSetUp& bone, const LiveBone* parent)
 {
     rest_ = frame_in(parent == nullptr ? BoneFrame{} : parent->rest_, values_at_rest(bone), {});
 }
 
-void LiveBone::pose(const BoneView& bone, const LiveBone* parent,
+void LiveBone::pose(const BoneSetUp& bone, const LiveBone* parent,
                     std::span<const std::int32_t, bone_quantity_count> fine)
 {
     did(Work::bone);
@@ -139,7 +102,7 @@ void LiveBone::pose(const BoneView& bone, const LiveBone* parent,
     posed_ = frame_in(parent == nullptr ? BoneFrame{} : parent->posed_, fine, shift);
     const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
     const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
-    growth_ = pixels(static_cast<std::int32_t>(length - set_up_length));
+    growth_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
     const std::int64_t stretch = std::min(((length << 16) + set_up_length / 2) / set_up_length, most_stretch);
     const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
     const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
@@ -175,30 +138,21 @@ Affine LiveBone::map() const
             .y0 = posed_.origin.y.raw() - sum_of_products(yx_, x, yy_, y)};
 }
 
-void set_up_bones(const SceneView& scene, std::span<LiveBone> live)
+void set_up_bones(const SceneView& scene, const PreparedScene& prepared, std::span<LiveBone> live)
 {
-    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();) {
-        std::size_t number = 0;
-        for (BoneCursor bones = skeletons.next().bones(); !bones.at_end(); ++number) {
-            const BoneView bone = bones.next();
-            live[number] = {};
-            live[number].set_up(bone, bone.parent == 0 ? nullptr : &live[bone.parent - 1]);
-        }
-        live = live.subspan(number);
+    std::size_t number = 0;
+    for (const BoneNode& bone : prepared.bones()) {
+        live[number] = {};
+        live[number++].set_up(set_up_of(scene, bone), parent_of(bone, live));
     }
 }
 
-void pose_bones(const SceneView& scene, const Moment& moment, std::span<LiveBone> live)
+void pose_bones(const SceneView& scene, const PreparedScene& prepared, std::span<LiveBone> live)
 {
-    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();) {
-        const BonesView view = skeletons.next();
-        const PoseReader pose{scene, view, moment};
-        std::size_t number = 0;
-        for (BoneCursor bones = view.bones(); !bones.at_end(); ++number) {
-            const BoneView bone = bones.next();
-            live[number].pose(bone, bone.parent == 0 ? nullptr : &live[bone.parent - 1], pose.values(bone));
-        }
-        live = live.subspan(number);
+    std::size_t number = 0;
+    for (const BoneNode& bone : prepared.bones()) {
+        const BoneSetUp set_up = set_up_of(scene, bone);
+        live[number++].pose(set_up, parent_of(bone, live), values_of(prepared, bone, set_up));
     }
 }
 

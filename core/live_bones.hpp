@@ -3,7 +3,7 @@
 #include "core/affine.hpp"
 #include "core/angle.hpp"
 #include "core/bone_view.hpp"
-#include "core/moment.hpp"
+#include "core/evaluator/prepared_scene.hpp"
 #include "core/point.hpp"
 #include "core/scene_view.hpp"
 
@@ -24,9 +24,9 @@ struct BoneFrame {
 class LiveBone {
 public:
     /// As set up; `parent` has been set up, and is null for a root.
-    void set_up(const BoneView& bone, const LiveBone* parent);
+    void set_up(const BoneSetUp& bone, const LiveBone* parent);
     /// `parent` has been posed.
-    void pose(const BoneView& bone, const LiveBone* parent,
+    void pose(const BoneSetUp& bone, const LiveBone* parent,
               std::span<const std::int32_t, bone_quantity_count> fine);
 
     /// O' + R(a') S R(-a) (point - O), unprimed as set up and primed as posed; S stretches along the bone as
@@ -51,14 +51,14 @@ private:
 };
 
 /// Sets up all bones of the scene's skeletons; `bones` has room for scene.bone_count().
-void set_up_bones(const SceneView& scene, std::span<LiveBone> bones);
+void set_up_bones(const SceneView& scene, const PreparedScene& prepared, std::span<LiveBone> bones);
 
-/// Poses them as at `moment`; they have been set up.
+/// Poses them as at the moment to which the scene was moved; they have been set up.
 ///
 /// Points up to 140 px away from the origins of their bones, none shorter than 4 px, are within 1/32 px of
 /// what the stored values say, eight bones deep; within 1/16 px where angles as written turn twice on one
 /// way. The shares of ways and the lengths are rounded: errors grow with the turns, and with distance per
 /// length.
-void pose_bones(const SceneView& scene, const Moment& moment, std::span<LiveBone> bones);
+void pose_bones(const SceneView& scene, const PreparedScene& prepared, std::span<LiveBone> bones);
 
 }

@@ -1,7 +1,6 @@
 #include "core/live_scene.hpp"
 
 #include "core/block_cutter.hpp"
-#include "core/still.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +18,7 @@ static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4);
 
 std::size_t LiveScene::bytes_for(const SceneView& scene)
 {
-    return bone_bytes(scene) + node_bytes(scene) + input_bytes(scene) + LiveDrawings::bytes_for(scene) +
+    return PreparedScene::bytes_for(scene) + bone_bytes(scene) + node_bytes(scene) + input_bytes(scene) + LiveDrawings::bytes_for(scene) +
            LiveTexts::bytes_for(scene);
 }
 
@@ -27,6 +26,7 @@ LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std:
     : on_panel_{kfast::on_panel(scene, panel, fit)}
 {
     BlockCutter cutter{memory};
+    on_panel_.prepared = PreparedScene{scene, cutter.cut(PreparedScene::bytes_for(scene))};
     on_panel_.bones = cutter.cut_as<LiveBone>(bone_bytes(scene));
     on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(node_bytes(scene));
     inputs_ = cutter.cut_as<Time>(input_bytes(scene));
@@ -34,31 +34,33 @@ LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std:
     on_panel_.drawings = {scene, cutter.cut(LiveDrawings::bytes_for(scene))};
     on_panel_.texts = {scene,
                        cutter.cut(LiveTexts::bytes_for(scene))}; // last, for it has any number of bytes
-    set_up_bones(scene, on_panel_.bones);
+    set_up_bones(scene, on_panel_.prepared, on_panel_.bones);
 }
+
+const Dependence& LiveScene::move_to(Time time)
+{
+    on_panel_.prepared.move_to(scene(), {time, inputs_}, std::exchange(told_, 0));
+    return on_panel_.prepared.moved();
+}
+
+void LiveScene::pose_bones() { kfast::pose_bones(scene(), on_panel_.prepared, on_panel_.bones); }
 
 Moment LiveScene::pose(Time time)
 {
-    const Moment moment{time, inputs_};
-    pose_bones(scene(), moment, on_panel_.bones);
-    return moment;
+    move_to(time);
+    pose_bones();
+    return {time, inputs_};
 }
-
-std::uint32_t LiveScene::take_moved() { return std::exchange(moved_, 0); }
 
 void LiveScene::set_input(std::uint32_t number, Time place)
 {
-    const Time held = std::clamp(place, Time{}, whole_input);
-    if (inputs_[number] == held)
-        return;
-    inputs_[number] = held;
-    note_moved(number);
+    inputs_[number] = std::clamp(place, Time{}, whole_input);
 }
 
 void LiveScene::set_text(std::uint32_t number, std::string_view text)
 {
     if (on_panel_.texts.put(scene(), number, text))
-        note_moved(number);
+        note_told(number);
 }
 
 bool LiveScene::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
@@ -79,9 +81,9 @@ bool LiveScene::set_drawing(std::uint32_t number, std::span<const LiveStroke> st
 void LiveScene::show_next_drawing(std::uint32_t number)
 {
     if (drawing(number).show())
-        note_moved(number);
+        note_told(number);
 }
 
-void LiveScene::note_moved(std::uint32_t number) { moved_ |= bit_of_input(number); }
+void LiveScene::note_told(std::uint32_t number) { told_ |= bit_of_input(number); }
 
 }

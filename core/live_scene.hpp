@@ -49,17 +49,20 @@ protected:
     LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory);
 
     const SceneOnPanel& on_panel() const { return on_panel_; }
-    /// Poses the bones. The moment holds until an input is told.
+    /// Moves the prepared scene to a moment, and tells what has moved since the one before: keys, and what was
+    /// told.
+    const Dependence& move_to(Time time);
+    /// As at that moment.
+    void pose_bones();
+    /// Both. What is returned holds until an input is told.
     Moment pose(Time time);
-    /// A bit for each input that was told something new since this was asked the last time.
-    std::uint32_t take_moved();
 
 private:
-    void note_moved(std::uint32_t number);
+    void note_told(std::uint32_t number);
 
     SceneOnPanel on_panel_;
     std::span<Time> inputs_; ///< where each of them stands
-    std::uint32_t moved_ = 0;
+    std::uint32_t told_ = 0; ///< a bit for each input that was told something new
 };
 
 }

@@ -128,7 +128,7 @@ Segment PackedDrawing::foretold_cubic(Point from)
 /// Begins again with the first half, which now runs the other way.
 void PackedDrawing::turn()
 {
-    bits_.rewind();
+    bits_.go_to(0);
     flip_x_ = ~flip_x_;
     flip_y_ = ~flip_y_;
     onwards_ = {};

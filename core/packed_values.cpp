@@ -5,6 +5,7 @@ namespace kfast {
 PackedValues PackedValues::take(ByteReader& bytes, std::uint32_t count, std::int32_t more)
 {
     PackedValues values;
+    values.place_ = bytes.rest().data();
     values.more_ = static_cast<std::uint32_t>(more);
     if (count > 1) {
         const std::uint32_t form = bytes.u8();

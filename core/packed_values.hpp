@@ -15,10 +15,20 @@ public:
     /// Takes `bytes` as far as `count` values go. Each is `more` than what is stored.
     static PackedValues take(ByteReader& bytes, std::uint32_t count, std::int32_t more = 0);
 
+    /// Where take() has found them.
+    const std::byte* place() const { return place_; }
+    /// Nothing more than what is stored.
+    PackedValues as_stored() const
+    {
+        PackedValues values = *this;
+        values.more_ = 0;
+        return values;
+    }
     /// `index` is less than their number. Wraps around rather than overflow.
     std::int32_t operator[](std::uint32_t index) const;
 
 private:
+    const std::byte* place_ = nullptr;
     BitReader bits_;
     std::uint32_t least_ = 0;
     std::uint32_t more_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fixed.hpp"
 #include "core/hermite.hpp"
 #include "core/key_interval.hpp"
 #include "core/scene_view.hpp"
@@ -24,6 +25,12 @@ Passage passage_between(const SceneView& scene, const KeyInterval<TrackKey>& key
 
 /// `keys` has at least one.
 Passage passage_at(const SceneView& scene, TrackKeyCursor keys, LawAxis axis, Time time);
+
+/// Of a quantity in 1/16 px, in 1/256 of it.
+constexpr Fixed fine_pixels(std::int32_t fine)
+{
+    return Fixed::from_raw(fine * (Fixed::one >> (4 + fine_bits)));
+}
 
 /// Rounded to nearest, halves up, in 1/256 of the unit of the values.
 constexpr std::int32_t fine_value(const Passage& passage)

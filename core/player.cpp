@@ -59,7 +59,8 @@ Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte>
     : LiveScene{scene, panel, fit, block.last(bytes_for(scene))}, panel_{panel},
       renderer_{needs_of(scene, panel), panel, scene.colour(0), block.first(block.size() - bytes_for(scene))}
 {
-    trace({});
+    move_to({});
+    trace();
 }
 
 void Player::show(Time time) { show_moment(wrap(time, scene().length(), scene().loop())); }
@@ -68,17 +69,16 @@ void Player::show_moment(Time moment)
 {
     moment = std::clamp(moment, Time{}, scene().length());
     next_row_ = 0;
-    moved_ |= take_moved();
-    if (!picture().still.holds(moment, moved_))
-        trace(moment);
+    if (picture().dependence.is_touched_by(move_to(moment)))
+        trace();
 }
 
-void Player::trace(Time time)
+/// The moment to which it was moved.
+void Player::trace()
 {
-    const Moment moment = pose(time);
-    Tracer{on_panel(), moment, renderer_.picture()}.run(moved_);
+    pose_bones();
+    Tracer{on_panel(), renderer_.picture()}.run();
     renderer_.begin();
-    moved_ = 0;
 }
 
 void Player::redraw() { renderer_.forget(); }

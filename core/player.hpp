@@ -69,11 +69,10 @@ public:
     int unrecorded_bands() const { return renderer_.unrecorded_bands(); }
 
 private:
-    void trace(Time time);
+    void trace();
 
     Size panel_;
     raster::Renderer renderer_;
-    std::uint32_t moved_ = 0; ///< a bit for each input that has, since the picture was traced
     int next_row_ = 0;        ///< of draw_rows()
 };
 

@@ -4,10 +4,10 @@
 #include "core/blending.hpp"
 #include "core/bone_check.hpp"
 #include "core/drawing_check.hpp"
+#include "core/evaluator/prepare.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
-#include "core/paint_order.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -28,6 +28,14 @@ std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
         bones = skeletons.skip();
     }
     return bones;
+}
+
+bool has_order(const ItemView& item)
+{
+    for (TrackCursor tracks = item.tracks; !tracks.at_end();)
+        if (tracks.next().property == Property::order)
+            return true;
+    return false;
 }
 
 bool is_within(Fixed coordinate)
@@ -65,7 +73,7 @@ bool SceneCheck::passes()
 {
     return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
-           count_items(scene_.items(), 0, 0);
+           count_items(scene_.items(), 0, 0) && count_records();
 }
 
 bool SceneCheck::check_header() const
@@ -115,11 +123,12 @@ bool SceneCheck::check_events() const
 
 bool SceneCheck::check_bones()
 {
+    std::uint32_t bones = 0;
     if (!bones_are_sound(scene_, scene_.law_count_))
         return false;
     for (BonesCursor cursor = scene_.skeletons(); !cursor.at_end();)
-        scene_.bone_count_ += cursor.skip();
-    return scene_.bone_count_ <= kfb::max_bones_together;
+        bones += cursor.skip();
+    return bones <= kfb::max_bones_together;
 }
 
 bool SceneCheck::check_symbols()
@@ -136,12 +145,14 @@ bool SceneCheck::check_symbols()
 bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std::uint32_t depth)
 {
     std::uint32_t count = 0;
-    for (ItemCursor cursor = items; !cursor.at_end(); ++count) {
-        const ItemView item = cursor.next();
-        if (cursor.overrun() || !check_item(item, usable_symbols, depth))
+    bool are_ordered = false;
+    for (; !items.at_end(); ++count) {
+        const ItemView item = items.next();
+        if (items.overrun() || !check_item(item, usable_symbols, depth))
             return false;
+        are_ordered = are_ordered || has_order(item);
     }
-    return count <= kfb::max_ordered_items || !any_has_order(items);
+    return count <= kfb::max_ordered_items || !are_ordered;
 }
 
 bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, std::uint32_t depth)
@@ -356,6 +367,14 @@ bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
         }
     }
     return skin.run_is_over() && skin.is_sound();
+}
+
+bool SceneCheck::count_records()
+{
+    Preparer preparer{scene_, {}};
+    preparer.run();
+    scene_.records_ = preparer.records();
+    return scene_.records_.tracks <= kfb::max_tracks && scene_.records_.nodes <= kfb::max_nodes;
 }
 
 bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)

@@ -48,6 +48,7 @@ private:
 
     bool count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended);
     bool count_item(const ItemView& item, std::uint32_t depth, std::uint32_t blended);
+    bool count_records();
 
     SceneView& scene_;
     std::uint32_t key_points_ = 0; ///< of the drawings of all keys

@@ -1,7 +1,6 @@
 #include "core/input_check.hpp"
 #include "core/label_check.hpp"
 #include "core/scene_check.hpp"
-#include "core/still.hpp"
 
 /// What of a scene comes from outside.
 namespace kfast {

@@ -21,8 +21,10 @@ Camera camera_for(const SceneView& scene, Size panel, const Space& canvas)
 SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
 {
     const Space canvas = canvas_space(scene.canvas(), panel, fit);
-    return {scene, canvas, camera_for(scene, panel, canvas), RigidPlacements{canvas.plane.xx}, {}, {},
-            {},    {}};
+    return {.scene = scene,
+            .canvas = canvas,
+            .camera = camera_for(scene, panel, canvas),
+            .rigid = RigidPlacements{canvas.plane.xx}};
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/canvas_map.hpp"
+#include "core/evaluator/prepared_scene.hpp"
 #include "core/live_backbones.hpp"
 #include "core/live_bones.hpp"
 #include "core/live_drawings.hpp"
@@ -18,11 +19,12 @@ namespace kfast {
 /// What the pictures of a scene on one panel have in common.
 struct SceneOnPanel {
     SceneView scene;
+    PreparedScene prepared{}; ///< at the moment of the picture
     Space canvas; ///< from the canvas to the panel
     Camera camera;
     RigidPlacements rigid;
-    std::span<LiveBone> bones; ///< of all skeletons; set up
-    std::span<BackboneNode> backbone_nodes;
+    std::span<LiveBone> bones{}; ///< of all skeletons; set up
+    std::span<BackboneNode> backbone_nodes{};
     LiveDrawings drawings{}; ///< from outside
     LiveTexts texts{};       ///< likewise
 };

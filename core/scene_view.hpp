@@ -21,6 +21,14 @@
 
 namespace kfast {
 
+/// What a scene takes that is laid out to be played (core/evaluator/prepared_scene.hpp).
+struct SceneRecords {
+    std::uint32_t timelines = 0; ///< sets of two or more key times that are stored
+    std::uint32_t tracks = 0;    ///< of items, of the keys of objects, of bones
+    std::uint32_t nodes = 0;     ///< items as they are stored, symbols, and the scene
+    std::uint32_t bones = 0;     ///< of all skeletons
+};
+
 /// A checked, borrowed look at the bytes of a compiled scene (docs/format.md).
 ///
 /// Everything that can be wrong with the bytes is found by parse(). Every other member is total: it cannot
@@ -62,8 +70,9 @@ public:
     LawPair laws(std::uint32_t number) const;
     /// The skeletons of bones.
     BonesCursor skeletons() const { return BonesCursor{bones_}; }
+    const SceneRecords& records() const { return records_; }
     /// Of all skeletons together.
-    std::uint32_t bone_count() const { return bone_count_; }
+    std::uint32_t bone_count() const { return records_.bones; }
     /// How many bones the skeletons before `skeleton` have.
     std::size_t first_bone(std::uint32_t skeleton) const;
     /// How many nodes and gaps the backbones of any object have at most (core/live_backbones.hpp).
@@ -86,6 +95,16 @@ public:
     }
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
+    /// A place in the scene's bytes as a number: how far it is from their end.
+    std::uint32_t place_of(const std::byte* byte) const
+    {
+        return static_cast<std::uint32_t>(drawings_.data() + drawings_.size() - byte);
+    }
+    /// What begins there.
+    ByteReader at(std::uint32_t place) const
+    {
+        return ByteReader{{drawings_.data() + drawings_.size() - place, place}};
+    }
     /// What the scene takes from outside.
     InputCursor inputs() const { return {inputs_, input_count_}; }
     std::uint32_t input_count() const { return input_count_; }
@@ -118,7 +137,7 @@ private:
     std::uint32_t cache_bytes_ = 0;
     std::uint32_t paint_steps_ = 0;
     std::uint32_t blended_depth_ = 0;
-    std::uint32_t bone_count_ = 0;
+    SceneRecords records_;
     std::size_t backbone_nodes_ = 0;
     std::uint32_t law_count_ = 0;
     std::uint32_t symbol_count_ = 0;

@@ -32,6 +32,10 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/code_point.cpp
     ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
     ${CMAKE_CURRENT_LIST_DIR}/drawing_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/evaluator/prepare.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/evaluator/prepared_scene.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/evaluator/scene_walk.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/evaluator/key_timeline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
     ${CMAKE_CURRENT_LIST_DIR}/glyph_set.cpp
     ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
@@ -59,7 +63,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/object_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/paint_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/passage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/picture_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
@@ -96,7 +99,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/space.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/still.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_form.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time_code.cpp

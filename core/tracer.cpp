@@ -1,15 +1,9 @@
 #include "core/tracer.hpp"
 
-#include "core/blending.hpp"
-#include "core/item_path.hpp"
 #include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
 #include "core/opacity.hpp"
-#include "core/paint_order.hpp"
 #include "core/work.hpp"
-
-#include <span>
-#include <utility>
 
 namespace kfast {
 namespace {
@@ -24,12 +18,12 @@ Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
 
 }
 
-void Tracer::run(std::uint32_t moved)
+void Tracer::run()
 {
     raster::OutlineStore& outlines = picture_.outlines;
     picture_.cache.begin_picture();
     if (picture_.coarseness == 0)
-        outlines.keep(moment_.time(), moved);
+        outlines.keep(on_panel_.prepared.moved());
     else
         outlines.clear();
     picture_.coarseness = 0;
@@ -48,92 +42,79 @@ void Tracer::run(std::uint32_t moved)
 /// After OutlineStore::keep() or clear().
 void Tracer::trace_scene()
 {
+    using Step = SceneWalk::Step;
+    using Kind = raster::PaintStep::Kind;
     did(Work::picture);
     picture_.step_count = 0;
-    picture_.still = {};
-    trace(on_panel_.scene.items(), {.space = on_panel_.canvas});
+    SceneWalk walk{on_panel_, SceneWalk::Opacity::of_groups};
+    for (Step step = walk.next(); step != Step::end; step = walk.next()) {
+        if (step == Step::begin_group)
+            picture_.add_step({.kind = Kind::begin_group, .item = walk.path()});
+        else if (step == Step::end_group)
+            picture_.add_step({.kind = Kind::end_group,
+                               .opacity = static_cast<std::uint8_t>(walk.group_opacity()),
+                               .item = walk.path()});
+        else
+            trace_leaf(walk);
+    }
+    picture_.dependence = walk.whole();
     work_for(0);
 }
 
-/// What lies within something that stays as it is as long as `still` holds.
-Tracer::Context Tracer::holding(const Context& outer, const Still& still)
+void Tracer::trace_leaf(SceneWalk& walk)
 {
-    picture_.still = picture_.still & still;
-    Context context = outer;
-    context.still = outer.still & still;
-    return context;
-}
-
-/// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
-void Tracer::trace(ItemCursor items, const Context& context)
-{
-    PaintOrder order{items, moment_};
-    while (const auto item = order.next())
-        trace(*item, context);
-}
-
-void Tracer::trace(const ItemView& item, const Context& outer)
-{
-    const std::uint32_t path = path_to(item, outer.path, on_panel_.scene);
-    work_for(path);
-    did(Work::item);
-    const ItemState state{on_panel_.scene, item, moment_};
-    Context context = holding(outer, state.still());
-    context.path = path;
-    context.opacity = product_of_opacities(outer.opacity, state.opacity());
-    if (context.opacity == 0)
+    if (reuse_layers(walk))
         return;
-    if (!item.tracks.at_end())
-        context.space = outer.space * state.placement();
-    if (context.opacity == 255 || !has_several_layers(on_panel_.scene, item))
-        return trace(item, state, context);
-    const auto opacity = static_cast<std::uint8_t>(std::exchange(context.opacity, 255));
-    add_step(raster::PaintStep::Kind::begin_group, context);
-    trace(item, state, context);
-    add_step(raster::PaintStep::Kind::end_group, context).opacity = opacity;
+    if (walk.node().kind == ItemKind::object)
+        return trace_object(walk);
+    trace_live(walk);
 }
 
-void Tracer::trace(const ItemView& item, const ItemState& state, const Context& context)
+/// If all layers of a leaf are kept, nothing else has to be known of it.
+bool Tracer::reuse_layers(const SceneWalk& walk)
 {
-    if (item.kind == ItemKind::object)
-        return trace_object(item.object, state, context);
-    if (item.kind == ItemKind::live)
-        return trace_live(item, state, context);
-    trace(on_panel_.scene.items_in(item), context);
+    const raster::OutlineStore& outlines = picture_.outlines;
+    const ObjectStyle& style = walk.node().style;
+    const auto is_kept = [&](Part part) {
+        return outlines.keeps({walk.path(), static_cast<std::uint8_t>(part)});
+    };
+    if ((style.is_filled && !is_kept(Part::fill)) || (style.is_stroked && !is_kept(Part::stroke)))
+        return false;
+    const auto nothing = [] {};
+    if (style.is_filled)
+        add_layer(Part::fill, walk, nothing);
+    if (style.is_stroked)
+        add_layer(Part::stroke, walk, nothing);
+    return true;
 }
 
-/// Whether something that is so still where it lies moves at any time.
-bool Tracer::moves(const Still& still) const
+void Tracer::trace_object(SceneWalk& walk)
 {
-    return still.inputs != 0 || still.begin > Time{} || still.end <= on_panel_.scene.length();
-}
-
-void Tracer::trace_object(const ObjectView& object, const ItemState& state, const Context& outer)
-{
-    const ObjectStrokes strokes{on_panel_, object, moment_};
-    const Context context = holding(outer, strokes.still());
+    const Node& object = walk.node();
+    const ObjectStrokes strokes{on_panel_, object};
     if (object.has_depths)
-        return trace_wires(strokes, object.style, state, context);
+        return trace_wires(strokes, walk);
     if (const auto carrier = strokes.rigid_carrier())
-        if (const auto placement = rigid_placement(*carrier, context))
-            return add_rigid_layers(object.style, state, *placement, context, [&](const Pen* pen) {
-                trace_rigid(strokes, pen, *placement, object.carrier != Carrier::none || moves(outer.still));
-            });
+        if (const auto placement = rigid_placement(*carrier, walk.space())) {
+            const bool moves = object.carrier != Carrier::none || walk.place_dependence().keys != 0;
+            return add_rigid_layers(walk, *placement,
+                                    [&](const Pen* pen) { trace_rigid(strokes, pen, *placement, moves); });
+        }
     add_layers(
-        object.style, state, context, [&] { return strokes.first_point(); },
+        walk, [&] { return strokes.first_point(); },
         [&](const Affine& placement, ObjectOutline& outline) {
-            if (moves(context.still))
+            if (walk.leaf_dependence().keys != 0)
                 strokes.trace(picture_.cache, placement, outline);
             else
                 strokes.trace(placement, outline); // once for all pictures
         });
 }
 
-std::optional<RigidPlacement> Tracer::rigid_placement(const Affine& carrier, const Context& context) const
+std::optional<RigidPlacement> Tracer::rigid_placement(const Affine& carrier, const Space& space) const
 {
-    if (!context.space.is_flat())
+    if (!space.is_flat())
         return std::nullopt;
-    return on_panel_.rigid.of(carrier == Affine{} ? context.space.plane : context.space.plane * carrier);
+    return on_panel_.rigid.of(carrier == Affine{} ? space.plane : space.plane * carrier);
 }
 
 /// Contours of what moves are kept; what never moves is traced once.
@@ -166,91 +147,82 @@ void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const Rig
 }
 
 /// Points come as they are seen, and lines stay straight.
-void Tracer::trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style, const ItemState& state,
-                         const Context& context)
+void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
 {
-    const Projection projection{context.space, on_panel_.camera};
+    const ItemState state = walk.state();
+    const Projection projection{walk.space(), on_panel_.camera};
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
-    outline.stroke_with(pen_for(style, state.width(), projection.growth_facing(state.pivot())));
-    add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context,
-              [&] { strokes.trace(projection, outline); });
+    outline.stroke_with(
+        pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())));
+    add_layer(Part::stroke, walk, [&] { strokes.trace(projection, outline); });
 }
 
-void Tracer::trace_live(const ItemView& item, const ItemState& state, const Context& outer)
+void Tracer::trace_live(SceneWalk& walk)
 {
-    const Context context = holding(outer, {.inputs = bit_of_input(item.live.input)});
-    switch (item.live.kind) {
-    case LiveKind::drawing:
-        return trace_drawing(on_panel_.drawings.of(on_panel_.scene, item.live.input), item.object.style,
-                             state, context);
-    case LiveKind::label:
-        return trace_label(item, state, context);
-    }
-}
-
-void Tracer::trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
-                           const Context& context)
-{
+    if (walk.node().live == LiveKind::label)
+        return trace_label(walk);
+    const LiveDrawing drawing = on_panel_.drawings.of(on_panel_.scene, walk.node().of);
     add_live_layers(
-        style, state, context, [&] { return start_of(drawing); },
+        walk, [&] { return start_of(drawing); },
         [&](const Affine& placement, ObjectOutline& outline) {
             did(Work::object);
             trace_live_strokes(drawing, placement, outline);
         });
 }
 
-void Tracer::trace_label(const ItemView& item, const ItemState& state, const Context& context)
+void Tracer::trace_label(SceneWalk& walk)
 {
     const SceneView& scene = on_panel_.scene;
-    const LabelTrace label{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
+    const LiveView live = item_view(scene, walk.node()).live;
+    const LabelTrace label{LabelView::of(live.label), on_panel_.texts.glyphs(scene, live.input),
                            scene.drawings()};
     add_live_layers(
-        item.object.style, state, context, [&] { return label.start(); },
+        walk, [&] { return label.start(); },
         [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });
 }
 
 /// As add_layers(), but outlined upright and placed, as drawings of the scene are.
-void Tracer::add_live_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
-                             FunctionRef<Point()> first_point, TraceStrokes trace)
+void Tracer::add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
 {
-    if (const auto placement = rigid_placement({}, context))
-        return add_rigid_layers(style, state, *placement, context, [&](const Pen* pen) {
+    if (const auto placement = rigid_placement({}, walk.space()))
+        return add_rigid_layers(walk, *placement, [&](const Pen* pen) {
             picture_.outlines.place_contours(placement->map, nullptr, nullptr);
             trace_upright(*placement, pen, trace);
             picture_.outlines.end_placed();
         });
-    add_layers(style, state, context, first_point, trace);
+    add_layers(walk, first_point, trace);
 }
 
 /// trace(placement, outline) adds what is painted to an outline.
-void Tracer::add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
-                        FunctionRef<Point()> first_point, TraceStrokes trace)
+void Tracer::add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
 {
-    const bool is_flat = context.space.is_flat();
-    const Projection projection{context.space, on_panel_.camera};
+    const Space& space = walk.space();
+    const ObjectStyle& style = walk.node().style;
+    const bool is_flat = space.is_flat();
+    const Projection projection{space, on_panel_.camera};
     ObjectOutline outline{picture_.outlines, Sight{is_flat ? nullptr : &projection, picture_.coarseness}};
-    const Affine placement = is_flat ? context.space.plane : Affine{};
+    const Affine placement = is_flat ? space.plane : Affine{};
     const auto trace_placed = [&] { trace(placement, outline); };
     if (style.is_filled)
-        add_layer(Part::fill, state.fill(), style.fill_rule, context, trace_placed);
+        add_layer(Part::fill, walk, trace_placed);
     if (!style.is_stroked)
         return;
-    outline.stroke_with(pen_for(
-        style, state.width(), is_flat ? context.space.plane.growth() : projection.growth_at(first_point())));
-    add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context, trace_placed);
+    outline.stroke_with(pen_for(style, walk.state().width(),
+                                is_flat ? space.plane.growth() : projection.growth_at(first_point())));
+    add_layer(Part::stroke, walk, trace_placed);
 }
 
 /// trace(pen) adds the contours of the fill if there is no pen.
-void Tracer::add_rigid_layers(const ObjectStyle& style, const ItemState& state,
-                              const RigidPlacement& placement, const Context& context,
+void Tracer::add_rigid_layers(SceneWalk& walk, const RigidPlacement& placement,
                               FunctionRef<void(const Pen*)> trace)
 {
+    const ObjectStyle& style = walk.node().style;
     if (style.is_filled)
-        add_layer(Part::fill, state.fill(), style.fill_rule, context, [&] { trace(nullptr); });
+        add_layer(Part::fill, walk, [&] { trace(nullptr); });
     if (!style.is_stroked)
         return;
-    const Pen pen = pen_for(style, state.width(), placement.scale);
-    add_layer(Part::stroke, state.stroke(), FillRule::nonzero, context, [&] { trace(&pen); });
+    const Pen pen = pen_for(style, walk.state().width(), placement.scale);
+    add_layer(Part::stroke, walk, [&] { trace(&pen); });
 }
 
 /// Contours that trace(upright placement, outline) adds.
@@ -262,17 +234,15 @@ void Tracer::trace_upright(const RigidPlacement& placement, const Pen* pen, Trac
     trace(placement.upright(), outline);
 }
 
-raster::PaintStep& Tracer::add_step(raster::PaintStep::Kind kind, const Context& context)
+/// trace() adds its outlines if they are not kept.
+void Tracer::add_layer(Part part, const SceneWalk& walk, FunctionRef<void()> trace)
 {
-    return picture_.add_step({.kind = kind, .item = context.path});
-}
-
-void Tracer::add_layer(Part part, Colour colour, FillRule rule, const Context& context,
-                       FunctionRef<void()> trace)
-{
-    colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, context.opacity));
-    const raster::PaintStep step{.rule = rule, .colour = colour, .item = context.path};
-    picture_.add_layer(step, static_cast<std::uint8_t>(part), context.still, trace);
+    const ItemState state = walk.state();
+    Colour colour = part == Part::fill ? state.fill() : state.stroke();
+    colour.opacity = static_cast<std::uint8_t>(product_of_opacities(colour.opacity, walk.leaf_opacity()));
+    const FillRule rule = part == Part::fill ? walk.node().style.fill_rule : FillRule::nonzero;
+    picture_.add_layer({.rule = rule, .colour = colour, .item = walk.path()}, static_cast<std::uint8_t>(part),
+                       walk.leaf_dependence(), trace);
 }
 
 }

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "core/evaluator/scene_walk.hpp"
 #include "core/function_ref.hpp"
 #include "core/item_state.hpp"
-#include "core/key_interval.hpp"
-#include "core/moment.hpp"
 #include "core/object_outline.hpp"
 #include "core/object_strokes.hpp"
 #include "core/raster/picture.hpp"
@@ -17,27 +16,18 @@
 
 namespace kfast {
 
-/// Evaluates a scene at a moment: the outlines of all that is to be seen, in the order of painting.
+/// The outlines of all that is to be seen of a scene at the moment to which it was moved, in the order of
+/// painting.
 class Tracer {
 public:
-    Tracer(const SceneOnPanel& scene, const Moment& moment, raster::Picture& picture)
-        : on_panel_{scene}, moment_{moment}, picture_{picture}
-    {
-    }
+    /// The bones of the scene have been posed.
+    Tracer(const SceneOnPanel& scene, raster::Picture& picture) : on_panel_{scene}, picture_{picture} {}
 
-    /// Reuses the layers whose outlines have not changed since the last picture; `moved` has a bit for each
-    /// input that has. Curves are coarser if the picture finds no room otherwise.
-    void run(std::uint32_t moved);
+    /// Reuses the layers whose outlines have not changed since the last picture. Curves are coarser if the
+    /// picture finds no room otherwise.
+    void run();
 
 private:
-    /// Where an item lies and what holds for it from outside.
-    struct Context {
-        Space space;
-        Still still = {};            ///< of all that holds for it
-        std::uint32_t path = 0;      ///< tells the item apart
-        std::uint32_t opacity = 255; ///< of items around a single layer
-    };
-
     /// Adds strokes, placed by a map, to an outline.
     using TraceStrokes = FunctionRef<void(const Affine&, ObjectOutline&)>;
 
@@ -47,34 +37,23 @@ private:
     static constexpr std::uint8_t coarsest = 8;
 
     void trace_scene();
-    Context holding(const Context& outer, const Still& still);
-    void trace(ItemCursor items, const Context& context);
-    void trace(const ItemView& item, const Context& context);
-    void trace(const ItemView& item, const ItemState& state, const Context& context);
-    void trace_live(const ItemView& item, const ItemState& state, const Context& context);
-    void trace_drawing(const LiveDrawing& drawing, const ObjectStyle& style, const ItemState& state,
-                       const Context& context);
-    void trace_label(const ItemView& item, const ItemState& state, const Context& context);
-    std::optional<RigidPlacement> rigid_placement(const Affine& carrier, const Context& context) const;
+    void trace_leaf(SceneWalk& walk);
+    void trace_object(SceneWalk& walk);
+    void trace_live(SceneWalk& walk);
+    void trace_label(SceneWalk& walk);
+    std::optional<RigidPlacement> rigid_placement(const Affine& carrier, const Space& space) const;
     void trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const RigidPlacement& placement,
                      bool moves);
-    bool moves(const Still& still) const;
-    void trace_object(const ObjectView& object, const ItemState& state, const Context& context);
-    [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style,
-                                                  const ItemState& state, const Context& context);
-    raster::PaintStep& add_step(raster::PaintStep::Kind kind, const Context& context);
-    void add_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
-                    FunctionRef<Point()> first_point, TraceStrokes trace);
-    void add_live_layers(const ObjectStyle& style, const ItemState& state, const Context& context,
-                         FunctionRef<Point()> first_point, TraceStrokes trace);
-    void add_rigid_layers(const ObjectStyle& style, const ItemState& state, const RigidPlacement& placement,
-                          const Context& context, FunctionRef<void(const Pen*)> trace);
+    [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, SceneWalk& walk);
+    bool reuse_layers(const SceneWalk& walk);
+    void add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
+    void add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
+    void add_rigid_layers(SceneWalk& walk, const RigidPlacement& placement,
+                          FunctionRef<void(const Pen*)> trace);
     void trace_upright(const RigidPlacement& placement, const Pen* pen, TraceStrokes trace);
-    [[gnu::noinline]] void add_layer(Part part, Colour colour, FillRule rule, const Context& context,
-                                     FunctionRef<void()> trace);
+    [[gnu::noinline]] void add_layer(Part part, const SceneWalk& walk, FunctionRef<void()> trace);
 
     const SceneOnPanel& on_panel_;
-    Moment moment_;
     raster::Picture& picture_;
 };
 

@@ -32,6 +32,7 @@ public:
     TrackKey next() { return at(beats_.next()); }
     /// What has not been read.
     const BeatCursor& beats() const { return beats_; }
+    const PackedValues& values() const { return values_; }
     TrackKey at(const Beat& beat) const;
 
 private:

@@ -9,9 +9,10 @@ namespace kfast {
 enum class Work : std::uint8_t {
     // From the time to outlines.
     picture,         ///< begun from scratch
+    timeline,        ///< moved to a moment
+    key,             ///< to which one of them has come
     item,            ///< looked at
     track,           ///< evaluated
-    key,             ///< read in search of a moment
     placement,       ///< made from the values of tracks
     law,             ///< applied
     bezier_law,      ///< likewise, one that has to be solved

@@ -80,7 +80,8 @@ BeamPlayer::BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::
     BlockCutter cutter{block};
     lines_ = BeamLines{cutter.cut(plan.lines)};
     leg_storage_ = cutter.cut_as<BeamLeg>(plan.legs);
-    trace({});
+    move_to({});
+    trace();
 }
 
 void BeamPlayer::show(Time time) { show_moment(wrap(time, scene().length(), scene().loop())); }
@@ -88,16 +89,17 @@ void BeamPlayer::show(Time time) { show_moment(wrap(time, scene().length(), scen
 void BeamPlayer::show_moment(Time moment)
 {
     moment = std::clamp(moment, Time{}, scene().length());
-    if (!still_.holds(moment, take_moved()))
-        trace(moment);
+    if (dependence_.is_touched_by(move_to(moment)))
+        trace();
 }
 
-void BeamPlayer::trace(Time time)
+/// The moment to which it was moved.
+void BeamPlayer::trace()
 {
-    const Moment moment = pose(time);
-    BeamTracer tracer{on_panel(), moment, profile_.resolution, lines_};
+    pose_bones();
+    BeamTracer tracer{on_panel(), profile_.resolution, lines_};
     tracer.run();
-    still_ = tracer.still();
+    dependence_ = tracer.dependence();
     wider_hatchings_ = tracer.wider_hatchings();
     const std::span<BeamLeg> legs = leg_storage_.first(lines_.size());
     compared_ = find_route(lines_, profile_.park, legs);

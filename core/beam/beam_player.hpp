@@ -8,7 +8,6 @@
 #include "core/live_scene.hpp"
 #include "core/result.hpp"
 #include "core/scene_view.hpp"
-#include "core/still.hpp"
 #include "core/time.hpp"
 
 #include <cstddef>
@@ -61,7 +60,7 @@ private:
     BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
                std::span<std::byte> block);
 
-    void trace(Time time);
+    void trace();
     void measure();
 
     BeamProfile profile_;
@@ -73,7 +72,7 @@ private:
     BeamReport report_;
     std::uint32_t compared_ = 0;
     std::uint32_t wider_hatchings_ = 0;
-    Still still_;
+    Dependence dependence_; ///< of the picture
 };
 
 }

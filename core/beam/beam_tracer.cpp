@@ -3,11 +3,9 @@
 #include "core/beam/beam_pen.hpp"
 #include "core/beam/hatching.hpp"
 #include "core/channel.hpp"
-#include "core/item_path.hpp"
 #include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
 #include "core/opacity.hpp"
-#include "core/paint_order.hpp"
 #include "core/projection.hpp"
 
 namespace kfast {
@@ -38,65 +36,48 @@ void BeamTracer::run()
 void BeamTracer::trace_scene()
 {
     lines_.clear();
-    still_ = {};
     wider_hatchings_ = 0;
-    trace(on_panel_.scene.items(), {on_panel_.canvas});
+    SceneWalk walk{on_panel_, SceneWalk::Opacity::of_leaves};
+    while (walk.next() == SceneWalk::Step::leaf)
+        trace_leaf(walk);
+    dependence_ = walk.whole();
 }
 
-/// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
-void BeamTracer::trace(ItemCursor items, const Context& context)
+void BeamTracer::trace_leaf(SceneWalk& walk)
 {
-    PaintOrder order{items, moment_};
-    while (const auto item = order.next())
-        trace(*item, context);
-}
-
-void BeamTracer::trace(const ItemView& item, const Context& outer)
-{
-    const ItemState state{on_panel_.scene, item, moment_};
-    still_ = still_ & state.still();
-    Context context = outer;
-    context.path = path_to(item, outer.path, on_panel_.scene);
-    context.opacity = product_of_opacities(outer.opacity, state.opacity());
-    if (context.opacity == 0)
-        return;
-    if (!item.tracks.at_end())
-        context.space = outer.space * state.placement();
+    const ItemView item = item_view(on_panel_.scene, walk.node());
     if (item.kind == ItemKind::object)
-        trace_object(item, state, context);
-    else if (item.kind == ItemKind::live)
-        trace_live(item, state, context);
+        trace_object(walk, item.beam);
     else
-        trace(on_panel_.scene.items_in(item), context);
+        trace_live(walk, item);
 }
 
-void BeamTracer::trace_object(const ItemView& item, const ItemState& state, const Context& context)
+void BeamTracer::trace_object(SceneWalk& walk, const BeamStyle& beam)
 {
-    const ObjectStrokes strokes{on_panel_, item.object, moment_};
-    still_ = still_ & strokes.still();
-    if (item.object.has_depths)
-        return trace_wires(item, strokes, state, context);
-    add_lines(item, state, context,
-              [&](const Affine& placement, auto& pen) { strokes.trace(placement, pen); });
+    const ObjectStrokes strokes{on_panel_, walk.node()};
+    if (walk.node().has_depths) {
+        if (beam.has_outline())
+            trace_wires(walk, strokes);
+        return;
+    }
+    add_lines(walk, beam, [&](const Affine& placement, auto& pen) { strokes.trace(placement, pen); });
 }
 
 /// Points come as they are seen.
-void BeamTracer::trace_wires(const ItemView& item, const ObjectStrokes& strokes, const ItemState& state,
-                             const Context& context)
+void BeamTracer::trace_wires(SceneWalk& walk, const ObjectStrokes& strokes)
 {
-    const Colour colour = shining(state.stroke(), context.opacity);
-    if (!item.beam.has_outline() || brightness(colour) == 0)
+    const Colour colour = shining(walk.state().stroke(), walk.leaf_opacity());
+    if (brightness(colour) == 0)
         return;
-    const Projection projection{context.space, on_panel_.camera};
-    BeamPen pen{lines_, Sight{nullptr, coarseness_}, resolution_, BeamInk::stroke, colour, context.path};
+    const Projection projection{walk.space(), on_panel_.camera};
+    BeamPen pen{lines_, Sight{nullptr, coarseness_}, resolution_, BeamInk::stroke, colour, walk.path()};
     strokes.trace(projection, pen);
 }
 
-void BeamTracer::trace_live(const ItemView& item, const ItemState& state, const Context& context)
+void BeamTracer::trace_live(SceneWalk& walk, const ItemView& item)
 {
-    still_ = still_ & Still{.inputs = bit_of_input(item.live.input)};
     const SceneView& scene = on_panel_.scene;
-    add_lines(item, state, context, [&](const Affine& placement, auto& pen) {
+    add_lines(walk, item.beam, [&](const Affine& placement, auto& pen) {
         switch (item.live.kind) {
         case LiveKind::drawing:
             return trace_live_strokes(on_panel_.drawings.of(scene, item.live.input), placement, pen);
@@ -110,29 +91,29 @@ void BeamTracer::trace_live(const ItemView& item, const ItemState& state, const 
 
 /// trace(placement, pen) tells the strokes to a pen.
 template <class Trace>
-void BeamTracer::add_lines(const ItemView& item, const ItemState& state, const Context& context, Trace trace)
+void BeamTracer::add_lines(SceneWalk& walk, const BeamStyle& beam, Trace trace)
 {
-    if (item.beam.has_hatching())
-        add_hatching(item, state.fill(), context, trace);
-    if (!item.beam.has_outline())
+    if (beam.has_hatching())
+        add_hatching(walk, beam, trace);
+    if (!beam.has_outline())
         return;
-    const bool is_stroked = item.object.style.is_stroked;
-    draw(is_stroked ? BeamInk::stroke : BeamInk::outline, is_stroked ? state.stroke() : state.fill(), context,
-         trace);
+    const bool is_stroked = walk.node().style.is_stroked;
+    draw(is_stroked ? BeamInk::stroke : BeamInk::outline,
+         is_stroked ? walk.state().stroke() : walk.state().fill(), walk, trace);
 }
 
 template <class Trace>
-void BeamTracer::add_hatching(const ItemView& item, Colour colour, const Context& context, Trace trace)
+void BeamTracer::add_hatching(SceneWalk& walk, const BeamStyle& beam, Trace trace)
 {
     constexpr int widest = 16;
     for (int wider = coarseness_; wider <= widest; ++wider) {
-        Hatching hatching{lines_.spare(), item.beam, wider, coarseness_};
+        Hatching hatching{lines_.spare(), beam, wider, coarseness_};
         trace(Affine{}, hatching);
         if (hatching.is_full())
             continue;
         wider_hatchings_ += wider > 0 ? 1 : 0;
-        return draw(BeamInk::stroke, colour, context, [&](const Affine& placement, BeamPen& pen) {
-            hatching.trace(item.object.style.fill_rule, placement, pen);
+        return draw(BeamInk::stroke, walk.state().fill(), walk, [&](const Affine& placement, BeamPen& pen) {
+            hatching.trace(walk.node().style.fill_rule, placement, pen);
         });
     }
     ++wider_hatchings_;
@@ -140,16 +121,17 @@ void BeamTracer::add_hatching(const ItemView& item, Colour colour, const Context
 
 /// draw_with(placement, pen) draws something, in its own space, with a pen.
 template <class DrawWith>
-void BeamTracer::draw(BeamInk ink, Colour colour, const Context& context, DrawWith draw_with)
+void BeamTracer::draw(BeamInk ink, Colour colour, SceneWalk& walk, DrawWith draw_with)
 {
-    const Colour seen = shining(colour, context.opacity);
+    const Colour seen = shining(colour, walk.leaf_opacity());
     if (brightness(seen) == 0)
         return;
-    const bool is_flat = context.space.is_flat();
-    const Projection projection{context.space, on_panel_.camera};
+    const Space& space = walk.space();
+    const bool is_flat = space.is_flat();
+    const Projection projection{space, on_panel_.camera};
     const Sight sight{is_flat ? nullptr : &projection, coarseness_};
-    BeamPen pen{lines_, sight, resolution_, ink, seen, context.path};
-    draw_with(is_flat ? context.space.plane : Affine{}, pen);
+    BeamPen pen{lines_, sight, resolution_, ink, seen, walk.path()};
+    draw_with(is_flat ? space.plane : Affine{}, pen);
 }
 
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/dependence.hpp"
 #include "core/raster/fingerprint.hpp"
-#include "core/still.hpp"
 
 #include <cstdint>
 
@@ -23,7 +23,7 @@ struct LayerName {
 struct LayerOutlines {
     static constexpr std::uint16_t no_step = 0xFFFF;
 
-    Still still; ///< the layer has these outlines as long as this holds
+    Dependence dependence; ///< the layer has these outlines as long as nothing of this moves
     Fingerprint fingerprint;
     std::uint32_t item = 0;       ///< of its name
     std::uint32_t bytes = 0;      ///< of its chains
@@ -42,6 +42,6 @@ struct LayerOutlines {
     }
 };
 
-static_assert(sizeof(LayerOutlines) == 40);
+static_assert(sizeof(LayerOutlines) == 36);
 
 }

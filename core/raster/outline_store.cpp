@@ -101,10 +101,10 @@ void OutlineStore::begin_layer(LayerName name, std::uint16_t step)
     end_chains_at(reinterpret_cast<std::byte*>(layer_));
 }
 
-const LayerOutlines* OutlineStore::end_layer(const Still& still)
+const LayerOutlines* OutlineStore::end_layer(const Dependence& dependence)
 {
     if (layer_ != nullptr)
-        layer_->still = still;
+        layer_->dependence = dependence;
     return layer_;
 }
 

@@ -30,17 +30,19 @@ public:
 
     /// Forgets all outlines.
     void clear();
-    /// Keeps those that hold at a moment where the inputs `moved`, a bit for each, have moved since the last
-    /// picture. None of them is in the coming one unless it is reused.
-    void keep(Time moment, std::uint32_t moved);
+    /// Keeps those that do not depend on what has moved since the last picture. None of them is in the coming
+    /// one unless it is reused.
+    void keep(const Dependence& moved);
     /// Takes a layer into the picture, painted by a step. Null if it is not kept, or not found: layers are
     /// looked for in the order in which they were traced. Whether the picture is full does not depend on what
     /// was kept.
     const LayerOutlines* reuse(LayerName name, std::uint16_t step);
+    /// Whether it would be found.
+    bool keeps(LayerName name) const { return kept_layer(name) != nullptr; }
     /// All contours belong to a layer: they come between these two.
     void begin_layer(LayerName name, std::uint16_t step);
-    /// `still`: how long they stay as they are. Null if something found no room.
-    const LayerOutlines* end_layer(const Still& still);
+    /// `dependence`: what moves them. Null if something found no room.
+    const LayerOutlines* end_layer(const Dependence& dependence);
 
     /// A contour comes from both of its ends at once: its corners in order are those that were added, then
     /// those that were added behind, the last of these first. So both sides of a line can be drawn as it is
@@ -129,6 +131,7 @@ private:
     static LayerOutlines& layer_below(std::byte* end) { return *(reinterpret_cast<LayerOutlines*>(end) - 1); }
     /// With its chains.
     static std::size_t bytes_of(const LayerOutlines& layer) { return sizeof(LayerOutlines) + layer.bytes; }
+    LayerOutlines* kept_layer(LayerName name) const;
     void begin_picture();
     void begin_contour();
     bool find_room(std::size_t bytes);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/dependence.hpp"
 #include "core/picture_cache.hpp"
 #include "core/raster/outline_store.hpp"
 #include "core/raster/paint_step.hpp"
-#include "core/still.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Picture {
     PictureCache cache;           ///< of contours before they are placed, and of key drawings made equal
     std::span<PaintStep> storage; ///< of the steps
     std::size_t step_count = 0;
-    Still still;                 ///< of the whole scene, around the moment
+    Dependence dependence;       ///< on what it depends: the same as long as nothing of that moves
     std::uint8_t coarseness = 0; ///< how often the pieces of curves were made twice as long to find room
 
     /// There is room for all steps that a scene needs. If two items had the same path and one were taken for
@@ -30,9 +30,10 @@ struct Picture {
     }
 
     /// Adds a layer, which is named by its step and `part`: with the outlines that are kept for it, or with
-    /// those that trace() adds to `outlines`, which stay as they are as long as `layer_still` holds.
+    /// those that trace() adds to `outlines`, which depend on `layer_dependence`.
     template <class Trace>
-    void add_layer(const PaintStep& step, std::uint8_t part, const Still& layer_still, Trace trace)
+    void add_layer(const PaintStep& step, std::uint8_t part, const Dependence& layer_dependence,
+                   Trace trace)
     {
         PaintStep& added = add_step(step);
         const auto number = static_cast<std::uint16_t>(step_count - 1);
@@ -41,7 +42,7 @@ struct Picture {
         if (layer == nullptr) {
             outlines.begin_layer(name, number);
             trace();
-            layer = outlines.end_layer(layer_still);
+            layer = outlines.end_layer(layer_dependence);
         }
         if (layer == nullptr)
             return; // it found no room

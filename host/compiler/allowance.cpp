@@ -122,6 +122,28 @@ std::uint64_t paint_steps_of(const scene::Scene& scene, const scene::Item& item)
            (may_be_transparent(item) && has_several_layers(scene, item) ? 2 : 0);
 }
 
+/// Tracks of which a player has a record (core/evaluator/node.hpp), or one more.
+std::uint64_t tracks_of(const scene::Item& item)
+{
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    if (object == nullptr || object->live)
+        return item.tracks.size();
+    const bool may_have_arrivals = object->keys.size() > 1;
+    const bool is_carried = object->skin || !object->backbone_keys.empty();
+    return item.tracks.size() + 1 + (may_have_arrivals ? 1 : 0) + (is_carried || object->has_depths ? 1 : 0);
+}
+
+/// Likewise of all bones.
+std::uint64_t tracks_of_bones(const scene::Scene& scene)
+{
+    std::uint64_t tracks = 0;
+    for (const scene::Bones& skeleton : scene.bones)
+        for (const scene::Bone& bone : skeleton.bones)
+            tracks += static_cast<std::uint64_t>(
+                std::ranges::count_if(bone.keys, [](const auto& keys) { return !keys.empty(); }));
+    return tracks;
+}
+
 std::string name_of(const scene::Item& item, const scene::Scene& scene)
 {
     if (const auto* use = std::get_if<scene::Use>(&item.content))
@@ -159,6 +181,12 @@ void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, 
           scene, diagnostics);
     check({"items", "use symbols less often, or such that have fewer items", kfb::max_items,
            needs_with_uses(scene, one)},
+          scene, diagnostics);
+    check({"items as they are written", "draw several shapes as one object, or use symbols",
+           kfb::max_nodes - 1 - scene.symbols.size(), stored_needs(scene, one)},
+          scene, diagnostics);
+    check({"tracks", "move groups instead of the objects in them", kfb::max_tracks - tracks_of_bones(scene),
+           stored_needs(scene, tracks_of)},
           scene, diagnostics);
     check({"steps of painting", "use symbols less often, or fill or stroke alone, or fade fewer groups",
            kfb::max_paint_steps, needs_with_uses(scene, steps_of)},

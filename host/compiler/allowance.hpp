@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// Checks what the format limits of a whole scene: items, and points in all keys together. Too much of any is
+/// Checks what the format limits of a whole scene: items, tracks, and points in all keys together. Too much of any is
 /// an error at the item with the largest share.
 void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, Diagnostics& diagnostics);
 

@@ -1,6 +1,7 @@
 #include "host/compiler/live_outlines.hpp"
 
 #include "core/affine.hpp"
+#include "core/evaluator/scene_walk.hpp"
 
 #include <algorithm>
 
@@ -71,62 +72,35 @@ std::int32_t max_growth(const Space& space, const Camera& camera)
     return most;
 }
 
-/// Walks through what is seen, as the tracer does.
-class LiveItems {
-public:
-    LiveItems(const SceneOnPanel& on_panel, const Moment& moment) : on_panel_{on_panel}, moment_{moment} {}
-
-    std::size_t bytes() const { return bytes_; }
-
-    void add(ItemCursor items, const Space& outer)
-    {
-        while (!items.at_end())
-            add(items.next(), outer);
-    }
-
-private:
-    void add(const ItemView& item, const Space& outer)
-    {
-        if (item.kind == ItemKind::object)
-            return;
-        const ItemState state{on_panel_.scene, item, moment_};
-        if (state.opacity() == 0)
-            return;
-        const Space space = item.tracks.at_end() ? outer : outer * state.placement();
-        if (item.kind == ItemKind::live && item.live.kind == LiveKind::drawing)
-            add_live(item, state, space);
-        else if (!item.is_leaf())
-            add(on_panel_.scene.items_in(item), space);
-    }
-
-    void add_live(const ItemView& item, const ItemState& state, const Space& space)
-    {
-        const DrawingInput limits = on_panel_.scene.input(item.live.input).drawing;
-        const ObjectStyle& style = item.object.style;
-        const auto rows = static_cast<std::size_t>(on_panel_.scene.canvas().height);
-        if (style.is_filled)
-            bytes_ += likely(max_filled_bytes(limits.strokes, limits.points, rows));
-        if (style.is_stroked)
-            bytes_ += likely(
-                max_drawn_bytes(limits,
-                                {.half_width = half_width(state.width(), max_growth(space, on_panel_.camera)),
-                                 .cap = style.cap,
-                                 .join = style.join},
-                                rows));
-    }
-
-    const SceneOnPanel& on_panel_;
-    const Moment& moment_;
-    std::size_t bytes_ = 0;
-};
+/// Of a drawing that is told.
+std::size_t bytes_of(const SceneOnPanel& on_panel, SceneWalk& walk)
+{
+    const DrawingInput limits = on_panel.scene.input(walk.node().of).drawing;
+    const ObjectStyle& style = walk.node().style;
+    const auto rows = static_cast<std::size_t>(on_panel.scene.canvas().height);
+    std::size_t bytes = 0;
+    if (style.is_filled)
+        bytes += likely(max_filled_bytes(limits.strokes, limits.points, rows));
+    if (style.is_stroked)
+        bytes += likely(max_drawn_bytes(
+            limits,
+            {.half_width = half_width(walk.state().width(), max_growth(walk.space(), on_panel.camera)),
+             .cap = style.cap,
+             .join = style.join},
+            rows));
+    return bytes;
+}
 
 }
 
-std::size_t live_outline_bytes(const SceneOnPanel& on_panel, const Moment& moment)
+std::size_t live_outline_bytes(const SceneOnPanel& on_panel)
 {
-    LiveItems items{on_panel, moment};
-    items.add(on_panel.scene.items(), on_panel.canvas);
-    return items.bytes();
+    std::size_t bytes = 0;
+    SceneWalk walk{on_panel, SceneWalk::Opacity::of_leaves};
+    while (walk.next() == SceneWalk::Step::leaf)
+        if (walk.node().kind == ItemKind::live && walk.node().live == LiveKind::drawing)
+            bytes += bytes_of(on_panel, walk);
+    return bytes;
 }
 
 }

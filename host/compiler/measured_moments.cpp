@@ -1,6 +1,6 @@
 #include "host/compiler/measured_moments.hpp"
 
-#include "core/still.hpp"
+#include "core/clock.hpp"
 #include "host/every_item.hpp"
 
 #include <algorithm>

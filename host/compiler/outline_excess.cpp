@@ -74,7 +74,7 @@ private:
 
     const scene::Item* found_in(const scene::Item& item, const ItemView& view, std::uint32_t outer)
     {
-        const std::uint32_t path = path_to(view, outer, view_);
+        const std::uint32_t path = path_to(view_.place_of(view.place), outer);
         if (const auto* group = std::get_if<scene::Group>(&item.content))
             return found_among(group->items, ItemCursor{view.items}, path);
         if (const auto* use = std::get_if<scene::Use>(&item.content))

@@ -18,10 +18,12 @@ Size panel_for(Size canvas) { return {canvas.width, std::min(3 * canvas.height, 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     : outlines_(bytes / 4), cache_(kfb::max_cache_bytes / 4),
       heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)), steps_(scene.paint_steps()),
-      bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()), inputs_(scene.input_count()),
+      prepared_(PreparedScene::bytes_for(scene) / 4), bones_(scene.bone_count()),
+      backbone_nodes_(scene.backbone_nodes()),
       drawings_(LiveDrawings::bytes_for(scene) / 4),
       texts_(LiveTexts::bytes_for(scene)), on_panel_{on_panel(scene, panel_for(scene.canvas()), Fit::none)}
 {
+    on_panel_.prepared = PreparedScene{scene, std::as_writable_bytes(std::span{prepared_})};
     on_panel_.bones = bones_;
     on_panel_.backbone_nodes = backbone_nodes_;
     on_panel_.drawings = {scene, std::as_writable_bytes(std::span{drawings_})};
@@ -30,12 +32,13 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
                                              panel_for(scene.canvas()), band_bits};
     picture_.cache = PictureCache{std::as_writable_bytes(std::span{cache_})};
     picture_.storage = steps_;
-    set_up_bones(scene, bones_);
+    set_up_bones(scene, on_panel_.prepared, bones_);
     std::uint32_t input = 0;
     for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++input)
         if (inputs.next().type == InputType::drawing)
             on_panel_.drawings.of(scene, input).show(); // the next one, which is empty
-    trace(Time{}, 0);
+    on_panel_.prepared.move_to(scene, {}, 0);
+    trace();
 }
 
 void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
@@ -46,33 +49,24 @@ void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
 
 const raster::Picture& OutlineMeter::picture_at(const Moment& moment)
 {
-    const std::uint32_t moved = take_inputs(moment) | std::exchange(told_, 0);
-    if (!picture_.still.holds(moment.time(), moved))
-        trace(moment, moved);
+    on_panel_.prepared.move_to(on_panel_.scene, moment, std::exchange(told_, 0));
+    if (picture_.dependence.is_touched_by(on_panel_.prepared.moved()))
+        trace();
     return picture_;
 }
 
-std::size_t OutlineMeter::live_bytes_at(const Moment& moment) const
+std::size_t OutlineMeter::live_bytes_at(const Moment& moment)
 {
-    return drawings_.empty() ? 0 : live_outline_bytes(on_panel_, moment);
+    if (drawings_.empty())
+        return 0;
+    on_panel_.prepared.move_to(on_panel_.scene, moment, 0);
+    return live_outline_bytes(on_panel_);
 }
 
-/// A bit for each input that stands elsewhere than in the picture before.
-std::uint32_t OutlineMeter::take_inputs(const Moment& moment)
+void OutlineMeter::trace()
 {
-    std::uint32_t moved = 0;
-    for (std::uint32_t input = 0; input < inputs_.size(); ++input) {
-        const Time place = moment.at({static_cast<std::uint8_t>(input + 1)});
-        if (std::exchange(inputs_[input], place) != place)
-            moved |= bit_of_input(input);
-    }
-    return moved;
-}
-
-void OutlineMeter::trace(const Moment& moment, std::uint32_t moved)
-{
-    pose_bones(on_panel_.scene, moment, bones_);
-    Tracer{on_panel_, moment, picture_}.run(moved);
+    pose_bones(on_panel_.scene, on_panel_.prepared, bones_);
+    Tracer{on_panel_, picture_}.run();
 }
 
 }

@@ -27,19 +27,18 @@ public:
     /// With nothing in the drawings that are told from outside. Valid until the next call.
     const raster::Picture& picture_at(const Moment& moment);
     /// What these add at most, whatever is told.
-    std::size_t live_bytes_at(const Moment& moment) const;
+    std::size_t live_bytes_at(const Moment& moment);
 
 private:
-    std::uint32_t take_inputs(const Moment& moment);
-    void trace(const Moment& moment, std::uint32_t moved);
+    void trace();
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
     std::vector<std::uint32_t> cache_;    // likewise
     std::vector<std::uint32_t> heads_;
     std::vector<raster::PaintStep> steps_;
+    std::vector<std::uint32_t> prepared_; // likewise
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
-    std::vector<Time> inputs_;            ///< of the picture; at first all at 0
     std::vector<std::uint32_t> drawings_; // words, likewise
     std::vector<std::byte> texts_;
     std::uint32_t told_ = 0; ///< a bit for each input whose text is another than in the picture

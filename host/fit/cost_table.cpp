@@ -12,9 +12,10 @@ namespace {
 // What the costs below are of.
 constexpr auto kinds = std::to_array<std::string_view>({
     "picture",
+    "timeline",
+    "key",
     "item",
     "track",
-    "key",
     "placement",
     "law",
     "bezier_law",
@@ -80,9 +81,10 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
+                300.0, // timeline
+                416.1, // key
                 4249.6, // item
                 2440.8, // track
-                416.1, // key
                 2609.0, // placement
                 143.9, // law
                 3322.0, // bezier_law
@@ -146,9 +148,10 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
+                300.0, // timeline
+                299.0, // key
                 3117.2, // item
                 1594.3, // track
-                299.0, // key
                 890.1, // placement
                 0.0, // law
                 2062.3, // bezier_law
@@ -212,9 +215,10 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
+                300.0, // timeline
+                300.5, // key
                 3121.0, // item
                 1597.1, // track
-                300.5, // key
                 887.5, // placement
                 0.0, // law
                 2068.4, // bezier_law
@@ -278,9 +282,10 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .work =
             std::to_array<double>({
                 0.0, // picture
+                300.0, // timeline
+                299.6, // key
                 3115.4, // item
                 1595.5, // track
-                299.6, // key
                 887.4, // placement
                 0.0, // law
                 2062.1, // bezier_law

@@ -14,7 +14,7 @@ void ItemLabels::add(ItemCursor items, const Outer& outer)
 {
     while (!items.at_end()) {
         const ItemView item = items.next();
-        Outer inner{path_to(item, outer.path, scene_), outer.label};
+        Outer inner{path_to(scene_.place_of(item.place), outer.path), outer.label};
         const std::string& name = items_.at(item.place).name;
         if (!name.empty())
             inner.label += (inner.label.empty() ? "" : "/") + name;

@@ -9,9 +9,10 @@ namespace kfast::fit {
 
 /// In the order of Work.
 inline constexpr std::array<std::string_view, work_kinds> work_names{"picture",
+                                                                     "timeline",
+                                                                     "key",
                                                                      "item",
                                                                      "track",
-                                                                     "key",
                                                                      "placement",
                                                                      "law",
                                                                      "bezier_law",

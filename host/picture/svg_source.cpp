@@ -13,8 +13,8 @@ SvgSource::SvgSource(const SceneView& scene, Size panel, Fit fit)
 
 std::string SvgSource::SvgPlayer::show(Time moment)
 {
-    const Moment posed = pose(std::clamp(moment, Time{}, scene().length()));
-    return SvgTracer{on_panel(), posed}.run();
+    pose(std::clamp(moment, Time{}, scene().length()));
+    return SvgTracer{on_panel()}.run();
 }
 
 }

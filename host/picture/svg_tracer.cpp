@@ -1,10 +1,7 @@
 #include "host/picture/svg_tracer.hpp"
 
-#include "core/blending.hpp"
 #include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
-#include "core/opacity.hpp"
-#include "core/paint_order.hpp"
 #include "core/projection.hpp"
 #include "host/picture/svg_colour.hpp"
 #include "host/picture/svg_number.hpp"
@@ -59,77 +56,64 @@ std::string stroke_look(const ObjectStyle& style, Colour colour, std::uint32_t o
 
 std::string SvgTracer::run()
 {
+    using Step = SceneWalk::Step;
     elements_.clear();
-    trace(on_panel_.scene.items(), {on_panel_.canvas});
+    SceneWalk walk{on_panel_, SceneWalk::Opacity::of_groups};
+    for (Step step = walk.next(); step != Step::end; step = walk.next()) {
+        if (step == Step::begin_group)
+            elements_ += "<g opacity=\"" + svg_share(walk.group_opacity()) + "\">\n";
+        else if (step == Step::end_group)
+            elements_ += "</g>\n";
+        else
+            trace_leaf(walk);
+    }
     return std::move(elements_);
 }
 
-void SvgTracer::trace(ItemCursor items, const Context& context)
+void SvgTracer::trace_leaf(SceneWalk& walk)
 {
-    PaintOrder order{items, moment_};
-    while (const auto item = order.next())
-        trace(*item, context);
+    if (walk.node().kind == ItemKind::object)
+        trace_object(walk);
+    else
+        trace_live(walk);
 }
 
-void SvgTracer::trace(const ItemView& item, const Context& outer)
+void SvgTracer::trace_object(SceneWalk& walk)
 {
-    Context context = outer;
-    const ItemState state{on_panel_.scene, item, moment_};
-    context.opacity = product_of_opacities(outer.opacity, state.opacity());
-    if (context.opacity == 0)
-        return;
-    if (!item.tracks.at_end())
-        context.space = outer.space * state.placement();
-    if (context.opacity == 255 || !has_several_layers(on_panel_.scene, item))
-        return trace(item, state, context);
-    elements_ += "<g opacity=\"" + svg_share(std::exchange(context.opacity, 255)) + "\">\n";
-    trace(item, state, context);
-    elements_ += "</g>\n";
-}
-
-void SvgTracer::trace(const ItemView& item, const ItemState& state, const Context& context)
-{
-    if (item.kind == ItemKind::object)
-        return trace_object(item.object, state, context);
-    if (item.kind == ItemKind::live)
-        return trace_live(item, state, context);
-    trace(on_panel_.scene.items_in(item), context);
-}
-
-void SvgTracer::trace_object(const ObjectView& object, const ItemState& state, const Context& context)
-{
-    const ObjectStrokes strokes{on_panel_, object, moment_};
-    if (object.has_depths)
-        return trace_wires(strokes, object.style, state, context);
-    add_paths(object.style, state, context, strokes.first_point(),
+    const ObjectStrokes strokes{on_panel_, walk.node()};
+    if (walk.node().has_depths)
+        return trace_wires(walk, strokes);
+    add_paths(walk, strokes.first_point(),
               [&](const Affine& placement, SvgPath& path) { strokes.trace(placement, path); });
 }
 
 /// Points come as they are seen.
-void SvgTracer::trace_wires(const ObjectStrokes& strokes, const ObjectStyle& style, const ItemState& state,
-                            const Context& context)
+void SvgTracer::trace_wires(SceneWalk& walk, const ObjectStrokes& strokes)
 {
-    const Projection projection{context.space, on_panel_.camera};
+    const ItemState state = walk.state();
+    const Projection projection{walk.space(), on_panel_.camera};
     SvgPath path{nullptr, SvgPath::Use::stroke};
     strokes.trace(projection, path);
     const Fixed half = half_width(state.width(), projection.growth_facing(state.pivot()));
-    add_path(path.data(), " fill=\"none\"" + stroke_look(style, state.stroke(), context.opacity, half));
+    add_path(path.data(),
+             " fill=\"none\"" + stroke_look(walk.node().style, state.stroke(), walk.leaf_opacity(), half));
 }
 
-void SvgTracer::trace_live(const ItemView& item, const ItemState& state, const Context& context)
+void SvgTracer::trace_live(SceneWalk& walk)
 {
     const SceneView& scene = on_panel_.scene;
-    switch (item.live.kind) {
+    const LiveView live = item_view(scene, walk.node()).live;
+    switch (live.kind) {
     case LiveKind::drawing: {
-        const LiveDrawing drawing = on_panel_.drawings.of(scene, item.live.input);
-        return add_paths(
-            item.object.style, state, context, start_of(drawing),
-            [&](const Affine& placement, SvgPath& path) { trace_live_strokes(drawing, placement, path); });
+        const LiveDrawing drawing = on_panel_.drawings.of(scene, live.input);
+        return add_paths(walk, start_of(drawing), [&](const Affine& placement, SvgPath& path) {
+            trace_live_strokes(drawing, placement, path);
+        });
     }
     case LiveKind::label: {
-        const LabelTrace label{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
+        const LabelTrace label{LabelView::of(live.label), on_panel_.texts.glyphs(scene, live.input),
                                scene.drawings()};
-        return add_paths(item.object.style, state, context, label.start(),
+        return add_paths(walk, label.start(),
                          [&](const Affine& placement, SvgPath& path) { label.trace(placement, path); });
     }
     }
@@ -138,23 +122,26 @@ void SvgTracer::trace_live(const ItemView& item, const ItemState& state, const C
 /// trace(placement, path) writes the strokes, of which `first` is the first point. A fill and a stroke that
 /// go the same way become one path.
 template <class Trace>
-void SvgTracer::add_paths(const ObjectStyle& style, const ItemState& state, const Context& context,
-                          Point first, Trace trace)
+void SvgTracer::add_paths(SceneWalk& walk, Point first, Trace trace)
 {
-    const bool is_flat = context.space.is_flat();
-    const Projection projection{context.space, on_panel_.camera};
+    const ObjectStyle& style = walk.node().style;
+    const ItemState state = walk.state();
+    const std::uint32_t opacity = walk.leaf_opacity();
+    const Space& space = walk.space();
+    const bool is_flat = space.is_flat();
+    const Projection projection{space, on_panel_.camera};
     const auto data = [&](SvgPath::Use use) {
         SvgPath path{is_flat ? nullptr : &projection, use};
-        trace(is_flat ? context.space.plane : Affine{}, path);
+        trace(is_flat ? space.plane : Affine{}, path);
         return path.data();
     };
     const std::string filled = style.is_filled ? data(SvgPath::Use::fill) : "";
-    const std::string fill = style.is_filled ? fill_look(style, state.fill(), context.opacity) : "";
+    const std::string fill = style.is_filled ? fill_look(style, state.fill(), opacity) : "";
     if (!style.is_stroked)
         return add_path(filled, fill);
-    const std::int32_t growth = is_flat ? context.space.plane.growth() : projection.growth_at(first);
+    const std::int32_t growth = is_flat ? space.plane.growth() : projection.growth_at(first);
     const std::string stroke =
-        stroke_look(style, state.stroke(), context.opacity, half_width(state.width(), growth));
+        stroke_look(style, state.stroke(), opacity, half_width(state.width(), growth));
     const std::string stroked = data(SvgPath::Use::stroke);
     if (style.is_filled && filled == stroked)
         return add_path(filled, fill + stroke);

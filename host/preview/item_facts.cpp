@@ -128,8 +128,8 @@ constexpr std::array always_listed{Property::x,       Property::y,        Proper
 
 class ValueList {
 public:
-    ValueList(const SceneView& scene, const ItemView& item, const Moment& moment)
-        : scene_{scene}, item_{item}, moment_{moment}, tracks_{tracks_of(item)}
+    ValueList(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
+        : on_panel_{on_panel}, scene_{on_panel.scene}, item_{item}, moment_{moment}, tracks_{tracks_of(item)}
     {
     }
 
@@ -186,7 +186,8 @@ private:
         const ObjectStyle& style = item_.object.style;
         if (!item_.is_leaf())
             return;
-        const ItemState state{scene_, item_, moment_};
+        const auto node = std::ranges::find(on_panel_.prepared.nodes(), scene_.place_of(item_.place), &Node::place);
+        const ItemState state{scene_, on_panel_.prepared, *node};
         if (style.is_filled)
             add(Property::fill, colour_text(state.fill()));
         if (!style.is_stroked)
@@ -196,6 +197,7 @@ private:
         add(Property::width, rounded_text(std::round(state.width().raw() / one * 1000) / 1000));
     }
 
+    const SceneOnPanel& on_panel_;
     const SceneView& scene_;
     const ItemView& item_;
     const Moment& moment_;
@@ -253,14 +255,15 @@ KeysAround keys_around(const Quantity& quantity, Time moment)
     return around;
 }
 
-std::vector<ItemValue> values_at(const SceneView& scene, const ItemView& item, const Moment& moment)
+std::vector<ItemValue> values_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
 {
-    return ValueList{scene, item, moment}.all();
+    return ValueList{on_panel, item, moment}.all();
 }
 
-ItemFacts facts_at(const SceneView& scene, const ItemView& item, const Moment& moment)
+ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
 {
-    ItemFacts facts{values_at(scene, item, moment), {}};
+    const SceneView& scene = on_panel.scene;
+    ItemFacts facts{values_at(on_panel, item, moment), {}};
     for (const Quantity& quantity : quantities_of(scene, item))
         if (quantity.keys.size() > 1)
             facts.ways.push_back(way_at(scene, quantity, moment));

@@ -2,6 +2,7 @@
 
 #include "core/item_view.hpp"
 #include "core/moment.hpp"
+#include "core/scene_on_panel.hpp"
 #include "core/scene_view.hpp"
 
 #include <string>
@@ -45,7 +46,8 @@ struct ItemValue {
 };
 
 /// Place, size, direction and opacity, what an object is painted with, and whatever else has a track.
-std::vector<ItemValue> values_at(const SceneView& scene, const ItemView& item, const Moment& moment);
+/// `on_panel` has been moved to the moment.
+std::vector<ItemValue> values_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment);
 
 /// An item at a moment, for somebody who looks at it.
 struct ItemFacts {
@@ -58,6 +60,7 @@ struct ItemFacts {
     std::vector<Way> ways; ///< of all quantities with more than one key
 };
 
-ItemFacts facts_at(const SceneView& scene, const ItemView& item, const Moment& moment);
+/// Likewise.
+ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment);
 
 }

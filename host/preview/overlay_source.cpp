@@ -130,7 +130,10 @@ ItemFacts OverlaySource::facts(Time moment, std::size_t item)
 {
     PosedScene& posed = parts_->posed;
     const std::optional<ItemView> view = posed.item(item);
-    return view ? facts_at(posed.scene(), *view, posed.at(moment)) : ItemFacts{};
+    if (!view)
+        return {};
+    const Moment at = posed.at(moment);
+    return facts_at(posed.on_panel(), *view, at);
 }
 
 void OverlaySource::set_input(std::uint32_t number, Time place)

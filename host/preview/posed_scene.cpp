@@ -1,11 +1,9 @@
 #include "host/preview/posed_scene.hpp"
 
-#include "core/item_path.hpp"
-#include "core/item_state.hpp"
-#include "core/opacity.hpp"
-#include "core/paint_order.hpp"
+#include "core/evaluator/scene_walk.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace kfast {
 
@@ -29,34 +27,13 @@ std::optional<ItemView> PosedScene::item(std::size_t number) const
 void PosedScene::visit(Time moment, const Visit& visit)
 {
     const Moment posed = at(moment);
-    Walk walk{posed, visit, {}};
-    this->visit(scene().items(), {on_panel().canvas}, walk);
-}
-
-void PosedScene::visit(ItemCursor items, const Outer& outer, Walk& walk)
-{
-    PaintOrder order{items, walk.moment};
-    while (const auto item = order.next()) {
-        walk.numbers.push_back(items_.at(item->place).number);
-        visit(*item, outer, walk);
-        walk.numbers.pop_back();
+    SceneWalk walk{on_panel(), SceneWalk::Opacity::of_leaves};
+    while (walk.next() == SceneWalk::Step::leaf) {
+        std::vector<std::size_t> numbers;
+        for (std::size_t level = 0; level < walk.depth(); ++level)
+            numbers.push_back(items_.at(scene().at(walk.node(level).place).rest().data()).number);
+        visit({item_view(scene(), walk.node()), walk.node(), walk.space(), posed, walk.path(), numbers});
     }
-}
-
-/// As Tracer does.
-void PosedScene::visit(const ItemView& item, const Outer& outer, Walk& walk)
-{
-    const ItemState state{scene(), item, walk.moment};
-    Outer inner{outer.space, path_to(item, outer.path, scene()),
-                product_of_opacities(outer.opacity, state.opacity())};
-    if (inner.opacity == 0)
-        return;
-    if (!item.tracks.at_end())
-        inner.space = outer.space * state.placement();
-    if (item.is_leaf())
-        walk.visit({item, inner.space, walk.moment, inner.path, walk.numbers});
-    else
-        visit(scene().items_in(item), inner, walk);
 }
 
 }

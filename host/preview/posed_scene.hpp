@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/evaluator/node.hpp"
 #include "core/item_view.hpp"
 #include "core/live_scene.hpp"
 #include "core/space.hpp"
@@ -12,13 +13,13 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace kfast {
 
 /// An object, a text or a plot as it is seen at a moment. All is valid during the visit alone.
 struct SeenLeaf {
     const ItemView& item;
+    const Node& node; ///< the same
     const Space& space; ///< from its own coordinates to the panel
     const Moment& moment;
     std::uint32_t path; ///< core/item_path.hpp
@@ -50,20 +51,6 @@ public:
     using LiveScene::on_panel;
 
 private:
-    struct Outer {
-        Space space;
-        std::uint32_t path = 0;
-        std::uint32_t opacity = 255;
-    };
-    struct Walk {
-        const Moment& moment;
-        const Visit& visit;
-        std::vector<std::size_t> numbers;
-    };
-
-    void visit(ItemCursor items, const Outer& outer, Walk& walk);
-    void visit(const ItemView& item, const Outer& outer, Walk& walk);
-
     std::map<const std::byte*, StoredItem> items_;
 };
 

@@ -60,7 +60,7 @@ std::vector<SeenBackbone> seen_backbones(const PosedScene& scene, const SeenLeaf
         return {};
     const SceneOnPanel& on_panel = scene.on_panel();
     NoOutline nothing;
-    ObjectStrokes{on_panel, object, leaf.moment}.trace(Affine{}, nothing);
+    ObjectStrokes{on_panel, leaf.node}.trace(Affine{}, nothing);
     const std::uint32_t drawing = object.backbones.keys().next().drawing;
     const Sightline see{leaf.space, on_panel.camera};
     std::vector<SeenBackbone> seen;

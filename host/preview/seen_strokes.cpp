@@ -193,7 +193,7 @@ std::vector<SeenStroke> seen_strokes(const PosedScene& scene, const SeenLeaf& le
     const SceneOnPanel& on_panel = scene.on_panel();
     if (leaf.item.kind != ItemKind::object)
         return live_strokes(on_panel, leaf);
-    return strokes_of(on_panel, leaf, ObjectStrokes{on_panel, leaf.item.object, leaf.moment});
+    return strokes_of(on_panel, leaf, ObjectStrokes{on_panel, leaf.node});
 }
 
 std::vector<SeenStroke> matched_strokes(const PosedScene& scene, const SeenLeaf& leaf)

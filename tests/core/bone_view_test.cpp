@@ -78,7 +78,7 @@ TEST_CASE("common beats have times and laws, and each quantity a value for each,
         TrackKeyCursor cursor = keys.keys();
         for (std::uint32_t index = 0; index < 3; ++index) {
             const std::int32_t value = bone.keys[static_cast<std::size_t>(quantity)].common[index];
-            CHECK(keys.value(index) == value);
+            CHECK(keys.values()[index] == value - view.at_rest(quantity));
             CHECK(cursor.next().value == value);
         }
         CHECK(cursor.at_end());

@@ -1,6 +1,7 @@
 #include "core/carried_drawing.hpp"
 
 #include "tests/core/array_drawing.hpp"
+#include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_bones.hpp"
 #include "tests/core/raw_drawing.hpp"
 #include "tests/core/raw_skin.hpp"
@@ -18,7 +19,7 @@ namespace {
 /// Four bones, each of which makes something else of a point.
 class FourBones {
 public:
-    FourBones() : bones_(4)
+    FourBones()
     {
         RawSkeleton skeleton;
         for (int number = 0; number < 4; ++number) {
@@ -32,8 +33,7 @@ public:
         raw.bones = skeleton_bytes(skeleton);
         const Bytes file = raw.file();
         const SceneView scene = *SceneView::parse(file);
-        set_up_bones(scene, bones_);
-        pose_bones(scene, {}, bones_);
+        bones_ = MovedScene{scene}.bones_at({});
     }
 
     std::span<const LiveBone> all() const { return bones_; }
@@ -196,9 +196,8 @@ TEST_CASE("what bones carry out of reach is held within 4095 px")
     raw.bones = skeleton_bytes({{}, {bone}});
     const Bytes file = raw.file();
     const SceneView scene = *SceneView::parse(file);
-    std::vector<LiveBone> bones(1);
-    set_up_bones(scene, bones);
-    pose_bones(scene, {}, bones);
+    MovedScene moved{scene};
+    const std::vector<LiveBone>& bones = moved.bones_at({});
     const Bytes bytes = packed({{polyline_of({{32767, 0}, {-32768, 16}})}});
     const Bytes skin = skin_bytes({{2, {{0}}}});
     const PackedDrawing read = drawing_at(bytes, 0);

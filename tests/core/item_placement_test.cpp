@@ -40,16 +40,16 @@ struct Values {
 
 TEST_CASE("a position moves, down with y")
 {
-    const ItemState state = state_of({fixed_track(Property::x, -24), fixed_track(Property::y, 16 * 5)});
+    const OwnedState state = state_of({fixed_track(Property::x, -24), fixed_track(Property::y, 16 * 5)});
     CHECK(state.placement().plane(pixels(3, 4)) == pixels(1.5, 9));
 }
 
 TEST_CASE("a quarter turn is clockwise, about the pivot")
 {
-    const ItemState about_origin = state_of({fixed_track(Property::rotation, 16384)});
+    const OwnedState about_origin = state_of({fixed_track(Property::rotation, 16384)});
     CHECK(about_origin.placement().plane(pixels(10, 0)) == pixels(0, 10));
     CHECK(about_origin.placement().plane(pixels(0, 10)) == pixels(-10, 0));
-    const ItemState about_pivot =
+    const OwnedState about_pivot =
         state_of({fixed_track(Property::rotation, 16384), fixed_track(Property::pivot_x, 16 * 8),
                   fixed_track(Property::pivot_y, 16 * 3)});
     CHECK(about_pivot.placement().plane(pixels(8, 3)) == pixels(8, 3));
@@ -59,7 +59,7 @@ TEST_CASE("a quarter turn is clockwise, about the pivot")
 
 TEST_CASE("scales apply before the rotation and mirror where they are negative")
 {
-    const ItemState state =
+    const OwnedState state =
         state_of({fixed_track(Property::x, 16), fixed_track(Property::rotation, 16384),
                   fixed_track(Property::scale_x, 8192), fixed_track(Property::scale_y, -4096)});
     CHECK(state.placement().plane(pixels(3, 0)) == pixels(1, 6));
@@ -81,7 +81,7 @@ TEST_CASE("any placement is within 1/1000 px, at 30 px from the pivot")
         const std::int32_t scale_y = within(-262'144, 262'144);
         const std::int32_t pivot_x = within(-16 * 500, 16 * 500);
         const std::int32_t pivot_y = within(-16 * 500, 16 * 500);
-        const ItemState state =
+        const OwnedState state =
             state_of({fixed_track(Property::x, x), fixed_track(Property::y, y),
                       fixed_track(Property::rotation, rotation), fixed_track(Property::scale_x, scale_x),
                       fixed_track(Property::scale_y, scale_y), fixed_track(Property::pivot_x, pivot_x),
@@ -103,7 +103,7 @@ TEST_CASE("the largest values and the wildest laws stay within the range of plac
             const auto swinging = [sign](Property property, std::int32_t most) {
                 return moving_track(property, {{{}, wild, sign * most}, {Time::frame(10), 0, -sign * most}});
             };
-            const ItemState state =
+            const OwnedState state =
                 state_of({swinging(Property::x, 32767), swinging(Property::y, 32767),
                           swinging(Property::rotation, 1'048'576), swinging(Property::scale_x, 262'144),
                           swinging(Property::scale_y, 262'144), swinging(Property::pivot_x, 32767),

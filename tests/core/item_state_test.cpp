@@ -12,7 +12,7 @@ namespace kfast::test {
 
 TEST_CASE("without tracks an item is as it was drawn")
 {
-    const ItemState state = state_of({});
+    const OwnedState state = state_of({});
     CHECK(state.placement().plane == Affine{});
     CHECK(state.opacity() == 255);
     CHECK(state.fill() == Colour{255, 255, 255});
@@ -30,22 +30,22 @@ TEST_CASE(
     constexpr double accelerated = 1 - std::numbers::sqrt2 / 2;
     constexpr double decelerated = std::numbers::sqrt2 / 2;
     const Time half = Time::frame(4);
-    const ItemState moved = state_of({between(Property::x, 16, 161), between(Property::y, -32, 133)}, half);
+    const OwnedState moved = state_of({between(Property::x, 16, 161), between(Property::y, -32, 133)}, half);
     CHECK(apart(shift_of(moved), {1 + 145 / 16.0 * accelerated, -2 + 165 / 16.0 * decelerated}) < 0.001);
-    const ItemState grown =
+    const OwnedState grown =
         state_of({between(Property::scale_x, 4096, -4096), between(Property::scale_y, 0, 40'960)}, half);
     CHECK(apart(grown.placement().plane(pixels(10, 10)), {10 - 20 * accelerated, 100 * decelerated}) < 0.001);
-    const ItemState turned = state_of({between(Property::rotation, 0, 131'072)}, half);
+    const OwnedState turned = state_of({between(Property::rotation, 0, 131'072)}, half);
     const double angle = 4 * std::numbers::pi * accelerated;
     CHECK(apart(turned.placement().plane(pixels(10, 0)), {10 * std::cos(angle), 10 * std::sin(angle)}) <
           0.001);
-    const ItemState swung = state_of({fixed_track(Property::scale_x, 0), fixed_track(Property::scale_y, 0),
+    const OwnedState swung = state_of({fixed_track(Property::scale_x, 0), fixed_track(Property::scale_y, 0),
                                       between(Property::pivot_x, 0, 160), between(Property::pivot_y, 0, 160)},
                                      half);
     CHECK(apart(shift_of(swung), {10 * accelerated, 10 * accelerated}) < 0.001);
-    const ItemState faded = state_of({between(Property::opacity, 255, 0)}, half);
+    const OwnedState faded = state_of({between(Property::opacity, 255, 0)}, half);
     CHECK(faded.opacity() == std::lround(255 * (1 - accelerated)));
-    const ItemState thinned = state_of({between(Property::width, 16, 161)}, half);
+    const OwnedState thinned = state_of({between(Property::width, 16, 161)}, half);
     CHECK(std::abs(thinned.width().raw() / 65536.0 - (1 + 145 / 16.0 * accelerated)) < 0.001);
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("colours tween in each channel, opacity of the colour included")
     CHECK(mixed(Property::fill, 0, 2).stroke() == Colour{255, 0, 0, 128});
 }
 
-TEST_CASE("visible and order hold until the next key, whatever the law")
+TEST_CASE("visible holds until the next key, whatever the law")
 {
     const auto visible = moving_track(
         Property::visible, {{Time::frame(2), 0, 1}, {Time::frame(4), wild, 0}, {Time::frame(6), 0, 1}});
@@ -117,25 +117,6 @@ TEST_CASE("visible and order hold until the next key, whatever the law")
     CHECK(state_of({fixed_track(Property::visible, 0)}).opacity() == 0);
     CHECK(state_of({fixed_track(Property::opacity, 77), fixed_track(Property::visible, 1)}).opacity() == 77);
     CHECK(state_of({fixed_track(Property::opacity, 77), fixed_track(Property::visible, 0)}).opacity() == 0);
-}
-
-TEST_CASE("the order is that of the key before, 0 without a track")
-{
-    const auto order_of = [](const Bytes& tracks, int count, int ticks) {
-        const Bytes item = tracked(count, tracks);
-        return order_at(ItemCursor{ByteReader{item}}.next(), Time{ticks});
-    };
-    const auto moving =
-        moving_track(Property::order,
-                     {{Time::frame(2), 0, -32768}, {Time::frame(4), wild, 32767}, {Time::frame(6), 0, 5}});
-    CHECK(order_of(moving, 1, 0) == -32768);
-    CHECK(order_of(moving, 1, 4 * 1024 - 1) == -32768);
-    CHECK(order_of(moving, 1, 4 * 1024) == 32767);
-    CHECK(order_of(moving, 1, 6 * 1024) == 5);
-    CHECK(order_of(moving, 1, 100 * 1024) == 5);
-    CHECK(order_of(fixed_track(Property::order, -3), 1, 0) == -3);
-    CHECK(order_of(fixed_track(Property::x, -3), 1, 0) == 0);
-    CHECK(order_of(joined({fixed_track(Property::x, 9), fixed_track(Property::order, 4)}), 2, 0) == 4);
 }
 
 TEST_CASE("a hold ends exactly on the next key")
@@ -165,14 +146,14 @@ TEST_CASE("a smooth track goes by the curve through its keys")
     for (int ticks = 0; ticks < 10 * 1024; ticks += 100) {
         const Time time{ticks};
         const double value = exact.at(time);
-        const ItemState state =
+        const OwnedState state =
             state_of({smooth_track(Property::x, keys), smooth_track(Property::y, keys)}, time);
         CHECK(apart(shift_of(state), {value / 16, value / 16}) < 0.005);
-        const ItemState turned = state_of({smooth_track(Property::rotation, keys)}, time);
+        const OwnedState turned = state_of({smooth_track(Property::rotation, keys)}, time);
         const double turns = value / 65536 * 2 * std::numbers::pi;
         CHECK(apart(turned.placement().plane(pixels(100, 0)),
                     {100 * std::cos(turns), 100 * std::sin(turns)}) < 0.005);
-        const ItemState thick = state_of({smooth_track(Property::width, keys)}, time);
+        const OwnedState thick = state_of({smooth_track(Property::width, keys)}, time);
         CHECK(std::abs(thick.width().raw() / 65536.0 - value / 16) < 0.005);
     }
 }

@@ -1,10 +1,11 @@
 #include "core/live_wires.hpp"
 
-#include "core/item_state.hpp"
+#include "core/evaluator/scene_walk.hpp"
 #include "core/object_strokes.hpp"
 #include "core/scene_on_panel.hpp"
 #include "tests/core/beam/beam_stage.hpp"
 #include "tests/core/exact_space.hpp"
+#include "tests/core/moved_scene.hpp"
 #include "tests/rounds.hpp"
 
 #include <algorithm>
@@ -33,18 +34,14 @@ struct Seen {
 Seen seen_in(const Bytes& bytes, Size panel, Time time)
 {
     const SceneView scene = accepted(bytes);
-    const SceneOnPanel shown = on_panel(scene, panel, Fit::contain);
-    const Moment moment{time, {}};
-    ItemView item = scene.items().next();
-    Space space = shown.canvas;
-    while (item.kind == ItemKind::group) {
-        space = space * ItemState{scene, item, moment}.placement();
-        item = scene.items_in(item).next();
-    }
-    space = space * ItemState{scene, item, moment}.placement();
-    REQUIRE(item.object.has_depths);
+    MovedScene moved{scene};
+    SceneOnPanel shown = on_panel(scene, panel, Fit::contain);
+    shown.prepared = moved.at(time);
+    SceneWalk walk{shown, SceneWalk::Opacity::of_groups};
+    REQUIRE(walk.next() == SceneWalk::Step::leaf);
+    REQUIRE(walk.node().has_depths);
     Seen seen;
-    ObjectStrokes{shown, item.object, moment}.trace(Projection{space, shown.camera}, seen);
+    ObjectStrokes{shown, walk.node()}.trace(Projection{walk.space(), shown.camera}, seen);
     return seen;
 }
 

@@ -180,7 +180,6 @@ TEST_CASE("what is told changes the outlines of its own layers alone")
 {
     Stage stage{two_plots, canvas};
     stage.picture({});
-    CHECK(stage.player.picture().still.inputs == 0b111);
     const auto told = stage.player.picture().steps();
     const std::vector<raster::PaintStep> before(told.begin(), told.end());
     CHECK(tell(stage, 0, {{{100, 100}, {300, 200}}}));

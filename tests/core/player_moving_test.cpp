@@ -133,7 +133,7 @@ TEST_CASE("a block has room for all bones, and for the nodes and gaps of one obj
             .steps = scene.paint_steps(),
             .group_depth = scene.blended_depth()};
         return Player::block_bytes(scene, scene.canvas()) -
-               raster::Renderer::block_bytes(needs, scene.canvas());
+               raster::Renderer::block_bytes(needs, scene.canvas()) - PreparedScene::bytes_for(scene);
     };
     CHECK(extra_bytes(space_scene()) == 0);
     CHECK(extra_bytes(bones_scene()) == 5 * sizeof(LiveBone));

@@ -126,7 +126,8 @@ TEST_CASE("a block has room for outlines, a record, steps, and a tile for each l
         const Bytes bytes =
             compiled("kfast 1\ncanvas 9 9\ngroup " + properties +
                      " { group opacity=0.5 { object o fill=red stroke=blue { rect 0 0 9 9 } } }");
-        return Player::block_bytes(*SceneView::parse(bytes), {20, 10});
+        const SceneView scene = *SceneView::parse(bytes);
+        return Player::block_bytes(scene, {20, 10}) - PreparedScene::bytes_for(scene);
     };
     constexpr std::size_t tile_bytes = 512;
     constexpr std::size_t steps = 2 * 2; // to begin and to end blending, of two pictures

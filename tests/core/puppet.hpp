@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/live_bones.hpp"
+#include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_bones.hpp"
 
 #include <array>
@@ -21,16 +22,12 @@ public:
     static constexpr int wild = 5;
 
     explicit Puppet(const std::vector<RawSkeleton>& skeletons)
-        : file_{scene_with(skeletons).file()}, scene_{*SceneView::parse(file_)}, bones_(scene_.bone_count())
+        : file_{scene_with(skeletons).file()}, scene_{*SceneView::parse(file_)}, moved_{scene_}
     {
-        set_up_bones(scene_, bones_);
     }
+    Puppet(const Puppet&) = delete;
 
-    const std::vector<LiveBone>& at(Time time)
-    {
-        pose_bones(scene_, time, bones_);
-        return bones_;
-    }
+    const std::vector<LiveBone>& at(Time time) { return moved_.bones_at(time); }
 
 private:
     static RawScene scene_with(const std::vector<RawSkeleton>& skeletons)
@@ -47,7 +44,7 @@ private:
 
     Bytes file_;
     SceneView scene_;
-    std::vector<LiveBone> bones_;
+    MovedScene moved_;
 };
 
 }

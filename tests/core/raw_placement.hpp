@@ -2,6 +2,7 @@
 
 #include "core/item_state.hpp"
 #include "tests/core/exact_space.hpp"
+#include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_scene.hpp"
 
 #include <cstdint>
@@ -41,7 +42,9 @@ struct RawPlacement {
         raw.items = tracked(count, tracks());
         const Bytes file = raw.file();
         const SceneView scene = *SceneView::parse(file);
-        return ItemState{scene, scene.items().next(), {}}.placement();
+        MovedScene moved{scene};
+        const PreparedScene& prepared = moved.at({});
+        return ItemState{scene, prepared, prepared.nodes()[1]}.placement();
     }
 
     ItemValues exact() const

@@ -344,10 +344,22 @@ TEST_CASE("a symbol that is not used may not be too deep by itself either")
     CHECK_FALSE(is_accepted(scene));
 }
 
+TEST_CASE("items, symbols and the scene are at most 65535 as they are stored, and so are tracks")
+{
+    CHECK(takes_items(repeated(nothing(), 65534)));
+    CHECK_FALSE(takes_items(repeated(nothing(), 65535)));
+    RawScene scene;
+    scene.add_symbol(repeated(group({}), 65532));
+    CHECK(is_accepted(scene));
+    scene.add_symbol({});
+    CHECK_FALSE(is_accepted(scene));
+    const Bytes moved = tracked(2, joined({fixed_track(Property::x, 1), fixed_track(Property::y, 1)}));
+    CHECK(takes_items(repeated(moved, 21845)));
+    CHECK_FALSE(takes_items(joined({repeated(moved, 21845), nothing()})));
+}
+
 TEST_CASE("the whole scene has at most 65535 items, each counted wherever it is painted")
 {
-    CHECK(takes_items(repeated(nothing(), 65535)));
-    CHECK_FALSE(takes_items(repeated(nothing(), 65536)));
     RawScene scene = doubled(510);
     CHECK(is_accepted(scene));
     scene.items = joined({nothing(), scene.items});

@@ -34,8 +34,8 @@ public:
     const BeamLines& lines(Time time)
     {
         lines_ = BeamLines{std::as_writable_bytes(std::span{storage_})};
-        const Moment moment = pose(time);
-        BeamTracer{on_panel(), moment, resolution, lines_}.run();
+        pose(time);
+        BeamTracer{on_panel(), resolution, lines_}.run();
         return lines_;
     }
 

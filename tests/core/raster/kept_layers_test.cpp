@@ -23,27 +23,28 @@ std::vector<raster::Corner> triangle_of(const std::vector<raster::Corner>& pixel
 
 /// Adds a layer of one contour.
 void add_layer(raster::OutlineStore& store, raster::LayerName name, std::uint16_t step,
-               const std::vector<raster::Corner>& contour, const Still& still)
+               const std::vector<raster::Corner>& contour,
+               const Dependence& dependence)
 {
     store.begin_layer(name, step);
     for (const raster::Corner corner : contour)
         store.add(corner);
     store.close();
-    REQUIRE(store.end_layer(still) != nullptr);
+    REQUIRE(store.end_layer(dependence) != nullptr);
 }
 
 const std::vector<raster::Corner> upper = triangle_of({{10, 5}, {40, 5}, {30, 20}});
 const std::vector<raster::Corner> lower = triangle_of({{20, 30}, {60, 47}, {15, 60}});
-constexpr Still still_at_0_to_9{.begin = Time{0}, .end = Time{10}, .inputs = 0b10};
+constexpr Dependence on_one_way{.keys = 0b1011, .ways = 0b10};
 
 TEST_CASE("layers that stay as they are can be kept, and taken into another picture")
 {
     OwnedOutlines outlines{panel_of_layers};
     raster::OutlineStore& store = outlines.store();
     store.clear();
-    add_layer(store, {7, 0}, 0, upper, {.begin = Time{0}, .end = Time{1}});
-    add_layer(store, {7, 1}, 1, lower, still_at_0_to_9);
-    add_layer(store, {8, 0}, 2, upper, still_at_0_to_9);
+    add_layer(store, {7, 0}, 0, upper, {.keys = 0b1, .ways = 0b1});
+    add_layer(store, {7, 1}, 1, lower, on_one_way);
+    add_layer(store, {8, 0}, 2, upper, on_one_way);
     const raster::Fingerprint fingerprint = [&] {
         OwnedOutlines other{panel_of_layers};
         other.store().clear();
@@ -52,7 +53,7 @@ TEST_CASE("layers that stay as they are can be kept, and taken into another pict
         return other.store().end_layer({})->fingerprint;
     }();
 
-    store.keep(Time{9}, 0b01);
+    store.keep({.keys = 0b100, .ways = 0b1});
     CHECK(store.keeps_layers());
     CHECK(lines_of(store).empty());
     CHECK(store.reuse({7, 0}, 0) == nullptr); // it does not hold any more
@@ -62,7 +63,7 @@ TEST_CASE("layers that stay as they are can be kept, and taken into another pict
     CHECK(kept->fingerprint == fingerprint);
     CHECK(kept->rows.begin == 30);
     CHECK(kept->rows.end == 60);
-    CHECK(kept->still == still_at_0_to_9);
+    CHECK(kept->dependence == on_one_way);
     CHECK(store.reuse({7, 1}, 6) == nullptr); // it is taken
     OwnedOutlines expected{panel_of_layers};
     expected.store().begin_layer({}, 5);
@@ -70,10 +71,10 @@ TEST_CASE("layers that stay as they are can be kept, and taken into another pict
     CHECK(lines_of(store) == lines_of(expected.store()));
     CHECK(told_of_all_bands(store, panel_of_layers) == told_of_all_bands(expected.store(), panel_of_layers));
 
-    store.keep(Time{9}, 0);
+    store.keep({});
     CHECK(store.reuse({8, 0}, 0) == nullptr); // the picture before did not have it
     CHECK(store.reuse({7, 1}, 0) != nullptr);
-    store.keep(Time{9}, 0b10);
+    store.keep({.keys = 0b1000});
     CHECK_FALSE(store.keeps_layers());
     CHECK(store.reuse({7, 1}, 0) == nullptr);
 }
@@ -87,7 +88,7 @@ TEST_CASE("nothing is kept of a picture that is not complete")
     store.begin_layer({2, 0}, 1);
     outlines.add(lower);
     CHECK(store.is_full());
-    store.keep(Time{0}, 0);
+    store.keep({});
     CHECK_FALSE(store.is_full());
     CHECK_FALSE(store.keeps_layers());
     CHECK(store.reuse({1, 0}, 0) == nullptr);

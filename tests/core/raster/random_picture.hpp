@@ -40,7 +40,7 @@ public:
                 layer.colour = colour();
             if (chance(3))
                 continue;
-            moved_ |= input_of(layer);
+            moved_ |= bit_of(layer);
             for (auto& contour : layer.contours)
                 shift(contour);
         }
@@ -54,7 +54,7 @@ public:
     {
         OutlineStore& outlines = renderer.picture().outlines;
         if (keeps)
-            outlines.keep({}, moved_);
+            outlines.keep({.keys = moved_});
         else
             outlines.clear();
         add_all(renderer.picture(), has_groups);
@@ -141,12 +141,12 @@ private:
     }
 
     /// A few layers have the same: they are traced anew once more often.
-    static std::uint32_t input_of(const RandomLayer& layer) { return bit_of_input(layer.item % 32); }
+    static std::uint32_t bit_of(const RandomLayer& layer) { return Dependence::bit(layer.item); }
 
     static void add(Picture& picture, const RandomLayer& layer)
     {
         const PaintStep step{.rule = layer.rule, .colour = layer.colour, .item = layer.item};
-        picture.add_layer(step, 0, {.inputs = input_of(layer)}, [&] {
+        picture.add_layer(step, 0, {.keys = bit_of(layer)}, [&] {
             for (const std::vector<Corner>& contour : layer.contours) {
                 for (const Corner corner : contour)
                     picture.outlines.add(corner);

@@ -51,6 +51,18 @@ TEST_CASE("too many items are an error at the use with the most")
         "the scene needs 65536 items, the format holds 65535; this use of symbol \"cloud\" alone needs 257");
 }
 
+TEST_CASE("items are counted as they are written, too, and so are their tracks")
+{
+    const auto empty_groups = [](std::size_t count) {
+        return std::vector<scene::Item>(count, item(scene::Group{}));
+    };
+    scene::Scene scene = scene_of({item(scene::Use{0})}, {{"dust", empty_groups(65'532)}});
+    CHECK(written(scene).size() > 0);
+    scene.symbols.front().items.push_back(at(5, item(scene::Group{})));
+    CHECK(refusal(scene).message == "the scene needs 65535 items as they are written, the format holds 65534; "
+                                    "this use of symbol \"dust\" alone needs 1");
+}
+
 TEST_CASE("symbols that multiply beyond all numbers are refused too")
 {
     std::vector<scene::Symbol> symbols{{"0", {item(filled({key(0, many_lines(10))}))}}};

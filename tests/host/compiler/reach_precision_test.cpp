@@ -1,5 +1,6 @@
 #include "core/live_bones.hpp"
 #include "host/compiler/compile.hpp"
+#include "tests/core/moved_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,14 +64,12 @@ TEST_CASE("the player takes the tip within 1/16 px of its target")
             compiled(round % 2 == 0 ? "left" : "right", target_text(0, from) + target_text(30, to));
         const auto scene = SceneView::parse(bytes);
         REQUIRE(scene);
-        std::vector<LiveBone> bones(scene->bone_count());
-        set_up_bones(*scene, bones);
+        MovedScene moved{*scene};
         double worst = 0;
         for (int sample = 0; sample < 300; ++sample) {
             const Time time{static_cast<std::int32_t>(random() % (30 * 1024))};
-            pose_bones(*scene, time, bones);
             const double share = time.ticks / (30.0 * 1024);
-            const Point tip = bones.back().frame().origin;
+            const Point tip = moved.bones_at(time).back().frame().origin;
             worst = std::max(worst, std::hypot(pixels(tip.x) - std::lerp(from.x, to.x, share),
                                                pixels(tip.y) - std::lerp(from.y, to.y, share)));
         }

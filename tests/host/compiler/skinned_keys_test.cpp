@@ -1,6 +1,7 @@
 #include "core/carried_drawing.hpp"
 #include "core/key_interval.hpp"
 #include "host/scene/bone_frames.hpp"
+#include "tests/core/moved_scene.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/host/compiler/posed_drawing.hpp"
 #include "tests/host/compiler/random_scene.hpp"
@@ -18,9 +19,8 @@ namespace {
 class Played {
 public:
     explicit Played(const SceneView& scene)
-        : scene_{scene}, object_{scene.items().next().object}, bones_(scene.bone_count())
+        : scene_{scene}, object_{scene.items().next().object}, moved_{scene}
     {
-        set_up_bones(scene_, bones_);
     }
 
     /// Both ends of the way that is under way, and how far it has come.
@@ -32,7 +32,7 @@ public:
 
     Moment at(Time time)
     {
-        pose_bones(scene_, time, bones_);
+        bones_ = moved_.bones_at(time);
         const auto [from, to] = interval_at(object_.keys(), time);
         return {from, to, progress_between(from.time, to.time, time, scene_.laws(from.laws))};
     }
@@ -48,7 +48,8 @@ public:
 private:
     const SceneView& scene_;
     ObjectView object_;
-    std::vector<LiveBone> bones_;
+    MovedScene moved_;
+    std::span<const LiveBone> bones_;
 };
 
 double pixels(Fixed value) { return static_cast<double>(value.raw()) / Fixed::one; }

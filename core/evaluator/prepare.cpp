@@ -1,0 +1,196 @@
+#include "core/evaluator/prepare.hpp"
+
+#include "core/blending.hpp"
+
+namespace kfast {
+namespace {
+
+template <class Record>
+void put_at(std::span<Record> room, std::uint32_t number, const Record& record)
+{
+    if (number < room.size())
+        room[number] = record;
+}
+
+constexpr bool places(Property property) { return property <= Property::along; }
+
+}
+
+void Preparer::run()
+{
+    add_skeletons();
+    add_symbols();
+    root_ = add_root(scene_.items());
+}
+
+void Preparer::add_skeletons()
+{
+    for (BonesCursor skeletons = scene_.skeletons(); !skeletons.at_end();)
+        add_bones(skeletons.next(), records_.bones);
+}
+
+/// `first`: how many bones the skeletons before have.
+void Preparer::add_bones(const BonesView& skeleton, std::uint32_t first)
+{
+    const std::uint16_t common = timeline_of(skeleton.common_beats(), false);
+    for (BoneCursor bones = skeleton.bones(); !bones.at_end();) {
+        BoneNode node;
+        node.place = scene_.place_of(bones.rest().rest().data());
+        node.first_track = static_cast<std::uint16_t>(records_.tracks);
+        const BoneView bone = bones.next();
+        node.parent = static_cast<std::uint16_t>(bone.parent == 0 ? 0 : first + bone.parent);
+        for (std::size_t i = 0; i < bone_quantity_count; ++i) {
+            const BoneKeys& keys = bone.keys[i];
+            if (keys.kind() == BoneKeys::Kind::none)
+                continue;
+            if (keys.kind() == BoneKeys::Kind::common) {
+                beats_ = scene_.place_of(skeleton.common_beats().place());
+                timeline_ = common;
+            }
+            add_track(static_cast<std::uint8_t>(i), keys.keys().beats(), keys.values());
+            ++node.track_count;
+        }
+        put_at(room_.bones, records_.bones++, node);
+    }
+}
+
+void Preparer::add_symbols()
+{
+    for (std::uint32_t number = 0; number < scene_.symbol_count(); ++number)
+        add_root(scene_.symbol(number));
+}
+
+/// Its number.
+std::uint32_t Preparer::add_root(ItemCursor items)
+{
+    const std::uint32_t number = records_.nodes++;
+    Node root;
+    root.is_ordered = add_items(items);
+    finish(number, root);
+    return number;
+}
+
+/// Whether one of them has an order. Calls itself no deeper than groups lie in each other, kfb::max_depth.
+bool Preparer::add_items(ItemCursor items)
+{
+    bool are_ordered = false;
+    while (!items.at_end())
+        are_ordered = add_item(items.next()) || are_ordered;
+    return are_ordered;
+}
+
+bool Preparer::add_item(const ItemView& item)
+{
+    const std::uint32_t number = records_.nodes++;
+    Node node = node_of(item);
+    const bool has_order = add_tracks(item, node);
+    if (item.kind == ItemKind::object)
+        add_keys(item.object);
+    if (item.kind == ItemKind::group)
+        node.is_ordered = add_items(ItemCursor{item.items});
+    finish(number, node);
+    return has_order;
+}
+
+Node Preparer::node_of(const ItemView& item) const
+{
+    Node node{.place = scene_.place_of(item.place),
+              .first_track = static_cast<std::uint16_t>(records_.tracks),
+              .kind = item.kind,
+              .live = item.live.kind,
+              .carrier = item.object.carrier,
+              .unit_bits = static_cast<std::uint8_t>(item.object.backbones.unit_bits),
+              .has_arrivals = item.object.has_arrivals,
+              .has_depths = item.object.has_depths,
+              .has_path = item.path.is_known,
+              .has_several_layers = has_several_layers(scene_, item),
+              .style = item.object.style};
+    if (item.kind == ItemKind::use)
+        node.of = symbol_node(item.symbol);
+    if (item.kind == ItemKind::live)
+        node.of = static_cast<std::uint16_t>(item.live.input);
+    if (item.object.carrier == Carrier::bones) {
+        node.of = static_cast<std::uint16_t>(scene_.first_bone(item.object.skeleton));
+        node.bone_count = static_cast<std::uint8_t>(scene_.first_bone(item.object.skeleton + 1) - node.of);
+    }
+    return node;
+}
+
+/// Those of all symbols before it lie in front of it.
+std::uint16_t Preparer::symbol_node(std::uint32_t symbol) const
+{
+    std::uint16_t number = 0;
+    for (; symbol > 0 && number < room_.nodes.size(); --symbol)
+        number = room_.nodes[number].end;
+    return number;
+}
+
+/// Whether it has an order.
+bool Preparer::add_tracks(const ItemView& item, Node& node)
+{
+    bool has_order = false;
+    for (TrackCursor tracks = item.tracks; !tracks.at_end(); ++node.track_count) {
+        const TrackView track = tracks.next();
+        has_order = has_order || track.property == Property::order;
+        node.is_placed = node.is_placed || places(track.property);
+        const auto property = static_cast<std::uint8_t>(track.property);
+        if (track.is_fixed)
+            add_track({.from = track.value, .to = track.value, .property = property});
+        else
+            add_track(property, track.keys.beats(), track.keys.values(), track.is_smooth);
+    }
+    return has_order;
+}
+
+void Preparer::add_keys(const ObjectView& object)
+{
+    const auto add = [this](KeyValue value, const BeatCursor& beats, const PackedValues& values) {
+        add_track(static_cast<std::uint8_t>(value), beats, values);
+    };
+    const KeyCursor keys = object.keys();
+    add(KeyValue::drawing, keys.beats(), keys.drawings());
+    if (object.has_arrivals)
+        add(KeyValue::arrival, keys.beats(), keys.arrivals());
+    if (object.has_more())
+        add(KeyValue::more, keys.beats(), keys.more());
+    if (object.carrier != Carrier::backbones)
+        return;
+    const BackboneKeyCursor backbones = object.backbones.keys();
+    add(KeyValue::backbones, backbones.beats(), backbones.drawings());
+}
+
+void Preparer::add_track(std::uint8_t property, const BeatCursor& beats, const PackedValues& values,
+                         bool is_smooth)
+{
+    const std::uint16_t timeline = timeline_of(beats, is_smooth);
+    LiveTrack track{.values = scene_.place_of(values.place()), .timeline = timeline, .property = property, .is_smooth = is_smooth};
+    if (!track.has_timeline())
+        track.from = track.to = values[0];
+    add_track(track);
+}
+
+void Preparer::add_track(const LiveTrack& track) { put_at(room_.tracks, records_.tracks++, track); }
+
+/// None of a single beat.
+std::uint16_t Preparer::timeline_of(const BeatCursor& beats, bool is_smooth)
+{
+    if (beats.count() < 2)
+        return LiveTrack::no_timeline;
+    const std::uint32_t place = scene_.place_of(beats.place());
+    if (place != beats_) {
+        beats_ = place;
+        timeline_ = static_cast<std::uint16_t>(records_.timelines);
+        put_at(room_.timelines, records_.timelines++, KeyTimeline{place, beats.clock()});
+    }
+    if (is_smooth && timeline_ < room_.timelines.size())
+        room_.timelines[timeline_].move_with_time();
+    return timeline_;
+}
+
+void Preparer::finish(std::uint32_t number, Node& node)
+{
+    node.end = static_cast<std::uint16_t>(records_.nodes);
+    put_at(room_.nodes, number, node);
+}
+
+}
