@@ -12,6 +12,28 @@ namespace {
 
 constexpr std::int64_t widest = Fixed::pixels(4095).raw();
 
+/// Whether all of it is, and its shift.
+bool is_modest(const Affine& map)
+{
+    return is_modest_factor(map.xx) && is_modest_factor(map.xy) && is_modest_factor(map.yx) &&
+           is_modest_factor(map.yy) && map.x0 == static_cast<std::int32_t>(map.x0) &&
+           map.y0 == static_cast<std::int32_t>(map.y0) && is_modest_way(static_cast<std::int32_t>(map.x0)) &&
+           is_modest_way(static_cast<std::int32_t>(map.y0));
+}
+
+/// Of two modest ones.
+Affine short_product(const Affine& outer, const Affine& inner)
+{
+    const auto x0 = static_cast<std::int32_t>(inner.x0);
+    const auto y0 = static_cast<std::int32_t>(inner.y0);
+    return {.xx = short_sum_of_products(outer.xx, inner.xx, outer.xy, inner.yx),
+            .xy = short_sum_of_products(outer.xx, inner.xy, outer.xy, inner.yy),
+            .yx = short_sum_of_products(outer.yx, inner.xx, outer.yy, inner.yx),
+            .yy = short_sum_of_products(outer.yx, inner.xy, outer.yy, inner.yy),
+            .x0 = outer.x0 + short_sum_of_products(outer.xx, x0, outer.xy, y0),
+            .y0 = outer.y0 + short_sum_of_products(outer.yx, x0, outer.yy, y0)};
+}
+
 }
 
 Point Affine::operator()(Point point) const
@@ -30,6 +52,8 @@ std::int32_t Affine::growth() const
 
 Affine operator*(const Affine& outer, const Affine& inner)
 {
+    if (is_modest(outer) && is_modest(inner)) // mostly
+        return short_product(outer, inner);
     return {.xx = held_factor(sum_of_products(outer.xx, inner.xx, outer.xy, inner.yx)),
             .xy = held_factor(sum_of_products(outer.xx, inner.xy, outer.xy, inner.yy)),
             .yx = held_factor(sum_of_products(outer.yx, inner.xx, outer.yy, inner.yx)),

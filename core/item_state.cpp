@@ -87,7 +87,8 @@ Space Placement::space() const
     const Space turned = turning();
     const Fixed pivot_x = in_pixels(Property::pivot_x);
     const Fixed pivot_y = in_pixels(Property::pivot_y);
-    Space placed = turned * Space{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
+    const Space to_pivot{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
+    Space placed = to_pivot.plane == Affine{} ? turned : turned * to_pivot;
     const auto shift = [](std::int64_t from_pivot, Fixed position, Fixed along_path, Fixed pivot) {
         return within_shift(from_pivot + position.raw() + along_path.raw() + pivot.raw());
     };

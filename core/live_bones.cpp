@@ -50,12 +50,19 @@ FineValues values_at_rest(const BoneSetUp& bone)
     return fine;
 }
 
-/// Two unit components in Q30, multiplied.
-std::int64_t q30_product(std::int32_t a, std::int32_t b) { return (std::int64_t{a} * b) >> 30; }
-
-/// stretch * a + b of Q30 numbers, as a Q16 factor.
-std::int32_t factor(std::int64_t stretch, std::int64_t a, std::int64_t b)
+/// How many times as long as set up, at most 64 times; Q16.
+std::int64_t stretch_of(std::int64_t length, std::int64_t set_up_length)
 {
+    if (length == set_up_length) // mostly
+        return Fixed::one;
+    return std::min(((length << 16) + set_up_length / 2) / set_up_length, most_stretch);
+}
+
+/// stretch * a + b of Q30 numbers, as a Q16 factor; a + b is a component of a unit vector.
+std::int32_t factor(std::int64_t stretch, std::int32_t a, std::int32_t b)
+{
+    if (stretch == Fixed::one) // mostly
+        return (a + b + (1 << 13)) >> 14;
     return static_cast<std::int32_t>((((stretch * a) >> 16) + b + (1 << 13)) >> 14);
 }
 
@@ -103,13 +110,13 @@ void LiveBone::pose(const BoneSetUp& bone, const LiveBone* parent,
     const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
     const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
     growth_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
-    const std::int64_t stretch = std::min(((length << 16) + set_up_length / 2) / set_up_length, most_stretch);
+    const std::int64_t stretch = stretch_of(length, set_up_length);
     const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
     const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
-    xx_ = factor(stretch, q30_product(posed_c, c), q30_product(posed_s, s));
-    xy_ = factor(stretch, q30_product(posed_c, s), -q30_product(posed_s, c));
-    yx_ = factor(stretch, q30_product(posed_s, c), -q30_product(posed_c, s));
-    yy_ = factor(stretch, q30_product(posed_s, s), q30_product(posed_c, c));
+    xx_ = factor(stretch, product_q30_down(posed_c, c), product_q30_down(posed_s, s));
+    xy_ = factor(stretch, product_q30_down(posed_c, s), -product_q30_down(posed_s, c));
+    yx_ = factor(stretch, product_q30_down(posed_s, c), -product_q30_down(posed_c, s));
+    yy_ = factor(stretch, product_q30_down(posed_s, s), product_q30_down(posed_c, c));
 }
 
 Point LiveBone::operator()(Point point) const

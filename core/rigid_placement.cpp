@@ -17,7 +17,17 @@ constexpr std::int32_t max_growth = one * 17 / 16;
 /// side.
 constexpr std::int32_t tolerance = one / 128;
 
+constexpr std::int32_t max_factor = 1 << 20; ///< far more than the largest scale
+
 constexpr std::int64_t max_shift = std::int64_t{raster::CornerMap::max_shift} << (16 - raster::grid_bits);
+
+std::int64_t sum_of_squares(std::int32_t a, std::int32_t b)
+{
+    constexpr std::int32_t most = 1 << 15;
+    if (std::abs(a) <= most && std::abs(b) < most) // mostly, in 32 bits
+        return a * a + b * b;
+    return std::int64_t{a} * a + std::int64_t{b} * b;
+}
 
 bool is_within(std::int64_t value, std::int64_t limit) { return value >= -limit && value <= limit; }
 
@@ -31,10 +41,11 @@ RigidPlacements::RigidPlacements(std::int32_t canvas_scale)
 
 std::int32_t RigidPlacements::factor(std::int32_t q16) const
 {
+    if (base_ == Fixed::one) // mostly, and the same
+        return std::clamp((q16 + 2) >> 2, -max_factor, max_factor);
     constexpr int shift = inverse_bits - fraction_bits;
-    constexpr std::int64_t limit = std::int64_t{1} << 20; // far more than the largest scale
     const std::int64_t wide = (q16 * inverse_ + (std::int64_t{1} << (shift - 1))) >> shift;
-    return static_cast<std::int32_t>(std::clamp(wide, -limit, limit));
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(wide, -max_factor, max_factor));
 }
 
 std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
@@ -45,7 +56,7 @@ std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
     const std::int32_t yy = factor(map.yy);
     const std::int32_t shear =
         std::min(std::abs(xx - yy) + std::abs(xy + yx), std::abs(xx + yy) + std::abs(xy - yx));
-    const std::int64_t square = std::int64_t{xx} * xx + std::int64_t{yx} * yx;
+    const std::int64_t square = sum_of_squares(xx, yx);
     int bits = -max_scale_bits;
     constexpr std::int64_t most = std::int64_t{max_growth} * max_growth;
     std::int64_t limit = most >> 2 * max_scale_bits;

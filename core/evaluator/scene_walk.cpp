@@ -20,8 +20,7 @@ bool shapes(Property property) { return property <= Property::along || property 
 SceneWalk::SceneWalk(const SceneOnPanel& on_panel, Opacity opacity) : on_panel_{on_panel}, opacity_{opacity}
 {
     top_->node = &on_panel.prepared.root();
-    top_->space = on_panel.canvas;
-    top_->has_space = true;
+    top_->space = &on_panel.canvas;
     begin_inside(*top_);
 }
 
@@ -84,7 +83,7 @@ void SceneWalk::push(const Node& node, std::uint32_t path, std::uint32_t opacity
     level.dependence = dependence;
     level.is_blended = opacity != opaque && opacity_ == Opacity::of_groups && node.has_several_layers;
     level.is_to_come = node.is_leaf();
-    level.has_space = false;
+    level.space = nullptr;
     level.is_ordered = false;
     level.next = level.end = 0;
     if (!node.is_leaf())
@@ -145,18 +144,20 @@ std::int32_t SceneWalk::order_of(const Node& node) const
 
 const Space& SceneWalk::space()
 {
-    Level* known = current_;
-    while (!known->has_space)
+    const Level* known = current_;
+    while (known->space == nullptr)
         --known;
-    for (; known != current_; ++known) {
-        Level& level = *(known + 1);
-        level.has_space = true;
-        if (level.node->is_placed)
-            level.space = known->space * ItemState{on_panel_.scene, on_panel_.prepared, *level.node}.placement();
-        else
-            level.space = known->space;
+    const Space* outer = known->space;
+    for (auto number = static_cast<std::size_t>(known - levels_.data()) + 1; levels_.data() + number <= current_;
+         ++number) {
+        Level& level = levels_[number];
+        if (level.node->is_placed) {
+            const ItemState state{on_panel_.scene, on_panel_.prepared, *level.node};
+            outer = &spaces_[number].emplace(*outer * state.placement());
+        }
+        level.space = outer;
     }
-    return current_->space;
+    return *outer;
 }
 
 }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace kfast {
 
@@ -67,13 +68,12 @@ private:
         bool is_ordered = false; ///< some of them have an order
         bool is_blended = false; ///< as a whole
         bool is_to_come = false; ///< a leaf that was not told yet
-        bool has_space = false;  ///< it is known
         std::int32_t order = 0;      ///< of the nodes that are passed now
         std::int32_t next_order = 0; ///< the lowest above it, of those passed
         std::uint32_t path = 0;
         std::uint32_t opacity = 255; ///< of its picture if it is blended, else of all that lies within it
         Dependence dependence;
-        Space space;
+        const Space* space = nullptr; ///< its own, or that of what lies around; null as long as it is not known
     };
 
     static constexpr std::int32_t no_order = std::numeric_limits<std::int32_t>::max();
@@ -93,7 +93,10 @@ private:
 
     const SceneOnPanel& on_panel_;
     Opacity opacity_;
-    std::array<Level, kfb::max_depth + 2> levels_; ///< the scene, groups and uses in each other, a leaf
+    static constexpr std::size_t most_levels = kfb::max_depth + 2; ///< the scene, groups and uses, a leaf
+
+    std::array<Level, most_levels> levels_;
+    std::array<std::optional<Space>, most_levels> spaces_; ///< of those that have their own
     Level* top_ = levels_.data();
     Level* current_ = levels_.data();
     Dependence leaf_dependence_;

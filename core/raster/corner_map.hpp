@@ -37,7 +37,7 @@ public:
     {
     }
 
-    Corner operator()(ShortCorner corner) const
+    [[gnu::always_inline]] Corner operator()(const ShortCorner& corner) const
     {
         return {((xx_ * corner.x + xy_ * corner.y + x_rest_) >> fraction_bits) + x_,
                 ((yx_ * corner.x + yy_ * corner.y + y_rest_) >> fraction_bits) + y_};

@@ -31,8 +31,10 @@ void OutlineStore::add(const KeptContour& contour)
     if (!find_room(contour.room * sizeof(Corner)))
         return begin_contour();
     const CornerMap map = *map_;
-    for (const ShortCorner corner : contour.corners)
-        *corners_end_++ = map(corner);
+    Corner* end = corners_end_;
+    for (const ShortCorner& corner : contour.corners) // copies would be made by a function
+        *end++ = map(corner);
+    corners_end_ = end;
     add_contour();
 }
 
