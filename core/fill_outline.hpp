@@ -12,7 +12,7 @@ public:
 
     void begin(Point at) { start_ = last_ = raster::corner_at(at); }
 
-    void line_to(Point to)
+    [[gnu::always_inline]] void line_to(Point to)
     {
         const raster::Corner corner = raster::corner_at(to);
         if (corner == last_)

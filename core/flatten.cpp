@@ -55,10 +55,10 @@ std::uint32_t spread(Fixed c1, Fixed c2, Fixed to)
            length(p3);
 }
 
-/// A unit of 2^-bits px in which no step of CubicSteps::set() needs more than 32 bits; down to -4.
-int unit_bits_for(Point c1, Point c2, Point to)
+/// A unit of 2^-bits px in which no step of CubicSteps::set() needs more than 32 bits; down to -4. `all` has
+/// the bits of spread() along x and along y.
+int unit_bits_for(std::uint32_t all)
 {
-    const std::uint32_t all = spread(c1.x, c2.x, to.x) | spread(c1.y, c2.y, to.y);
     int bits = finest_unit_bits;
     for (std::uint32_t limit = 31U << 12; all >= limit; limit <<= 1) // and a pixel for rounding
         --bits;
@@ -75,12 +75,16 @@ std::int32_t divided(std::int32_t value, std::uint32_t factor, int bits)
 
 CubicSteps::CubicSteps(const Segment& cubic, int pieces) : from_{cubic.from}
 {
-    const Point c1 = cubic.c1 - cubic.from;
-    const Point c2 = cubic.c2 - cubic.from;
-    const Point to = cubic.to - cubic.from;
-    shift_ = unit_bits_for(c1, c2, to) + result_bits;
-    set(x_, c1.x, c2.x, to.x, pieces);
-    set(y_, c1.y, c2.y, to.y, pieces);
+    // Not as points, which would be copied by a function.
+    const Fixed x1 = cubic.c1.x - cubic.from.x;
+    const Fixed x2 = cubic.c2.x - cubic.from.x;
+    const Fixed x3 = cubic.to.x - cubic.from.x;
+    const Fixed y1 = cubic.c1.y - cubic.from.y;
+    const Fixed y2 = cubic.c2.y - cubic.from.y;
+    const Fixed y3 = cubic.to.y - cubic.from.y;
+    shift_ = unit_bits_for(spread(x1, x2, x3) | spread(y1, y2, y3)) + result_bits;
+    set(x_, x1, x2, x3, pieces);
+    set(y_, y1, y2, y3, pieces);
 }
 
 /// From the beginning on, where the curve leads to `to` by way of `c1` and `c2`.

@@ -12,6 +12,36 @@
 
 namespace kfast {
 
+/// Tells `outline` the strokes of one drawing, placed: begin(point), add(segment) for all segments of a stroke,
+/// and end(hub, is_closed). A single point counts as one segment.
+template <class Outline>
+void trace_strokes(CarriedDrawing drawing, const Affine& placement, Outline& outline)
+{
+    const PointMap place{placement};
+    for (std::uint32_t left = drawing.strokes(); left > 0; --left) {
+        did(Work::stroke);
+        const std::uint32_t segments = drawing.next_stroke();
+        const Point start = drawing.start();
+        const Point first = place(start);
+        outline.begin(first);
+        Segment read = still_segment(start);
+        Segment placed = still_segment(first);
+        if (segments == 0)
+            outline.add(placed);
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            read = drawing.next_segment();
+            did(read.kind == Segment::Kind::line ? Work::line : Work::curve);
+            placed = {.kind = read.kind, .from = placed.to, .to = place(read.to)};
+            if (read.kind == Segment::Kind::cubic) {
+                placed.c1 = place(read.c1);
+                placed.c2 = place(read.c2);
+            }
+            outline.add(placed);
+        }
+        outline.end(first, read.to == start);
+    }
+}
+
 /// The strokes between two drawings at one moment of their way, placed.
 class LiveStrokes {
 public:
@@ -20,8 +50,8 @@ public:
     LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
                 const LiveBackbones* backbones, const Affine& placement);
 
-    /// Tells `outline` each stroke: begin(point), add(segment) for all of its segments, and end(hub,
-    /// is_closed). Of an outline that has end_part(), this ends the parts of a broken stroke instead.
+    /// Tells `outline` each stroke, as trace_strokes() does. Of an outline that has end_part(), this ends the
+    /// parts of a broken stroke instead.
     template <class Outline>
     void trace(Outline& outline)
     {
@@ -63,6 +93,7 @@ private:
 
 // For pictures, compiled where live() can be laid into it.
 class ObjectOutline;
+extern template void trace_strokes(CarriedDrawing drawing, const Affine& placement, ObjectOutline& outline);
 extern template void LiveStrokes::trace(ObjectOutline& outline);
 
 /// As LiveStrokes, of two drawings without bones that are kept: the same strokes, sooner.

@@ -44,8 +44,7 @@ Point ObjectStrokes::first_point() const
 void ObjectStrokes::trace_drawing(const Affine& placement, ObjectOutline& outline) const
 {
     did(Work::object);
-    const CarriedDrawing drawing{on_panel_.scene.drawing(from_.drawing)};
-    LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
+    trace_strokes(CarriedDrawing{on_panel_.scene.drawing(from_.drawing)}, placement, outline);
 }
 
 void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const

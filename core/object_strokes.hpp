@@ -42,9 +42,9 @@ public:
     void trace(const Affine& placement, Outline& outline) const
     {
         did(Work::object);
-        const CarriedDrawing begin = carried(from_);
-        const CarriedDrawing end = way_.is_at_beginning() ? begin : carried(to_);
-        LiveStrokes{begin, end, way_, live_backbones(nullptr), placement}.trace(outline);
+        if (way_.is_at_beginning() && object_.carrier != Carrier::backbones)
+            return trace_strokes(carried(from_), placement, outline);
+        LiveStrokes{carried(from_), carried(to_), way_, live_backbones(nullptr), placement}.trace(outline);
     }
 
     /// Likewise of a wire frame: what is seen of its strokes.

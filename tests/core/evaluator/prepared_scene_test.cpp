@@ -119,8 +119,8 @@ kfast 1
 canvas 40 40 frames=20
 input here kind=drawing points=20 strokes=2
 input there kind=drawing points=20 strokes=2
-object a stroke=red input=here
-object b stroke=red input=there
+object a stroke=red live=here
+object b stroke=red live=there
 )kfast");
     const SceneView scene = accepted(bytes);
     std::vector<std::uint32_t> memory(PreparedScene::bytes_for(scene) / 4);
