@@ -13,8 +13,8 @@ list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 
 # What is done once for a scene or for an item of a picture.
-set(KFAST_EACH_ITEM input_view item_state item_view label_view live_scene object_strokes rigid_placement scene_on_panel scene_view
-    tracer)
+set(KFAST_EACH_ITEM affine evaluator/key_timeline evaluator/prepare evaluator/prepared_scene evaluator/scene_walk input_view
+    item_state item_view label_view live_scene object_strokes path_view rigid_placement scene_on_panel scene_view space tracer)
 list(TRANSFORM KFAST_EACH_ITEM PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EACH_ITEM APPEND .cpp)
 

@@ -32,8 +32,7 @@ public:
         for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
             const PlacedGlyph glyph = layout.next();
             did(Work::object);
-            const CarriedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
-            LiveStrokes{drawing, drawing, {}, nullptr, placement}.trace(outline);
+            trace_strokes(CarriedDrawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}}, placement, outline);
         }
     }
 

@@ -43,8 +43,9 @@ public:
     {
         did(Work::object);
         if (way_.is_at_beginning() && object_.carrier != Carrier::backbones)
-            return trace_strokes(carried(from_), placement, outline);
-        LiveStrokes{carried(from_), carried(to_), way_, live_backbones(nullptr), placement}.trace(outline);
+            trace_strokes(carried(from_), placement, outline);
+        else
+            trace_way(placement, outline);
     }
 
     /// Likewise of a wire frame: what is seen of its strokes.
@@ -62,6 +63,12 @@ private:
         std::int32_t more = 0;     ///< see Key::more
     };
 
+    /// On the way to the next key. Apart, for it takes much of the stack.
+    template <class Outline>
+    [[gnu::noinline]] void trace_way(const Affine& placement, Outline& outline) const
+    {
+        LiveStrokes{carried(from_), carried(to_), way_, live_backbones(nullptr), placement}.trace(outline);
+    }
     CarriedDrawing carried(const Shown& shown) const;
     WireDrawing wires(const Shown& shown) const;
     const LiveBackbones* live_backbones(PictureCache* cache) const;

@@ -51,7 +51,8 @@ constexpr std::int32_t short_sum_of_products(std::int32_t p, std::int32_t a, std
 }
 
 /// p a + q b in Q16, likewise, mostly in 32 bits.
-constexpr std::int64_t sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q, std::int32_t b)
+[[gnu::noinline]] constexpr std::int64_t sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q,
+                                                         std::int32_t b)
 {
     if (is_modest_factor(p) && is_modest_factor(q) && is_modest_way(a) && is_modest_way(b))
         return short_sum_of_products(p, a, q, b);

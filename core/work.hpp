@@ -10,7 +10,7 @@ enum class Work : std::uint8_t {
     // From the time to outlines.
     picture,         ///< begun from scratch
     timeline,        ///< moved to a moment
-    key,             ///< to which one of them has come
+    key,             ///< whose value a track takes over
     item,            ///< looked at
     track,           ///< evaluated
     placement,       ///< made from the values of tracks

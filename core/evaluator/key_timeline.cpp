@@ -55,7 +55,6 @@ void KeyTimeline::rewind(const SceneView& scene)
 /// To the next key: there is one.
 void KeyTimeline::go_on(const SceneView& scene)
 {
-    did(Work::key);
     BeatCursor behind = beats_behind(scene);
     before_ = is_between_ ? begin_ : end_;
     from_ += is_between_ ? 1 : 0;

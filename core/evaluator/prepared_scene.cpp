@@ -3,6 +3,7 @@
 #include "core/block_cutter.hpp"
 #include "core/evaluator/prepare.hpp"
 #include "core/hermite.hpp"
+#include "core/work.hpp"
 
 namespace kfast {
 namespace {
@@ -68,6 +69,7 @@ void PreparedScene::take_keys(const SceneView& scene)
     for (LiveTrack& track : tracks_) {
         if (!track.has_timeline() || !timelines_[track.timeline].has_other_keys())
             continue;
+        did(Work::key);
         const KeyTimeline& timeline = timelines_[track.timeline];
         const PackedValues values = values_of(scene, track, timeline.beats(scene).count());
         track.from = values[timeline.from()];

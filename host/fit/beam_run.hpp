@@ -19,7 +19,7 @@ struct BeamPicture {
     WorkCount work{}; ///< of evaluating the scene
 
     /// It was not the one before, which is not computed again.
-    bool is_new() const { return work != WorkCount{}; }
+    bool is_new() const { return work[static_cast<std::size_t>(Work::item)] != 0; }
 };
 
 using VisitPicture = std::function<void(const BeamPicture&)>;

@@ -29,7 +29,7 @@ constexpr Range reserves{0, 64 * 1024 * 1024};
 constexpr std::array processor_words{
     Word<Processor>{"cortex-m0", Processor::cortex_m0}, Word<Processor>{"cortex-m0+", Processor::cortex_m0},
     Word<Processor>{"cortex-m3", Processor::cortex_m3}, Word<Processor>{"cortex-m4", Processor::cortex_m4},
-    Word<Processor>{"cortex-m7", Processor::cortex_m7},
+    Word<Processor>{"cortex-m7", Processor::cortex_m7}, Word<Processor>{"cortex-m33", Processor::cortex_m33},
 };
 
 constexpr std::array bus_words{

@@ -72,270 +72,337 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 76932,
+        .code = 78548,
         .fixed_ram = 4,
-        .stack = 9000,
+        .stack = 8536,
         .cycles = 1.68,
-        .frame = 791,
-        .area = 416,
+        .frame = 831,
+        .area = 534,
         .work =
             std::to_array<double>({
-                0.0, // picture
-                300.0, // timeline
-                416.1, // key
-                4249.6, // item
-                2440.8, // track
-                2609.0, // placement
-                143.9, // law
-                3322.0, // bezier_law
-                4273.7, // bone
-                781.8, // object
-                2839.7, // stroke
-                827.3, // segment
-                42.6, // line
-                234.5, // curve
-                1207.2, // split
-                126.8, // point
+                2922.3, // picture
+                186.3, // timeline
+                999.7, // key
+                532.8, // item
+                983.1, // track
+                938.0, // placement
+                553.4, // law
+                3437.9, // bezier_law
+                2418.2, // bone
+                0.0, // object
+                1585.2, // stroke
+                797.5, // segment
+                0.0, // line
+                212.3, // curve
+                1052.2, // split
+                146.9, // point
                 0.0, // wide_point
-                1042.4, // projected_point
-                129.0, // carried_point
-                577.2, // bent_point
-                74.4, // piece
-                511.4, // pen_piece
-                250.6, // bend
+                1090.7, // projected_point
+                166.8, // carried_point
+                600.3, // bent_point
+                63.9, // piece
+                426.6, // pen_piece
+                213.8, // bend
                 0.0, // slight_bend
-                260.7, // placed_corner
-                234.3, // corner
-                492.0, // chain
-                9.7, // crossing
-                89.2, // kept_chain
-                329.6, // step
-                76.3, // passed_band
+                199.3, // placed_corner
+                261.7, // corner
+                609.8, // chain
+                7.7, // crossing
+                53.0, // kept_chain
+                300.7, // step
+                84.8, // passed_band
                 0.0, // passed_border
-                609.3, // band
-                294.8, // band_chain
-                351.3, // straight_chain
-                86.6, // border
-                190.7, // region
-                186.0, // edge_row
-                4.8, // flat_pixel
-                48.5, // chain_visit
-                663.5, // layer
+                551.9, // band
+                328.9, // band_chain
+                378.4, // straight_chain
+                53.0, // border
+                235.0, // region
+                142.5, // edge_row
+                9.3, // flat_pixel
+                44.8, // chain_visit
+                519.6, // layer
                 0.0, // layer_row
-                106.2, // layer_edge
-                260.3, // bent_edge
-                350.1, // sum_row
-                176.3, // row_chain
-                139.9, // sum_part
-                12.7, // sum_pixel
+                135.2, // layer_edge
+                311.6, // bent_edge
+                281.7, // sum_row
+                180.1, // row_chain
+                138.8, // sum_part
+                15.8, // sum_pixel
                 0.0, // edge_group
-                149.0, // line_crossing
-                77.1, // span
-                30.8, // fill
+                152.2, // line_crossing
+                78.0, // span
+                24.5, // fill
                 0.0, // filled_pixel
-                40.8, // blended_pixel
-                46.7, // faded_pixel
+                33.6, // blended_pixel
+                49.0, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 73384,
+        .code = 75288,
         .fixed_ram = 4,
-        .stack = 8960,
+        .stack = 8472,
         .cycles = 1.80,
-        .frame = 403,
-        .area = 337,
+        .frame = 426,
+        .area = 412,
         .work =
             std::to_array<double>({
-                0.0, // picture
-                300.0, // timeline
-                299.0, // key
-                3117.2, // item
-                1594.3, // track
-                890.1, // placement
-                0.0, // law
-                2062.3, // bezier_law
-                2704.3, // bone
-                630.3, // object
-                1347.0, // stroke
-                539.2, // segment
+                2145.1, // picture
+                112.3, // timeline
+                1051.6, // key
+                456.8, // item
+                800.4, // track
+                90.1, // placement
+                244.5, // law
+                2165.5, // bezier_law
+                1163.1, // bone
+                0.0, // object
+                909.8, // stroke
+                526.5, // segment
                 0.0, // line
-                245.5, // curve
-                1055.0, // split
-                91.3, // point
+                220.1, // curve
+                881.6, // split
+                108.6, // point
                 0.0, // wide_point
-                264.5, // projected_point
-                138.4, // carried_point
-                522.4, // bent_point
-                18.2, // piece
-                304.5, // pen_piece
-                36.1, // bend
+                398.3, // projected_point
+                174.8, // carried_point
+                503.7, // bent_point
+                40.9, // piece
+                260.7, // pen_piece
+                40.0, // bend
                 0.0, // slight_bend
-                167.2, // placed_corner
-                207.7, // corner
-                398.7, // chain
-                8.9, // crossing
-                50.4, // kept_chain
-                243.9, // step
-                53.3, // passed_band
+                128.6, // placed_corner
+                208.0, // corner
+                476.9, // chain
+                7.4, // crossing
+                40.7, // kept_chain
+                226.3, // step
+                59.0, // passed_band
                 0.0, // passed_border
-                452.3, // band
-                254.4, // band_chain
-                299.1, // straight_chain
-                72.4, // border
-                179.9, // region
-                134.2, // edge_row
-                0.0, // flat_pixel
-                41.5, // chain_visit
-                511.9, // layer
+                436.1, // band
+                285.0, // band_chain
+                323.6, // straight_chain
+                42.1, // border
+                202.6, // region
+                102.5, // edge_row
+                2.5, // flat_pixel
+                37.1, // chain_visit
+                402.9, // layer
                 0.0, // layer_row
-                85.3, // layer_edge
-                178.9, // bent_edge
-                247.0, // sum_row
-                145.0, // row_chain
-                109.9, // sum_part
-                10.2, // sum_pixel
+                108.6, // layer_edge
+                215.9, // bent_edge
+                198.4, // sum_row
+                149.4, // row_chain
+                107.4, // sum_part
+                12.3, // sum_pixel
                 0.0, // edge_group
-                115.8, // line_crossing
-                63.1, // span
-                22.9, // fill
-                0.3, // filled_pixel
-                29.8, // blended_pixel
-                32.1, // faded_pixel
+                119.8, // line_crossing
+                63.9, // span
+                19.6, // fill
+                0.7, // filled_pixel
+                23.5, // blended_pixel
+                33.6, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 73396,
+        .code = 75260,
         .fixed_ram = 4,
-        .stack = 8952,
+        .stack = 8464,
         .cycles = 1.80,
-        .frame = 402,
-        .area = 334,
+        .frame = 428,
+        .area = 410,
         .work =
             std::to_array<double>({
-                0.0, // picture
-                300.0, // timeline
-                300.5, // key
-                3121.0, // item
-                1597.1, // track
-                887.5, // placement
-                0.0, // law
-                2068.4, // bezier_law
-                2697.8, // bone
-                619.6, // object
-                1356.4, // stroke
-                537.7, // segment
+                2149.1, // picture
+                112.3, // timeline
+                1050.7, // key
+                456.7, // item
+                805.5, // track
+                89.8, // placement
+                244.4, // law
+                2184.1, // bezier_law
+                1174.9, // bone
+                0.0, // object
+                906.2, // stroke
+                525.5, // segment
                 0.0, // line
-                245.3, // curve
-                1051.2, // split
-                90.3, // point
+                220.4, // curve
+                877.9, // split
+                107.7, // point
                 0.0, // wide_point
-                266.3, // projected_point
-                138.1, // carried_point
-                522.3, // bent_point
-                18.7, // piece
-                305.9, // pen_piece
-                34.1, // bend
+                400.0, // projected_point
+                174.0, // carried_point
+                503.8, // bent_point
+                41.6, // piece
+                261.7, // pen_piece
+                31.3, // bend
                 0.0, // slight_bend
-                169.9, // placed_corner
-                209.7, // corner
-                399.3, // chain
-                9.0, // crossing
-                50.5, // kept_chain
-                244.4, // step
-                54.3, // passed_band
+                130.3, // placed_corner
+                209.8, // corner
+                482.2, // chain
+                7.5, // crossing
+                40.7, // kept_chain
+                226.5, // step
+                60.1, // passed_band
                 0.0, // passed_border
-                457.0, // band
-                253.7, // band_chain
-                297.3, // straight_chain
-                72.4, // border
-                177.6, // region
-                135.2, // edge_row
-                0.2, // flat_pixel
-                41.4, // chain_visit
-                514.6, // layer
+                436.6, // band
+                284.6, // band_chain
+                322.0, // straight_chain
+                42.3, // border
+                202.1, // region
+                102.5, // edge_row
+                3.1, // flat_pixel
+                36.9, // chain_visit
+                406.2, // layer
                 0.0, // layer_row
-                84.8, // layer_edge
-                190.6, // bent_edge
-                250.5, // sum_row
-                144.0, // row_chain
-                109.7, // sum_part
-                9.4, // sum_pixel
+                107.7, // layer_edge
+                229.0, // bent_edge
+                201.1, // sum_row
+                148.5, // row_chain
+                107.3, // sum_part
+                11.6, // sum_pixel
                 0.0, // edge_group
-                115.6, // line_crossing
-                64.5, // span
-                23.4, // fill
-                0.3, // filled_pixel
-                29.9, // blended_pixel
-                31.1, // faded_pixel
+                119.6, // line_crossing
+                64.8, // span
+                20.0, // fill
+                0.7, // filled_pixel
+                23.6, // blended_pixel
+                32.6, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 73456,
+        .code = 75336,
         .fixed_ram = 4,
-        .stack = 8952,
-        .cycles = 1.66,
-        .frame = 400,
-        .area = 342,
+        .stack = 8464,
+        .cycles = 1.65,
+        .frame = 423,
+        .area = 424,
         .work =
             std::to_array<double>({
-                0.0, // picture
-                300.0, // timeline
-                299.6, // key
-                3115.4, // item
-                1595.5, // track
-                887.4, // placement
-                0.0, // law
-                2062.1, // bezier_law
-                2704.3, // bone
-                628.7, // object
-                1346.7, // stroke
-                538.2, // segment
+                2142.1, // picture
+                112.3, // timeline
+                1051.4, // key
+                456.5, // item
+                798.9, // track
+                94.3, // placement
+                244.2, // law
+                2165.7, // bezier_law
+                1168.7, // bone
+                0.0, // object
+                909.1, // stroke
+                525.7, // segment
                 0.0, // line
-                245.6, // curve
-                1050.8, // split
-                91.3, // point
+                220.2, // curve
+                877.6, // split
+                108.6, // point
                 0.0, // wide_point
-                265.5, // projected_point
-                137.7, // carried_point
-                523.1, // bent_point
-                18.6, // piece
-                303.1, // pen_piece
-                35.2, // bend
+                400.3, // projected_point
+                173.8, // carried_point
+                504.3, // bent_point
+                40.8, // piece
+                260.7, // pen_piece
+                40.8, // bend
                 0.0, // slight_bend
-                167.2, // placed_corner
+                128.6, // placed_corner
                 208.1, // corner
-                398.7, // chain
-                8.9, // crossing
-                50.5, // kept_chain
-                245.0, // step
-                54.2, // passed_band
+                476.9, // chain
+                7.4, // crossing
+                40.7, // kept_chain
+                227.9, // step
+                59.8, // passed_band
                 0.0, // passed_border
-                461.0, // band
-                255.6, // band_chain
-                300.0, // straight_chain
-                72.7, // border
-                174.1, // region
-                137.6, // edge_row
-                0.0, // flat_pixel
-                41.7, // chain_visit
-                504.2, // layer
+                436.3, // band
+                285.9, // band_chain
+                323.4, // straight_chain
+                42.4, // border
+                194.5, // region
+                106.0, // edge_row
+                1.8, // flat_pixel
+                37.3, // chain_visit
+                394.5, // layer
                 0.0, // layer_row
-                85.5, // layer_edge
-                186.1, // bent_edge
-                251.2, // sum_row
-                145.1, // row_chain
-                113.0, // sum_part
+                109.7, // layer_edge
+                222.4, // bent_edge
+                202.7, // sum_row
+                149.6, // row_chain
+                110.3, // sum_part
+                14.1, // sum_pixel
+                0.0, // edge_group
+                118.1, // line_crossing
+                58.6, // span
+                20.5, // fill
+                0.8, // filled_pixel
+                24.5, // blended_pixel
+                33.7, // faded_pixel
+            }),
+    },
+    // cortex-m33
+    {
+        .code = 75336,
+        .fixed_ram = 4,
+        .stack = 8472,
+        .cycles = 1.79,
+        .frame = 428,
+        .area = 412,
+        .work =
+            std::to_array<double>({
+                2145.7, // picture
+                112.3, // timeline
+                1051.0, // key
+                456.8, // item
+                800.1, // track
+                91.4, // placement
+                244.5, // law
+                2165.6, // bezier_law
+                1170.9, // bone
+                0.0, // object
+                908.7, // stroke
+                525.9, // segment
+                0.0, // line
+                220.2, // curve
+                877.6, // split
+                108.6, // point
+                0.0, // wide_point
+                399.0, // projected_point
+                173.8, // carried_point
+                503.9, // bent_point
+                40.8, // piece
+                260.6, // pen_piece
+                39.9, // bend
+                0.0, // slight_bend
+                128.6, // placed_corner
+                208.1, // corner
+                476.9, // chain
+                7.4, // crossing
+                40.7, // kept_chain
+                226.6, // step
+                60.0, // passed_band
+                0.0, // passed_border
+                436.3, // band
+                285.0, // band_chain
+                323.6, // straight_chain
+                42.2, // border
+                202.5, // region
+                102.6, // edge_row
+                2.5, // flat_pixel
+                37.1, // chain_visit
+                403.3, // layer
+                0.0, // layer_row
+                108.6, // layer_edge
+                215.9, // bent_edge
+                198.4, // sum_row
+                149.3, // row_chain
+                107.4, // sum_part
                 12.3, // sum_pixel
                 0.0, // edge_group
-                113.9, // line_crossing
-                57.0, // span
-                23.6, // fill
-                0.4, // filled_pixel
-                31.1, // blended_pixel
-                32.2, // faded_pixel
+                119.8, // line_crossing
+                63.8, // span
+                19.6, // fill
+                0.7, // filled_pixel
+                23.5, // blended_pixel
+                33.6, // faded_pixel
             }),
     },
 }};

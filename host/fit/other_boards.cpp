@@ -5,8 +5,6 @@ namespace {
 
 // Of boards that can be described: which costs the estimate has.
 constexpr std::string_view measured = "the costs are those of its core";
-constexpr std::string_view related =
-    "the costs are those of the Cortex-M4, whose instructions it has: nobody has measured a Cortex-M33";
 constexpr std::string_view foreign = "memory is right, but speed is a guess, for it has other instructions: "
                                      "change cycles= until the milliseconds are "
                                      "those that you measure (docs/fit.md)";
@@ -29,8 +27,8 @@ constexpr std::string_view wide_spi = "(MHz)40";
 constexpr std::array boards{
     // https://docs.zephyrproject.org/4.1.0/boards/raspberrypi/rpi_pico2/doc/index.html
     OtherBoard{
-        {"pico2 pico2w rp2350 rp2350a rp2350b raspberrypipico2", "a Pico 2 (RP2350, Cortex-M33)", related},
-        "cortex-m4 clock=(MHz)150",
+        {"pico2 pico2w rp2350 rp2350a rp2350b raspberrypipico2", "a Pico 2 (RP2350, Cortex-M33)", measured},
+        "cortex-m33 clock=(MHz)150",
         "flash=(MiB)4 ram=(KiB)520",
         "(MHz)37.5"},
     OtherBoard{{"picow picoh picowh rp2040 raspberrypipico xiaorp2040 rp2040zero", "a board with an RP2040",
@@ -100,13 +98,13 @@ constexpr std::array boards{
                "(MHz)32"},
     // https://docs.zephyrproject.org/boards/nordic/nrf5340dk/doc/index.html
     // https://elixir.bootlin.com/zephyr/v2.4.0/source/dts/arm/nordic/nrf5340_cpuapp_qkaa.dtsi
-    OtherBoard{{"nrf5340 nrf53", "an nRF5340 (Cortex-M33)", related},
-               "cortex-m4 clock=(MHz)128",
+    OtherBoard{{"nrf5340 nrf53", "an nRF5340 (Cortex-M33)", measured},
+               "cortex-m33 clock=(MHz)128",
                "flash=(MiB)1 ram=(KiB)512",
                "(MHz)32"},
     // https://doc.riot-os.org/boards/nucleo-u575zi-q
-    OtherBoard{{"stm32u5 stm32u575", "an STM32U5 (Cortex-M33)", related},
-               "cortex-m4 clock=(MHz)160",
+    OtherBoard{{"stm32u5 stm32u575", "an STM32U5 (Cortex-M33)", measured},
+               "cortex-m33 clock=(MHz)160",
                "flash=(MiB)2 ram=(KiB)768",
                "(MHz)40"},
     // https://docs.zephyrproject.org/3.7.0/boards/pjrc/teensy4/doc/index.html
@@ -144,8 +142,8 @@ constexpr std::array boards{
 };
 
 constexpr std::array cores{
-    OtherName{"cortexm33 cortexm35p cortexm55 cortexm85 m33", "the Cortex-M33",
-              "is not measured: take cortex-m4, whose instructions it has"},
+    OtherName{"cortexm35p cortexm55 cortexm85", "a Cortex-M newer than the M33",
+              "is not measured: take cortex-m33, whose instructions it has"},
     OtherName{"cortexm23 cortexm1 m23", "the Cortex-M23",
               "is not measured: take cortex-m0+, whose instructions it has"},
     OtherName{

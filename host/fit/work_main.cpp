@@ -18,7 +18,7 @@ namespace {
 
 void print_names()
 {
-    std::printf("areas bytes cortex-m0 cortex-m3 cortex-m4 cortex-m7");
+    std::printf("areas bytes cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33");
     for (const std::string_view name : work_names)
         std::printf(" %.*s", static_cast<int>(name.size()), name.data());
     std::printf("\n");

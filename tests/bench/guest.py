@@ -4,7 +4,7 @@ import dataclasses
 import pathlib
 import subprocess
 
-CPUS = ("cortex-m0", "cortex-m3", "cortex-m4", "cortex-m7")
+CPUS = ("cortex-m0", "cortex-m3", "cortex-m4", "cortex-m7", "cortex-m33")
 SCENE_ADDRESS = 0x20000
 PROFILE_WANTED = 0x2000FFF8
 TIMEOUT = 600

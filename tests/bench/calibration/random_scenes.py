@@ -3,6 +3,7 @@
 import random
 
 COUNT = 40
+ALIKE = 12
 LAWS = ("constant", "accelerate", "decelerate", "accelerate-decelerate", "ease", "hold", '"steps(5)"',
         '"bezier(0.3,1.5,0.6,1)"')
 COLOURS = ("red", "lime", "blue", "yellow", "aqua", "fuchsia", "white", "silver", '"#ff8000"', '"#40c0ff80"')
@@ -15,6 +16,7 @@ class Sketch:
 
     def __init__(self, seed):
         self.random = random.Random(seed)
+        self.kinds = self.random  # chooses shapes, and how many points they have
         self.width, self.height = self.random.choice(CANVASES)
         self.frames = self.random.choice((16, 24, 30))
         self.crowd = self.random.choice((1, 2, 4, 8, 16))  # items
@@ -30,28 +32,31 @@ class Sketch:
         return self.number(low * min(self.width, self.height) / 100, high * min(self.width, self.height) / 100)
 
     def places(self, fewest, most):
-        return " ".join(self.place() for _ in range(self.random.randint(fewest, most)))
+        return " ".join(self.place() for _ in range(self.kinds.randint(fewest, most)))
 
     def curves(self):
         parts = [f"M {self.place()}"]
-        parts += [f"C {self.place()} {self.place()} {self.place()}" for _ in range(self.random.randint(1, 5))]
-        return f'path "{" ".join(parts)}{self.random.choice((" Z", ""))}"'
+        parts += [f"C {self.place()} {self.place()} {self.place()}" for _ in range(self.kinds.randint(1, 5))]
+        return f'path "{" ".join(parts)}{self.kinds.choice((" Z", ""))}"'
 
     def shape(self, most):
-        return self.random.choice((
+        return self.kinds.choice((
             lambda: f"circle {self.place()} r={self.length(2, most)}",
             lambda: f"rect {self.place()} {self.length(4, most)} {self.length(4, most)} corner={self.length(0, 2)}",
-            lambda: f"star {self.place()} points={self.random.randint(3, 9)} r={self.length(6, most)} inner={self.length(2, 5)}",
+            lambda: f"star {self.place()} points={self.kinds.randint(3, 9)} r={self.length(6, most)} inner={self.length(2, 5)}",
             lambda: f"line {self.places(2, 9)}",
             lambda: f"polygon {self.places(3, 8)}",
             lambda: f"curve {self.places(3, 7)}",
             self.curves,
             lambda: f"ellipse {self.place()} rx={self.length(3, most)} ry={self.length(2, most)}",
-            lambda: f'text {self.random.choice(("KFAST", "OCR", "ok"))} at="{self.place(",")}" size={self.length(8, most)}',
+            lambda: f'text {self.kinds.choice(("KFAST", "OCR", "ok"))} at="{self.place(",")}" size={self.length(8, most)}',
         ))()
 
     def drawing(self, most):
-        return "; ".join(self.shape(most) for _ in range(self.random.choice((1, 1, 1, 2, 3))))
+        return "; ".join(self.shape(most) for _ in range(self.kinds.choice((1, 1, 1, 2, 3))))
+
+    def drawings(self, count, most):
+        return [self.drawing(most) for _ in range(count)]
 
     def style(self):
         wish = self.random.choice(("fill", "stroke", "both"))
@@ -69,7 +74,8 @@ class Sketch:
         most = self.random.choice((8, 20, 45))
         law = f"law={self.random.choice(LAWS)}"
         times = [0] if self.random.random() < 0.3 else self.key_times()
-        keys = [f"key {time}{f' {law}' if time else ''} {{ {self.drawing(most)} }}" for time in times]
+        keys = [f"key {time}{f' {law}' if time else ''} {{ {drawing} }}"
+                for time, drawing in zip(times, self.drawings(len(times), most))]
         return "\n    ".join([f"object {name}{self.style()} {{", *keys, *self.tracks()]) + "\n}"
 
     def tracks(self):
@@ -93,5 +99,19 @@ class Sketch:
         return "\n".join([f"kfast 1\ncanvas {self.width} {self.height} frames={self.frames} background=black", *items, ""])
 
 
+class AlikeSketch(Sketch):
+    """All keys of an object have the same shapes in other places, as most of what people draw."""
+
+    def drawings(self, count, most):
+        seed = self.random.random()
+        drawings = []
+        for _ in range(count):
+            self.kinds = random.Random(seed)
+            drawings.append(self.drawing(most))
+        self.kinds = self.random
+        return drawings
+
+
 def scene_texts():
-    return {f"random-{seed}": Sketch(seed).text() for seed in range(COUNT)}
+    return {**{f"random-{seed}": Sketch(seed).text() for seed in range(COUNT)},
+            **{f"alike-{seed}": AlikeSketch(seed).text() for seed in range(ALIKE)}}

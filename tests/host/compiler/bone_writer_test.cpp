@@ -88,7 +88,7 @@ TEST_CASE("the times and laws that save most are common")
     CHECK(kind(third, BoneQuantity::x) == BoneKeys::Kind::common);
     CHECK(kind(third, BoneQuantity::length) == BoneKeys::Kind::own);
     CHECK(kind(third, BoneQuantity::y) == BoneKeys::Kind::none);
-    CHECK(third.keys_of(BoneQuantity::angle).value(0) == 20002);
+    CHECK(third.keys_of(BoneQuantity::angle).keys().next().value == 20002);
 }
 
 TEST_CASE("beats of one quantity alone are not common")

@@ -169,7 +169,7 @@ TEST_CASE("the boards of this program are described without a mistake")
 TEST_CASE("mistakes are told with their place and the remedy")
 {
     check_refused(with("cortex-m4", "cortex-m5"), "2:10", "did you mean \"cortex-m");
-    check_refused(with("cortex-m4", "cortex-m33"), "2:10", "the Cortex-M33 is not measured: take cortex-m4");
+    check_refused(with("cortex-m4", "cortex-m85"), "2:10", "is not measured: take cortex-m33");
     check_refused(with("320 172 format=grey4 window=9", "sh1106"), "5:11", "take one with an SSD1306");
     check_refused(with("clock=(MHz)80", "clock=80"), "2:26", "write it like (MHz)125");
     check_refused(with("clock=(MHz)80", "clock=(Mhz)80"), "2:26", "did you mean \"MHz\"?");

@@ -44,7 +44,7 @@ TEST_CASE("a board that is not supported is called by its name, and described")
         CHECK(says(advice, "a Pico 2 (RP2350, Cortex-M33) is not supported yet"));
         CHECK(says(advice, "board my-pico2 {"));
         CHECK(says(advice, "--board my-pico2.kdl"));
-        CHECK(says(advice, "nobody has measured a Cortex-M33"));
+        CHECK(says(advice, "core cortex-m33 clock=(MHz)150"));
     }
     for (const char* const name : {"esp32", "esp32-s3", "ESP32-C3"})
         CHECK(says(other_board_advice(name), "core cortex-m4 clock="));
@@ -95,8 +95,8 @@ TEST_CASE("names of other hardware are plain, stand once, and are not those of w
         CHECK_FALSE(other_board_text(board.name));
     for (const Display& display : displays())
         CHECK_FALSE(other_panel_text(display.name));
-    CHECK(says(other_core_text("cortex-m33"), "take cortex-m4"));
-    CHECK_FALSE(other_core_text("cortex-m7"));
+    CHECK(says(other_core_text("cortex-m55"), "take cortex-m33"));
+    CHECK_FALSE(other_core_text("cortex-m33"));
 }
 
 TEST_CASE("all panels that the preview and settings know are known to fit, and those alone have drivers")
