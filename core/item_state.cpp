@@ -54,10 +54,7 @@ std::int64_t within_shift(std::int64_t shift)
 /// Where an item is put, by what its tracks come to.
 class Placement {
 public:
-    Placement()
-    {
-        fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits;
-    }
+    Placement() { fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits; }
 
     /// In 1/256 of the unit of the property, which is among those that place an item.
     std::int32_t& fine(Property property) { return fine_[static_cast<std::size_t>(property)]; }

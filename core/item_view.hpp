@@ -93,10 +93,7 @@ struct ObjectView {
         return take_keys(bytes);
     }
     /// Takes `bytes`, which begin with the keys, as far as these go.
-    KeyCursor take_keys(ByteReader& bytes) const
-    {
-        return {bytes, has_arrivals, has_more()};
-    }
+    KeyCursor take_keys(ByteReader& bytes) const { return {bytes, has_arrivals, has_more()}; }
 };
 
 enum class ItemKind : std::uint8_t { object, group, use, live };

@@ -32,7 +32,8 @@ public:
         for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
             const PlacedGlyph glyph = layout.next();
             did(Work::object);
-            trace_strokes(CarriedDrawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}}, placement, outline);
+            trace_strokes(CarriedDrawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}}, placement,
+                          outline);
         }
     }
 

@@ -18,8 +18,8 @@ static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4);
 
 std::size_t LiveScene::bytes_for(const SceneView& scene)
 {
-    return PreparedScene::bytes_for(scene) + bone_bytes(scene) + node_bytes(scene) + input_bytes(scene) + LiveDrawings::bytes_for(scene) +
-           LiveTexts::bytes_for(scene);
+    return PreparedScene::bytes_for(scene) + bone_bytes(scene) + node_bytes(scene) + input_bytes(scene) +
+           LiveDrawings::bytes_for(scene) + LiveTexts::bytes_for(scene);
 }
 
 LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)

@@ -49,8 +49,8 @@ protected:
     LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory);
 
     const SceneOnPanel& on_panel() const { return on_panel_; }
-    /// Moves the prepared scene to a moment, and tells what has moved since the one before: keys, and what was
-    /// told.
+    /// Moves the prepared scene to a moment, and tells what has moved since the one before: keys, and what
+    /// was told.
     const Dependence& move_to(Time time);
     /// As at that moment.
     void pose_bones();

@@ -12,8 +12,8 @@
 
 namespace kfast {
 
-/// Tells `outline` the strokes of one drawing, placed: begin(point), add(segment) for all segments of a stroke,
-/// and end(hub, is_closed). A single point counts as one segment.
+/// Tells `outline` the strokes of one drawing, placed: begin(point), add(segment) for all segments of a
+/// stroke, and end(hub, is_closed). A single point counts as one segment.
 template <class Outline>
 void trace_strokes(CarriedDrawing drawing, const Affine& placement, Outline& outline)
 {

@@ -52,8 +52,8 @@ void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOu
     if (object_.carrier == Carrier::bones)
         return trace(placement, outline);
     const LiveBackbones* const backbones = live_backbones(&cache); // first, for it may write to the cache
-    const bool is_held = on_panel_.prepared.is_held(
-        on_panel_.scene, on_panel_.prepared.key_track(object_, KeyValue::drawing));
+    const bool is_held =
+        on_panel_.prepared.is_held(on_panel_.scene, on_panel_.prepared.key_track(object_, KeyValue::drawing));
     const std::uint32_t to = is_held ? from_.drawing : to_.drawing;
     const auto tween = kept_tween(cache, on_panel_.scene.drawings(), from_.drawing, to);
     if (!tween || (way_.is_at_beginning() && !tween->is_plain()))

@@ -73,7 +73,7 @@ private:
 
     Size panel_;
     raster::Renderer renderer_;
-    int next_row_ = 0;        ///< of draw_rows()
+    int next_row_ = 0; ///< of draw_rows()
 };
 
 extern template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);

@@ -1,10 +1,8 @@
 #include "core/scene_check.hpp"
 
 #include "core/backbone_check.hpp"
-#include "core/blending.hpp"
 #include "core/bone_check.hpp"
 #include "core/drawing_check.hpp"
-#include "core/evaluator/prepare.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
@@ -367,39 +365,6 @@ bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
         }
     }
     return skin.run_is_over() && skin.is_sound();
-}
-
-bool SceneCheck::count_records()
-{
-    Preparer preparer{scene_, {}};
-    preparer.run();
-    scene_.records_ = preparer.records();
-    return scene_.records_.tracks <= kfb::max_tracks && scene_.records_.nodes <= kfb::max_nodes;
-}
-
-bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)
-{
-    while (!items.at_end())
-        if (++items_ > kfb::max_items || !count_item(items.next(), depth, blended) ||
-            scene_.paint_steps_ > kfb::max_paint_steps)
-            return false;
-    return true;
-}
-
-/// `blended` items may be blended as a whole around this one.
-bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint32_t blended)
-{
-    if (may_be_blended(scene_, item)) {
-        scene_.paint_steps_ += 2;
-        scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
-    }
-    if (item.is_leaf()) {
-        scene_.paint_steps_ += layer_count(item.object.style);
-        return true;
-    }
-    if (depth == kfb::max_depth)
-        return false;
-    return count_items(scene_.items_in(item), depth + 1, blended);
 }
 
 }

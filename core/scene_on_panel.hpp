@@ -20,7 +20,7 @@ namespace kfast {
 struct SceneOnPanel {
     SceneView scene;
     PreparedScene prepared{}; ///< at the moment of the picture
-    Space canvas; ///< from the canvas to the panel
+    Space canvas;             ///< from the canvas to the panel
     Camera camera;
     RigidPlacements rigid;
     std::span<LiveBone> bones{}; ///< of all skeletons; set up

@@ -92,6 +92,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/rigid_placement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene_check_count.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_on_panel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp

@@ -33,8 +33,10 @@ constexpr std::int32_t product_q30_down(std::int32_t a, std::int32_t b)
     constexpr std::int32_t low_half = 0xFFFF;
     const std::int32_t a_high = a >> 16;
     const std::int32_t b_high = b >> 16;
-    const auto low = (static_cast<std::uint32_t>(a & low_half) * static_cast<std::uint32_t>(b & low_half)) >> 16;
-    const std::int32_t middle = a_high * (b & low_half) + (a & low_half) * b_high + static_cast<std::int32_t>(low);
+    const auto low =
+        (static_cast<std::uint32_t>(a & low_half) * static_cast<std::uint32_t>(b & low_half)) >> 16;
+    const std::int32_t middle =
+        a_high * (b & low_half) + (a & low_half) * b_high + static_cast<std::int32_t>(low);
     return a_high * b_high * 4 + (middle >> 14);
 }
 

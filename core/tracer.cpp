@@ -152,8 +152,7 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
     const ItemState state = walk.state();
     const Projection projection{walk.space(), on_panel_.camera};
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
-    outline.stroke_with(
-        pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())));
+    outline.stroke_with(pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())));
     add_layer(Part::stroke, walk, [&] { strokes.trace(projection, outline); });
 }
 

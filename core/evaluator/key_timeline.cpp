@@ -14,8 +14,7 @@ void KeyTimeline::move_to(Time time, const SceneView& scene)
         go_on(scene);
     const Progress before = progress_;
     progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws(laws_)) : Progress{};
-    const bool has_come_further =
-        progress_ != before || (moves_with_time_ && is_between_ && time != now_);
+    const bool has_come_further = progress_ != before || (moves_with_time_ && is_between_ && time != now_);
     has_moved_ = has_other_keys_ || has_come_further;
     now_ = time;
 }

@@ -33,7 +33,7 @@ enum class KeyValue : std::uint8_t { drawing, arrival, more, backbones };
 /// array, each before what lies within it: symbols, then the scene.
 struct Node {
     std::uint32_t place = 0; ///< in the scene's bytes, where it begins; 0 of symbols and the scene
-    std::uint16_t end = 0;            ///< the number of the node behind all that lies within it
+    std::uint16_t end = 0;   ///< the number of the node behind all that lies within it
     std::uint16_t first_track = 0;
     /// Of a use the number of the symbol's node, of what is live that of the input, of what bones carry that
     /// of the first of them.

@@ -163,7 +163,10 @@ void Preparer::add_track(std::uint8_t property, const BeatCursor& beats, const P
                          bool is_smooth)
 {
     const std::uint16_t timeline = timeline_of(beats, is_smooth);
-    LiveTrack track{.values = scene_.place_of(values.place()), .timeline = timeline, .property = property, .is_smooth = is_smooth};
+    LiveTrack track{.values = scene_.place_of(values.place()),
+                    .timeline = timeline,
+                    .property = property,
+                    .is_smooth = is_smooth};
     if (!track.has_timeline())
         track.from = track.to = values[0];
     add_track(track);

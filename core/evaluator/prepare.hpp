@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/evaluator/node.hpp"
 #include "core/evaluator/key_timeline.hpp"
+#include "core/evaluator/node.hpp"
 #include "core/scene_view.hpp"
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace kfast {
 
-/// Lays out a scene in flat arrays: walks once through all that it stores, through a symbol once however often
-/// it is used. Without room it counts what it would take.
+/// Lays out a scene in flat arrays: walks once through all that it stores, through a symbol once however
+/// often it is used. Without room it counts what it would take.
 class Preparer {
 public:
     struct Room {
@@ -50,7 +50,7 @@ private:
     Room room_;
     SceneRecords records_;
     std::uint32_t root_ = 0;
-    std::uint32_t beats_ = 0; ///< the place of those that were met last
+    std::uint32_t beats_ = 0;                         ///< the place of those that were met last
     std::uint16_t timeline_ = LiveTrack::no_timeline; ///< theirs
 };
 

@@ -123,8 +123,8 @@ Dependence PreparedScene::dependence(const LiveTrack& track) const
     if (!track.has_timeline())
         return {};
     const std::uint32_t bit = Dependence::bit(track.timeline);
-    const bool is_on_the_way = timelines_[track.timeline].is_between() &&
-                               (track.is_smooth || track.from != track.to);
+    const bool is_on_the_way =
+        timelines_[track.timeline].is_between() && (track.is_smooth || track.from != track.to);
     return {.keys = bit, .ways = is_on_the_way ? bit : 0};
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/dependence.hpp"
-#include "core/evaluator/node.hpp"
 #include "core/evaluator/key_timeline.hpp"
+#include "core/evaluator/node.hpp"
 #include "core/moment.hpp"
 #include "core/scene_view.hpp"
 

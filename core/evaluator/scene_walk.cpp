@@ -67,7 +67,7 @@ bool SceneWalk::enter(const Node& node)
     push(node, path, opacity, dependence);
     if (node.is_leaf()) {
         leaf_dependence_ = dependence | (node.kind == ItemKind::live ? prepared.dependence_of_input(node.of)
-                                                                      : prepared.dependence_of_strokes(node));
+                                                                     : prepared.dependence_of_strokes(node));
         whole_ = whole_ | leaf_dependence_;
     }
     return true;
@@ -148,8 +148,8 @@ const Space& SceneWalk::space()
     while (known->space == nullptr)
         --known;
     const Space* outer = known->space;
-    for (auto number = static_cast<std::size_t>(known - levels_.data()) + 1; levels_.data() + number <= current_;
-         ++number) {
+    for (auto number = static_cast<std::size_t>(known - levels_.data()) + 1;
+         levels_.data() + number <= current_; ++number) {
         Level& level = levels_[number];
         if (level.node->is_placed) {
             const ItemState state{on_panel_.scene, on_panel_.prepared, *level.node};

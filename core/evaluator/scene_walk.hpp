@@ -65,15 +65,16 @@ private:
         std::uint16_t first = 0; ///< nodes that lie within it
         std::uint16_t next = 0;
         std::uint16_t end = 0;
-        bool is_ordered = false; ///< some of them have an order
-        bool is_blended = false; ///< as a whole
-        bool is_to_come = false; ///< a leaf that was not told yet
+        bool is_ordered = false;     ///< some of them have an order
+        bool is_blended = false;     ///< as a whole
+        bool is_to_come = false;     ///< a leaf that was not told yet
         std::int32_t order = 0;      ///< of the nodes that are passed now
         std::int32_t next_order = 0; ///< the lowest above it, of those passed
         std::uint32_t path = 0;
         std::uint32_t opacity = 255; ///< of its picture if it is blended, else of all that lies within it
         Dependence dependence;
-        const Space* space = nullptr; ///< its own, or that of what lies around; null as long as it is not known
+        const Space* space =
+            nullptr; ///< its own, or that of what lies around; null as long as it is not known
     };
 
     static constexpr std::int32_t no_order = std::numeric_limits<std::int32_t>::max();

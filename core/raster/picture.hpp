@@ -32,8 +32,7 @@ struct Picture {
     /// Adds a layer, which is named by its step and `part`: with the outlines that are kept for it, or with
     /// those that trace() adds to `outlines`, which depend on `layer_dependence`.
     template <class Trace>
-    void add_layer(const PaintStep& step, std::uint8_t part, const Dependence& layer_dependence,
-                   Trace trace)
+    void add_layer(const PaintStep& step, std::uint8_t part, const Dependence& layer_dependence, Trace trace)
     {
         PaintStep& added = add_step(step);
         const auto number = static_cast<std::uint16_t>(step_count - 1);

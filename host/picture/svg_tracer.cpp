@@ -140,8 +140,7 @@ void SvgTracer::add_paths(SceneWalk& walk, Point first, Trace trace)
     if (!style.is_stroked)
         return add_path(filled, fill);
     const std::int32_t growth = is_flat ? space.plane.growth() : projection.growth_at(first);
-    const std::string stroke =
-        stroke_look(style, state.stroke(), opacity, half_width(state.width(), growth));
+    const std::string stroke = stroke_look(style, state.stroke(), opacity, half_width(state.width(), growth));
     const std::string stroked = data(SvgPath::Use::stroke);
     if (style.is_filled && filled == stroked)
         return add_path(filled, fill + stroke);

@@ -186,7 +186,8 @@ private:
         const ObjectStyle& style = item_.object.style;
         if (!item_.is_leaf())
             return;
-        const auto node = std::ranges::find(on_panel_.prepared.nodes(), scene_.place_of(item_.place), &Node::place);
+        const auto node =
+            std::ranges::find(on_panel_.prepared.nodes(), scene_.place_of(item_.place), &Node::place);
         const ItemState state{scene_, on_panel_.prepared, *node};
         if (style.is_filled)
             add(Property::fill, colour_text(state.fill()));

@@ -19,7 +19,7 @@ namespace kfast {
 /// An object, a text or a plot as it is seen at a moment. All is valid during the visit alone.
 struct SeenLeaf {
     const ItemView& item;
-    const Node& node; ///< the same
+    const Node& node;   ///< the same
     const Space& space; ///< from its own coordinates to the panel
     const Moment& moment;
     std::uint32_t path; ///< core/item_path.hpp

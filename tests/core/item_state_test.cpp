@@ -39,9 +39,10 @@ TEST_CASE(
     const double angle = 4 * std::numbers::pi * accelerated;
     CHECK(apart(turned.placement().plane(pixels(10, 0)), {10 * std::cos(angle), 10 * std::sin(angle)}) <
           0.001);
-    const OwnedState swung = state_of({fixed_track(Property::scale_x, 0), fixed_track(Property::scale_y, 0),
-                                      between(Property::pivot_x, 0, 160), between(Property::pivot_y, 0, 160)},
-                                     half);
+    const OwnedState swung =
+        state_of({fixed_track(Property::scale_x, 0), fixed_track(Property::scale_y, 0),
+                  between(Property::pivot_x, 0, 160), between(Property::pivot_y, 0, 160)},
+                 half);
     CHECK(apart(shift_of(swung), {10 * accelerated, 10 * accelerated}) < 0.001);
     const OwnedState faded = state_of({between(Property::opacity, 255, 0)}, half);
     CHECK(faded.opacity() == std::lround(255 * (1 - accelerated)));

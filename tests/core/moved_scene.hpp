@@ -15,8 +15,10 @@ class MovedScene {
 public:
     /// `scene` must outlive it.
     explicit MovedScene(const SceneView& scene)
-        : scene_{scene}, memory_(PreparedScene::bytes_for(scene) / 4),
-          prepared_{scene, std::as_writable_bytes(std::span{memory_})}, bones_(scene.bone_count())
+        : scene_{scene},
+          memory_(PreparedScene::bytes_for(scene) / 4), prepared_{scene,
+                                                                  std::as_writable_bytes(std::span{memory_})},
+          bones_(scene.bone_count())
     {
         set_up_bones(scene, prepared_, bones_);
     }

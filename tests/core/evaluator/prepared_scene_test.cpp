@@ -11,7 +11,10 @@ namespace kfast::test {
 namespace {
 
 /// The item with this number, from 0, in the order of the text.
-const Node& item_of(const PreparedScene& prepared, std::size_t number) { return prepared.nodes()[number + 1]; }
+const Node& item_of(const PreparedScene& prepared, std::size_t number)
+{
+    return prepared.nodes()[number + 1];
+}
 
 }
 
@@ -28,8 +31,8 @@ group { use leaf y=4; object c fill=lime { rect 1 1 4 4 } }
     CHECK(scene.records().nodes == 8); // the symbol and two, the scene and four, of which one is a use
     CHECK(scene.records().timelines == 1);
     CHECK(scene.records().bones == 0);
-    CHECK(PreparedScene::bytes_for(scene) == sizeof(KeyTimeline) + scene.records().tracks * sizeof(LiveTrack) +
-                                                 8 * sizeof(Node));
+    CHECK(PreparedScene::bytes_for(scene) ==
+          sizeof(KeyTimeline) + scene.records().tracks * sizeof(LiveTrack) + 8 * sizeof(Node));
     MovedScene moved{scene};
     const PreparedScene& prepared = moved.at({});
     CHECK(prepared.root().end == 8);
@@ -47,10 +50,11 @@ TEST_CASE("tracks with the same key times share a timeline, single keys need non
 {
     const std::vector<RawTrackKey> keys{{{}, 0, 16}, {Time::frame(4), 0, 160}};
     RawScene raw;
-    raw.items = joined({tracked(4, joined({moving_track(Property::x, keys), bytes({1, 0}), value_bytes({32, 48}),
-                                           moving_track(Property::rotation, {{{}, 0, 77}}),
-                                           fixed_track(Property::opacity, 9)})),
-                        tracked(1, moving_track(Property::x, keys))});
+    raw.items =
+        joined({tracked(4, joined({moving_track(Property::x, keys), bytes({1, 0}), value_bytes({32, 48}),
+                                   moving_track(Property::rotation, {{{}, 0, 77}}),
+                                   fixed_track(Property::opacity, 9)})),
+                tracked(1, moving_track(Property::x, keys))});
     const Bytes file = raw.file();
     const SceneView scene = accepted(file);
     CHECK(scene.records().timelines == 2);
@@ -71,9 +75,9 @@ TEST_CASE("tracks with the same key times share a timeline, single keys need non
 TEST_CASE("a track depends on its keys, and on its way where its values differ")
 {
     RawScene raw;
-    raw.items = tracked(1, moving_track(Property::x, {{Time::frame(1), 0, 5},
-                                                      {Time::frame(2), 0, 5},
-                                                      {Time::frame(3), 0, 8}}));
+    raw.items =
+        tracked(1, moving_track(Property::x,
+                                {{Time::frame(1), 0, 5}, {Time::frame(2), 0, 5}, {Time::frame(3), 0, 8}}));
     const Bytes file = raw.file();
     const SceneView scene = accepted(file);
     MovedScene moved{scene};

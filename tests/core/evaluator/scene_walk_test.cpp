@@ -82,10 +82,10 @@ TEST_CASE("the lowest order is painted first, and of equals the first")
 
 TEST_CASE("the order changes with time")
 {
-    const Bytes items = joined(
-        {letter('a'),
-         letter('b', moving_track(Property::order, {{Time::frame(2), 0, 0}, {Time::frame(4), 0, -1}})),
-         letter('c', moving_track(Property::order, {{{}, 0, 3}, {Time::frame(6), 0, -2}}))});
+    const Bytes items =
+        joined({letter('a'),
+                letter('b', moving_track(Property::order, {{Time::frame(2), 0, 0}, {Time::frame(4), 0, -1}})),
+                letter('c', moving_track(Property::order, {{{}, 0, 3}, {Time::frame(6), 0, -2}}))});
     CHECK(letters_in(items) == "abc");
     CHECK(letters_in(items, {4 * 1024 - 1}) == "abc");
     CHECK(letters_in(items, Time::frame(4)) == "bac");
@@ -121,8 +121,8 @@ TEST_CASE("any orders are those of a stable sort")
 TEST_CASE("what is not seen is passed, with all that lies within it")
 {
     const Bytes hidden = joined({bytes({5, 1}), fixed_track(Property::visible, 0), block(letter('b'))});
-    CHECK(letters_in(joined({letter('a'), hidden, letter('c', fixed_track(Property::opacity, 0)),
-                             letter('d')})) == "ad");
+    CHECK(letters_in(joined(
+              {letter('a'), hidden, letter('c', fixed_track(Property::opacity, 0)), letter('d')})) == "ad");
 }
 
 TEST_CASE("groups of several layers are blended as a whole, others fade what lies within them")

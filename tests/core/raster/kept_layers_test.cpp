@@ -23,8 +23,7 @@ std::vector<raster::Corner> triangle_of(const std::vector<raster::Corner>& pixel
 
 /// Adds a layer of one contour.
 void add_layer(raster::OutlineStore& store, raster::LayerName name, std::uint16_t step,
-               const std::vector<raster::Corner>& contour,
-               const Dependence& dependence)
+               const std::vector<raster::Corner>& contour, const Dependence& dependence)
 {
     store.begin_layer(name, step);
     for (const raster::Corner corner : contour)

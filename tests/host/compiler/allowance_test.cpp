@@ -59,8 +59,9 @@ TEST_CASE("items are counted as they are written, too, and so are their tracks")
     scene::Scene scene = scene_of({item(scene::Use{0})}, {{"dust", empty_groups(65'532)}});
     CHECK(written(scene).size() > 0);
     scene.symbols.front().items.push_back(at(5, item(scene::Group{})));
-    CHECK(refusal(scene).message == "the scene needs 65534 items as they are written, the format holds 65533; "
-                                    "this group alone needs 1");
+    CHECK(refusal(scene).message ==
+          "the scene needs 65534 items as they are written, the format holds 65533; "
+          "this group alone needs 1");
 }
 
 TEST_CASE("symbols that multiply beyond all numbers are refused too")

@@ -1,0 +1,45 @@
+#include "core/scene_check.hpp"
+
+#include "core/blending.hpp"
+#include "core/evaluator/prepare.hpp"
+#include "core/kfb_limits.hpp"
+
+#include <algorithm>
+
+/// What a scene takes to be played.
+namespace kfast {
+
+bool SceneCheck::count_records()
+{
+    Preparer preparer{scene_, {}};
+    preparer.run();
+    scene_.records_ = preparer.records();
+    return scene_.records_.tracks <= kfb::max_tracks && scene_.records_.nodes <= kfb::max_nodes;
+}
+
+bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)
+{
+    while (!items.at_end())
+        if (++items_ > kfb::max_items || !count_item(items.next(), depth, blended) ||
+            scene_.paint_steps_ > kfb::max_paint_steps)
+            return false;
+    return true;
+}
+
+/// `blended` items may be blended as a whole around this one.
+bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint32_t blended)
+{
+    if (may_be_blended(scene_, item)) {
+        scene_.paint_steps_ += 2;
+        scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
+    }
+    if (item.is_leaf()) {
+        scene_.paint_steps_ += layer_count(item.object.style);
+        return true;
+    }
+    if (depth == kfb::max_depth)
+        return false;
+    return count_items(scene_.items_in(item), depth + 1, blended);
+}
+
+}

@@ -1,0 +1,133 @@
+#include "core/kfb_limits.hpp"
+#include "tests/core/acceptance.hpp"
+#include "tests/core/raw_drawing.hpp"
+
+#include <cstddef>
+#include <doctest/doctest.h>
+#include <vector>
+
+/// How much a scene may have.
+namespace kfast::test {
+namespace {
+
+/// Groups in groups, `depth` of them, around `innermost`.
+Bytes nested(int depth, Bytes innermost)
+{
+    for (; depth > 0; --depth)
+        innermost = group(innermost);
+    return innermost;
+}
+
+/// `symbols` symbols, each of which uses the one before it inside of `groups` groups; the last is used. Uses
+/// and groups lie (groups + 1) * symbols deep in each other.
+RawScene chain(int symbols, int groups)
+{
+    RawScene scene;
+    scene.add_symbol(nested(groups, triangle()));
+    for (int number = 1; number < symbols; ++number)
+        scene.add_symbol(nested(groups, use(number - 1)));
+    scene.items = use(symbols - 1);
+    return scene;
+}
+
+/// 2^7 (count + 2) - 1 items: eight symbols, each with two uses of the one before, the first with `count`
+/// objects.
+RawScene doubled(std::size_t count)
+{
+    RawScene scene;
+    scene.add_symbol(repeated(nothing(), count));
+    for (int number = 1; number < 8; ++number)
+        scene.add_symbol(repeated(use(number - 1), 2));
+    scene.items = use(7);
+    return scene;
+}
+
+}
+
+TEST_CASE("groups lie at most 8 deep in each other")
+{
+    CHECK(takes_items(nested(8, triangle())));
+    CHECK_FALSE(takes_items(nested(9, triangle())));
+    CHECK_FALSE(takes_items(nested(9, {})));
+    CHECK_FALSE(takes_items(nested(10'000, {})));
+}
+
+TEST_CASE("groups and uses of symbols lie at most 8 deep in each other")
+{
+    CHECK(is_accepted(chain(8, 0)));
+    CHECK_FALSE(is_accepted(chain(9, 0)));
+    CHECK_FALSE(is_accepted(chain(255, 0)));
+    CHECK(is_accepted(chain(4, 1)));
+    CHECK(is_accepted(chain(2, 3)));
+    CHECK_FALSE(is_accepted(chain(2, 4)));
+    CHECK_FALSE(is_accepted(chain(3, 2)));
+}
+
+TEST_CASE("a symbol that is not used may not be too deep by itself either")
+{
+    RawScene scene;
+    scene.add_symbol(nested(7, triangle()));
+    CHECK(is_accepted(scene));
+    scene.add_symbol(nested(8, triangle())); // with its use, nine
+    CHECK_FALSE(is_accepted(scene));
+}
+
+TEST_CASE("items, symbols and the scene are at most 65535 as they are stored, and so are tracks")
+{
+    CHECK(takes_items(repeated(nothing(), 65534)));
+    CHECK_FALSE(takes_items(repeated(nothing(), 65535)));
+    RawScene scene;
+    scene.add_symbol(repeated(group({}), 65532));
+    CHECK(is_accepted(scene));
+    scene.add_symbol({});
+    CHECK_FALSE(is_accepted(scene));
+    const Bytes moved = tracked(2, joined({fixed_track(Property::x, 1), fixed_track(Property::y, 1)}));
+    CHECK(takes_items(repeated(moved, 21845)));
+    CHECK_FALSE(takes_items(joined({repeated(moved, 21845), nothing()})));
+}
+
+TEST_CASE("the whole scene has at most 65535 items, each counted wherever it is painted")
+{
+    RawScene scene = doubled(510);
+    CHECK(is_accepted(scene));
+    scene.items = joined({nothing(), scene.items});
+    CHECK_FALSE(is_accepted(scene));
+    SUBCASE("and is refused before 255^8 of them are counted")
+    {
+        RawScene hostile;
+        hostile.add_symbol(nothing());
+        for (int number = 1; number < 8; ++number)
+            hostile.add_symbol(repeated(use(number - 1), 255));
+        hostile.items = repeated(use(7), 255);
+        CHECK_FALSE(is_accepted(hostile));
+    }
+}
+
+TEST_CASE("items beside each other are at most 256 if one of them has an order")
+{
+    const Bytes ordered = joined({bytes({0x05, 1}), fixed_track(Property::order, 1), block({})});
+    CHECK(takes_items(joined({repeated(nothing(), 255), ordered})));
+    CHECK_FALSE(takes_items(joined({repeated(nothing(), 256), ordered})));
+    CHECK_FALSE(takes_items(group(joined({ordered, repeated(nothing(), 256)}))));
+    CHECK(takes_items(joined({ordered, repeated(nothing(), 200), group(repeated(nothing(), 200))})));
+    CHECK(takes_items(repeated(nothing(), 400)));
+}
+
+TEST_CASE("drawings of all keys have at most 4,194,304 points, each key one more")
+{
+    // 127 points on one stroke: 126 lines of one bit each way, which do not move
+    const Bytes line = joined({bytes({1, 0, 0, 0, 1, 0xFC, 0x01}), Bytes(32)});
+    const auto takes_keys_of = [&line](std::size_t count) {
+        RawScene scene;
+        scene.drawings = line;
+        std::vector<RawKey> keys(count);
+        for (std::size_t i = 0; i < count; ++i)
+            keys[i].time.ticks = static_cast<std::int32_t>(i);
+        scene.items = joined({bytes({0x08, 1}), key_bytes(keys)});
+        return is_accepted(scene);
+    };
+    CHECK(takes_keys_of(4'194'304 / 128));
+    CHECK_FALSE(takes_keys_of(4'194'304 / 128 + 1));
+}
+
+}
