@@ -14,7 +14,9 @@ bool SceneCheck::count_records()
     Preparer preparer{scene_, {}};
     preparer.run();
     scene_.records_ = preparer.records();
-    return scene_.records_.tracks <= kfb::max_tracks && scene_.records_.nodes <= kfb::max_nodes;
+    const SceneRecords& records = scene_.records_;
+    return records.timelines < LiveTrack::no_timeline && records.tracks <= kfb::max_tracks &&
+           records.nodes <= kfb::max_nodes;
 }
 
 bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)

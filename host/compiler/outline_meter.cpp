@@ -54,13 +54,7 @@ const raster::Picture& OutlineMeter::picture_at(const Moment& moment)
     return picture_;
 }
 
-std::size_t OutlineMeter::live_bytes_at(const Moment& moment)
-{
-    if (drawings_.empty())
-        return 0;
-    on_panel_.prepared.move_to(on_panel_.scene, moment, 0);
-    return live_outline_bytes(on_panel_);
-}
+std::size_t OutlineMeter::live_bytes() const { return drawings_.empty() ? 0 : live_outline_bytes(on_panel_); }
 
 void OutlineMeter::trace()
 {

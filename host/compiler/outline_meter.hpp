@@ -26,8 +26,8 @@ public:
     void put_text(std::uint32_t number, std::string_view text);
     /// With nothing in the drawings that are told from outside. Valid until the next call.
     const raster::Picture& picture_at(const Moment& moment);
-    /// What these add at most, whatever is told.
-    std::size_t live_bytes_at(const Moment& moment);
+    /// What these add at the same moment at most, whatever is told.
+    std::size_t live_bytes() const;
 
 private:
     void trace();

@@ -68,7 +68,7 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
                 report_excess(scene, *view, measured.moment(), texts, diagnostics);
                 return std::nullopt;
             }
-            const std::size_t live = meter.live_bytes_at(measured.moment());
+            const std::size_t live = meter.live_bytes();
             const std::size_t bytes = outlines.needed_bytes() + live;
             if (bytes > kfb::max_outline_bytes) {
                 report_live_excess(scene, measured.moment(), outlines.needed_bytes(), live, diagnostics);
