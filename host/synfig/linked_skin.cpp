@@ -91,7 +91,7 @@ public:
         for (const std::string& guid : reading_.file.bones())
             if (root_of(guid) == root)
                 tree.push_back(guid);
-        if (tree.size() > scene::most_bones || !keep_their_shape(tree))
+        if (tree.empty() || tree.size() > scene::most_bones || !keep_their_shape(tree))
             return nullptr;
         const PosedRig posed = posed_rig(posed_bones(tree), reading_);
         linked.rig = reading_.rigs.size();

@@ -167,9 +167,10 @@ class Benchmarks(unittest.TestCase):
                       f"{pictures_a_second('walker', 1):.0f} at worst, and more for all others", text)
         self.assertTrue(all(pictures_a_second(scene, 1) >= pictures_a_second("walker", 1) for scene in beams))
         budget = instructions_a_second / 100_000
-        self.assertIn(f"with {budget:.0f} instructions for each of 100,000 points, `eyes`, `jitterbug` and `lissajous` would", text)
+        self.assertIn(f"with {budget:.0f} instructions for each of 100,000 points, `eyes`, `jitterbug`, `lissajous` and `marcher` would",
+                      text)
         self.assertEqual([scene for scene in beams if number(beams[scene]["in all, for a point"], 1) < budget],
-                         ["eyes", "jitterbug", "lissajous"])
+                         ["eyes", "jitterbug", "lissajous", "marcher"])
 
 
 if __name__ == "__main__":
