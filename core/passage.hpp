@@ -2,9 +2,6 @@
 
 #include "core/fixed.hpp"
 #include "core/hermite.hpp"
-#include "core/key_interval.hpp"
-#include "core/scene_view.hpp"
-#include "core/track_view.hpp"
 
 #include <cstdint>
 
@@ -19,12 +16,6 @@ struct Passage {
 
 /// Which of the two laws of a key governs.
 enum class LawAxis : std::uint8_t { x, y };
-
-/// `keys` are those around `time`.
-Passage passage_between(const SceneView& scene, const KeyInterval<TrackKey>& keys, LawAxis axis, Time time);
-
-/// `keys` has at least one.
-Passage passage_at(const SceneView& scene, TrackKeyCursor keys, LawAxis axis, Time time);
 
 /// Of a quantity in 1/16 px, in 1/256 of it.
 constexpr Fixed fine_pixels(std::int32_t fine)

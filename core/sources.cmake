@@ -63,7 +63,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/object_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/passage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/picture_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp

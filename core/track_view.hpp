@@ -2,7 +2,6 @@
 
 #include "core/beat_cursor.hpp"
 #include "core/byte_reader.hpp"
-#include "core/key_interval.hpp"
 #include "core/packed_values.hpp"
 #include "core/property.hpp"
 #include "core/time.hpp"
@@ -40,13 +39,6 @@ private:
     PackedValues values_;
     bool is_smooth_ = false;
 };
-
-/// Looks at no value in between.
-inline KeyInterval<TrackKey> interval_at(const TrackKeyCursor& keys, Time time)
-{
-    const auto [from, to] = interval_at(keys.beats(), time);
-    return {keys.at(from), keys.at(to)};
-}
 
 /// One quantity of an item: a fixed value, or keys; borrows the scene's bytes.
 struct TrackView {

@@ -12,7 +12,8 @@
 namespace kfast {
 
 /// Key times of a scene, and where among them a moment lies: between which two of them, and how far the way
-/// from the one to the other has come. All that the scene stores with the same key times shares them.
+/// from the one to the other has come. Each set of key times that the scene stores has one: tracks of an item
+/// and bones of a skeleton share it where the file says so.
 ///
 /// It goes on from where it stands: only a moment before the present key makes it begin anew.
 class KeyTimeline {
@@ -48,9 +49,9 @@ public:
     Time time_before() const { return before_; }
     Time time_after(const SceneView& scene) const;
 
-    /// Since the last move but one.
+    /// Whether the last move led between other keys.
     bool has_other_keys() const { return has_other_keys_; }
-    /// Likewise, or the way has come further.
+    /// Whether it did, or the way has come further.
     bool has_moved() const { return has_moved_; }
 
 private:

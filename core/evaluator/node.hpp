@@ -57,9 +57,9 @@ struct Node {
     bool has_more() const { return has_depths || carrier == Carrier::bones; }
 };
 
-/// A bone that a scene stores, likewise.
+/// A bone that a scene stores, ready to be posed.
 struct BoneNode {
-    std::uint32_t place = 0; ///< likewise
+    std::uint32_t place = 0; ///< in the scene's bytes, where it begins
     std::uint16_t first_track = 0;
     std::uint16_t parent = 0; ///< 0 for a root, else the number of an earlier bone of the scene + 1
     std::uint8_t track_count = 0;

@@ -73,10 +73,10 @@ private:
         std::uint32_t path = 0;
         std::uint32_t opacity = 255; ///< of its picture if it is blended, else of all that lies within it
         Dependence dependence;
-        const Space* space =
-            nullptr; ///< its own, or that of what lies around; null as long as it is not known
+        const Space* space = nullptr; ///< its own, or that of what lies around; null until it is computed
     };
 
+    static constexpr std::size_t max_levels = kfb::max_depth + 2; ///< the scene, groups and uses, a leaf
     static constexpr std::int32_t no_order = std::numeric_limits<std::int32_t>::max();
 
     /// What applies to the colours of what lies within it.
@@ -94,10 +94,8 @@ private:
 
     const SceneOnPanel& on_panel_;
     Opacity opacity_;
-    static constexpr std::size_t most_levels = kfb::max_depth + 2; ///< the scene, groups and uses, a leaf
-
-    std::array<Level, most_levels> levels_;
-    std::array<std::optional<Space>, most_levels> spaces_; ///< of those that have their own
+    std::array<Level, max_levels> levels_;
+    std::array<std::optional<Space>, max_levels> spaces_; ///< of those that have their own
     Level* top_ = levels_.data();
     Level* current_ = levels_.data();
     Dependence leaf_dependence_;

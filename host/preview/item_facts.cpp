@@ -2,7 +2,6 @@
 
 #include "core/hermite.hpp"
 #include "core/item_state.hpp"
-#include "core/passage.hpp"
 #include "host/law_text.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/property_name.hpp"
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace kfast {
@@ -96,40 +94,14 @@ void join_scales(std::vector<Quantity>& quantities)
     quantities.erase(y);
 }
 
-/// By property; of what has no track none.
-std::map<Property, TrackView> tracks_of(const ItemView& item)
-{
-    std::map<Property, TrackView> tracks;
-    for (TrackCursor cursor = item.tracks; !cursor.at_end();) {
-        const TrackView track = cursor.next();
-        tracks.emplace(track.property, track);
-    }
-    return tracks;
-}
-
-/// In the unit of the property, with parts of it.
-double amount_at(const SceneView& scene, const TrackView& track, const Moment& moment)
-{
-    if (track.is_fixed)
-        return track.value;
-    const Time time = moment.at(track.keys.beats().clock());
-    constexpr double fine_one = 1 << fine_bits;
-    if (track.is_smooth)
-        return hermite(hermite_span_at(track.keys, time), time) / fine_one;
-    if (track.property == Property::order || track.property == Property::visible)
-        return interval_at(track.keys, time).from.value;
-    const LawAxis axis = goes_by_y(track.property) ? LawAxis::y : LawAxis::x;
-    return fine_value(passage_at(scene, track.keys, axis, time)) / fine_one;
-}
-
 /// Which properties are of interest whatever tracks there are, in the order in which they are listed.
 constexpr std::array always_listed{Property::x,       Property::y,        Property::scale_x,
                                    Property::scale_y, Property::rotation, Property::opacity};
 
 class ValueList {
 public:
-    ValueList(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
-        : on_panel_{on_panel}, scene_{on_panel.scene}, item_{item}, moment_{moment}, tracks_{tracks_of(item)}
+    ValueList(const SceneOnPanel& on_panel, const Node& item)
+        : scene_{on_panel.scene}, prepared_{on_panel.prepared}, item_{item}
     {
     }
 
@@ -138,9 +110,11 @@ public:
         for (const Property property : always_listed)
             add(property);
         join_equal_scales();
-        for (const auto& [property, track] : tracks_)
+        for (const LiveTrack& track : prepared_.tracks(item_)) {
+            const auto property = static_cast<Property>(track.property);
             if (std::ranges::find(always_listed, property) == always_listed.end() && !is_painted(property))
                 add(property);
+        }
         add_paint();
         return std::move(values_);
     }
@@ -148,10 +122,27 @@ public:
 private:
     static bool is_painted(Property property) { return is_colour(property) || property == Property::width; }
 
+    const LiveTrack* track(Property property) const
+    {
+        const auto tracks = prepared_.tracks(item_);
+        const auto found =
+            std::ranges::find(tracks, static_cast<std::uint8_t>(property), &LiveTrack::property);
+        return found == tracks.end() ? nullptr : &*found;
+    }
+
     bool has_keys(Property property) const
     {
-        const auto track = tracks_.find(property);
-        return track != tracks_.end() && !track->second.is_fixed && track->second.keys.beats().count() > 1;
+        const LiveTrack* const found = track(property);
+        return found != nullptr && found->has_timeline();
+    }
+
+    /// In the unit of the property, with parts of it.
+    double amount(Property property) const
+    {
+        const LiveTrack* const found = track(property);
+        constexpr double fine_one = 1 << fine_bits;
+        return found == nullptr ? value_without_track(property)
+                                : prepared_.fine_value(scene_, *found) / fine_one;
     }
 
     void add(Property property, std::string value)
@@ -161,13 +152,10 @@ private:
 
     void add(Property property)
     {
-        const auto track = tracks_.find(property);
-        const double stored = track == tracks_.end() ? value_without_track(property)
-                                                     : amount_at(scene_, track->second, moment_);
+        const double stored = amount(property);
         if (property == Property::visible)
             return add(property, value_text(scene_, property, static_cast<std::int32_t>(stored)));
-        const double amount = written_amount(property, stored);
-        add(property, rounded_text(std::round(amount * 1000) / 1000));
+        add(property, rounded_text(std::round(written_amount(property, stored) * 1000) / 1000));
     }
 
     void join_equal_scales()
@@ -183,12 +171,10 @@ private:
 
     void add_paint()
     {
-        const ObjectStyle& style = item_.object.style;
+        const ObjectStyle& style = item_.style;
         if (!item_.is_leaf())
             return;
-        const auto node =
-            std::ranges::find(on_panel_.prepared.nodes(), scene_.place_of(item_.place), &Node::place);
-        const ItemState state{scene_, on_panel_.prepared, *node};
+        const ItemState state{scene_, prepared_, item_};
         if (style.is_filled)
             add(Property::fill, colour_text(state.fill()));
         if (!style.is_stroked)
@@ -198,11 +184,9 @@ private:
         add(Property::width, rounded_text(std::round(state.width().raw() / one * 1000) / 1000));
     }
 
-    const SceneOnPanel& on_panel_;
     const SceneView& scene_;
-    const ItemView& item_;
-    const Moment& moment_;
-    std::map<Property, TrackView> tracks_;
+    const PreparedScene& prepared_;
+    const Node& item_;
     std::vector<ItemValue> values_;
 };
 
@@ -256,15 +240,11 @@ KeysAround keys_around(const Quantity& quantity, Time moment)
     return around;
 }
 
-std::vector<ItemValue> values_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
-{
-    return ValueList{on_panel, item, moment}.all();
-}
-
 ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
 {
     const SceneView& scene = on_panel.scene;
-    ItemFacts facts{values_at(on_panel, item, moment), {}};
+    const auto node = std::ranges::find(on_panel.prepared.nodes(), scene.place_of(item.place), &Node::place);
+    ItemFacts facts{ValueList{on_panel, *node}.all(), {}};
     for (const Quantity& quantity : quantities_of(scene, item))
         if (quantity.keys.size() > 1)
             facts.ways.push_back(way_at(scene, quantity, moment));

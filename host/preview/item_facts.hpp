@@ -45,10 +45,6 @@ struct ItemValue {
     bool has_keys = false; ///< more than one of them
 };
 
-/// Place, size, direction and opacity, what an object is painted with, and whatever else has a track.
-/// `on_panel` has been moved to the moment.
-std::vector<ItemValue> values_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment);
-
 /// An item at a moment, for somebody who looks at it.
 struct ItemFacts {
     struct Way {
@@ -56,11 +52,12 @@ struct ItemFacts {
         std::string begin; ///< the key before: "10: 40, accelerate"; empty if there is none
         std::string end;   ///< the key after, in the same way
     };
+    /// Place, size, direction and opacity, what an object is painted with, and whatever else has a track.
     std::vector<ItemValue> values;
     std::vector<Way> ways; ///< of all quantities with more than one key
 };
 
-/// Likewise.
+/// `on_panel` has been moved to the moment.
 ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment);
 
 }
