@@ -1,6 +1,7 @@
 #include "core/carried_drawing.hpp"
 
 #include "core/held_point.hpp"
+#include "core/plain_function.hpp"
 
 namespace kfast {
 namespace {
@@ -25,24 +26,41 @@ Point carried_by(std::span<const LiveBone> bones, Point point, const Binding& bi
 
 }
 
+const CarriedDrawing::Code CarriedDrawing::code{.begin_stroke =
+                                                    plain_function<&CarriedDrawing::begin_carried_stroke>,
+                                                .carry = plain_function<&CarriedDrawing::carried_segment>};
+
+CarriedDrawing::CarriedDrawing(const PackedDrawing& drawing, const PackedDrawing& at_rest,
+                               const SkinReader& skin, std::span<const LiveBone> bones)
+    : code_{&code}, drawing_{drawing}, at_rest_{at_rest}, skin_{skin}, bones_{bones}
+{
+}
+
 std::uint32_t CarriedDrawing::next_stroke()
 {
     const std::uint32_t segments = drawing_.next_stroke();
     start_ = drawing_.start();
-    if (!is_carried())
-        return segments;
-    at_rest_.next_stroke();
-    binding_ = skin_.next();
-    start_ = carried(start_, at_rest_.start(), binding_);
-    at_ = start_;
+    if (is_carried())
+        code_->begin_stroke(*this);
     return segments;
 }
 
 Segment CarriedDrawing::next_segment()
 {
-    Segment segment = drawing_.next_segment();
-    if (!is_carried())
-        return segment;
+    const Segment segment = drawing_.next_segment();
+    return is_carried() ? code_->carry(*this, segment) : segment;
+}
+
+void CarriedDrawing::begin_carried_stroke()
+{
+    at_rest_.next_stroke();
+    binding_ = skin_.next();
+    start_ = carried(start_, at_rest_.start(), binding_);
+    at_ = start_;
+}
+
+Segment CarriedDrawing::carried_segment(Segment segment)
+{
     const Segment at_rest = at_rest_.next_segment();
     segment.from = at_;
     if (segment.kind == Segment::Kind::cubic)

@@ -20,10 +20,7 @@ public:
     /// `bones` are those of the skin's skeleton, posed; they must outlive this. `at_rest` is the skin's, or
     /// `drawing` again.
     CarriedDrawing(const PackedDrawing& drawing, const PackedDrawing& at_rest, const SkinReader& skin,
-                   std::span<const LiveBone> bones)
-        : drawing_{drawing}, at_rest_{at_rest}, skin_{skin}, bones_{bones}
-    {
-    }
+                   std::span<const LiveBone> bones);
 
     std::uint32_t strokes() const { return drawing_.strokes(); }
     std::uint32_t next_stroke();
@@ -31,9 +28,19 @@ public:
     Segment next_segment();
 
 private:
-    bool is_carried() const { return !bones_.empty(); }
+    /// What works on it where bones carry it: linked only with what makes such a one.
+    struct Code {
+        void (*begin_stroke)(CarriedDrawing&);
+        Segment (*carry)(CarriedDrawing&, Segment segment);
+    };
+    static const Code code;
+
+    bool is_carried() const { return code_ != nullptr; }
+    void begin_carried_stroke();
+    Segment carried_segment(Segment segment);
     Point carried(Point point, Point at_rest, const Binding& binding) const;
 
+    const Code* code_ = nullptr;
     PackedDrawing drawing_;
     PackedDrawing at_rest_; ///< read in step with the other if there is one
     SkinReader skin_;

@@ -23,6 +23,26 @@ constexpr std::string_view error_text(Error error)
         return "bad_scene: a value is out of its range or refers to nothing"sv;
     case Error::block_too_small:
         return "block_too_small: the scene needs more memory than the board lends"sv;
+    case Error::needs_strokes:
+        return "needs_strokes: the program was built without strokes"sv;
+    case Error::needs_tweens:
+        return "needs_tweens: the program was built without tweens"sv;
+    case Error::needs_bones:
+        return "needs_bones: the program was built without bones"sv;
+    case Error::needs_backbones:
+        return "needs_backbones: the program was built without backbones"sv;
+    case Error::needs_depth:
+        return "needs_depth: the program was built without depth"sv;
+    case Error::needs_wires:
+        return "needs_wires: the program was built without wire frames"sv;
+    case Error::needs_paths:
+        return "needs_paths: the program was built without paths"sv;
+    case Error::needs_smooth:
+        return "needs_smooth: the program was built without smooth tracks"sv;
+    case Error::needs_texts:
+        return "needs_texts: the program was built without texts"sv;
+    case Error::needs_drawings:
+        return "needs_drawings: the program was built without drawings as inputs"sv;
     }
     return ""sv;
 }

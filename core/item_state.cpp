@@ -1,8 +1,11 @@
 #include "core/item_state.hpp"
 
 #include "core/angle.hpp"
+#include "core/feature_code.hpp"
 #include "core/hermite.hpp"
 #include "core/passage.hpp"
+#include "core/path_view.hpp"
+#include "core/turning.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
@@ -23,25 +26,6 @@ Colour colour_between(Colour from, Colour to, Way way)
             channel_between(from.blue, to.blue, way), channel_between(from.opacity, to.opacity, way)};
 }
 
-/// A unit vector's component in Q30 times a scale in 1/2^20, as a Q16 factor.
-std::int32_t scaled_component(std::int32_t component, std::int32_t scale)
-{
-    return multiply(component, scale, 34);
-}
-
-/// A unit vector's component in Q30, in Q16.
-std::int32_t component(std::int32_t q30) { return (q30 + (1 << 13)) >> 14; }
-
-/// Of two components of unit vectors.
-std::int32_t product(std::int32_t a, std::int32_t b) { return multiply(a, b, 30); }
-
-struct Direction {
-    explicit Direction(FineAngle angle) : cosine{kfast::cosine(angle)}, sine{kfast::sine(angle)} {}
-
-    std::int32_t cosine; ///< Q30
-    std::int32_t sine;
-};
-
 /// Rounded to nearest, halves up.
 std::int32_t whole(std::int32_t fine) { return (fine + (1 << (fine_bits - 1))) >> fine_bits; }
 
@@ -54,14 +38,17 @@ std::int64_t within_shift(std::int64_t shift)
 /// Where an item is put, by what its tracks come to.
 class Placement {
 public:
-    Placement() { fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits; }
+    explicit Placement(const Features& features) : features_{features}
+    {
+        fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits;
+    }
 
     /// In 1/256 of the unit of the property, which is among those that place an item.
     std::int32_t& fine(Property property) { return fine_[static_cast<std::size_t>(property)]; }
     /// Puts the pivot onto the path.
     void follow(const PathView& path, const PackedDrawing& stroke)
     {
-        const PathPlace place = place_on(path, stroke, value(Property::along));
+        const PathPlace place = features_.paths->place_on(path, stroke, value(Property::along));
         position_ = place.at - Point{in_pixels(Property::pivot_x), in_pixels(Property::pivot_y)};
         if (path.turns)
             turned_ = FineAngle::of(place.direction);
@@ -72,8 +59,9 @@ private:
     std::int32_t value(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
     Fixed in_pixels(Property property) const { return fine_pixels(value(property)); }
     FineAngle angle(Property property) const { return FineAngle::of_fine(value(property)); }
-    Space turning() const;
+    Space turn() const;
 
+    const Features& features_;
     std::array<std::int32_t, static_cast<std::size_t>(Property::along) + 1> fine_{};
     Point position_;   ///< that a path gives it
     FineAngle turned_; ///< by a path
@@ -81,11 +69,11 @@ private:
 
 Space Placement::space() const
 {
-    const Space turned = turning();
+    const Space turned = turn();
     const Fixed pivot_x = in_pixels(Property::pivot_x);
     const Fixed pivot_y = in_pixels(Property::pivot_y);
     const Space to_pivot{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
-    Space placed = to_pivot.plane == Affine{} ? turned : turned * to_pivot;
+    Space placed = to_pivot.plane == Affine{} ? turned : product(turned, to_pivot, features_);
     const auto shift = [](std::int64_t from_pivot, Fixed position, Fixed along_path, Fixed pivot) {
         return within_shift(from_pivot + position.raw() + along_path.raw() + pivot.raw());
     };
@@ -95,30 +83,15 @@ Space Placement::space() const
     return placed;
 }
 
-/// Scale, then turn about z, y and x; every factor is rounded to Q16 once.
-Space Placement::turning() const
+Space Placement::turn() const
 {
-    const Direction z{angle(Property::rotation) + turned_};
-    const std::int32_t scale_x = value(Property::scale_x);
-    const std::int32_t scale_y = value(Property::scale_y);
-    if (angle(Property::rotation_x) == FineAngle{} && angle(Property::rotation_y) == FineAngle{})
-        return {.plane = {.xx = scaled_component(z.cosine, scale_x),
-                          .xy = scaled_component(-z.sine, scale_y),
-                          .yx = scaled_component(z.sine, scale_x),
-                          .yy = scaled_component(z.cosine, scale_y)}};
-    const Direction x{angle(Property::rotation_x)};
-    const Direction y{angle(Property::rotation_y)};
-    const std::int32_t deep_x = -product(y.sine, z.cosine); // where turns about z and y take x and y in z
-    const std::int32_t deep_y = product(y.sine, z.sine);
-    return {.plane = {.xx = scaled_component(product(y.cosine, z.cosine), scale_x),
-                      .xy = scaled_component(-product(y.cosine, z.sine), scale_y),
-                      .yx = scaled_component(product(x.cosine, z.sine) - product(x.sine, deep_x), scale_x),
-                      .yy = scaled_component(product(x.cosine, z.cosine) - product(x.sine, deep_y), scale_y)},
-            .xz = component(y.sine),
-            .yz = component(-product(x.sine, y.cosine)),
-            .zx = scaled_component(product(x.sine, z.sine) + product(x.cosine, deep_x), scale_x),
-            .zy = scaled_component(product(x.sine, z.cosine) + product(x.cosine, deep_y), scale_y),
-            .zz = component(product(x.cosine, y.cosine))};
+    const Turning turning{.x = angle(Property::rotation_x),
+                          .y = angle(Property::rotation_y),
+                          .z = angle(Property::rotation) + turned_,
+                          .scale_x = value(Property::scale_x),
+                          .scale_y = value(Property::scale_y)};
+    const bool is_upright = turning.x == FineAngle{} && turning.y == FineAngle{};
+    return is_upright ? upright(turning) : features_.depth->tilted(turning);
 }
 
 }
@@ -151,9 +124,9 @@ std::uint32_t ItemState::opacity() const
 Space ItemState::placement() const
 {
     did(Work::placement);
-    Placement placement;
+    Placement placement{scene_.features()};
     for (const LiveTrack& track : prepared_.tracks(item_)) {
-        if (track.property > static_cast<std::uint8_t>(Property::along))
+        if (!places_item(static_cast<Property>(track.property)))
             break;
         did(Work::track);
         placement.fine(static_cast<Property>(track.property)) = prepared_.fine_value(scene_, track);

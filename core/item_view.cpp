@@ -164,6 +164,13 @@ Key KeyCursor::at(const Beat& beat) const
     return key;
 }
 
+/// What places it stands first among its tracks.
+bool ItemView::is_placed() const
+{
+    TrackCursor all = tracks;
+    return !all.at_end() && places_item(all.next().property);
+}
+
 ItemView ItemCursor::next()
 {
     ItemView item;

@@ -129,6 +129,8 @@ struct ItemView {
 
     /// Whether it is painted itself, instead of items inside of it.
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
+    /// Whether some track moves, turns or scales it.
+    bool is_placed() const;
 };
 
 /// Reads items that lie beside each other, the lowest first.

@@ -32,8 +32,8 @@ public:
         for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
             const PlacedGlyph glyph = layout.next();
             did(Work::object);
-            trace_strokes(CarriedDrawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}}, placement,
-                          outline);
+            CarriedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
+            trace_strokes(drawing, placement, outline);
         }
     }
 

@@ -1,6 +1,7 @@
 #include "core/live_backbones.hpp"
 
 #include "core/held_point.hpp"
+#include "core/plain_function.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
@@ -111,14 +112,14 @@ struct KeptPointsBetween {
 
 LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
                              PackedDrawing to, Progress way)
-    : nodes_{nodes}, unit_bits_{unit_bits}
+    : between_{plain_function<&LiveBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
 {
     take(PointsBetween{from, to, way});
 }
 
 LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both,
                              Progress way)
-    : nodes_{nodes}, unit_bits_{unit_bits}
+    : between_{plain_function<&LiveBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
 {
     take(KeptPointsBetween{both, way});
 }
@@ -164,7 +165,7 @@ Point LiveBackbones::place(Cell cell, Fixed across) const
     return placed_across<std::int64_t>(a, b, side, cell.along, width);
 }
 
-Point LiveBackbones::between(Point a, Point b, Progress way) const
+Point LiveBackbones::between_points(Point a, Point b, Progress way) const
 {
     did(Work::bent_point);
     if (a == b)

@@ -40,9 +40,10 @@ public:
     /// Between two points in relative coordinates: through these where both belong to one backbone, which a
     /// way that swings far does not leave either; else straight from one place to the other. Within ±16380
     /// px.
-    Point between(Point a, Point b, Progress way) const;
+    Point between(Point a, Point b, Progress way) const { return between_(*this, a, b, way); }
 
 private:
+    Point between_points(Point a, Point b, Progress way) const;
     /// Where on which segment.
     struct Cell {
         std::int32_t node;  ///< the first of two
@@ -58,6 +59,8 @@ private:
     bool is_node(std::int32_t index) const;
     std::int32_t backbone_of(Cell cell) const { return nodes_[static_cast<std::size_t>(cell.node)].backbone; }
 
+    /// What works on it: linked only with what makes one.
+    Point (*between_)(const LiveBackbones&, Point, Point, Progress);
     std::span<BackboneNode> nodes_;
     std::uint32_t unit_bits_;
     bool is_one_ = false;    ///< there is a single backbone

@@ -1,5 +1,7 @@
 #include "core/live_drawings.hpp"
 
+#include "core/feature_code.hpp"
+
 #include <algorithm>
 
 namespace kfast {
@@ -18,7 +20,7 @@ LivePoint live_point(Point at)
 }
 
 /// `drawing` has no more than `live` holds (SceneView::parse).
-void show_usual(PackedDrawing drawing, LiveDrawing live)
+void show(PackedDrawing drawing, LiveDrawing live)
 {
     live.begin();
     for (std::uint32_t left = drawing.strokes(); left > 0; --left) {
@@ -44,11 +46,17 @@ std::size_t LiveDrawings::bytes_for(const SceneView& scene)
 LiveDrawings::LiveDrawings(const SceneView& scene, std::span<std::byte> memory) : memory_{memory}
 {
     std::ranges::fill(memory, std::byte{});
+    if (!memory.empty())
+        scene.features().drawings->show_usual(*this, scene);
+}
+
+void LiveDrawings::show_usual(const SceneView& scene) const
+{
     InputCursor inputs = scene.inputs();
     for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
         const InputView input = inputs.next();
         if (input.type == InputType::drawing)
-            show_usual(scene.drawing(input.drawing.usual), of(scene, number));
+            show(scene.drawing(input.drawing.usual), of(scene, number));
     }
 }
 

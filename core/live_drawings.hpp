@@ -19,6 +19,9 @@ public:
     /// `memory`, aligned to 4 bytes, has bytes_for(scene). Shows what is usual.
     LiveDrawings(const SceneView& scene, std::span<std::byte> memory);
 
+    /// Shows all of them as they are before anything is told: part of making them, for the feature.
+    void show_usual(const SceneView& scene) const;
+
     /// That of the input `number` of `scene`, the one that these were made for; it is a drawing.
     LiveDrawing of(const SceneView& scene, std::uint32_t number) const;
 

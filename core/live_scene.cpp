@@ -1,6 +1,7 @@
 #include "core/live_scene.hpp"
 
 #include "core/block_cutter.hpp"
+#include "core/feature_code.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,23 +11,38 @@ namespace {
 
 std::size_t bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(LiveBone); }
 std::size_t node_bytes(const SceneView& scene) { return scene.backbone_nodes() * sizeof(BackboneNode); }
+/// With what may be passed over until they are aligned.
+std::size_t space_bytes(const SceneView& scene)
+{
+    const std::size_t bytes = scene.records().spaces * sizeof(Space);
+    return bytes == 0 ? 0 : bytes + alignof(Space) - 4;
+}
+std::span<Space> spaces_in(std::span<std::byte> memory)
+{
+    if (memory.empty())
+        return {};
+    const std::size_t gap = -reinterpret_cast<std::uintptr_t>(memory.data()) % alignof(Space);
+    const std::span<std::byte> aligned = memory.subspan(gap);
+    return {reinterpret_cast<Space*>(aligned.data()), aligned.size() / sizeof(Space)};
+}
 std::size_t input_bytes(const SceneView& scene) { return scene.input_count() * sizeof(Time); }
 
 static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4);
 
 }
 
-std::size_t LiveScene::bytes_for(const SceneView& scene)
+[[gnu::cold]] std::size_t LiveScene::bytes_for(const SceneView& scene)
 {
-    return PreparedScene::bytes_for(scene) + bone_bytes(scene) + node_bytes(scene) + input_bytes(scene) +
-           LiveDrawings::bytes_for(scene) + LiveTexts::bytes_for(scene);
+    return PreparedScene::bytes_for(scene) + space_bytes(scene) + bone_bytes(scene) + node_bytes(scene) +
+           input_bytes(scene) + LiveDrawings::bytes_for(scene) + LiveTexts::bytes_for(scene);
 }
 
-LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
+[[gnu::cold]] LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
     : on_panel_{kfast::on_panel(scene, panel, fit)}
 {
     BlockCutter cutter{memory};
     on_panel_.prepared = PreparedScene{scene, cutter.cut(PreparedScene::bytes_for(scene))};
+    on_panel_.spaces = spaces_in(cutter.cut(space_bytes(scene)));
     on_panel_.bones = cutter.cut_as<LiveBone>(bone_bytes(scene));
     on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(node_bytes(scene));
     inputs_ = cutter.cut_as<Time>(input_bytes(scene));
@@ -34,7 +50,8 @@ LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std:
     on_panel_.drawings = {scene, cutter.cut(LiveDrawings::bytes_for(scene))};
     on_panel_.texts = {scene,
                        cutter.cut(LiveTexts::bytes_for(scene))}; // last, for it has any number of bytes
-    set_up_bones(scene, on_panel_.prepared, on_panel_.bones);
+    if (!on_panel_.bones.empty())
+        scene.features().bones->set_up(scene, on_panel_.prepared, on_panel_.bones);
 }
 
 const Dependence& LiveScene::move_to(Time time)
@@ -43,7 +60,11 @@ const Dependence& LiveScene::move_to(Time time)
     return on_panel_.prepared.moved();
 }
 
-void LiveScene::pose_bones() { kfast::pose_bones(scene(), on_panel_.prepared, on_panel_.bones); }
+void LiveScene::pose_bones()
+{
+    if (!on_panel_.bones.empty())
+        scene().features().bones->pose(scene(), on_panel_.prepared, on_panel_.bones);
+}
 
 Moment LiveScene::pose(Time time)
 {

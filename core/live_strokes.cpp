@@ -31,7 +31,7 @@ Point LiveStrokes::live(Point a, Point b) const
     return place_(a == b ? a : lerp(a, b, way_.x, way_.y));
 }
 
-template void trace_strokes(CarriedDrawing drawing, const Affine& placement, ObjectOutline& outline);
+template void trace_strokes(CarriedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
 template void LiveStrokes::trace(ObjectOutline& outline);
 
 namespace {

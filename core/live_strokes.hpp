@@ -13,9 +13,10 @@
 namespace kfast {
 
 /// Tells `outline` the strokes of one drawing, placed: begin(point), add(segment) for all segments of a
-/// stroke, and end(hub, is_closed). A single point counts as one segment.
+/// stroke, and end(hub, is_closed). A single point counts as one segment. `drawing` has not been read, and is
+/// read to its end.
 template <class Outline>
-void trace_strokes(CarriedDrawing drawing, const Affine& placement, Outline& outline)
+void trace_strokes(CarriedDrawing& drawing, const Affine& placement, Outline& outline)
 {
     const PointMap place{placement};
     for (std::uint32_t left = drawing.strokes(); left > 0; --left) {
@@ -93,7 +94,7 @@ private:
 
 // For pictures, compiled where live() can be laid into it.
 class ObjectOutline;
-extern template void trace_strokes(CarriedDrawing drawing, const Affine& placement, ObjectOutline& outline);
+extern template void trace_strokes(CarriedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
 extern template void LiveStrokes::trace(ObjectOutline& outline);
 
 /// As LiveStrokes, of two drawings without bones that are kept: the same strokes, sooner.

@@ -1,6 +1,13 @@
 #include "core/object_outline.hpp"
 
+#include "core/feature_code.hpp"
+
 namespace kfast {
+
+void ObjectOutline::stroke_with(const Pen& pen, const StrokeFeature& strokes)
+{
+    strokes.emplace(stroke_, outlines_, pen, sight_.coarseness());
+}
 
 void ObjectOutline::begin(Point from)
 {

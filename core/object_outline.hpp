@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/features.hpp"
 #include "core/fill_outline.hpp"
 #include "core/sight.hpp"
 #include "core/stroke_outline.hpp"
@@ -17,7 +18,7 @@ public:
     {
     }
 
-    void stroke_with(const Pen& pen) { stroke_.emplace(outlines_, pen, sight_.coarseness()); }
+    void stroke_with(const Pen& pen, const StrokeFeature& strokes);
 
     void begin(Point from);
     void add(const Segment& segment);

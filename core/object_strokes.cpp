@@ -44,14 +44,28 @@ Point ObjectStrokes::first_point() const
 void ObjectStrokes::trace_drawing(const Affine& placement, ObjectOutline& outline) const
 {
     did(Work::object);
-    trace_strokes(CarriedDrawing{on_panel_.scene.drawing(from_.drawing)}, placement, outline);
+    CarriedDrawing drawing{on_panel_.scene.drawing(from_.drawing)};
+    trace_strokes(drawing, placement, outline);
+}
+
+bool ObjectStrokes::is_one_drawing() const
+{
+    return object_.carrier != Carrier::backbones &&
+           (way_.is_at_beginning() || on_panel_.prepared.has_one_drawing(object_));
 }
 
 void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
 {
-    if (object_.carrier == Carrier::bones)
-        return trace(placement, outline);
-    const LiveBackbones* const backbones = live_backbones(&cache); // first, for it may write to the cache
+    const TweenFeature* const tweens = on_panel_.scene.features().tweens;
+    if (object_.carrier == Carrier::bones || tweens == nullptr)
+        trace(placement, outline);
+    else
+        tweens->trace_kept(*this, cache, placement, outline);
+}
+
+void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
+{
+    const LiveBackbones* const carriers = backbones(&cache); // first, for it may write to the cache
     const bool is_held =
         on_panel_.prepared.is_held(on_panel_.scene, on_panel_.prepared.key_track(object_, KeyValue::drawing));
     const std::uint32_t to = is_held ? from_.drawing : to_.drawing;
@@ -59,16 +73,32 @@ void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOu
     if (!tween || (way_.is_at_beginning() && !tween->is_plain()))
         return trace(placement, outline);
     did(Work::object);
-    trace_kept(*tween, way_, backbones, placement, outline);
+    trace_kept(*tween, way_, carriers, placement, outline);
+}
+
+/// Apart, so that the stack has what they are made of only as long as they are made.
+[[gnu::noinline]] LiveStrokes ObjectStrokes::live_strokes(const Affine& placement) const
+{
+    return {carried(from_), carried(to_), way_, backbones(nullptr), placement};
+}
+
+[[gnu::noinline]] LiveWires ObjectStrokes::live_wires(const Projection& projection) const
+{
+    return {wires(from_), wires(to_), way_, projection};
 }
 
 CarriedDrawing ObjectStrokes::carried(const Shown& shown) const
 {
-    const SceneView& scene = on_panel_.scene;
-    const PackedDrawing own = scene.drawing(shown.drawing);
     if (object_.carrier != Carrier::bones)
-        return CarriedDrawing{own};
-    const SkinReader reader = scene.skin(shown.more);
+        return CarriedDrawing{on_panel_.scene.drawing(shown.drawing)};
+    return on_panel_.scene.features().bones->carried(*this, shown.drawing, shown.more);
+}
+
+CarriedDrawing ObjectStrokes::carried_by_bones(std::uint32_t drawing, std::int32_t skin) const
+{
+    const SceneView& scene = on_panel_.scene;
+    const PackedDrawing own = scene.drawing(drawing);
+    const SkinReader reader = scene.skin(skin);
     return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
             on_panel_.bones.subspan(object_.of)};
 }
@@ -79,11 +109,18 @@ WireDrawing ObjectStrokes::wires(const Shown& shown) const
             on_panel_.scene.drawing(static_cast<std::uint32_t>(shown.more))};
 }
 
-/// Null if none carry the object. Their drawings are kept if there is a cache.
-const LiveBackbones* ObjectStrokes::live_backbones(PictureCache* cache) const
+/// Null if none carry the object.
+const LiveBackbones* ObjectStrokes::backbones(PictureCache* cache) const
 {
-    if (object_.carrier != Carrier::backbones || backbones_)
-        return backbones_ ? &*backbones_ : nullptr;
+    if (object_.carrier != Carrier::backbones)
+        return nullptr;
+    return &on_panel_.scene.features().backbones->live(*this, cache);
+}
+
+const LiveBackbones& ObjectStrokes::live_backbones(PictureCache* cache) const
+{
+    if (backbones_)
+        return *backbones_;
     const SceneView& scene = on_panel_.scene;
     const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
     const Progress way = on_panel_.prepared.progress(keys);
@@ -96,7 +133,7 @@ const LiveBackbones* ObjectStrokes::live_backbones(PictureCache* cache) const
         backbones_.emplace(nodes, unit_bits, *both, way);
     else
         backbones_.emplace(nodes, unit_bits, scene.drawing(from), scene.drawing(to), way);
-    return &*backbones_;
+    return *backbones_;
 }
 
 }

@@ -3,6 +3,7 @@
 #include "core/affine.hpp"
 #include "core/carried_drawing.hpp"
 #include "core/evaluator/node.hpp"
+#include "core/feature_code.hpp"
 #include "core/key_interval.hpp"
 #include "core/live_backbones.hpp"
 #include "core/live_strokes.hpp"
@@ -12,6 +13,7 @@
 #include "core/scene_on_panel.hpp"
 #include "core/work.hpp"
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 
@@ -42,10 +44,12 @@ public:
     void trace(const Affine& placement, Outline& outline) const
     {
         did(Work::object);
-        if (way_.is_at_beginning() && object_.carrier != Carrier::backbones)
-            trace_strokes(carried(from_), placement, outline);
-        else
+        if (is_one_drawing())
+            return trace_from(placement, outline);
+        if constexpr (!std::same_as<Outline, ObjectOutline>)
             trace_way(placement, outline);
+        else if (const TweenFeature* const tweens = on_panel_.scene.features().tweens)
+            tweens->trace(*this, placement, outline);
     }
 
     /// Likewise of a wire frame: what is seen of its strokes.
@@ -53,25 +57,48 @@ public:
     [[gnu::cold]] void trace(const Projection& projection, Outline& outline) const
     {
         did(Work::object);
-        LiveWires{wires(from_), wires(to_), way_, projection}.trace(outline);
+        LiveWires wires = live_wires(projection);
+        wires.trace(outline);
     }
 
+    // Called for features (core/feature_code.hpp).
+
+    /// On the way to the next key. Apart, for it takes much of the stack.
+    template <class Outline>
+    [[gnu::noinline]] void trace_way(const Affine& placement, Outline& outline) const
+    {
+        LiveStrokes strokes = live_strokes(placement);
+        strokes.trace(outline);
+    }
+    /// The same from the cache, if both drawings find room there.
+    void trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
+    /// A key drawing, carried by a skin.
+    CarriedDrawing carried_by_bones(std::uint32_t drawing, std::int32_t skin) const;
+    /// The backbones that carry the object. Their drawings are kept if there is a cache.
+    const LiveBackbones& live_backbones(PictureCache* cache) const;
+
 private:
+    /// It is all that there is to trace at the moment, as bones may carry it.
+    bool is_one_drawing() const;
+
     /// What a key shows.
     struct Shown {
         std::uint32_t drawing = 0; ///< offset in the section of drawings
         std::int32_t more = 0;     ///< see Key::more
     };
 
-    /// On the way to the next key. Apart, for it takes much of the stack.
+    /// Of the key before alone. Apart, for it takes much of the stack.
     template <class Outline>
-    [[gnu::noinline]] void trace_way(const Affine& placement, Outline& outline) const
+    [[gnu::noinline]] void trace_from(const Affine& placement, Outline& outline) const
     {
-        LiveStrokes{carried(from_), carried(to_), way_, live_backbones(nullptr), placement}.trace(outline);
+        CarriedDrawing drawing = carried(from_);
+        trace_strokes(drawing, placement, outline);
     }
+    LiveStrokes live_strokes(const Affine& placement) const;
     CarriedDrawing carried(const Shown& shown) const;
     WireDrawing wires(const Shown& shown) const;
-    const LiveBackbones* live_backbones(PictureCache* cache) const;
+    LiveWires live_wires(const Projection& projection) const;
+    const LiveBackbones* backbones(PictureCache* cache) const;
 
     const SceneOnPanel& on_panel_;
     const Node& object_;

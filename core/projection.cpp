@@ -1,6 +1,7 @@
 #include "core/projection.hpp"
 
 #include "core/held_point.hpp"
+#include "core/plain_function.hpp"
 #include "core/square_root.hpp"
 #include "core/sum_of_products.hpp"
 #include "core/work.hpp"
@@ -37,13 +38,14 @@ std::int64_t times(std::int64_t value, std::int64_t nearness)
 }
 
 Projection::Projection(const Space& space, const Camera& camera)
-    : space_{space}, camera_{camera}, shift_{excess_bits(camera.distance)}
+    : see_{plain_function<&Projection::seen>}, space_{space}, camera_{camera}, shift_{excess_bits(
+                                                                                   camera.distance)}
 {
     space_.plane.x0 -= camera.x;
     space_.plane.y0 -= camera.y;
 }
 
-Point Projection::operator()(Point point) const
+Point Projection::seen(Point point) const
 {
     did(Work::projected_point);
     const Affine& plane = space_.plane;
@@ -68,9 +70,9 @@ std::int64_t Projection::nearness(Point point) const
 std::int32_t Projection::growth_at(Point point) const
 {
     const std::int64_t near = nearness(point);
-    const Point seen = (*this)(point);
-    const auto seen_x = static_cast<std::int64_t>(seen.x.raw()) - camera_.x;
-    const auto seen_y = static_cast<std::int64_t>(seen.y.raw()) - camera_.y;
+    const Point on_panel = seen(point);
+    const auto seen_x = static_cast<std::int64_t>(on_panel.x.raw()) - camera_.x;
+    const auto seen_y = static_cast<std::int64_t>(on_panel.y.raw()) - camera_.y;
     const auto grown = [&](std::int32_t own, std::int64_t at, std::int32_t depth) {
         return held_factor(times(own + within_reach(at * depth / camera_.distance), near));
     };

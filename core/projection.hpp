@@ -22,7 +22,7 @@ public:
     Projection(const Space& space, const Camera& camera);
 
     /// To the panel, within 1/64 px for points that are seen less than 512 px from its middle.
-    Point operator()(Point point) const;
+    Point operator()(Point point) const { return see_(*this, point); }
     /// By what lengths around `point` grow, in Q16: the square root of what areas grow by, rounded down.
     std::int32_t growth_at(Point point) const;
 
@@ -34,8 +34,11 @@ public:
     [[gnu::cold]] std::int32_t growth_facing(Point point) const;
 
 private:
+    Point seen(Point point) const;
     std::int64_t nearness(Point point) const;
 
+    /// What works on it: linked only with what makes one.
+    Point (*see_)(const Projection&, Point);
     Space space_;
     Camera camera_;
     int shift_; ///< of the distance, so that it can be divided

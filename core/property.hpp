@@ -34,6 +34,9 @@ enum class Property : std::uint8_t {
 
 inline constexpr std::size_t property_count = 17;
 
+/// Whether it says where an item lies, as the first of them do.
+constexpr bool places_item(Property property) { return property <= Property::along; }
+
 inline constexpr std::int32_t scale_one = 4096;   ///< a scale that changes nothing
 inline constexpr std::int32_t path_whole = 65536; ///< the end of a path
 

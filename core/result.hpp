@@ -15,6 +15,17 @@ enum class Error : std::uint8_t {
     bad_checksum,        ///< the bytes were damaged on the way
     bad_scene,           ///< a value in the scene is out of its range, or refers to nothing
     block_too_small,     ///< the caller lent less memory than the scene needs
+    // The scene needs a feature that the program was built without (core/features.hpp), in their order.
+    needs_strokes = 64,
+    needs_tweens,
+    needs_bones,
+    needs_backbones,
+    needs_depth,
+    needs_wires,
+    needs_paths,
+    needs_smooth,
+    needs_texts,
+    needs_drawings,
 };
 
 /// A value or the reason why there is none; the part of std::expected (C++23) that KFAST needs.

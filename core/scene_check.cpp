@@ -1,8 +1,8 @@
 #include "core/scene_check.hpp"
 
 #include "core/backbone_check.hpp"
-#include "core/bone_check.hpp"
 #include "core/drawing_check.hpp"
+#include "core/feature_code.hpp"
 #include "core/key_moment.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/live_backbones.hpp"
@@ -34,6 +34,11 @@ bool has_order(const ItemView& item)
         if (tracks.next().property == Property::order)
             return true;
     return false;
+}
+
+bool is_of_depth(Property property)
+{
+    return property == Property::z || property == Property::rotation_x || property == Property::rotation_y;
 }
 
 bool is_within(Fixed coordinate)
@@ -71,7 +76,17 @@ bool SceneCheck::passes()
 {
     return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_items(scene_.items(), scene_.symbol_count_, 0) &&
-           count_items(scene_.items(), 0, 0) && count_records();
+           count_items(scene_.items(), {}) && count_records();
+}
+
+/// Whether the program has it.
+bool SceneCheck::needs(Feature feature)
+{
+    scene_.needed_features_.add(feature);
+    if (scene_.features().has(feature))
+        return true;
+    error_ = error_without(feature);
+    return false;
 }
 
 bool SceneCheck::check_header() const
@@ -121,9 +136,11 @@ bool SceneCheck::check_events() const
 
 bool SceneCheck::check_bones()
 {
-    std::uint32_t bones = 0;
-    if (!bones_are_sound(scene_, scene_.law_count_))
+    if (scene_.skeletons().at_end())
+        return true;
+    if (!needs(Feature::bones) || !scene_.features().bones->check(scene_, scene_.law_count_))
         return false;
+    std::uint32_t bones = 0;
     for (BonesCursor cursor = scene_.skeletons(); !cursor.at_end();)
         bones += cursor.skip();
     return bones <= kfb::max_bones_together;
@@ -155,8 +172,9 @@ bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std
 
 bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, std::uint32_t depth)
 {
-    if (!item.is_known || !check_tracks(item) || !is_sound(item.beam, item.object.style) ||
-        (item.path.is_known && !check_path(item)))
+    if (!item.is_known || !check_tracks(item) || !is_sound(item.beam, item.object.style))
+        return false;
+    if (item.path.is_known && (!needs(Feature::paths) || !scene_.features().paths->check(*this, item)))
         return false;
     switch (item.kind) {
     case ItemKind::object:
@@ -171,7 +189,7 @@ bool SceneCheck::check_item(const ItemView& item, std::uint32_t usable_symbols, 
     return false;
 }
 
-bool SceneCheck::check_tracks(const ItemView& item) const
+bool SceneCheck::check_tracks(const ItemView& item)
 {
     int before = -1;
     for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
@@ -185,8 +203,12 @@ bool SceneCheck::check_tracks(const ItemView& item) const
     return true;
 }
 
-bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style) const
+bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style)
 {
+    if (is_of_depth(track.property) && !needs(Feature::depth))
+        return false;
+    if (track.is_smooth && !needs(Feature::smooth))
+        return false;
     if (track.property == Property::fill && !style.is_filled)
         return false;
     if ((track.property == Property::stroke || track.property == Property::width) && !style.is_stroked)
@@ -227,14 +249,15 @@ bool SceneCheck::check_object(const ObjectView& object)
     return !is_filled_wire && check_style(object.style) && check_carrier(object) && check_keys(object);
 }
 
-bool SceneCheck::check_style(const ObjectStyle& style) const
+bool SceneCheck::check_style(const ObjectStyle& style)
 {
     if (style.is_filled && style.fill >= scene_.palette_size())
         return false;
     if (!style.is_stroked)
         return style.is_filled;
-    return style.stroke < scene_.palette_size() && style.width >= 1 && style.width <= kfb::max_width &&
-           style.cap <= Cap::square && style.join <= Join::bevel && style.miter_limit >= 8;
+    return needs(Feature::strokes) && style.stroke < scene_.palette_size() && style.width >= 1 &&
+           style.width <= kfb::max_width && style.cap <= Cap::square && style.join <= Join::bevel &&
+           style.miter_limit >= 8;
 }
 
 bool SceneCheck::check_keys(const ObjectView& object)
@@ -243,16 +266,22 @@ bool SceneCheck::check_keys(const ObjectView& object)
     if (keys.at_end())
         return false;
     const std::uint32_t bones = bones_of(scene_, object);
+    const Key first = KeyCursor{keys}.next();
+    if (object.has_arrivals && !needs(Feature::tweens))
+        return false;
     for (Time before{-1}; !keys.at_end();) {
         const Key key = keys.next();
+        if ((key.drawing != first.drawing || key.more != first.more) && !needs(Feature::tweens))
+            return false;
         if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
             !check_drawing(key.drawing))
             return false;
         if (object.has_arrivals && !check_drawing(key.arrival))
             return false;
-        if (object.carrier == Carrier::bones && !check_skin(key, bones))
+        if (object.carrier == Carrier::bones &&
+            (!needs(Feature::bones) || !scene_.features().bones->check_skin(*this, key, bones)))
             return false;
-        if (object.has_depths && !check_depths(key))
+        if (object.has_depths && (!needs(Feature::wires) || !scene_.features().wires->check(*this, key)))
             return false;
         before = key.time;
     }
@@ -309,7 +338,8 @@ bool SceneCheck::check_carrier(const ObjectView& object)
     case Carrier::none:
         return true;
     case Carrier::backbones:
-        return check_backbones(object.backbones);
+        return needs(Feature::backbones) && needs(Feature::tweens) &&
+               scene_.features().backbones->check(*this, object.backbones);
     case Carrier::bones:
         return !object.has_arrivals && bones_of(scene_, object) != 0;
     }
@@ -334,7 +364,6 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
     return true;
 }
 
-/// Of a key whose drawing has been checked.
 bool SceneCheck::check_depths(const Key& key)
 {
     const auto depths = static_cast<std::uint32_t>(key.more);
@@ -342,7 +371,6 @@ bool SceneCheck::check_depths(const Key& key)
            is_built_alike(scene_.drawing(key.drawing), scene_.drawing(depths));
 }
 
-/// Likewise.
 bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
 {
     if (key.more < 0)

@@ -14,34 +14,37 @@ bool SceneCheck::count_records()
     Preparer preparer{scene_, {}};
     preparer.run();
     scene_.records_ = preparer.records();
+    scene_.records_.spaces = spaces_;
     const SceneRecords& records = scene_.records_;
     return records.timelines < LiveTrack::no_timeline && records.tracks <= kfb::max_tracks &&
            records.nodes <= kfb::max_nodes;
 }
 
-bool SceneCheck::count_items(ItemCursor items, std::uint32_t depth, std::uint32_t blended)
+bool SceneCheck::count_items(ItemCursor items, const Depth& depth)
 {
     while (!items.at_end())
-        if (++items_ > kfb::max_items || !count_item(items.next(), depth, blended) ||
+        if (++items_ > kfb::max_items || !count_item(items.next(), depth) ||
             scene_.paint_steps_ > kfb::max_paint_steps)
             return false;
     return true;
 }
 
-/// `blended` items may be blended as a whole around this one.
-bool SceneCheck::count_item(const ItemView& item, std::uint32_t depth, std::uint32_t blended)
+/// `depth` is that of what lies around it.
+bool SceneCheck::count_item(const ItemView& item, Depth depth)
 {
     if (may_be_blended(scene_, item)) {
         scene_.paint_steps_ += 2;
-        scene_.blended_depth_ = std::max(scene_.blended_depth_, ++blended);
+        scene_.blended_depth_ = std::max(scene_.blended_depth_, ++depth.blended);
     }
+    if (item.is_placed())
+        spaces_ = std::max(spaces_, ++depth.placed);
     if (item.is_leaf()) {
         scene_.paint_steps_ += layer_count(item.object.style);
         return true;
     }
-    if (depth == kfb::max_depth)
+    if (depth.all++ == kfb::max_depth)
         return false;
-    return count_items(scene_.items_in(item), depth + 1, blended);
+    return count_items(scene_.items_in(item), depth);
 }
 
 }

@@ -1,3 +1,4 @@
+#include "core/feature_code.hpp"
 #include "core/input_check.hpp"
 #include "core/label_check.hpp"
 #include "core/scene_check.hpp"
@@ -14,13 +15,15 @@ bool SceneCheck::check_inputs()
         const InputView input = inputs.next();
         if (input.type == InputType::number)
             scene_.number_inputs_ |= bit_of_input(number);
-        if (input.type == InputType::drawing && !check_usual(input.drawing))
+        if (input.type == InputType::text && !needs(Feature::texts))
+            return false;
+        if (input.type == InputType::drawing &&
+            (!needs(Feature::drawings) || !scene_.features().drawings->check(*this, input.drawing)))
             return false;
     }
     return true;
 }
 
-/// Lines, and no more than the input may have.
 bool SceneCheck::check_usual(const DrawingInput& input)
 {
     if (!check_drawing(input.usual))
@@ -46,7 +49,8 @@ bool SceneCheck::check_live(const ItemView& item)
     case LiveKind::drawing:
         return input->type == InputType::drawing;
     case LiveKind::label:
-        return input->type == InputType::text && check_label(LabelView::of(item.live.label), input->text);
+        return input->type == InputType::text &&
+               scene_.features().texts->check(*this, LabelView::of(item.live.label), input->text);
     }
     return false;
 }

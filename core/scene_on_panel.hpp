@@ -19,8 +19,9 @@ namespace kfast {
 /// What the pictures of a scene on one panel have in common.
 struct SceneOnPanel {
     SceneView scene;
-    PreparedScene prepared{}; ///< at the moment of the picture
-    Space canvas;             ///< from the canvas to the panel
+    PreparedScene prepared{};  ///< at the moment of the picture
+    Space canvas;              ///< from the canvas to the panel
+    std::span<Space> spaces{}; ///< room for those of placed items in each other, for one walk at a time
     Camera camera;
     RigidPlacements rigid;
     std::span<LiveBone> bones{}; ///< of all skeletons; set up

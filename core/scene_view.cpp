@@ -38,7 +38,8 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
 
 }
 
-Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
+// Once a scene: a board that runs from RAM can leave it in flash.
+[[gnu::cold]] Result<SceneView> SceneView::parse(std::span<const std::byte> bytes, const Features& features)
 {
     ByteReader reader{bytes};
     const std::uint32_t tag = reader.u32();
@@ -51,17 +52,21 @@ Result<SceneView> SceneView::parse(std::span<const std::byte> bytes)
     if (reader.overrun() || reader.left() < body)
         return Error::truncated;
     SceneView scene;
+    scene.features_ = features;
     scene.size_ = bytes.size() - reader.left() + body;
     Crc32 crc;
     crc.add(bytes.first(scene.size_).subspan(checksum_end));
     if (crc.value() != checksum)
         return Error::bad_checksum;
-    if (!scene.read_sections(reader.take(body)) || !SceneCheck{scene}.passes())
+    if (!scene.read_sections(reader.take(body)))
         return Error::bad_scene;
+    SceneCheck check{scene};
+    if (!check.passes())
+        return check.error();
     return scene;
 }
 
-bool SceneView::read_sections(ByteReader reader)
+[[gnu::cold]] bool SceneView::read_sections(ByteReader reader)
 {
     outline_bytes_ = read_words(reader, kfb::max_outline_bytes);
     borders_ = std::min(reader.varint(), kfb::max_borders + 1);

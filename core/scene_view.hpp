@@ -3,6 +3,7 @@
 #include "core/bone_view.hpp"
 #include "core/byte_reader.hpp"
 #include "core/colour.hpp"
+#include "core/features.hpp"
 #include "core/input_view.hpp"
 #include "core/item_view.hpp"
 #include "core/law_pair.hpp"
@@ -27,6 +28,7 @@ struct SceneRecords {
     std::uint32_t tracks = 0;    ///< of items, of the keys of objects, of bones
     std::uint32_t nodes = 0;     ///< items as they are stored, symbols, and the scene
     std::uint32_t bones = 0;     ///< of all skeletons
+    std::uint32_t spaces = 0;    ///< of items that are placed and lie in each other
 };
 
 /// A checked, borrowed look at the bytes of a compiled scene (docs/format.md).
@@ -35,9 +37,16 @@ struct SceneRecords {
 /// fail and does not look twice.
 class SceneView {
 public:
-    /// `bytes` must outlive the view; more bytes than the scene has are ignored.
-    /// Fails with truncated, bad_magic, unsupported_version, bad_checksum or bad_scene.
-    static Result<SceneView> parse(std::span<const std::byte> bytes);
+    /// `bytes` must outlive the view; more bytes than the scene has are ignored. `features` are those that
+    /// the program has to play it with. Fails with truncated, bad_magic, unsupported_version, bad_checksum,
+    /// bad_scene, or with the first feature that the scene needs and the program has not.
+    static Result<SceneView> parse(std::span<const std::byte> bytes,
+                                   const Features& features = every_feature);
+
+    /// The code that plays it.
+    const Features& features() const { return features_; }
+    /// What of it is needed.
+    FeatureSet needed_features() const { return needed_features_; }
 
     /// The bytes of the scene itself.
     std::size_t size() const { return size_; }
@@ -126,6 +135,7 @@ private:
 
     bool read_sections(ByteReader reader);
 
+    Features features_;
     std::size_t size_ = 0;
     Size canvas_;
     std::int32_t camera_ = 0;
@@ -143,6 +153,7 @@ private:
     std::uint32_t symbol_count_ = 0;
     std::uint32_t input_count_ = 0;
     std::uint32_t number_inputs_ = 0;
+    FeatureSet needed_features_;
     std::size_t colour_bytes_ = 3; ///< 4 if they have opacities
     std::span<const std::byte> palette_;
     ByteReader laws_;

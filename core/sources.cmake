@@ -36,6 +36,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/evaluator/prepared_scene.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluator/scene_walk.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluator/key_timeline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/feature_code.cpp
     ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
     ${CMAKE_CURRENT_LIST_DIR}/glyph_set.cpp
     ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
@@ -105,5 +106,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track.cpp
     ${CMAKE_CURRENT_LIST_DIR}/track_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/turning.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tween_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/velocity_law.cpp)

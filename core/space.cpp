@@ -1,5 +1,6 @@
 #include "core/space.hpp"
 
+#include "core/feature_code.hpp"
 #include "core/sum_of_products.hpp"
 
 namespace kfast {
@@ -23,11 +24,16 @@ struct Triple {
 
 }
 
-Space operator*(const Space& outer, const Space& inner)
+Space product(const Space& outer, const Space& inner, const Features& features)
 {
     if (outer.is_flat() && inner.is_flat())
         return {.plane = outer.plane * inner.plane,
                 .zz = held_factor(sum_of_products(outer.zz, inner.zz, 0, 0))};
+    return features.depth->product(outer, inner);
+}
+
+Space product_in_depth(const Space& outer, const Space& inner)
+{
     const Triple x = turned(outer, {inner.plane.xx, inner.plane.yx, inner.zx});
     const Triple y = turned(outer, {inner.plane.xy, inner.plane.yy, inner.zy});
     const Triple z = turned(outer, {inner.xz, inner.yz, inner.zz});

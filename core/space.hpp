@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/affine.hpp"
+#include "core/features.hpp"
 
 #include <cstdint>
 
@@ -21,7 +22,10 @@ struct Space {
     bool is_flat() const { return xz == 0 && yz == 0 && zx == 0 && zy == 0 && z0 == 0; }
 };
 
-/// First `inner`, then `outer`; rounded and held as the product of two Affine.
-Space operator*(const Space& outer, const Space& inner);
+/// First `inner`, then `outer`; rounded and held as the product of two Affine. `features` has depth if one of
+/// them is not flat.
+Space product(const Space& outer, const Space& inner, const Features& features);
+/// The same of any two.
+Space product_in_depth(const Space& outer, const Space& inner);
 
 }

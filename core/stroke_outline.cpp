@@ -3,6 +3,7 @@
 #include "core/angle.hpp"
 #include "core/flatten.hpp"
 #include "core/held_point.hpp"
+#include "core/plain_function.hpp"
 #include "core/raster/grid.hpp"
 #include "core/work.hpp"
 
@@ -125,6 +126,16 @@ struct StrokeOutline::Bend {
     }
 };
 
+const StrokeOutline::Code StrokeOutline::code{.begin = plain_function<&StrokeOutline::begin_stroke>,
+                                              .line_to = plain_function<&StrokeOutline::go_to>,
+                                              .end = plain_function<&StrokeOutline::end_stroke>};
+
+void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
+                            const Pen& pen, int coarseness)
+{
+    outline.emplace(outlines, pen, coarseness);
+}
+
 // A single corner on either side will do where a tip is no more than 1/64 px longer than the round of the
 // pen, that is half_width (1 - cos) / 4, and the turn less than 29 degrees: then slight_meeting() is as near.
 StrokeOutline::StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness)
@@ -137,13 +148,13 @@ StrokeOutline::StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int
 {
 }
 
-void StrokeOutline::begin(Point at)
+void StrokeOutline::begin_stroke(Point at)
 {
     first_ = last_ = at;
     has_piece_ = false;
 }
 
-void StrokeOutline::line_to(Point to)
+void StrokeOutline::go_to(Point to)
 {
     const Point step = to - last_;
     if (std::max(std::abs(step.x.raw()), std::abs(step.y.raw())) < shortest_step)
@@ -161,7 +172,7 @@ void StrokeOutline::line_to(Point to)
     has_piece_ = true;
 }
 
-void StrokeOutline::end(bool is_closed)
+void StrokeOutline::end_stroke(bool is_closed)
 {
     if (is_closed)
         line_to(first_);

@@ -5,6 +5,7 @@
 #include "core/stroke_style.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace kfast {
 
@@ -27,13 +28,25 @@ public:
     /// `coarseness` makes the pieces of arcs that often twice as long.
     StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
 
-    void begin(Point at);
+    void begin(Point at) { code_->begin(*this, at); }
     /// Points closer than 1/256 px to the one before are passed over: their direction would be noise.
-    void line_to(Point to);
+    void line_to(Point to) { code_->line_to(*this, to); }
     /// Ends the stroke with two caps, or joins its end to its beginning.
-    void end(bool is_closed);
+    void end(bool is_closed) { code_->end(*this, is_closed); }
 
 private:
+    /// What works on it: linked only with what makes one.
+    struct Code {
+        void (*begin)(StrokeOutline&, Point at);
+        void (*line_to)(StrokeOutline&, Point to);
+        void (*end)(StrokeOutline&, bool is_closed);
+    };
+    static const Code code;
+
+    void begin_stroke(Point at);
+    void go_to(Point to);
+    void end_stroke(bool is_closed);
+
     enum class Side : std::uint8_t { right, left };
 
     struct Piece {
@@ -56,6 +69,7 @@ private:
     void cap(Point at, Point side);
     void dot();
 
+    const Code* code_ = &code;
     raster::OutlineStore& outlines_;
     Pen pen_;
     std::int32_t slight_bend_; ///< 1 - cosine, in Q30
@@ -66,5 +80,9 @@ private:
     Piece last_piece_;
     bool has_piece_ = false;
 };
+
+/// Makes one in its place, for the feature.
+void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
+                            const Pen& pen, int coarseness);
 
 }

@@ -1,5 +1,6 @@
 #include "core/tracer.hpp"
 
+#include "core/feature_code.hpp"
 #include "core/label_trace.hpp"
 #include "core/live_drawing_trace.hpp"
 #include "core/opacity.hpp"
@@ -93,7 +94,7 @@ void Tracer::trace_object(SceneWalk& walk)
     const Node& object = walk.node();
     const ObjectStrokes strokes{on_panel_, object};
     if (object.has_depths)
-        return trace_wires(strokes, walk);
+        return on_panel_.scene.features().wires->trace(*this, strokes, walk);
     if (const auto carrier = strokes.rigid_carrier())
         if (const auto placement = rigid_placement(*carrier, walk.space())) {
             const bool moves = object.carrier != Carrier::none || walk.place_dependence().keys != 0;
@@ -152,14 +153,21 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
     const ItemState state = walk.state();
     const Projection projection{walk.space(), on_panel_.camera};
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
-    outline.stroke_with(pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())));
+    outline.stroke_with(pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())),
+                        pens());
     add_layer(Part::stroke, walk, [&] { strokes.trace(projection, outline); });
 }
 
 void Tracer::trace_live(SceneWalk& walk)
 {
+    const Features& features = on_panel_.scene.features();
     if (walk.node().live == LiveKind::label)
-        return trace_label(walk);
+        return features.texts->trace(*this, walk);
+    features.drawings->trace(*this, walk);
+}
+
+void Tracer::trace_drawing(SceneWalk& walk)
+{
     const LiveDrawing drawing = on_panel_.drawings.of(on_panel_.scene, walk.node().of);
     add_live_layers(
         walk, [&] { return start_of(drawing); },
@@ -195,19 +203,33 @@ void Tracer::add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, 
 /// trace(placement, outline) adds what is painted to an outline.
 void Tracer::add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
 {
-    const Space& space = walk.space();
+    const Affine& plane = walk.space().plane;
+    if (!walk.space().is_flat())
+        return on_panel_.scene.features().depth->add_layers(*this, walk, first_point, trace);
+    add_layers(
+        walk, Sight{nullptr, picture_.coarseness}, plane, [&] { return plane.growth(); }, trace);
+}
+
+void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
+{
+    const Projection projection{walk.space(), on_panel_.camera};
+    add_layers(
+        walk, Sight{&projection, picture_.coarseness}, Affine{},
+        [&] { return projection.growth_at(first_point()); }, trace);
+}
+
+/// growth() is by what the pen grows.
+void Tracer::add_layers(SceneWalk& walk, const Sight& sight, const Affine& placement,
+                        FunctionRef<std::int32_t()> growth, TraceStrokes trace)
+{
     const ObjectStyle& style = walk.node().style;
-    const bool is_flat = space.is_flat();
-    const Projection projection{space, on_panel_.camera};
-    ObjectOutline outline{picture_.outlines, Sight{is_flat ? nullptr : &projection, picture_.coarseness}};
-    const Affine placement = is_flat ? space.plane : Affine{};
+    ObjectOutline outline{picture_.outlines, sight};
     const auto trace_placed = [&] { trace(placement, outline); };
     if (style.is_filled)
         add_layer(Part::fill, walk, trace_placed);
     if (!style.is_stroked)
         return;
-    outline.stroke_with(pen_for(style, walk.state().width(),
-                                is_flat ? space.plane.growth() : projection.growth_at(first_point())));
+    outline.stroke_with(pen_for(style, walk.state().width(), growth()), pens());
     add_layer(Part::stroke, walk, trace_placed);
 }
 
@@ -229,7 +251,7 @@ void Tracer::trace_upright(const RigidPlacement& placement, const Pen* pen, Trac
 {
     ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
     if (pen != nullptr)
-        outline.stroke_with(*pen);
+        outline.stroke_with(*pen, pens());
     trace(placement.upright(), outline);
 }
 

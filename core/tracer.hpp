@@ -27,10 +27,18 @@ public:
     /// picture finds no room otherwise.
     void run();
 
-private:
+    // Called for features (core/feature_code.hpp).
+
     /// Adds strokes, placed by a map, to an outline.
     using TraceStrokes = FunctionRef<void(const Affine&, ObjectOutline&)>;
 
+    [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, SceneWalk& walk);
+    void trace_drawing(SceneWalk& walk);
+    void trace_label(SceneWalk& walk);
+    /// trace(placement, outline) adds what is painted to an outline.
+    void add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
+
+private:
     /// Of an item, each a layer.
     enum class Part : std::uint8_t { fill, stroke };
 
@@ -40,13 +48,14 @@ private:
     void trace_leaf(SceneWalk& walk);
     void trace_object(SceneWalk& walk);
     void trace_live(SceneWalk& walk);
-    void trace_label(SceneWalk& walk);
     std::optional<RigidPlacement> rigid_placement(const Affine& carrier, const Space& space) const;
     void trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const RigidPlacement& placement,
                      bool moves);
-    [[gnu::cold, gnu::noinline]] void trace_wires(const ObjectStrokes& strokes, SceneWalk& walk);
     bool reuse_layers(const SceneWalk& walk);
     void add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
+    void add_layers(SceneWalk& walk, const Sight& sight, const Affine& placement,
+                    FunctionRef<std::int32_t()> growth, TraceStrokes trace);
+    const StrokeFeature& pens() const { return *on_panel_.scene.features().strokes; }
     void add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
     void add_rigid_layers(SceneWalk& walk, const RigidPlacement& placement,
                           FunctionRef<void(const Pen*)> trace);

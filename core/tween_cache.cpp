@@ -160,8 +160,9 @@ Point TweenReader::wide_point(Progress way)
 
 namespace {
 
-[[gnu::cold]] EqualizedPair<CarriedDrawing> equalized(const PictureCache::Name& name,
-                                                      std::span<const std::byte> drawings)
+/// Apart, so that the stack has what it is made of only as long as it is made.
+[[gnu::cold, gnu::noinline]] EqualizedPair<CarriedDrawing> equalized(const PictureCache::Name& name,
+                                                                     std::span<const std::byte> drawings)
 {
     const CarriedDrawing from{drawing_at(drawings, name[0])};
     if (name[0] == name[1])

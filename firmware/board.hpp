@@ -75,6 +75,13 @@ concept BeamBoard = Board<B> && requires(B& board) {
     requires Beam<std::remove_reference_t<decltype(board.beam())>>;
 };
 
+/// A board that plays only what its scenes need (core/features.hpp), so that the rest is not linked. Boards that
+/// a computer sends scenes to have all features: what it sends is not known before.
+template <class B>
+concept FeatureBoard = Board<B> && requires(B& board) {
+    { board.features() } -> std::same_as<const Features&>;
+};
+
 /// A board that wants to see what goes to the panel: every area and its pixels, packed row by row.
 template <class B>
 concept WatchingBoard = PanelBoard<B> && requires(B& board, Rect area, std::span<const std::byte> pixels) {
@@ -164,5 +171,18 @@ concept NamedBoard = PanelBoard<B> && requires(const B& board) {
 };
 
 // clang-format on
+
+/// What a board can play.
+template <Board B>
+const Features& features_of(B& board)
+{
+    static_assert(!(FeatureBoard<B> && ChangingBoard<B>));
+    if constexpr (requires { board.features(); }) {
+        static_assert(FeatureBoard<B>, "features() returns const Features&");
+        return board.features();
+    } else {
+        return every_feature;
+    }
+}
 
 }

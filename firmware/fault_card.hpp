@@ -28,11 +28,11 @@ constexpr std::size_t wrap(std::string_view text, std::size_t columns, std::span
 }
 
 /// E and the number of an error as large as the panel allows, and what it means in words where there is room:
-/// what a panel of at least 9 x 7 pixels shows when nothing can be played. A smaller one stays black.
+/// what a panel of at least 9 x 7 pixels, 13 x 7 for numbers of two digits, shows when nothing can be played.
+/// A smaller one stays black.
 class FaultCard {
 public:
-    FaultCard(Error error, Size panel)
-        : number_{'E', static_cast<char>('0' + static_cast<int>(error))}, card_{panel}
+    FaultCard(Error error, Size panel) : number_{number_of(error)}, card_{panel}
     {
         const int words_height = add_words(error_text(error));
         const int room = panel.height - words_height;
@@ -52,7 +52,16 @@ public:
 private:
     static constexpr std::size_t most_lines = Card::most_lines - 1;
 
-    std::string_view number() const { return {number_.data(), number_.size()}; }
+    /// Of one or two digits.
+    static constexpr std::array<char, 3> number_of(Error error)
+    {
+        const auto digit = [](int value) { return static_cast<char>('0' + value); };
+        const int code = static_cast<int>(error);
+        if (code < 10)
+            return {'E', digit(code)};
+        return {'E', digit(code / 10), digit(code % 10)};
+    }
+    std::string_view number() const { return {number_.data(), number_[2] == 0 ? std::size_t{2} : 3}; }
 
     /// In the lower half of the panel, as large as they fit there. Returns the rows that they take.
     int add_words(std::string_view words)
@@ -73,7 +82,7 @@ private:
         return 0;
     }
 
-    std::array<char, 2> number_;
+    std::array<char, 3> number_;
     Card card_;
 };
 

@@ -111,24 +111,32 @@ template <Board B>
     board.fault(error);
 }
 
+/// Part of run_scene(), apart from parsing: the player takes much of the stack.
+template <Board B>
+[[gnu::noinline]] void play_scene(B& board, const SceneView& scene)
+{
+    auto player = player_for(board, scene);
+    if (!player)
+        return refuse(board, player.error());
+
+    board.scene_started(scene);
+    if constexpr (ToldBoard<B>)
+        board.plays(&*player);
+    play(board, *player, playhead_for(board, scene), {scene.frame_rate(), board.now()});
+    if constexpr (ToldBoard<B>)
+        board.plays(nullptr);
+}
+
 /// Plays the board's scene, on a display that has begun, until the board stops running, or reports why it
 /// cannot be played: an error of SceneView::parse, or of player_for().
 template <Board B>
 void run_scene(B& board)
 {
-    const auto scene = SceneView::parse(board.scene_bytes());
-    if (!scene)
-        return refuse(board, scene.error());
-    auto player = player_for(board, *scene);
-    if (!player)
-        return refuse(board, player.error());
-
-    board.scene_started(*scene);
-    if constexpr (ToldBoard<B>)
-        board.plays(&*player);
-    play(board, *player, playhead_for(board, *scene), {scene->frame_rate(), board.now()});
-    if constexpr (ToldBoard<B>)
-        board.plays(nullptr);
+    const auto scene = SceneView::parse(board.scene_bytes(), features_of(board));
+    if (scene)
+        play_scene(board, *scene);
+    else
+        refuse(board, scene.error());
 }
 
 /// Begins the display, and runs the board's scene.

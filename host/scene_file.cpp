@@ -1,5 +1,6 @@
 #include "host/scene_file.hpp"
 
+#include "core/error_text.hpp"
 #include "host/counted.hpp"
 #include "host/failure.hpp"
 #include "host/import/content_kind.hpp"
@@ -48,8 +49,9 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
         return "the compiled scene contradicts itself: " + again;
     case Error::block_too_small:
         return "the scene needs more memory than it says: " + again;
+    default: // the command has all features
+        return std::string{error_text(error)};
     }
-    return {};
 }
 
 SceneFile checked(const fs::path& path, std::vector<std::byte> bytes)

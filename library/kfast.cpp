@@ -35,8 +35,42 @@ constexpr kfast_error code_of(Error error)
         return KFAST_BAD_SCENE;
     case Error::block_too_small:
         return KFAST_BLOCK_TOO_SMALL;
+    case Error::needs_strokes:
+        return KFAST_NEEDS_STROKES;
+    case Error::needs_tweens:
+        return KFAST_NEEDS_TWEENS;
+    case Error::needs_bones:
+        return KFAST_NEEDS_BONES;
+    case Error::needs_backbones:
+        return KFAST_NEEDS_BACKBONES;
+    case Error::needs_depth:
+        return KFAST_NEEDS_DEPTH;
+    case Error::needs_wires:
+        return KFAST_NEEDS_WIRES;
+    case Error::needs_paths:
+        return KFAST_NEEDS_PATHS;
+    case Error::needs_smooth:
+        return KFAST_NEEDS_SMOOTH;
+    case Error::needs_texts:
+        return KFAST_NEEDS_TEXTS;
+    case Error::needs_drawings:
+        return KFAST_NEEDS_DRAWINGS;
     }
     return KFAST_BAD_SCENE;
+}
+
+kfast::Features features_of(const kfast_features& features)
+{
+    return {.strokes = features.strokes,
+            .tweens = features.tweens,
+            .bones = features.bones,
+            .backbones = features.backbones,
+            .depth = features.depth,
+            .wires = features.wires,
+            .paths = features.paths,
+            .smooth = features.smooth,
+            .texts = features.texts,
+            .drawings = features.drawings};
 }
 
 /// In the order of kfast_error.
@@ -54,8 +88,18 @@ constexpr std::array error_texts{
     "null_pointer: a pointer is NULL",
     "no_such_input: the scene has no input of this name and kind",
     "drawing_too_large: the input takes fewer strokes or points",
+    error_text(Error::needs_strokes).data(),
+    error_text(Error::needs_tweens).data(),
+    error_text(Error::needs_bones).data(),
+    error_text(Error::needs_backbones).data(),
+    error_text(Error::needs_depth).data(),
+    error_text(Error::needs_wires).data(),
+    error_text(Error::needs_paths).data(),
+    error_text(Error::needs_smooth).data(),
+    error_text(Error::needs_texts).data(),
+    error_text(Error::needs_drawings).data(),
 };
-static_assert(error_texts.size() == KFAST_DRAWING_TOO_LARGE + 1 && code_of(Error::block_too_small) == 6);
+static_assert(error_texts.size() == KFAST_NEEDS_DRAWINGS + 1 && code_of(Error::block_too_small) == 6);
 
 /// Bytes of the block before the player, at most: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;
@@ -85,6 +129,29 @@ bool is_panel(Size size)
 {
     const auto is_side = [](int length) { return length >= 1 && length <= Player::max_panel; };
     return is_side(size.width) && is_side(size.height);
+}
+
+std::size_t block_bytes_for(const void* scene, std::size_t bytes, Size panel, const kfast::Features& features)
+{
+    if (scene == nullptr || !is_panel(panel))
+        return 0;
+    const auto block = Animation::block_bytes(bytes_of(scene, bytes), panel, features);
+    return block ? widest_gap + sizeof(kfast_player) + *block : 0;
+}
+
+/// As kfast_create_with(), where no pointer is null.
+kfast_error create_in(const Room& room, std::span<const std::byte> scene, Size panel,
+                      const kfast::Features& features, kfast_player*& player)
+{
+    if (!is_panel(panel))
+        return KFAST_BAD_PANEL_SIZE;
+    const auto view = SceneView::parse(scene, features);
+    if (!view)
+        return code_of(view.error());
+    if (room.rest.size() < Player::block_bytes(*view, panel))
+        return KFAST_BLOCK_TOO_SMALL;
+    player = new (room.player) kfast_player{kfast::Playback{*view, panel, room.rest}};
+    return KFAST_OK;
 }
 
 /// Whether there was room for all of it.
@@ -126,10 +193,14 @@ const char* kfast_error_text(kfast_error error)
 
 size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int height)
 {
-    if (scene == nullptr || !is_panel({width, height}))
-        return 0;
-    const auto bytes = Animation::block_bytes(bytes_of(scene, scene_bytes), {width, height});
-    return bytes ? widest_gap + sizeof(kfast_player) + *bytes : 0;
+    return block_bytes_for(scene, scene_bytes, {width, height}, kfast::every_feature);
+}
+
+size_t kfast_block_bytes_with(const void* scene, size_t scene_bytes, int width, int height,
+                              const kfast_features* features)
+{
+    return features == nullptr ? 0
+                               : block_bytes_for(scene, scene_bytes, {width, height}, features_of(*features));
 }
 
 kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes, const void* scene,
@@ -140,16 +211,20 @@ kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes,
     *player = nullptr;
     if (block == nullptr || scene == nullptr)
         return KFAST_NULL_POINTER;
-    if (!is_panel({width, height}))
-        return KFAST_BAD_PANEL_SIZE;
-    const auto view = SceneView::parse(bytes_of(scene, scene_bytes));
-    if (!view)
-        return code_of(view.error());
-    const Room room{block, block_bytes};
-    if (room.rest.size() < Player::block_bytes(*view, {width, height}))
-        return KFAST_BLOCK_TOO_SMALL;
-    *player = new (room.player) kfast_player{kfast::Playback{*view, {width, height}, room.rest}};
-    return KFAST_OK;
+    return create_in({block, block_bytes}, bytes_of(scene, scene_bytes), {width, height},
+                     kfast::every_feature, *player);
+}
+
+kfast_error kfast_create_with(kfast_player** player, void* block, size_t block_bytes, const void* scene,
+                              size_t scene_bytes, int width, int height, const kfast_features* features)
+{
+    if (player == nullptr)
+        return KFAST_NULL_POINTER;
+    *player = nullptr;
+    if (block == nullptr || scene == nullptr || features == nullptr)
+        return KFAST_NULL_POINTER;
+    return create_in({block, block_bytes}, bytes_of(scene, scene_bytes), {width, height},
+                     features_of(*features), *player);
 }
 
 kfast_error kfast_choose_clip(kfast_player* player, const char* name)

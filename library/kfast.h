@@ -11,7 +11,40 @@
 #include <stdint.h>
 
 #ifdef __cplusplus
+namespace kfast {
+struct StrokeFeature;
+struct TweenFeature;
+struct BoneFeature;
+struct BackboneFeature;
+struct DepthFeature;
+struct WireFeature;
+struct PathFeature;
+struct SmoothFeature;
+struct TextFeature;
+struct DrawingFeature;
+}
+typedef const kfast::StrokeFeature kfast_stroke_code;
+typedef const kfast::TweenFeature kfast_tween_code;
+typedef const kfast::BoneFeature kfast_bone_code;
+typedef const kfast::BackboneFeature kfast_backbone_code;
+typedef const kfast::DepthFeature kfast_depth_code;
+typedef const kfast::WireFeature kfast_wire_code;
+typedef const kfast::PathFeature kfast_path_code;
+typedef const kfast::SmoothFeature kfast_smooth_code;
+typedef const kfast::TextFeature kfast_text_code;
+typedef const kfast::DrawingFeature kfast_drawing_code;
 extern "C" {
+#else
+typedef const struct kfast_stroke_code kfast_stroke_code;
+typedef const struct kfast_tween_code kfast_tween_code;
+typedef const struct kfast_bone_code kfast_bone_code;
+typedef const struct kfast_backbone_code kfast_backbone_code;
+typedef const struct kfast_depth_code kfast_depth_code;
+typedef const struct kfast_wire_code kfast_wire_code;
+typedef const struct kfast_path_code kfast_path_code;
+typedef const struct kfast_smooth_code kfast_smooth_code;
+typedef const struct kfast_text_code kfast_text_code;
+typedef const struct kfast_drawing_code kfast_drawing_code;
 #endif
 
 typedef enum kfast_error {
@@ -27,7 +60,18 @@ typedef enum kfast_error {
     KFAST_NO_SUCH_CLIP,        /* the scene has no clip of this name */
     KFAST_NULL_POINTER,        /* a pointer is NULL: a player that was not made, memory that was not lent */
     KFAST_NO_SUCH_INPUT,       /* the scene has no input of this name and kind */
-    KFAST_DRAWING_TOO_LARGE    /* the input takes fewer strokes or points */
+    KFAST_DRAWING_TOO_LARGE,   /* the input takes fewer strokes or points */
+    /* The scene needs a feature that is not among those of kfast_create_with, in their order. */
+    KFAST_NEEDS_STROKES,
+    KFAST_NEEDS_TWEENS,
+    KFAST_NEEDS_BONES,
+    KFAST_NEEDS_BACKBONES,
+    KFAST_NEEDS_DEPTH,
+    KFAST_NEEDS_WIRES,
+    KFAST_NEEDS_PATHS,
+    KFAST_NEEDS_SMOOTH,
+    KFAST_NEEDS_TEXTS,
+    KFAST_NEEDS_DRAWINGS
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -45,6 +89,46 @@ size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int h
  * need not be aligned. Unless the result is KFAST_OK, *player is NULL. */
 kfast_error kfast_create(kfast_player** player, void* block, size_t block_bytes, const void* scene,
                          size_t scene_bytes, int width, int height);
+
+/* The code of what only some scenes need. */
+/* NOLINTBEGIN(readability-redundant-declaration): the core has them in C++ */
+extern kfast_stroke_code kfast_strokes;     /* lines and outlines, drawn with a pen */
+extern kfast_tween_code kfast_tweens;       /* drawings that change from key to key */
+extern kfast_bone_code kfast_bones;         /* skeletons, and drawings that they carry */
+extern kfast_backbone_code kfast_backbones; /* drawings that bend along a line */
+extern kfast_depth_code kfast_depth;        /* rotate-x, rotate-y and z */
+extern kfast_wire_code kfast_wires;         /* wire frames */
+extern kfast_path_code kfast_paths;         /* items that follow a path */
+extern kfast_smooth_code kfast_smooth;      /* tracks that go smoothly through their keys */
+extern kfast_text_code kfast_texts;         /* texts among the inputs */
+extern kfast_drawing_code kfast_drawings;   /* drawings among the inputs */
+/* NOLINTEND(readability-redundant-declaration) */
+
+/* Which of them a program has; NULL is left out. `kfast export --header` writes what a scene needs:
+ *
+ *     static const kfast_features features = ROBOT_EYES_FEATURES; */
+typedef struct kfast_features {
+    kfast_stroke_code* strokes;
+    kfast_tween_code* tweens;
+    kfast_bone_code* bones;
+    kfast_backbone_code* backbones;
+    kfast_depth_code* depth;
+    kfast_wire_code* wires;
+    kfast_path_code* paths;
+    kfast_smooth_code* smooth;
+    kfast_text_code* texts;
+    kfast_drawing_code* drawings;
+} kfast_features;
+
+/* As kfast_create(), with these features alone, which are copied: a linker that leaves out what nothing
+ * refers to (-ffunction-sections -fdata-sections -Wl,--gc-sections) leaves out the others, if neither
+ * kfast_create() nor kfast_block_bytes() is called anywhere. A scene that needs more is refused. */
+kfast_error kfast_create_with(kfast_player** player, void* block, size_t block_bytes, const void* scene,
+                              size_t scene_bytes, int width, int height, const kfast_features* features);
+
+/* As kfast_block_bytes(), for kfast_create_with(); also 0 if the scene needs more. */
+size_t kfast_block_bytes_with(const void* scene, size_t scene_bytes, int width, int height,
+                              const kfast_features* features);
 
 /* What times count from, and what kfast_update() plays: a clip of the scene, or with NULL the whole scene
  * again, as at first. If there is no such clip, nothing changes. */

@@ -20,10 +20,11 @@ class Animation {
 public:
     /// Bytes that create() must be lent, for every moment of the scene. `scene` holds what `kfast compile` or
     /// `kfast export` wrote; the sides of the panel are 1 … Player::max_panel.
-    /// Fails with truncated, bad_magic, unsupported_version, bad_checksum or bad_scene.
-    static Result<std::size_t> block_bytes(std::span<const std::byte> scene, Size panel)
+    /// Fails as SceneView::parse does.
+    static Result<std::size_t> block_bytes(std::span<const std::byte> scene, Size panel,
+                                           const Features& features = every_feature)
     {
-        const Result<SceneView> view = SceneView::parse(scene);
+        const Result<SceneView> view = SceneView::parse(scene, features);
         if (!view)
             return view.error();
         return Player::block_bytes(*view, panel);
@@ -32,9 +33,9 @@ public:
     /// `scene` and `block` (aligned to 4 bytes) must outlive the animation. It shows the beginning.
     /// Fails as block_bytes() does, or with block_too_small.
     static Result<Animation> create(std::span<const std::byte> scene, Size panel, std::span<std::byte> block,
-                                    Fit fit = Fit::contain)
+                                    Fit fit = Fit::contain, const Features& features = every_feature)
     {
-        const Result<SceneView> view = SceneView::parse(scene);
+        const Result<SceneView> view = SceneView::parse(scene, features);
         if (!view)
             return view.error();
         if (block.size() < Player::block_bytes(*view, panel))

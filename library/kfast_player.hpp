@@ -1,9 +1,10 @@
 /* KFAST for sketches and other programs in C++11 or later: begin, update, draw.
  *
+ *     static const kfast_features features = ROBOT_EYES_FEATURES;
  *     KfastPlayer<robot_eyes_block_bytes> player;
  *     std::uint16_t pixels[4096];
  *
- *     void setup() { player.begin(robot_eyes, robot_eyes_width, robot_eyes_height); }
+ *     void setup() { player.begin(robot_eyes, robot_eyes_width, robot_eyes_height, features); }
  *     void loop()
  *     {
  *         if (player.update(millis()))
@@ -55,6 +56,18 @@ public:
     bool begin(const unsigned char (&scene)[scene_bytes], int width, int height)
     {
         return begin(scene, scene_bytes, width, height);
+    }
+    /// Likewise with these features alone: kfast_create_with() says what that is for.
+    bool begin(const void* scene, size_t scene_bytes, int width, int height, const kfast_features& features)
+    {
+        return succeeds(
+            kfast_create_with(&player_, block_, sizeof block_, scene, scene_bytes, width, height, &features));
+    }
+    template <size_t scene_bytes>
+    bool begin(const unsigned char (&scene)[scene_bytes], int width, int height,
+               const kfast_features& features)
+    {
+        return begin(scene, scene_bytes, width, height, features);
     }
 
     /// Plays a clip from the next update() on, or without a name the whole scene. False: there is none.

@@ -52,6 +52,11 @@ public:
     /// Where the scene lies in flash: a region of its own, as link.ld has it, or an array that is linked in.
     std::span<const std::byte> scene_bytes() { return {scene_region_begin, scene_region_end}; }
 
+    /// What it has of the player: all, or only what its scenes need (`kfast info`), as in
+    /// static constexpr Features needed{.strokes = &kfast_strokes, .tweens = &kfast_tweens}, so that the rest
+    /// takes no flash.
+    const Features& features() const { return every_feature; }
+
     /// As much RAM as the largest scene needs that the board is to play.
     std::span<std::byte> block() { return block_; }
 

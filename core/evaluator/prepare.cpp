@@ -1,6 +1,7 @@
 #include "core/evaluator/prepare.hpp"
 
 #include "core/blending.hpp"
+#include "core/feature_code.hpp"
 
 namespace kfast {
 namespace {
@@ -12,13 +13,12 @@ void put_at(std::span<Record> room, std::uint32_t number, const Record& record)
         room[number] = record;
 }
 
-constexpr bool places(Property property) { return property <= Property::along; }
-
 }
 
 void Preparer::run()
 {
-    add_skeletons();
+    if (!scene_.skeletons().at_end())
+        scene_.features().bones->prepare(*this);
     add_symbols();
     root_ = add_root(scene_.items());
 }
@@ -102,6 +102,7 @@ Node Preparer::node_of(const ItemView& item) const
               .unit_bits = static_cast<std::uint8_t>(item.object.backbones.unit_bits),
               .has_arrivals = item.object.has_arrivals,
               .has_depths = item.object.has_depths,
+              .is_placed = item.is_placed(),
               .has_path = item.path.is_known,
               .has_several_layers = has_several_layers(scene_, item),
               .style = item.object.style};
@@ -132,7 +133,6 @@ bool Preparer::add_tracks(const ItemView& item, Node& node)
     for (TrackCursor tracks = item.tracks; !tracks.at_end(); ++node.track_count) {
         const TrackView track = tracks.next();
         has_order = has_order || track.property == Property::order;
-        node.is_placed = node.is_placed || places(track.property);
         const auto property = static_cast<std::uint8_t>(track.property);
         if (track.is_fixed)
             add_track({.from = track.value, .to = track.value, .property = property});

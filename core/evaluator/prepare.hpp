@@ -24,13 +24,14 @@ public:
     Preparer(const SceneView& scene, const Room& room) : scene_{scene}, room_{room} {}
 
     void run();
+    /// Part of it, for the feature.
+    void add_skeletons();
     /// Afterwards.
     const SceneRecords& records() const { return records_; }
     /// The number of the scene's own node, the last one that is no item's.
     std::uint32_t root() const { return root_; }
 
 private:
-    void add_skeletons();
     void add_bones(const BonesView& skeleton, std::uint32_t first);
     void add_symbols();
     std::uint32_t add_root(ItemCursor items);

@@ -2,6 +2,7 @@
 
 #include "core/block_cutter.hpp"
 #include "core/evaluator/prepare.hpp"
+#include "core/feature_code.hpp"
 #include "core/hermite.hpp"
 #include "core/work.hpp"
 
@@ -95,7 +96,7 @@ const LiveTrack& PreparedScene::key_track(const Node& node, KeyValue value) cons
 std::int32_t PreparedScene::fine_value(const SceneView& scene, const LiveTrack& track) const
 {
     if (track.is_smooth && track.has_timeline())
-        return smooth_value(scene, track);
+        return scene.features().smooth->value(*this, scene, track);
     const auto property = static_cast<Property>(track.property);
     if (!tweens(property))
         return track.from * (1 << fine_bits);

@@ -38,6 +38,9 @@ public:
     /// What has moved since the moment before.
     const Dependence& moved() const { return moved_; }
 
+    /// Of a track that is smooth and has a timeline: part of fine_value(), for the feature.
+    std::int32_t smooth_value(const SceneView& scene, const LiveTrack& track) const;
+
     std::span<const Node> nodes() const { return nodes_; }
     /// Of the scene itself: the outermost items lie within it.
     const Node& root() const { return nodes_[root_]; }
@@ -95,7 +98,6 @@ public:
 private:
     void take_keys(const SceneView& scene);
     Dependence dependence_of_bones(const Node& node) const;
-    std::int32_t smooth_value(const SceneView& scene, const LiveTrack& track) const;
 
     std::span<KeyTimeline> timelines_;
     std::span<LiveTrack> tracks_;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t opaque = 255;
 
 /// Whether it moves, bends or widens something.
-bool shapes(Property property) { return property <= Property::along || property == Property::width; }
+bool shapes(Property property) { return places_item(property) || property == Property::width; }
 
 }
 
@@ -76,6 +76,7 @@ bool SceneWalk::enter(const Node& node)
 void SceneWalk::push(const Node& node, std::uint32_t path, std::uint32_t opacity,
                      const Dependence& dependence)
 {
+    const std::uint8_t placed_around = top_->placed;
     Level& level = *++top_;
     level.node = &node;
     level.path = path;
@@ -83,6 +84,7 @@ void SceneWalk::push(const Node& node, std::uint32_t path, std::uint32_t opacity
     level.dependence = dependence;
     level.is_blended = opacity != opaque && opacity_ == Opacity::of_groups && node.has_several_layers;
     level.is_to_come = node.is_leaf();
+    level.placed = static_cast<std::uint8_t>(placed_around + (node.is_placed ? 1 : 0));
     level.space = nullptr;
     level.is_ordered = false;
     level.next = level.end = 0;
@@ -144,18 +146,18 @@ std::int32_t SceneWalk::order_of(const Node& node) const
 
 const Space& SceneWalk::space()
 {
-    const Level* known = current_;
+    Level* known = current_;
     while (known->space == nullptr)
         --known;
     const Space* outer = known->space;
-    for (auto number = static_cast<std::size_t>(known - levels_.data()) + 1;
-         levels_.data() + number <= current_; ++number) {
-        Level& level = levels_[number];
-        if (level.node->is_placed) {
-            const ItemState state{on_panel_.scene, on_panel_.prepared, *level.node};
-            outer = &spaces_[number].emplace(*outer * state.placement());
+    for (Level* level = known + 1; level <= current_; ++level) {
+        if (level->node->is_placed) {
+            const ItemState state{on_panel_.scene, on_panel_.prepared, *level->node};
+            Space& own = on_panel_.spaces[level->placed - 1U];
+            own = product(*outer, state.placement(), on_panel_.scene.features());
+            outer = &own;
         }
-        level.space = outer;
+        level->space = outer;
     }
     return *outer;
 }

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 namespace kfast {
 
@@ -29,7 +28,7 @@ public:
     /// What opacities of groups apply to: their finished pictures, or each leaf inside.
     enum class Opacity : std::uint8_t { of_groups, of_leaves };
 
-    /// `on_panel` has been moved to a moment; it must outlive the walk.
+    /// `on_panel` has been moved to a moment; it must outlive the walk, which uses its room for spaces.
     SceneWalk(const SceneOnPanel& on_panel, Opacity opacity);
 
     Step next();
@@ -68,6 +67,7 @@ private:
         bool is_ordered = false;     ///< some of them have an order
         bool is_blended = false;     ///< as a whole
         bool is_to_come = false;     ///< a leaf that was not told yet
+        std::uint8_t placed = 0;     ///< so many have spaces of their own, it and those around it
         std::int32_t order = 0;      ///< of the nodes that are passed now
         std::int32_t next_order = 0; ///< the lowest above it, of those passed
         std::uint32_t path = 0;
@@ -95,7 +95,6 @@ private:
     const SceneOnPanel& on_panel_;
     Opacity opacity_;
     std::array<Level, max_levels> levels_;
-    std::array<std::optional<Space>, max_levels> spaces_; ///< of those that have their own
     Level* top_ = levels_.data();
     Level* current_ = levels_.data();
     Dependence leaf_dependence_;

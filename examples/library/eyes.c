@@ -8,6 +8,7 @@
 enum { width = robot_eyes_width, height = robot_eyes_height };
 
 static uint16_t display[height][width];
+static const kfast_features features = ROBOT_EYES_FEATURES;
 
 static void draw_rectangle(int x, int y, int columns, int rows, const void* pixels, void* user)
 {
@@ -22,8 +23,8 @@ int main(void)
 {
     static char block[robot_eyes_block_bytes], buffer[16 * sizeof display[0]];
     kfast_player* player;
-    const kfast_error error =
-        kfast_create(&player, block, sizeof block, robot_eyes, robot_eyes_bytes, width, height);
+    const kfast_error error = kfast_create_with(&player, block, sizeof block, robot_eyes, robot_eyes_bytes,
+                                                width, height, &features);
     if (error != KFAST_OK)
         return fprintf(stderr, "eyes: %s\n", kfast_error_text(error)), 1;
     for (int frame = 0; frame < 60; ++frame) {

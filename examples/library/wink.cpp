@@ -25,7 +25,9 @@ std::array<std::byte, 16 * 2 * width> buffer;
 int main()
 {
     const auto scene = std::as_bytes(std::span{robot_eyes});
-    auto eyes = kfast::Animation::create(scene, {width, robot_eyes_height}, block);
+    constexpr kfast::Features features = ROBOT_EYES_FEATURES;
+    auto eyes =
+        kfast::Animation::create(scene, {width, robot_eyes_height}, block, kfast::Fit::contain, features);
     if (!eyes || !eyes->choose_clip("blink"))
         return 1;
     for (int frame = 0; frame <= 10; ++frame) {

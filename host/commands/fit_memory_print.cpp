@@ -1,5 +1,6 @@
 #include "host/commands/fit_memory_print.hpp"
 
+#include "host/feature_name.hpp"
 #include "host/fit/wording.hpp"
 #include "host/text/glyph.hpp"
 
@@ -19,6 +20,11 @@ Json ram_facts(const fit::RamNeed& need, std::size_t available, const char* buff
     return {{"block", need.block},   {buffers, need.bands},       {"static", need.fixed},
             {"stack", need.stack},   {"reserved", need.reserved}, {"used", need.sum()},
             {"available", available}};
+}
+
+Json feature_facts(const fit::FlashNeed& need)
+{
+    return need.features ? Json(feature_names(*need.features)) : Json(nullptr);
 }
 
 Json room_facts(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& target)
@@ -50,5 +56,4 @@ std::string memory_lines(const fit::FlashNeed& flash, const fit::RamNeed& ram, c
            fit_line("firmware", visible(firmware_flash_text(flash, target))) +
            fit_line("", visible(firmware_ram_text(ram, target, buffers)));
 }
-
 }

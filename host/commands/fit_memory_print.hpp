@@ -13,6 +13,8 @@ using Json = nlohmann::ordered_json;
 
 Json flash_facts(const fit::FlashNeed& need, std::size_t available);
 /// What is there for scenes, next to the firmware.
+/// Those that the player has; null if it has all.
+Json feature_facts(const fit::FlashNeed& need);
 Json room_facts(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& target);
 /// The parts of what is reserved, by their names.
 Json reserved_facts(const fit::Target& target);

@@ -80,6 +80,7 @@ Json facts_of(const FitFacts& facts)
             {"notes", report.notes},
             {"flash", flash_facts(report.flash, target.flash)},
             {"ram", ram_facts(report.ram, target.ram, "bands")},
+            {"features", feature_facts(report.flash)},
             {"room", room_facts(report.flash, report.ram, target)},
             {"reserved", reserved_facts(target)},
             {"first_picture", frame_facts(report.speed.first)},

@@ -13,6 +13,7 @@
 #include "host/commands/summary.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
+#include "host/feature_name.hpp"
 #include "host/in_frames.hpp"
 #include "host/input_text.hpp"
 #include "host/loop_name.hpp"
@@ -156,6 +157,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"items", item_count(scene.view)},
         {"symbols", scene.view.symbol_count()},
         {"keys", keys_of(scene.view)},
+        {"features", feature_names(scene.view.needed_features())},
         {"inputs", input_facts(scene.view)},
         {"clips", clips_of(scene.view)},
         {"events", events_of(scene.view)},
@@ -257,6 +259,7 @@ void print_scene_facts(const Json& facts, const SceneView& scene)
               << "  items       " << facts["items"] << '\n'
               << "  symbols     " << facts["symbols"] << '\n'
               << "  keys        " << key_text(facts["keys"], ", at frames ") << '\n'
+              << "  features    " << features_text(scene.needed_features()) << '\n'
               << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
               << size_text(facts["memory"]) << '\n';
     std::ranges::for_each(facts["inputs"], print_input);

@@ -1,5 +1,6 @@
 #include "host/commands/scene_header.hpp"
 
+#include "host/feature_name.hpp"
 #include "host/text/glyph.hpp"
 #include "library/kfast.h"
 
@@ -13,13 +14,27 @@ namespace {
 
 constexpr std::size_t bytes_in_a_line = 16;
 
-std::string guard(const std::string& name)
+std::string in_capitals(const std::string& name)
 {
-    std::string text = "KFAST_SCENE_";
+    std::string text;
     std::ranges::transform(name, std::back_inserter(text), [](char letter) {
         return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
     });
-    return text + "_H";
+    return text;
+}
+
+/// What kfast_features is to be for the scene, in the order of its members.
+std::string features(const std::string& name, FeatureSet needed)
+{
+    std::string list;
+    for (std::size_t number = 0; number < feature_count; ++number) {
+        const auto feature = static_cast<Feature>(number);
+        list += list.empty() ? "" : ", ";
+        list += needed.has(feature) ? "&kfast_" + std::string{feature_name(feature)} : "0";
+    }
+    return "/* What it needs of the player, for a program that plays nothing else: kfast.h, kfast_features "
+           "*/\n#define " +
+           in_capitals(name) + "_FEATURES {" + list + "}\n";
 }
 
 std::string constant(const std::string& name, std::size_t value)
@@ -65,9 +80,11 @@ std::size_t block_bytes(const SceneHeader& header, const SceneFile& scene)
 
 std::string header_text(const SceneHeader& header, const SceneFile& scene)
 {
-    const std::string macro = guard(header.name);
+    const std::string macro = "KFAST_SCENE_" + in_capitals(header.name) + "_H";
     return "/* " + visible(header.source) + ", written by kfast export */\n#ifndef " + macro + "\n#define " +
-           macro + "\n\n" + constants(header, scene) + '\n' + array(header.name, scene.bytes) + "\n#endif\n";
+           macro + "\n\n" + constants(header, scene) + '\n' +
+           features(header.name, scene.view.needed_features()) + '\n' + array(header.name, scene.bytes) +
+           "\n#endif\n";
 }
 
 }

@@ -18,11 +18,13 @@ Size panel_for(Size canvas) { return {canvas.width, std::min(3 * canvas.height, 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
     : outlines_(bytes / 4), cache_(kfb::max_cache_bytes / 4),
       heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)), steps_(scene.paint_steps()),
-      prepared_(PreparedScene::bytes_for(scene) / 4), bones_(scene.bone_count()),
-      backbone_nodes_(scene.backbone_nodes()), drawings_(LiveDrawings::bytes_for(scene) / 4),
+      prepared_(PreparedScene::bytes_for(scene) / 4), spaces_(scene.records().spaces),
+      bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()),
+      drawings_(LiveDrawings::bytes_for(scene) / 4),
       texts_(LiveTexts::bytes_for(scene)), on_panel_{on_panel(scene, panel_for(scene.canvas()), Fit::none)}
 {
     on_panel_.prepared = PreparedScene{scene, std::as_writable_bytes(std::span{prepared_})};
+    on_panel_.spaces = spaces_;
     on_panel_.bones = bones_;
     on_panel_.backbone_nodes = backbone_nodes_;
     on_panel_.drawings = {scene, std::as_writable_bytes(std::span{drawings_})};

@@ -37,6 +37,7 @@ private:
     std::vector<std::uint32_t> heads_;
     std::vector<raster::PaintStep> steps_;
     std::vector<std::uint32_t> prepared_; // likewise
+    std::vector<Space> spaces_;
     std::vector<LiveBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
     std::vector<std::uint32_t> drawings_; // words, likewise

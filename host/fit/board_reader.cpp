@@ -32,6 +32,9 @@ constexpr std::array processor_words{
     Word<Processor>{"cortex-m7", Processor::cortex_m7}, Word<Processor>{"cortex-m33", Processor::cortex_m33},
 };
 
+/// Whether the program has every feature of the player.
+constexpr std::array feature_words{Word<bool>{"all", true}, Word<bool>{"needed", false}};
+
 constexpr std::array bus_words{
     Word<BusKind>{"spi", BusKind::spi},
     Word<BusKind>{"parallel-8", BusKind::parallel_8},
@@ -148,6 +151,12 @@ bool read_reserved(const kdl::Node& node, Target& target, Reading& reading)
     return true;
 }
 
+bool read_features(const kdl::Node& node, Target& target, Reading& reading)
+{
+    return refuse_properties(node, reading) &&
+           assign(read_word(node.arguments.front(), feature_words, reading), target.has_every_feature);
+}
+
 constexpr NodeForm panel_form{"panel", "panel st7789", 0, 3};
 
 constexpr std::array part_rules{
@@ -157,6 +166,7 @@ constexpr std::array part_rules{
     PartRule<Target>{panel_form, read_panel, Times::at_most_once},
     PartRule<Target>{beam_form, read_board_beam, Times::at_most_once},
     PartRule<Target>{{"bands", "bands (KiB)4", 1, 1}, read_bands, Times::at_most_once},
+    PartRule<Target>{{"features", "features all", 1, 1}, read_features, Times::at_most_once},
     PartRule<Target>{
         {"reserved", "reserved drivers flash=(KiB)40 ram=(KiB)8", 0, 1}, read_reserved, Times::any},
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/features.hpp"
 #include "host/fit/processor.hpp"
 #include "host/fit/work_count.hpp"
 
@@ -10,7 +11,9 @@ namespace kfast::fit {
 
 /// What the player costs on a processor. Memory in bytes, as in the images that the benchmark measures.
 struct ProcessorCosts {
-    std::size_t code = 0;      ///< of the player and its constants, for one pixel format
+    std::size_t code = 0;      ///< of the player and its constants, for one pixel format, with every feature
+    std::size_t bare_code = 0; ///< without any
+    std::array<std::size_t, feature_count> feature_code{}; ///< what each of them adds to that by itself
     std::size_t fixed_ram = 0; ///< besides the lent block: the player and the loop
     std::size_t stack = 0;     ///< the deepest that was measured
     double cycles = 0;         ///< for an instruction, on average, from memory without wait states

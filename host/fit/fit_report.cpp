@@ -120,6 +120,16 @@ void note_coarse_pictures(const FitReport& report, std::vector<std::string>& not
                         "scene of fewer curves");
 }
 
+/// A program has every feature unless it names those of its scene.
+void note_features(const FitReport& report, const Target& target, std::vector<std::string>& notes)
+{
+    const std::size_t rest = costs_of(target.processor).code - report.flash.player;
+    if (rest != 0 && report.flash.sum() <= target.flash && report.flash.sum() + rest > target.flash)
+        notes.push_back("it fits if the program has only what the scene needs of the player, not all of it, "
+                        "which takes " +
+                        bytes_text(rest) + " more: docs/library.md, \"Only what a scene needs\"");
+}
+
 /// Where a computer cannot tell an input anew for every frame.
 void note_link(const FitReport& report, std::vector<std::string>& notes)
 {
@@ -140,6 +150,7 @@ void judge(const Target& target, FitReport& report)
     note_bus(target, report.notes);
     note_stride(report, report.notes);
     note_coarse_pictures(report, report.notes);
+    note_features(report, target, report.notes);
     note_link(report, report.notes);
 }
 

@@ -1,5 +1,7 @@
 #include "host/fit/memory_need.hpp"
 
+#include "host/feature_name.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -7,7 +9,7 @@ namespace kfast::fit {
 namespace {
 
 /// By the compiler's figures for the deepest scene: docs/design.md, "The bound on memory".
-constexpr std::size_t stack_bound = 9216;
+constexpr std::size_t stack_bound = 8192;
 
 std::size_t sum_of(const std::vector<Reserved>& parts, std::size_t Reserved::*bytes)
 {
@@ -21,9 +23,21 @@ std::size_t Target::reserved_flash() const { return sum_of(reserved, &Reserved::
 
 std::size_t Target::reserved_ram() const { return sum_of(reserved, &Reserved::ram); }
 
+std::size_t player_code(FeatureSet features, Processor processor)
+{
+    const ProcessorCosts& costs = costs_of(processor);
+    std::size_t code = costs.bare_code;
+    for (const Feature feature : features_in(features))
+        code += costs.feature_code[static_cast<std::size_t>(feature)];
+    return std::min(code, costs.code); // what several of them share was counted for each
+}
+
 FlashNeed flash_need(const SceneView& scene, const Target& target)
 {
-    return {costs_of(target.processor).code, scene.size(), target.reserved_flash()};
+    if (target.has_every_feature)
+        return {costs_of(target.processor).code, scene.size(), target.reserved_flash()};
+    const FeatureSet features = scene.needed_features();
+    return {player_code(features, target.processor), scene.size(), target.reserved_flash(), features};
 }
 
 RamNeed ram_need(const SceneView& scene, const Target& target)

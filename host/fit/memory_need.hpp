@@ -5,6 +5,7 @@
 #include "host/fit/target.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace kfast::fit {
 
@@ -18,6 +19,7 @@ struct FlashNeed {
     std::size_t player = 0;
     std::size_t scene = 0;
     std::size_t reserved = 0;
+    std::optional<FeatureSet> features{}; ///< all that the player has; none: every one
 
     std::size_t sum() const { return player + scene + reserved; }
     /// What is there for scenes, next to the firmware.
@@ -36,6 +38,9 @@ struct RamNeed {
     /// What is there for the blocks of scenes, next to the firmware.
     std::size_t room(std::size_t available) const { return room_beside(sum() - block, available); }
 };
+
+/// Code and constants of a player with these features and no others; no less than it is.
+std::size_t player_code(FeatureSet features, Processor processor);
 
 FlashNeed flash_need(const SceneView& scene, const Target& target);
 RamNeed ram_need(const SceneView& scene, const Target& target);

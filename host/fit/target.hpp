@@ -58,6 +58,7 @@ struct Target {
     std::size_t band_bytes =
         4096; ///< of each of the two buffers that rows are drawn into, or the points of a beam, 4 for each
     std::vector<Reserved> reserved = {};
+    bool has_every_feature = false; ///< whatever the scene needs of the player (core/features.hpp)
 
     std::size_t reserved_flash() const;
     std::size_t reserved_ram() const;

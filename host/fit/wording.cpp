@@ -1,6 +1,7 @@
 #include "host/fit/wording.hpp"
 
 #include "host/counted.hpp"
+#include "host/feature_name.hpp"
 #include "host/in_frames.hpp"
 
 #include <cmath>
@@ -104,7 +105,8 @@ std::string parts_text(const RamNeed& need, std::string_view buffers)
 
 std::string firmware_flash_text(const FlashNeed& need, const Target& target)
 {
-    std::vector<Part> parts{{"player", need.player}};
+    const std::string player = need.features ? "player with " + features_text(*need.features) : "player";
+    std::vector<Part> parts{{player, need.player}};
     add_reserved(target, &Reserved::flash, parts);
     return firmware_text(need.sum() - need.scene, target.flash, "flash", parts);
 }

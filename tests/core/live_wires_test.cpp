@@ -37,6 +37,8 @@ Seen seen_in(const Bytes& bytes, Size panel, Time time)
     MovedScene moved{scene};
     SceneOnPanel shown = on_panel(scene, panel, Fit::contain);
     shown.prepared = moved.at(time);
+    std::vector<Space> spaces(scene.records().spaces);
+    shown.spaces = spaces;
     SceneWalk walk{shown, SceneWalk::Opacity::of_groups};
     REQUIRE(walk.next() == SceneWalk::Step::leaf);
     REQUIRE(walk.node().has_depths);

@@ -18,7 +18,7 @@ public:
         : scene_{scene},
           memory_(PreparedScene::bytes_for(scene) / 4), prepared_{scene,
                                                                   std::as_writable_bytes(std::span{memory_})},
-          bones_(scene.bone_count())
+          spaces_(scene.records().spaces), bones_(scene.bone_count())
     {
         set_up_bones(scene, prepared_, bones_);
     }
@@ -41,6 +41,7 @@ public:
         bones_at(moment);
         SceneOnPanel shown = on_panel(scene_, scene_.canvas(), Fit::none);
         shown.prepared = prepared_;
+        shown.spaces = spaces_;
         shown.bones = bones_;
         return shown;
     }
@@ -49,6 +50,7 @@ private:
     const SceneView& scene_;
     std::vector<std::uint32_t> memory_;
     PreparedScene prepared_;
+    std::vector<Space> spaces_;
     std::vector<LiveBone> bones_;
 };
 

@@ -26,7 +26,7 @@ struct Nest {
     {
         Space all;
         for (const RawPlacement& level : levels)
-            all = all * level.placement();
+            all = product(all, level.placement(), every_feature);
         return all;
     }
 

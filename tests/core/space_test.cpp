@@ -64,7 +64,7 @@ TEST_CASE("what was never turned in space is flat, and so is what was moved up a
     const Space nearer{.plane = {}, .z0 = 100};
     const Space farther{.plane = {}, .z0 = -100};
     CHECK_FALSE(nearer.is_flat());
-    CHECK((nearer * farther).is_flat());
+    CHECK(product(nearer, farther, every_feature).is_flat());
     for (const auto part : {&Space::xz, &Space::yz, &Space::zx, &Space::zy}) {
         Space space;
         space.*part = 1;
@@ -78,11 +78,12 @@ TEST_CASE("flat spaces make the very product that their planes make, by the shor
     for (int round = 0; round < 3000; ++round) {
         const Affine outer = random_plane(random);
         const Affine inner = random_plane(random);
-        const Space flat = Space{.plane = outer, .zz = 77} * Space{.plane = inner, .zz = 3 * Fixed::one};
+        const Space flat =
+            product({.plane = outer, .zz = 77}, {.plane = inner, .zz = 3 * Fixed::one}, Features{});
         CHECK(flat.plane == outer * inner);
         CHECK(flat.is_flat());
         CHECK(flat.zz == 231);
-        const Space moved = Space{.plane = outer} * Space{.plane = inner, .z0 = 1};
+        const Space moved = product({.plane = outer}, {.plane = inner, .z0 = 1}, every_feature);
         CHECK(moved.plane == outer * inner);
     }
 }
@@ -97,7 +98,7 @@ TEST_CASE("a product maps by the inner space first")
         const auto coordinate = [&random] { return static_cast<double>(random() % 512) - 256; };
         const Place p{coordinate(), coordinate(), coordinate()};
         const Place exact = mapped(outer, mapped(inner, p));
-        const Place is = mapped(outer * inner, p);
+        const Place is = mapped(product(outer, inner, every_feature), p);
         worst =
             std::max({worst, std::abs(is.x - exact.x), std::abs(is.y - exact.y), std::abs(is.z - exact.z)});
     }
@@ -113,7 +114,7 @@ TEST_CASE("factors of a product are held at the steepest")
                       .zy = Affine::steepest,
                       .zz = Affine::steepest,
                       .z0 = std::int64_t{1} << 32};
-    const Space steeper = steep * steep;
+    const Space steeper = product(steep, steep, every_feature);
     CHECK(steeper.plane.xx == Affine::steepest);
     CHECK(steeper.plane.yx == -Affine::steepest);
     CHECK(steeper.xz == Affine::steepest);

@@ -66,10 +66,15 @@ class Program(unittest.TestCase):
         self.assertEqual(beside, {"h", "?", "+", "-"})
 
     def test_errors_of_displays(self):
-        names = re.findall(r"(?m)^    (\w+)(?: = 1)?,", (ROOT / "core/result.hpp").read_text(encoding="utf-8"))
+        every = re.findall(r"(?m)^    (\w+)(?: = \d+)?,", (ROOT / "core/result.hpp").read_text(encoding="utf-8"))
+        names = [name for name in every if not name.startswith("needs_")]
+        features = [name.removeprefix("needs_") for name in every if name.startswith("needs_")]
         rows = [cells(line)[:2] for line in section("troubleshooting.md", "The display shows E and a number").splitlines()
                 if re.match(r"\| E\d", line)]
-        self.assertEqual(rows, [[f"E{number}", f"`{name}`"] for number, name in enumerate(names, 1)])
+        self.assertEqual(rows[:-1], [[f"E{number}", f"`{name}`"] for number, name in enumerate(names, 1)])
+        self.assertEqual(rows[-1], [f"E64 … E{63 + len(features)}", "`needs_strokes` …"])
+        self.assertIn(f"built without: {', '.join(features)} |", section("troubleshooting.md", "The display shows E and a number"))
+        self.assertEqual(re.findall(r"(?m)^\| `(\w+)` \| .* KB \|$", section("library.md", "Only what a scene needs")), features)
         link = (ROOT / "docs/link.md").read_text(encoding="utf-8")
         words = [name.replace("_", " ") for name in names]
         self.assertIn(f"| 1 … {len(names)} |", link)

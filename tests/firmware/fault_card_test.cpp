@@ -30,6 +30,20 @@ TEST_CASE("a fault is shown as E and its number")
           });
 }
 
+TEST_CASE("numbers of faults have up to two digits")
+{
+    CHECK(drawn<PixelFormat::mono1>(FaultCard{Error::needs_strokes, {13, 7}}, {13, 7}) ==
+          std::vector<std::string>{
+              ".............", //
+              ".###.###.#.#.", //
+              ".#...#...#.#.", //
+              ".###.###.###.", //
+              ".#...#.#...#.", //
+              ".###.###...#.", //
+              ".............",
+          });
+}
+
 TEST_CASE("without room for words a fault is as large as the panel allows, in its middle")
 {
     CHECK(drawn<PixelFormat::grey4>(FaultCard{Error::truncated, {20, 17}}, {20, 17}) ==

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace kfast::test {
@@ -32,6 +33,19 @@ private:
 };
 
 static_assert(ChoosingBoard<ChosenBoard>);
+
+/// Plays what needs no features.
+class PlainBoard : public ChosenBoard {
+public:
+    using ChosenBoard::ChosenBoard;
+
+    const Features& features() const { return none; }
+
+private:
+    static constexpr Features none{};
+};
+
+static_assert(FeatureBoard<PlainBoard>);
 
 /// Whose display loses its memory before some of the frames.
 class ForgetfulBoard : public SlowBoard {
@@ -146,6 +160,22 @@ TEST_CASE("a board may choose what is played")
     run(board);
     CHECK_FALSE(board.reported.has_value());
     CHECK(board.story == "begin 2 step end 4 step begin 2 step end 4 ");
+}
+
+TEST_CASE("a board plays what its features are enough for, and reports the one that it lacks")
+{
+    for (const bool has_stroke : {false, true}) {
+        PlainBoard board{12};
+        board.scene = compiled(std::string{"kfast 1\ncanvas 6 10\nobject a fill=white"} +
+                               (has_stroke ? " stroke=red" : "") + " { rect 0 0 6 10 }");
+        board.durations = {0};
+        run(board);
+        CHECK(board.reported.has_value() == has_stroke);
+        if (has_stroke)
+            CHECK(*board.reported == Error::needs_strokes);
+        else
+            CHECK(board.reports.size() == 1);
+    }
 }
 
 TEST_CASE("bands that do not hold a row are reported, not waited for")

@@ -1,5 +1,6 @@
 #include "library/kfast.h"
 
+#include "library/kfast.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/library/screen.hpp"
 
@@ -267,6 +268,37 @@ TEST_CASE("null pointers are refused")
     CHECK(kfast_draw_rgb565(player, buffer.data(), 0, take, nullptr) == KFAST_BUFFER_TOO_SMALL);
 }
 
+TEST_CASE("a player has the features that it was made with, and refuses by name what needs others")
+{
+    const std::vector<std::byte> stroked =
+        compiled("kfast 1\ncanvas 24 16\nobject o stroke=white width=3 { line 2 2 20 12 }");
+    std::vector<std::byte> block(kfast_block_bytes(stroked.data(), stroked.size(), width, height));
+    const auto created = [&](const kfast_features* features) {
+        kfast_player* player = nullptr;
+        const kfast_error error = kfast_create_with(&player, block.data(), block.size(), stroked.data(),
+                                                    stroked.size(), width, height, features);
+        CHECK((player != nullptr) == (error == KFAST_OK));
+        return error;
+    };
+    kfast_features features{};
+    CHECK(created(&features) == KFAST_NEEDS_STROKES);
+    CHECK(std::string{kfast_error_text(KFAST_NEEDS_STROKES)}.starts_with("needs_strokes: "));
+    CHECK(std::string{kfast_error_text(KFAST_NEEDS_DRAWINGS)}.starts_with("needs_drawings: "));
+    features.strokes = &kfast_strokes;
+    CHECK(created(&features) == KFAST_OK);
+    CHECK(created(nullptr) == KFAST_NULL_POINTER);
+    const auto needed = [&](const kfast_features* given) {
+        return kfast_block_bytes_with(stroked.data(), stroked.size(), width, height, given);
+    };
+    const kfast_features none{};
+    CHECK(needed(&features) == block.size());
+    CHECK(needed(&none) == 0);
+    CHECK(needed(nullptr) == 0);
+    CHECK(Animation::block_bytes(stroked, {width, height}, Features{}).error() == Error::needs_strokes);
+    CHECK(Animation::create(stroked, {width, height}, {}, Fit::contain, Features{}).error() ==
+          Error::needs_strokes);
+}
+
 TEST_CASE("every error has a text that begins with its name")
 {
     CHECK(std::string{kfast_error_text(KFAST_OK)} == "ok");
@@ -277,7 +309,7 @@ TEST_CASE("every error has a text that begins with its name")
     CHECK(std::string{kfast_error_text(KFAST_DRAWING_TOO_LARGE)}.starts_with("drawing_too_large: "));
     CHECK(std::string{kfast_error_text(KFAST_NO_SUCH_INPUT)}.starts_with("no_such_input: "));
     CHECK(std::string{kfast_error_text(KFAST_NULL_POINTER)}.starts_with("null_pointer: "));
-    CHECK(std::string{kfast_error_text(static_cast<kfast_error>(15))} == "unknown");
+    CHECK(std::string{kfast_error_text(static_cast<kfast_error>(31))} == "unknown");
 }
 
 TEST_CASE("a text is what was told last")

@@ -9,6 +9,7 @@
 const int button_pin = 14;
 
 TFT_eSPI tft;
+static const kfast_features features = ROBOT_EYES_FEATURES; // of the player only what they need
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width];
 bool was_pressed = false;
@@ -28,7 +29,7 @@ void setup()
     pinMode(button_pin, INPUT_PULLUP);
     tft.init();
     tft.setSwapBytes(true);
-    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height, features))
         Serial.println(player.error());
 }
 

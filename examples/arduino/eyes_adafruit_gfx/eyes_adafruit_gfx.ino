@@ -10,6 +10,7 @@
 const int select_pin = 5, command_pin = 16, reset_pin = 17; // change them to yours
 
 Adafruit_ST7789 tft(select_pin, command_pin, reset_pin);
+static const kfast_features features = ROBOT_EYES_FEATURES; // of the player only what they need
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[8 * robot_eyes_width];
 
@@ -32,7 +33,7 @@ void setup()
 {
     Serial.begin(115200);
     tft.init(robot_eyes_width, robot_eyes_height);
-    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height, features))
         Serial.println(player.error());
 }
 

@@ -5,6 +5,7 @@
 #include <M5Unified.h>
 #include <kfast_player.hpp>
 
+static const kfast_features features = ROBOT_EYES_FEATURES; // of the player only what they need
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width];
 
@@ -21,7 +22,7 @@ void setup()
 {
     Serial.begin(115200);
     M5.begin();
-    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height, features))
         Serial.println(player.error());
 }
 

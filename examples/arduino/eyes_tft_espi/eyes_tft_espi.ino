@@ -6,6 +6,7 @@
 #include <kfast_player.hpp>
 
 TFT_eSPI tft;
+static const kfast_features features = ROBOT_EYES_FEATURES; // of the player only what they need
 KfastPlayer<robot_eyes_block_bytes> player;
 uint16_t pixels[16 * robot_eyes_width]; // the more rows, the fewer and larger the rectangles
 
@@ -24,7 +25,7 @@ void setup()
     tft.init();
     // Pixels lie in memory as this processor has them; the display wants the high byte first.
     tft.setSwapBytes(true);
-    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height))
+    if (!player.begin(robot_eyes, robot_eyes_width, robot_eyes_height, features))
         Serial.println(player.error());
 }
 

@@ -24,6 +24,8 @@ from least_squares import fitted  # noqa: E402
 from random_scenes import scene_texts  # noqa: E402
 
 FIRST_DRAWN = "step"  # kinds of work before it are part of the update (core/work.hpp)
+# As core/features.hpp has them, after an image without any.
+FEATURES = ("none", "strokes", "tweens", "bones", "backbones", "depth", "wires", "paths", "smooth", "texts", "drawings")
 PROFILED = ("golden-split_and_merge", "golden-bones_and_skins", "random-3", "random-8")
 
 
@@ -63,6 +65,8 @@ class Play:
 class Costs:
     """What the table holds of a processor."""
     code: int
+    bare_code: int
+    feature_code: list
     fixed_ram: int
     stack: int
     cycles: float
@@ -136,7 +140,9 @@ class Calibration:
         draw = fit([counts[:, border:], areas, one], "draw")
         send = fit([areas, one], "send")
         image = guest.image_for(self.chosen.images, cpu)
-        return Costs(code=images.player_bytes(image), fixed_ram=max(images.static_bytes(image) - self.chosen.bands, 0),
+        bare, *with_one = (images.player_bytes(self.chosen.images / f"feature-{name}-{cpu}.elf") for name in FEATURES)
+        return Costs(code=images.player_bytes(image), bare_code=bare, feature_code=[each - bare for each in with_one],
+                     fixed_ram=max(images.static_bytes(image) - self.chosen.bands, 0),
                      stack=max(each.run.stack for each in plays), cycles=self.cycles(cpu),
                      frame=update[-1] + draw[-1] + send[-1], area=draw[-2] + send[-2], work=[*update[:-1], *draw[:-2]])
 

@@ -32,7 +32,8 @@ const ProcessorCosts& costs_of(Processor processor) { return table[static_cast<s
 
 def row(cpu, costs, names):
     """`work` has a size of its own, which only converts to that of ProcessorCosts if there are as many kinds of work."""
-    lines = [f"    // {cpu}", "    {", f"        .code = {costs.code},", f"        .fixed_ram = {costs.fixed_ram},",
+    lines = [f"    // {cpu}", "    {", f"        .code = {costs.code},", f"        .bare_code = {costs.bare_code},",
+             f"        .feature_code = {{{', '.join(str(code) for code in costs.feature_code)}}},", f"        .fixed_ram = {costs.fixed_ram},",
              f"        .stack = {costs.stack},", f"        .cycles = {costs.cycles:.2f},", f"        .frame = {costs.frame:.0f},",
              f"        .area = {costs.area:.0f},", "        .work =", "            std::to_array<double>({"]
     lines += [f"                {cost:.1f}, // {name}" for name, cost in zip(names, costs.work, strict=True)]

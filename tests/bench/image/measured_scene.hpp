@@ -4,6 +4,9 @@
 
 namespace kfast::bench {
 
+/// What the image has of the player.
+extern const Features& linked_features;
+
 /// Tells what a frame of the steady loop has cost.
 void report_frame(const FrameCost& frame);
 

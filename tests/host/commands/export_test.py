@@ -1,5 +1,6 @@
 """Scenes as source: export_test.py <kfast> <C compiler> <C++ compiler>."""
 
+import json
 import re
 import subprocess
 import sys
@@ -39,6 +40,24 @@ class ExportTest(CommandTest):
                 self.assertEqual(array, scene)
                 self.assertEqual((width, height), (60, 40))
                 self.assertGreater(block, 0)
+
+    def test_what_it_needs_of_the_player_is_a_macro(self):
+        (self.folder / "strokes.kfast").write_text("kfast 1\ncanvas 9 9\nobject a stroke=red { line 1 1 5 5; "
+                                                   "key 0 rotate-y=0; key 1 rotate-y=9 }\n")
+        self.run_kfast("export", "--header", "strokes.kfast")
+        self.assertIn("#define STROKES_FEATURES {&kfast_strokes, 0, 0, 0, &kfast_depth, 0, 0, 0, 0, 0}\n",
+                      (self.folder / "strokes.h").read_text())
+        self.assertEqual(json.loads(self.run_kfast("info", "strokes.kfast", "--json").stdout)["features"], ["strokes", "depth"])
+        self.assertIn("  features    strokes, depth\n", self.run_kfast("info", "strokes.kfast").stdout)
+        program = """#include "strokes.h"
+#include <library/kfast.h>
+static const kfast_features features = STROKES_FEATURES;
+int main(void) { return features.strokes == &kfast_strokes && features.depth == &kfast_depth && features.bones == 0 ? 0 : 1; }
+"""
+        for language, standard in (("c", "c99"), ("cpp", "c++11")):
+            (self.folder / f"main.{language}").write_text(program)
+            subprocess.run([COMPILERS[language], f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I", ROOT, "-c",
+                            f"main.{language}", "-o", "main.o"], cwd=self.folder, check=True, timeout=120)
 
     def test_memory_is_told_for_the_panel(self):
         def block(*arguments):

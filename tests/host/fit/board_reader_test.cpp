@@ -79,6 +79,15 @@ TEST_CASE("a description tells everything in bytes, Hertz and pixels")
     CHECK(target.reserved_ram() == 3 * 1024);
 }
 
+TEST_CASE("a board has what the scene needs of the player, or all of it")
+{
+    CHECK_FALSE(read(whole).has_every_feature);
+    CHECK_FALSE(read(with("bands", "features needed; bands")).has_every_feature);
+    CHECK(read(with("bands", "features all; bands")).has_every_feature);
+    check_refused(with("bands", "features some; bands"), "6:14", "some");
+    check_refused(with("bands", "features; bands"), "6:5", "features all");
+}
+
 TEST_CASE("what is reserved has several parts, with names")
 {
     const Target target =

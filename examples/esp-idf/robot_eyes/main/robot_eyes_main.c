@@ -65,11 +65,12 @@ void app_main(void)
 {
     static char block[robot_eyes_block_bytes];
     static uint16_t buffer[buffer_bytes / 2];
+    static const kfast_features features = ROBOT_EYES_FEATURES;
     kfast_player* player;
     sent = xSemaphoreCreateBinary();
     const esp_lcd_panel_handle_t panel = started_panel();
-    const kfast_error error =
-        kfast_create(&player, block, sizeof block, robot_eyes, robot_eyes_bytes, width, height);
+    const kfast_error error = kfast_create_with(&player, block, sizeof block, robot_eyes, robot_eyes_bytes,
+                                                width, height, &features);
     if (error != KFAST_OK)
         printf("robot_eyes: %s\n", kfast_error_text(error));
     while (error == KFAST_OK) {

@@ -59,7 +59,7 @@ void report_frame(const FrameCost& frame)
 
 int run()
 {
-    const auto scene = SceneView::parse({scene_region_begin, scene_region_end});
+    const auto scene = SceneView::parse({scene_region_begin, scene_region_end}, linked_features);
     if (!scene)
         return refuse(scene.error());
     write_field("lent ", static_cast<std::uint32_t>(block_end - block_begin));

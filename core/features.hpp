@@ -1,0 +1,128 @@
+#pragma once
+
+#include "core/result.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+
+/// A part of the scene language whose code a program may leave out.
+enum class Feature : std::uint8_t {
+    strokes,   ///< lines and outlines, drawn with a pen
+    tweens,    ///< drawings that change from key to key
+    bones,     ///< skeletons, and drawings that they carry
+    backbones, ///< drawings that bend along a line
+    depth,     ///< rotate-x, rotate-y and z, seen in perspective
+    wires,     ///< wire frames, whose points have depths of their own
+    paths,     ///< items that follow a path
+    smooth,    ///< tracks that go smoothly through their keys
+    texts,     ///< texts among the inputs
+    drawings,  ///< drawings among the inputs
+};
+
+inline constexpr std::size_t feature_count = 10;
+
+/// Why a program that has not the feature refuses a scene that needs it.
+constexpr Error error_without(Feature feature)
+{
+    return static_cast<Error>(static_cast<int>(Error::needs_strokes) + static_cast<int>(feature));
+}
+static_assert(error_without(Feature{feature_count - 1}) == Error::needs_drawings);
+
+class FeatureSet {
+public:
+    constexpr FeatureSet(std::same_as<Feature> auto... features) { (add(features), ...); }
+
+    constexpr void add(Feature feature) { bits_ = static_cast<std::uint16_t>(bits_ | bit(feature)); }
+    constexpr bool has(Feature feature) const { return (bits_ & bit(feature)) != 0; }
+    friend constexpr bool operator==(FeatureSet, FeatureSet) = default;
+
+private:
+    static constexpr unsigned bit(Feature feature) { return 1U << static_cast<unsigned>(feature); }
+
+    std::uint16_t bits_ = 0;
+};
+
+struct StrokeFeature;
+struct TweenFeature;
+struct BoneFeature;
+struct BackboneFeature;
+struct DepthFeature;
+struct WireFeature;
+struct PathFeature;
+struct SmoothFeature;
+struct TextFeature;
+struct DrawingFeature;
+
+/// What a program links of the player: shapes, groups, keys, laws and tracks always, and the code of the
+/// features that are not null. What nothing refers to, a linker leaves out (-ffunction-sections,
+/// -fdata-sections, --gc-sections).
+///
+///     constexpr kfast::Features features{.strokes = &kfast_strokes};
+///     const auto scene = kfast::SceneView::parse(bytes, features);
+///
+/// `kfast info` tells what a scene needs, `kfast export --header` writes it as such a constant.
+struct Features {
+    const StrokeFeature* strokes = nullptr;
+    const TweenFeature* tweens = nullptr;
+    const BoneFeature* bones = nullptr;
+    const BackboneFeature* backbones = nullptr;
+    const DepthFeature* depth = nullptr;
+    const WireFeature* wires = nullptr;
+    const PathFeature* paths = nullptr;
+    const SmoothFeature* smooth = nullptr;
+    const TextFeature* texts = nullptr;
+    const DrawingFeature* drawings = nullptr;
+
+    constexpr bool has(Feature feature) const;
+};
+
+/// All of them: what plays any scene. Whoever names it links the whole player.
+extern const Features every_feature;
+
+constexpr bool Features::has(Feature feature) const
+{
+    switch (feature) {
+    case Feature::strokes:
+        return strokes != nullptr;
+    case Feature::tweens:
+        return tweens != nullptr;
+    case Feature::bones:
+        return bones != nullptr;
+    case Feature::backbones:
+        return backbones != nullptr;
+    case Feature::depth:
+        return depth != nullptr;
+    case Feature::wires:
+        return wires != nullptr;
+    case Feature::paths:
+        return paths != nullptr;
+    case Feature::smooth:
+        return smooth != nullptr;
+    case Feature::texts:
+        return texts != nullptr;
+    case Feature::drawings:
+        return drawings != nullptr;
+    }
+    return false;
+}
+
+}
+
+// The code of each (core/feature_code.hpp), under names that C has, too.
+// NOLINTBEGIN(readability-redundant-declaration): library/kfast.h is C and declares them itself
+extern "C" {
+extern const kfast::StrokeFeature kfast_strokes;
+extern const kfast::TweenFeature kfast_tweens;
+extern const kfast::BoneFeature kfast_bones;
+extern const kfast::BackboneFeature kfast_backbones;
+extern const kfast::DepthFeature kfast_depth;
+extern const kfast::WireFeature kfast_wires;
+extern const kfast::PathFeature kfast_paths;
+extern const kfast::SmoothFeature kfast_smooth;
+extern const kfast::TextFeature kfast_texts;
+extern const kfast::DrawingFeature kfast_drawings;
+}
+// NOLINTEND(readability-redundant-declaration)
