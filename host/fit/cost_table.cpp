@@ -72,43 +72,45 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 78548,
+        .code = 80400,
+        .bare_code = 56000,
+        .feature_code = {2448, 5200, 4708, 5952, 2092, 3956, 872, 600, 1524, 1500},
         .fixed_ram = 4,
-        .stack = 8536,
+        .stack = 7580,
         .cycles = 1.68,
-        .frame = 831,
+        .frame = 830,
         .area = 534,
         .work =
             std::to_array<double>({
-                2922.3, // picture
-                186.3, // timeline
-                999.7, // key
-                532.8, // item
-                983.1, // track
-                938.0, // placement
-                553.4, // law
-                3437.9, // bezier_law
-                2418.2, // bone
+                2459.6, // picture
+                184.5, // timeline
+                946.9, // key
+                539.6, // item
+                1010.8, // track
+                854.0, // placement
+                559.9, // law
+                3447.4, // bezier_law
+                2272.9, // bone
                 0.0, // object
-                1585.2, // stroke
-                797.5, // segment
+                1323.4, // stroke
+                801.1, // segment
                 0.0, // line
-                212.3, // curve
-                1052.2, // split
-                146.9, // point
+                225.3, // curve
+                1038.2, // split
+                147.3, // point
                 0.0, // wide_point
-                1090.7, // projected_point
-                166.8, // carried_point
-                600.3, // bent_point
-                63.9, // piece
-                426.6, // pen_piece
-                213.8, // bend
+                1107.9, // projected_point
+                197.2, // carried_point
+                635.8, // bent_point
+                61.1, // piece
+                453.8, // pen_piece
+                232.3, // bend
                 0.0, // slight_bend
-                199.3, // placed_corner
-                261.7, // corner
-                609.8, // chain
-                7.7, // crossing
-                53.0, // kept_chain
+                201.3, // placed_corner
+                267.0, // corner
+                613.2, // chain
+                7.0, // crossing
+                53.2, // kept_chain
                 300.7, // step
                 84.8, // passed_band
                 0.0, // passed_border
@@ -139,42 +141,44 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m3
     {
-        .code = 75288,
+        .code = 77016,
+        .bare_code = 53356,
+        .feature_code = {2548, 4928, 4604, 5680, 2032, 3692, 836, 536, 1536, 1528},
         .fixed_ram = 4,
-        .stack = 8472,
-        .cycles = 1.80,
+        .stack = 7444,
+        .cycles = 1.79,
         .frame = 426,
         .area = 412,
         .work =
             std::to_array<double>({
-                2145.1, // picture
-                112.3, // timeline
-                1051.6, // key
-                456.8, // item
-                800.4, // track
-                90.1, // placement
-                244.5, // law
-                2165.5, // bezier_law
-                1163.1, // bone
+                1794.3, // picture
+                112.1, // timeline
+                1013.0, // key
+                450.9, // item
+                802.4, // track
+                108.1, // placement
+                245.3, // law
+                2159.5, // bezier_law
+                1090.3, // bone
                 0.0, // object
-                909.8, // stroke
-                526.5, // segment
+                857.0, // stroke
+                528.9, // segment
                 0.0, // line
-                220.1, // curve
-                881.6, // split
-                108.6, // point
+                224.0, // curve
+                881.9, // split
+                108.5, // point
                 0.0, // wide_point
-                398.3, // projected_point
-                174.8, // carried_point
-                503.7, // bent_point
-                40.9, // piece
-                260.7, // pen_piece
-                40.0, // bend
+                413.8, // projected_point
+                195.2, // carried_point
+                537.1, // bent_point
+                41.5, // piece
+                272.4, // pen_piece
+                47.3, // bend
                 0.0, // slight_bend
-                128.6, // placed_corner
-                208.0, // corner
-                476.9, // chain
-                7.4, // crossing
+                128.7, // placed_corner
+                208.1, // corner
+                479.6, // chain
+                7.2, // crossing
                 40.7, // kept_chain
                 226.3, // step
                 59.0, // passed_band
@@ -206,42 +210,44 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m4
     {
-        .code = 75260,
+        .code = 77008,
+        .bare_code = 53368,
+        .feature_code = {2560, 4912, 4596, 5656, 2020, 3704, 836, 536, 1544, 1536},
         .fixed_ram = 4,
-        .stack = 8464,
+        .stack = 7436,
         .cycles = 1.80,
         .frame = 428,
         .area = 410,
         .work =
             std::to_array<double>({
-                2149.1, // picture
-                112.3, // timeline
-                1050.7, // key
-                456.7, // item
-                805.5, // track
-                89.8, // placement
-                244.4, // law
-                2184.1, // bezier_law
-                1174.9, // bone
+                1798.4, // picture
+                112.1, // timeline
+                1012.1, // key
+                450.8, // item
+                807.4, // track
+                105.6, // placement
+                245.2, // law
+                2178.3, // bezier_law
+                1102.3, // bone
                 0.0, // object
-                906.2, // stroke
-                525.5, // segment
+                854.0, // stroke
+                528.0, // segment
                 0.0, // line
-                220.4, // curve
-                877.9, // split
-                107.7, // point
+                224.4, // curve
+                878.2, // split
+                107.6, // point
                 0.0, // wide_point
-                400.0, // projected_point
-                174.0, // carried_point
-                503.8, // bent_point
-                41.6, // piece
-                261.7, // pen_piece
-                31.3, // bend
+                415.5, // projected_point
+                194.4, // carried_point
+                537.2, // bent_point
+                42.3, // piece
+                273.5, // pen_piece
+                38.5, // bend
                 0.0, // slight_bend
-                130.3, // placed_corner
+                130.4, // placed_corner
                 209.8, // corner
-                482.2, // chain
-                7.5, // crossing
+                484.9, // chain
+                7.2, // crossing
                 40.7, // kept_chain
                 226.5, // step
                 60.1, // passed_band
@@ -273,42 +279,44 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m7
     {
-        .code = 75336,
+        .code = 77060,
+        .bare_code = 53412,
+        .feature_code = {2568, 4908, 4600, 5660, 2040, 3692, 836, 536, 1544, 1536},
         .fixed_ram = 4,
-        .stack = 8464,
-        .cycles = 1.65,
+        .stack = 7436,
+        .cycles = 1.66,
         .frame = 423,
         .area = 424,
         .work =
             std::to_array<double>({
-                2142.1, // picture
-                112.3, // timeline
-                1051.4, // key
-                456.5, // item
-                798.9, // track
-                94.3, // placement
-                244.2, // law
-                2165.7, // bezier_law
-                1168.7, // bone
+                1791.5, // picture
+                112.2, // timeline
+                1012.8, // key
+                450.5, // item
+                800.7, // track
+                113.1, // placement
+                245.0, // law
+                2159.7, // bezier_law
+                1095.9, // bone
                 0.0, // object
-                909.1, // stroke
-                525.7, // segment
+                858.0, // stroke
+                528.1, // segment
                 0.0, // line
-                220.2, // curve
-                877.6, // split
-                108.6, // point
+                224.1, // curve
+                878.1, // split
+                108.5, // point
                 0.0, // wide_point
-                400.3, // projected_point
-                173.8, // carried_point
-                504.3, // bent_point
-                40.8, // piece
-                260.7, // pen_piece
-                40.8, // bend
+                415.8, // projected_point
+                194.3, // carried_point
+                537.7, // bent_point
+                41.5, // piece
+                272.5, // pen_piece
+                48.0, // bend
                 0.0, // slight_bend
-                128.6, // placed_corner
+                128.8, // placed_corner
                 208.1, // corner
-                476.9, // chain
-                7.4, // crossing
+                479.6, // chain
+                7.2, // crossing
                 40.7, // kept_chain
                 227.9, // step
                 59.8, // passed_band
@@ -340,42 +348,44 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m33
     {
-        .code = 75336,
+        .code = 77072,
+        .bare_code = 53428,
+        .feature_code = {2552, 4916, 4608, 5668, 2036, 3692, 836, 536, 1540, 1524},
         .fixed_ram = 4,
-        .stack = 8472,
+        .stack = 7444,
         .cycles = 1.79,
         .frame = 428,
         .area = 412,
         .work =
             std::to_array<double>({
-                2145.7, // picture
-                112.3, // timeline
-                1051.0, // key
-                456.8, // item
-                800.1, // track
-                91.4, // placement
-                244.5, // law
-                2165.6, // bezier_law
-                1170.9, // bone
+                1795.0, // picture
+                112.1, // timeline
+                1012.4, // key
+                450.9, // item
+                802.2, // track
+                109.3, // placement
+                245.3, // law
+                2159.7, // bezier_law
+                1098.2, // bone
                 0.0, // object
-                908.7, // stroke
-                525.9, // segment
+                855.9, // stroke
+                528.3, // segment
                 0.0, // line
-                220.2, // curve
-                877.6, // split
-                108.6, // point
+                224.2, // curve
+                877.9, // split
+                108.5, // point
                 0.0, // wide_point
-                399.0, // projected_point
-                173.8, // carried_point
-                503.9, // bent_point
-                40.8, // piece
-                260.6, // pen_piece
-                39.9, // bend
+                414.5, // projected_point
+                194.2, // carried_point
+                537.2, // bent_point
+                41.4, // piece
+                272.4, // pen_piece
+                47.2, // bend
                 0.0, // slight_bend
-                128.6, // placed_corner
-                208.1, // corner
-                476.9, // chain
-                7.4, // crossing
+                128.7, // placed_corner
+                208.2, // corner
+                479.7, // chain
+                7.2, // crossing
                 40.7, // kept_chain
                 226.6, // step
                 60.0, // passed_band

@@ -74,7 +74,12 @@ class Program(unittest.TestCase):
         self.assertEqual(rows[:-1], [[f"E{number}", f"`{name}`"] for number, name in enumerate(names, 1)])
         self.assertEqual(rows[-1], [f"E64 … E{63 + len(features)}", "`needs_strokes` …"])
         self.assertIn(f"built without: {', '.join(features)} |", section("troubleshooting.md", "The display shows E and a number"))
-        self.assertEqual(re.findall(r"(?m)^\| `(\w+)` \| .* KB \|$", section("library.md", "Only what a scene needs")), features)
+        table = section("library.md", "Only what a scene needs")
+        self.assertEqual(re.findall(r"(?m)^\| `(\w+)` \| .* KB \|$", table), features)
+        costs = (ROOT / "host/fit/cost_table.cpp").read_text(encoding="utf-8").split("// cortex-m3")[0]
+        weighed = re.findall(r"bare_code = (\d+),\s+\.feature_code = \{([\d, ]+)\}", costs)[0]
+        self.assertEqual(re.findall(r"(?m) ([\d.]+) KB \|$", table),
+                         [f"{int(size) / 1000:.1f}" for size in [weighed[0], *weighed[1].split(", ")]])
         link = (ROOT / "docs/link.md").read_text(encoding="utf-8")
         words = [name.replace("_", " ") for name in names]
         self.assertIn(f"| 1 … {len(names)} |", link)
