@@ -52,4 +52,28 @@ const Features every_feature{.strokes = &kfast_strokes,
                              .texts = &kfast_texts,
                              .drawings = &kfast_drawings};
 
+namespace {
+
+constexpr StrokeFeature strokes_of_beams{.emplace = nullptr};
+constexpr TweenFeature tweens_of_beams{.trace = nullptr, .trace_kept = nullptr};
+constexpr DepthFeature depth_of_beams{.tilted = tilted, .product = product_in_depth, .add_layers = nullptr};
+constexpr WireFeature wires_of_beams{.check = plain_function<&SceneCheck::check_depths>, .trace = nullptr};
+constexpr TextFeature texts_of_beams{.check = plain_function<&SceneCheck::check_label>, .trace = nullptr};
+constexpr DrawingFeature drawings_of_beams{.check = plain_function<&SceneCheck::check_usual>,
+                                           .show_usual = plain_function<&LiveDrawings::show_usual>,
+                                           .trace = nullptr};
+
+}
+
+const Features every_feature_but_outlines{.strokes = &strokes_of_beams,
+                                          .tweens = &tweens_of_beams,
+                                          .bones = &kfast_bones,
+                                          .backbones = &kfast_backbones,
+                                          .depth = &depth_of_beams,
+                                          .wires = &wires_of_beams,
+                                          .paths = &kfast_paths,
+                                          .smooth = &kfast_smooth,
+                                          .texts = &texts_of_beams,
+                                          .drawings = &drawings_of_beams};
+
 }

@@ -81,6 +81,9 @@ struct Features {
 
 /// All of them: what plays any scene. Whoever names it links the whole player.
 extern const Features every_feature;
+/// All of them without what draws outlines for a panel: to look whether a scene is sound, and for beams,
+/// which trace it themselves.
+extern const Features every_feature_but_outlines;
 
 constexpr bool Features::has(Feature feature) const
 {

@@ -180,6 +180,8 @@ const Features& features_of(B& board)
     if constexpr (requires { board.features(); }) {
         static_assert(FeatureBoard<B>, "features() returns const Features&");
         return board.features();
+    } else if constexpr (BeamBoard<B>) {
+        return every_feature_but_outlines;
     } else {
         return every_feature;
     }

@@ -22,7 +22,7 @@ alignas(4) std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
 /// Told by the magic alone: run() reads the rest.
 bool holds_scene(std::span<const std::byte> bytes)
 {
-    const auto beginning = SceneView::parse(bytes.first(4));
+    const auto beginning = SceneView::parse(bytes.first(4), every_feature_but_outlines);
     return beginning || beginning.error() != Error::bad_magic;
 }
 

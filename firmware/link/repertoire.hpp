@@ -40,7 +40,7 @@ public:
         Programme programme{.home = what.home, .slot = what.slot, .clip = what.clip};
         if (const Verdict verdict = find_scene(programme); !verdict.is_ok())
             return verdict;
-        const auto scene = SceneView::parse(programme.scene);
+        const auto scene = SceneView::parse(programme.scene, every_feature_but_outlines);
         return scene ? play(programme, *scene) : status_of(scene.error());
     }
 
@@ -79,7 +79,7 @@ private:
     {
         if (is_blank(programme.scene))
             return Status::no_scene;
-        const auto scene = SceneView::parse(programme.scene);
+        const auto scene = SceneView::parse(programme.scene, every_feature_but_outlines);
         if (!scene)
             return status_of(scene.error());
         const Name usual = device_.facts().start_clip;

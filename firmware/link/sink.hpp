@@ -40,7 +40,7 @@ public:
     /// Fails with an error of SceneView::parse.
     Status finish() const
     {
-        const auto scene = SceneView::parse(place_);
+        const auto scene = SceneView::parse(place_, every_feature_but_outlines);
         return scene ? Status::ok : status_of(scene.error());
     }
 

@@ -164,7 +164,8 @@ private:
             return Status::bad_checksum;
         if (crc_of_flash(offset_, upload_.size) != upload_.crc)
             return Status::flash_failed;
-        const auto scene = SceneView::parse(pool_contents().subspan(offset_, upload_.size));
+        const auto scene =
+            SceneView::parse(pool_contents().subspan(offset_, upload_.size), every_feature_but_outlines);
         return scene ? Status::ok : status_of(scene.error());
     }
 

@@ -3,7 +3,7 @@ import { PinFunction, noPin } from './pins.mjs';
 
 // In RAM, as boards/pico/link.ld has it.
 const stackTop = 264 * 1024;
-const stackLimit = stackTop - 18 * 1024;
+const stackLimit = stackTop - 17 * 1024;
 
 /**
  * What a run was like, for tests: see README.md for the fields.

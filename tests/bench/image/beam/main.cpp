@@ -67,7 +67,7 @@ void play(BeamPlayer& player, Meter& meter)
 
 int run()
 {
-    const auto scene = SceneView::parse({scene_region_begin, scene_region_end});
+    const auto scene = SceneView::parse({scene_region_begin, scene_region_end}, every_feature_but_outlines);
     if (!scene)
         return 1;
     const BeamProfile& profile = scope_profile;
