@@ -25,8 +25,8 @@ bool is_within(std::int32_t value, ValueRange range) { return value >= range.lea
 /// Of one skeleton.
 class BoneCheck {
 public:
-    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t numbers)
-        : bones_{bones}, laws_{laws}, numbers_{numbers}
+    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t numbers, ReadAllowance& allowance)
+        : bones_{bones}, laws_{laws}, numbers_{numbers}, allowance_{allowance}
     {
     }
 
@@ -41,6 +41,8 @@ private:
     bool check_common_keys() const
     {
         BeatCursor beats = bones_.common_beats();
+        if (!allowance_.take(beats.count()))
+            return false;
         for (Time before{-1}; !beats.at_end();) {
             const Beat beat = beats.next();
             if (!is_key(beats.clock(), before, beat.time, beat.laws))
@@ -80,7 +82,7 @@ private:
 
     bool check_keys(TrackKeyCursor keys, ValueRange range) const
     {
-        if (keys.at_end())
+        if (keys.at_end() || !allowance_.take(keys.beats().count()))
             return false;
         for (Time before{-1}; !keys.at_end();) {
             const TrackKey key = keys.next();
@@ -94,16 +96,18 @@ private:
     const BonesView& bones_;
     std::uint32_t laws_;
     std::uint32_t numbers_; ///< a bit for each input that is one
+    ReadAllowance& allowance_;
 };
 
 }
 
-bool bones_are_sound(const SceneView& scene, std::uint32_t laws)
+bool bones_are_sound(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance)
 {
     std::uint32_t skeletons = 0;
     for (BonesCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
         const BonesView bones = cursor.next();
-        if (cursor.overrun() || bones.count() == 0 || !BoneCheck{bones, laws, scene.number_inputs()}.passes())
+        if (cursor.overrun() || bones.count() == 0 ||
+            !BoneCheck{bones, laws, scene.number_inputs(), allowance}.passes())
             return false;
     }
     return skeletons <= kfb::max_bones;

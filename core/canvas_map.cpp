@@ -3,10 +3,11 @@
 namespace kfast {
 namespace {
 
-/// to / from in Q16, rounded to nearest.
+/// to / from in Q16, rounded to nearest; both are sides of canvases and panels.
 std::int32_t ratio(int to, int from)
 {
-    return static_cast<std::int32_t>((std::int64_t{to} * Fixed::one + from / 2) / from);
+    const auto divisor = static_cast<std::uint32_t>(from);
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(to) * Fixed::one + divisor / 2) / divisor);
 }
 
 std::int32_t scale_for(Size canvas, Size panel, Fit fit)

@@ -23,6 +23,8 @@ constexpr std::string_view error_text(Error error)
         return "bad_scene: a value is out of its range or refers to nothing"sv;
     case Error::block_too_small:
         return "block_too_small: the scene needs more memory than the board lends"sv;
+    case Error::too_slow:
+        return "too_slow: a picture of the scene takes longer than a second"sv;
     case Error::needs_strokes:
         return "needs_strokes: the program was built without strokes"sv;
     case Error::needs_tweens:

@@ -22,6 +22,7 @@ class PackedDrawing;
 class PictureCache;
 class PreparedScene;
 class Preparer;
+class ReadAllowance;
 class SceneCheck;
 class SceneView;
 class SceneWalk;
@@ -56,7 +57,7 @@ struct TweenFeature {
 };
 
 struct BoneFeature {
-    bool (*check)(const SceneView&, std::uint32_t laws);
+    bool (*check)(const SceneView&, std::uint32_t laws, ReadAllowance&);
     bool (*check_skin)(SceneCheck&, const Key&, std::uint32_t bones);
     void (*prepare)(Preparer&);
     void (*set_up)(const SceneView&, const PreparedScene&, std::span<LiveBone>);
@@ -82,7 +83,7 @@ struct WireFeature {
 };
 
 struct PathFeature {
-    bool (*check)(const SceneCheck&, const ItemView&);
+    bool (*check)(SceneCheck&, const ItemView&);
     PathPlace (*place_on)(const PathView&, PackedDrawing, std::int32_t share);
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/quotient.hpp"
+
 #include <compare>
 #include <cstdint>
 
@@ -18,7 +20,7 @@ struct Share {
         if (numerator < 0x4000) // keeps the division in 32 bits
             return {((numerator << 16) + denominator / 2) / denominator};
         const std::uint64_t scaled = (std::uint64_t{numerator} << 16) + denominator / 2;
-        return {static_cast<std::uint32_t>(scaled / denominator)};
+        return {static_cast<std::uint32_t>(quotient(scaled, denominator))};
     }
 
     friend constexpr auto operator<=>(Share, Share) = default;

@@ -1,6 +1,7 @@
 #include "core/input_view.hpp"
 
 #include "core/name_reader.hpp"
+#include "core/quotient.hpp"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ Time InputView::place_of(std::int32_t value) const
     const auto above =
         static_cast<std::uint32_t>(std::clamp(value, least, most)) - static_cast<std::uint32_t>(least);
     const std::uint64_t whole = static_cast<std::uint32_t>(whole_input.ticks);
-    return {static_cast<std::int32_t>((above * whole + range / 2) / range)};
+    return {static_cast<std::int32_t>(quotient(above * whole + range / 2, range))};
 }
 
 InputView InputCursor::next()

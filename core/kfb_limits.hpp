@@ -55,7 +55,5 @@ inline constexpr std::int32_t max_bone_turn =
 inline constexpr std::uint32_t max_bones_at_point = 4;
 inline constexpr std::uint32_t max_backbones = 32;          ///< of one object
 inline constexpr std::uint32_t max_backbone_segments = 255; ///< of one object
-/// Points of the drawings of all keys together: what parse() has to walk through at the start.
-inline constexpr std::uint32_t max_key_points = 1U << 22;
 
 }

@@ -46,7 +46,7 @@ bool finds_room(const LabelView& label, const TextInput& text)
     const std::int32_t spacing = label.spacing < 0 ? -label.spacing : label.spacing;
     const std::int32_t step =
         largest(label.advances, label.glyph_count) + largest(label.kerning, label.pair_count()) + spacing;
-    return step <= kfb::max_text_width / static_cast<std::int32_t>(text.most);
+    return static_cast<std::uint32_t>(step) <= std::uint32_t{kfb::max_text_width} / text.most;
 }
 
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
 
 namespace kfast {
 namespace {
@@ -64,91 +63,57 @@ std::size_t backbone_node_count(PackedDrawing drawing)
     return count;
 }
 
-namespace {
-
-/// The points of two drawings made alike, on the way between them, stroke by stroke.
-struct PointsBetween {
-    PackedDrawing from;
-    PackedDrawing to;
-    Progress way;
-    bool is_first = false; ///< the next point is that of a stroke
-
-    std::uint32_t strokes() const { return from.strokes(); }
-    std::uint32_t next_stroke()
-    {
-        is_first = true;
-        to.next_stroke();
-        return from.next_stroke();
-    }
-    Point next()
-    {
-        const bool is_start = std::exchange(is_first, false);
-        const Point a = is_start ? from.start() : from.next_segment().to;
-        return lerp(a, is_start ? to.start() : to.next_segment().to, way.x, way.y);
-    }
-};
-
-/// The same of two that are kept.
-struct KeptPointsBetween {
-    TweenReader both;
-    Progress way;
-    bool is_first = false;
-
-    std::uint32_t strokes() const { return both.strokes(); }
-    std::uint32_t next_stroke()
-    {
-        is_first = true;
-        return both.next_stroke();
-    }
-    Point next()
-    {
-        if (!std::exchange(is_first, false))
-            both.is_next_cubic(); // they are lines
-        return both.next_point(way);
-    }
-};
-
-}
-
 LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
                              PackedDrawing to, Progress way)
     : between_{plain_function<&LiveBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
 {
-    take(PointsBetween{from, to, way});
+    const auto next_stroke = [&from, &to] {
+        to.next_stroke();
+        return from.next_stroke();
+    };
+    const auto next_point = [&](bool is_first) {
+        const Point a = is_first ? from.start() : from.next_segment().to;
+        return lerp(a, is_first ? to.start() : to.next_segment().to, way.x, way.y);
+    };
+    take(from.strokes(), next_stroke, next_point);
 }
 
 LiveBackbones::LiveBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both,
                              Progress way)
     : between_{plain_function<&LiveBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
 {
-    take(KeptPointsBetween{both, way});
+    const auto next_stroke = [&both] { return both.next_stroke(); };
+    const auto next_point = [&](bool is_first) {
+        if (!is_first)
+            both.is_next_cubic(); // they are lines
+        return both.next_point(way);
+    };
+    take(both.strokes(), next_stroke, next_point);
 }
 
 /// Three strokes for each backbone, and a gap behind it.
-template <class Points>
-void LiveBackbones::take(Points points)
+/// next_point(is_first) tells whether it is the first one of a stroke.
+void LiveBackbones::take(std::uint32_t strokes, FunctionRef<std::uint32_t()> next_stroke,
+                         FunctionRef<Point(bool)> next_point)
 {
     std::size_t first = 0;
-    const auto count = static_cast<std::int32_t>(points.strokes() / 3);
+    const auto count = static_cast<std::int32_t>(strokes / 3);
     for (std::int32_t backbone = 0; backbone < count; ++backbone) {
         std::size_t behind = first;
         for (const auto side : {&BackboneNode::middle, &BackboneNode::left, &BackboneNode::right}) {
-            behind = first + points.next_stroke() + 1;
-            for (std::size_t node = first; node != behind; ++node)
-                take(node, side, points.next(), backbone);
+            behind = first + next_stroke() + 1;
+            for (std::size_t node = first; node != behind; ++node) {
+                const Point at = next_point(node == first);
+                nodes_[node].*side = at;
+                nodes_[node].backbone = backbone;
+                are_modest_ = are_modest_ && is_modest(at);
+            }
         }
         nodes_[behind].backbone = -1;
         first = behind + 1;
     }
     nodes_ = nodes_.first(first);
     is_one_ = count == 1;
-}
-
-void LiveBackbones::take(std::size_t node, Point BackboneNode::*side, Point at, std::int32_t backbone)
-{
-    nodes_[node].*side = at;
-    nodes_[node].backbone = backbone;
-    are_modest_ = are_modest_ && is_modest(at);
 }
 
 Point LiveBackbones::place(Point relative) const { return place(cell_at(relative.x), relative.y); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/backbone_view.hpp"
+#include "core/function_ref.hpp"
 #include "core/key_interval.hpp"
 #include "core/packed_drawing.hpp"
 #include "core/tween_cache.hpp"
@@ -50,9 +51,8 @@ private:
         std::int32_t along; ///< Q16, 0 … 1, further at the ends of a backbone: -1 … 2
     };
 
-    template <class Points>
-    void take(Points points);
-    void take(std::size_t node, Point BackboneNode::*side, Point at, std::int32_t backbone);
+    void take(std::uint32_t strokes, FunctionRef<std::uint32_t()> next_stroke,
+              FunctionRef<Point(bool)> next_point);
     Cell cell_at(Fixed along) const;
     Cell end_of(std::int32_t backbone, bool is_beginning) const;
     Point place(Cell cell, Fixed across) const;

@@ -2,6 +2,7 @@
 
 #include "core/held_point.hpp"
 #include "core/passage.hpp"
+#include "core/quotient.hpp"
 #include "core/sum_of_products.hpp"
 #include "core/work.hpp"
 
@@ -51,11 +52,11 @@ FineValues values_at_rest(const BoneSetUp& bone)
 }
 
 /// How many times as long as set up, at most 64 times; Q16.
-std::int64_t stretch_of(std::int64_t length, std::int64_t set_up_length)
+std::int64_t stretch_of(std::int64_t length, std::uint32_t set_up_length)
 {
     if (length == set_up_length) // mostly
         return Fixed::one;
-    return std::min(((length << 16) + set_up_length / 2) / set_up_length, most_stretch);
+    return std::min(quotient((length << 16) + set_up_length / 2, set_up_length), most_stretch);
 }
 
 /// stretch * a + b of Q30 numbers, as a Q16 factor; a + b is a component of a unit vector.
@@ -110,7 +111,7 @@ void LiveBone::pose(const BoneSetUp& bone, const LiveBone* parent,
     const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
     const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
     growth_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
-    const std::int64_t stretch = stretch_of(length, set_up_length);
+    const std::int64_t stretch = stretch_of(length, static_cast<std::uint32_t>(set_up_length));
     const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
     const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
     xx_ = factor(stretch, product_q30_down(posed_c, c), product_q30_down(posed_s, s));

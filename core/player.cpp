@@ -1,5 +1,6 @@
 #include "core/player.hpp"
 
+#include "core/quotient.hpp"
 #include "core/tracer.hpp"
 
 #include <algorithm>
@@ -12,7 +13,8 @@ std::size_t scaled_to_panel(std::size_t bytes, Size canvas, Size panel)
 {
     const auto scaled = [bytes](int to, int from) {
         const auto larger = static_cast<std::uint32_t>(std::max(to, from));
-        return static_cast<std::size_t>(std::uint64_t{bytes} * larger / static_cast<std::uint32_t>(from));
+        return static_cast<std::size_t>(
+            quotient(std::uint64_t{bytes} * larger, static_cast<std::uint32_t>(from)));
     };
     return std::max(scaled(panel.width, canvas.width), scaled(panel.height, canvas.height)) / 4 * 4 + 4;
 }

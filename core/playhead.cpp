@@ -1,5 +1,7 @@
 #include "core/playhead.hpp"
 
+#include "core/quotient.hpp"
+
 namespace kfast {
 
 Playhead::Playhead(const Stretch& stretch, EventCursor events)
@@ -13,8 +15,14 @@ void Playhead::seek(Time moment)
     const std::int64_t length = stretch_.length().ticks;
     const std::int64_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
     std::int64_t offset = std::int64_t{moment.ticks} - stretch_.begin.ticks;
-    offset = stretch_.loop == Loop::once ? std::clamp<std::int64_t>(offset, 0, length)
-                                         : (offset % period + period) % period;
+    if (stretch_.loop == Loop::once) {
+        offset = std::clamp<std::int64_t>(offset, 0, length);
+    } else {
+        const auto divisor = static_cast<std::uint32_t>(period);
+        const std::uint32_t away =
+            remainder(static_cast<std::uint64_t>(offset < 0 ? -offset : offset), divisor);
+        offset = offset < 0 && away != 0 ? period - away : away;
+    }
     returning_ = offset > length;
     place_ = place_of(stretch_.begin) + ((returning_ ? period - offset : offset) << 16);
     put_down_ = true;
@@ -25,8 +33,10 @@ Playhead::Place Playhead::way_in(std::int64_t ticks) const
     const Place way = ticks * (speed_ < 0 ? -speed_ : speed_);
     if (has_events_ || stretch_.loop == Loop::once)
         return way;
-    const Place length = place_of(stretch_.length());
-    return way % (stretch_.loop == Loop::ping_pong ? 2 * length : length);
+    const auto length = static_cast<std::uint32_t>(stretch_.length().ticks);
+    const std::uint32_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
+    const auto whole_ticks = static_cast<std::uint64_t>(way >> 16);
+    return Place{remainder(whole_ticks, period)} << 16 | (way & 0xFFFF);
 }
 
 Playhead::Place Playhead::next_stop(Place way) const

@@ -2,6 +2,7 @@
 
 #include "core/held_point.hpp"
 #include "core/plain_function.hpp"
+#include "core/quotient.hpp"
 #include "core/square_root.hpp"
 #include "core/sum_of_products.hpp"
 #include "core/work.hpp"
@@ -13,13 +14,11 @@ namespace kfast {
 namespace {
 
 constexpr int nearness_bits = 24;
-constexpr int widest_dividend = 62;
 
-/// Bits that the distance has too many for a dividend.
+/// Bits that a distance of at least 1 has too many for a divisor.
 int excess_bits(std::int64_t distance)
 {
-    const auto bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(distance)));
-    return std::max(0, bits + nearness_bits - widest_dividend);
+    return std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(distance))) - 32);
 }
 
 /// Farther from the middle, points are held: projected, they are out of sight, or too far away to matter.
@@ -38,8 +37,7 @@ std::int64_t times(std::int64_t value, std::int64_t nearness)
 }
 
 Projection::Projection(const Space& space, const Camera& camera)
-    : see_{plain_function<&Projection::seen>}, space_{space}, camera_{camera}, shift_{excess_bits(
-                                                                                   camera.distance)}
+    : see_{plain_function<&Projection::seen>}, space_{space}, camera_{camera}
 {
     space_.plane.x0 -= camera.x;
     space_.plane.y0 -= camera.y;
@@ -61,8 +59,9 @@ std::int64_t Projection::nearness(Point point) const
     const std::int64_t z = sum_of_products(space_.zx, point.x.raw(), space_.zy, point.y.raw()) + space_.z0;
     const std::int64_t least = std::max<std::int64_t>(camera_.distance >> 4, 1);
     const std::int64_t left = std::max(camera_.distance - z, least);
-    const std::int64_t divisor = std::max<std::int64_t>(left >> shift_, 1);
-    return ((camera_.distance >> shift_ << nearness_bits) + divisor / 2) / divisor;
+    const int shift = excess_bits(left);
+    const auto divisor = static_cast<std::uint32_t>(left >> shift);
+    return quotient((camera_.distance >> shift << nearness_bits) + divisor / 2, divisor);
 }
 
 // With n = d / (d - z), a point x is seen at n x, and n changes by n^2 / d for each step in z: the seen x
@@ -73,8 +72,10 @@ std::int32_t Projection::growth_at(Point point) const
     const Point on_panel = seen(point);
     const auto seen_x = static_cast<std::int64_t>(on_panel.x.raw()) - camera_.x;
     const auto seen_y = static_cast<std::int64_t>(on_panel.y.raw()) - camera_.y;
+    const int shift = excess_bits(camera_.distance);
+    const auto distance = static_cast<std::uint32_t>(camera_.distance >> shift);
     const auto grown = [&](std::int32_t own, std::int64_t at, std::int32_t depth) {
-        return held_factor(times(own + within_reach(at * depth / camera_.distance), near));
+        return held_factor(times(own + within_reach(quotient(at * depth >> shift, distance)), near));
     };
     const Affine& plane = space_.plane;
     return Affine{.xx = grown(plane.xx, seen_x, space_.zx),

@@ -41,7 +41,6 @@ private:
     Point (*see_)(const Projection&, Point);
     Space space_;
     Camera camera_;
-    int shift_; ///< of the distance, so that it can be divided
 };
 
 }

@@ -15,6 +15,7 @@ enum class Error : std::uint8_t {
     bad_checksum,        ///< the bytes were damaged on the way
     bad_scene,           ///< a value in the scene is out of its range, or refers to nothing
     block_too_small,     ///< the caller lent less memory than the scene needs
+    too_slow,            ///< a picture of the scene takes longer than a second (core/picture_cost.hpp)
     // The scene needs a feature that the program was built without (core/features.hpp), in their order.
     needs_strokes = 64,
     needs_tweens,

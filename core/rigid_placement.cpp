@@ -1,5 +1,7 @@
 #include "core/rigid_placement.hpp"
 
+#include "core/quotient.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -35,7 +37,7 @@ bool is_within(std::int64_t value, std::int64_t limit) { return value >= -limit 
 
 RigidPlacements::RigidPlacements(std::int32_t canvas_scale)
     : base_{std::max<std::int32_t>(canvas_scale >> max_scale_bits, 1) << max_scale_bits},
-      inverse_{(std::int64_t{1} << inverse_bits) / base_}
+      inverse_{quotient(std::int64_t{1} << inverse_bits, static_cast<std::uint32_t>(base_))}
 {
 }
 

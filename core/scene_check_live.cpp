@@ -47,6 +47,7 @@ bool SceneCheck::check_live(const ItemView& item)
         return false;
     switch (item.live.kind) {
     case LiveKind::drawing:
+        points_ = input->drawing.points;
         return input->type == InputType::drawing;
     case LiveKind::label:
         return input->type == InputType::text &&
@@ -62,6 +63,7 @@ bool SceneCheck::check_label(const LabelView& label, const TextInput& text)
     for (std::uint32_t glyph = 0; glyph < label.glyph_count; ++glyph)
         if (!check_drawing(static_cast<std::uint32_t>(label.drawings[glyph])))
             return false;
+    points_ *= text.most;
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "core/scene_view.hpp"
 
 #include "core/crc32.hpp"
+#include "core/evaluator/prepare.hpp"
 #include "core/kfb_limits.hpp"
 #include "core/rate_code.hpp"
 #include "core/scene_check.hpp"
@@ -39,7 +40,8 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
 }
 
 // Once a scene: a board that runs from RAM can leave it in flash.
-[[gnu::cold]] Result<SceneView> SceneView::parse(std::span<const std::byte> bytes, const Features& features)
+[[gnu::cold]] Result<SceneView> SceneView::parse(std::span<const std::byte> bytes, const Features& features,
+                                                 std::uint32_t* item)
 {
     ByteReader reader{bytes};
     const std::uint32_t tag = reader.u32();
@@ -60,10 +62,37 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
         return Error::bad_checksum;
     if (!scene.read_sections(reader.take(body)))
         return Error::bad_scene;
-    SceneCheck check{scene};
-    if (!check.passes())
-        return check.error();
+    if (const auto error = scene.check(item))
+        return *error;
+    if (!scene.count_records())
+        return Error::bad_scene;
+    if (scene.cost_ == PictureCost::max)
+        return Error::too_slow;
     return scene;
+}
+
+// Apart: it needs some 4 KB of stack.
+[[gnu::cold, gnu::noinline]] std::optional<Error> SceneView::check(std::uint32_t* item)
+{
+    SceneCheck check{*this};
+    const bool passes = check.passes();
+    if (item != nullptr)
+        *item = check.item();
+    return passes ? std::nullopt : std::optional{check.error()};
+}
+
+/// What it takes to be laid out. Whether that is no more than the format holds.
+[[gnu::cold, gnu::noinline]] bool SceneView::count_records()
+{
+    Preparer preparer{*this, {}};
+    preparer.run();
+    const std::uint32_t spaces = records_.spaces;
+    records_ = preparer.records();
+    records_.spaces = spaces;
+    const std::uint32_t cost = cost_ + cost_of_records(records_, preparer.keys(), borders_);
+    cost_ = static_cast<std::uint16_t>(std::min(cost, PictureCost::max));
+    return records_.timelines < LiveTrack::no_timeline && records_.tracks <= kfb::max_tracks &&
+           records_.nodes <= kfb::max_nodes;
 }
 
 [[gnu::cold]] bool SceneView::read_sections(ByteReader reader)
@@ -118,12 +147,26 @@ SkinReader SceneView::skin(std::int32_t skin) const
     return SkinReader{ByteReader{drawings_.subspan(static_cast<std::size_t>(skin))}};
 }
 
-LawPair SceneView::laws(std::uint32_t number) const
+LawPair SceneView::laws(std::uint32_t number) const { return laws_at(place_of_laws(number)); }
+
+/// 0 for the pair 0, which is not stored, else how far behind the byte before the first one.
+std::uint16_t SceneView::place_of_laws(std::uint32_t number) const
 {
-    LawPair laws;
-    for (ByteReader reader = laws_; number > 0; --number)
-        laws = read_law_pair(reader);
-    return laws;
+    if (number == 0)
+        return 0;
+    ByteReader reader = laws_;
+    for (; number > 1; --number)
+        read_law_pair(reader);
+    return static_cast<std::uint16_t>(laws_.left() - reader.left() + 1);
+}
+
+LawPair SceneView::laws_at(std::uint16_t place) const
+{
+    if (place == 0)
+        return {};
+    ByteReader reader = laws_;
+    reader.skip(place - 1U);
+    return read_law_pair(reader);
 }
 
 std::size_t SceneView::first_bone(std::uint32_t skeleton) const

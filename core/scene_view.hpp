@@ -39,9 +39,12 @@ class SceneView {
 public:
     /// `bytes` must outlive the view; more bytes than the scene has are ignored. `features` are those that
     /// the program has to play it with. Fails with truncated, bad_magic, unsupported_version, bad_checksum,
-    /// bad_scene, or with the first feature that the scene needs and the program has not.
-    static Result<SceneView> parse(std::span<const std::byte> bytes,
-                                   const Features& features = every_feature);
+    /// bad_scene, too_slow, or with the first feature that the scene needs and the program has not. Behind
+    /// too_slow `item`, if there is one, is the number of the item that takes most, a use with all that is
+    /// inside, in the order in which they are stored; behind bad_scene, where the scene has more keys and
+    /// points than are read (core/read_allowance.hpp), that of the item at which it was too much.
+    static Result<SceneView> parse(std::span<const std::byte> bytes, const Features& features = every_feature,
+                                   std::uint32_t* item = nullptr);
 
     /// The code that plays it.
     const Features& features() const { return features_; }
@@ -69,6 +72,9 @@ public:
     /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.
     std::uint32_t paint_steps() const { return paint_steps_; }
+    /// What its worst picture takes at least, in thousands of instructions of a Cortex-M0 (PictureCost), most
+    /// of the painting of pixels aside.
+    std::uint32_t cost() const { return cost_; }
     /// How deep items that may be blended as a whole lie in each other.
     std::uint32_t blended_depth() const { return blended_depth_; }
 
@@ -77,6 +83,10 @@ public:
     std::size_t palette_size() const { return palette_.size() / colour_bytes_; }
     /// `number` is that of a key.
     LawPair laws(std::uint32_t number) const;
+    /// Where the pair of that number is stored, for laws_at(), which reads it without looking through all
+    /// that lie before it.
+    std::uint16_t place_of_laws(std::uint32_t number) const;
+    LawPair laws_at(std::uint16_t place) const;
     /// The skeletons of bones.
     BonesCursor skeletons() const { return BonesCursor{bones_}; }
     const SceneRecords& records() const { return records_; }
@@ -134,6 +144,8 @@ private:
     SceneView() = default;
 
     bool read_sections(ByteReader reader);
+    std::optional<Error> check(std::uint32_t* item);
+    bool count_records();
 
     Features features_;
     std::size_t size_ = 0;
@@ -154,6 +166,7 @@ private:
     std::uint32_t input_count_ = 0;
     std::uint32_t number_inputs_ = 0;
     FeatureSet needed_features_;
+    std::uint16_t cost_ = 0;
     std::size_t colour_bytes_ = 3; ///< 4 if they have opacities
     std::span<const std::byte> palette_;
     ByteReader laws_;

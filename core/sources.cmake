@@ -24,7 +24,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour_improvement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/blending.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/canvas_map.cpp
@@ -65,6 +64,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
     ${CMAKE_CURRENT_LIST_DIR}/picture_cache.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/picture_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
@@ -92,8 +92,9 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/rigid_placement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_check_count.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene_check_items.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene_check_objects.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_on_panel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/sight.cpp

@@ -48,7 +48,7 @@ int arc_step(Fixed half_width, int coarseness)
     std::size_t chosen = 0;
     while (chosen + 1 < pieces.size() && pieces[chosen] * pieces[chosen] * radius_of_one < radius)
         ++chosen;
-    return quarter_turn / pieces[chosen];
+    return static_cast<int>(quarter_turn / std::uint32_t{pieces[chosen]});
 }
 
 Point scaled(Point vector, std::int32_t factor_q15)

@@ -20,6 +20,7 @@ enum class Status : std::uint8_t {
     bad_checksum = static_cast<std::uint8_t>(Error::bad_checksum), ///< also of an upload
     bad_scene = static_cast<std::uint8_t>(Error::bad_scene),
     block_too_small = static_cast<std::uint8_t>(Error::block_too_small),
+    too_slow = static_cast<std::uint8_t>(Error::too_slow),
     bad_report = 16, ///< not 64 bytes
     unknown_kind,    ///< nothing this firmware knows
     bad_value,       ///< a number in the report is out of its range
@@ -84,6 +85,7 @@ constexpr std::string_view status_text(Status status)
     case Status::bad_checksum:
     case Status::bad_scene:
     case Status::block_too_small:
+    case Status::too_slow:
         return without_name(error_text(static_cast<Error>(status)));
     case Status::bad_report:
         return "a report must have 64 bytes"sv;

@@ -10,6 +10,7 @@
 #include "host/reported_compile.hpp"
 #include "host/reported_diagnostics.hpp"
 #include "host/scene/font_files.hpp"
+#include "host/slow_scene.hpp"
 #include "host/text/utf16.hpp"
 
 #include <algorithm>
@@ -49,6 +50,9 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
         return "the compiled scene contradicts itself: " + again;
     case Error::block_too_small:
         return "the scene needs more memory than it says: " + again;
+    case Error::too_slow:
+        return "a picture of the scene takes a Pico (RP2040) longer than a second: " +
+               std::string{slow_scene_remedy};
     default: // the command has all features
         return std::string{error_text(error)};
     }

@@ -35,6 +35,8 @@ constexpr kfast_error code_of(Error error)
         return KFAST_BAD_SCENE;
     case Error::block_too_small:
         return KFAST_BLOCK_TOO_SMALL;
+    case Error::too_slow:
+        return KFAST_TOO_SLOW;
     case Error::needs_strokes:
         return KFAST_NEEDS_STROKES;
     case Error::needs_tweens:
@@ -88,6 +90,7 @@ constexpr std::array error_texts{
     "null_pointer: a pointer is NULL",
     "no_such_input: the scene has no input of this name and kind",
     "drawing_too_large: the input takes fewer strokes or points",
+    error_text(Error::too_slow).data(),
     error_text(Error::needs_strokes).data(),
     error_text(Error::needs_tweens).data(),
     error_text(Error::needs_bones).data(),

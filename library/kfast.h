@@ -61,6 +61,7 @@ typedef enum kfast_error {
     KFAST_NULL_POINTER,        /* a pointer is NULL: a player that was not made, memory that was not lent */
     KFAST_NO_SUCH_INPUT,       /* the scene has no input of this name and kind */
     KFAST_DRAWING_TOO_LARGE,   /* the input takes fewer strokes or points */
+    KFAST_TOO_SLOW,            /* a picture of the scene takes longer than a second on a Pico */
     /* The scene needs a feature that is not among those of kfast_create_with, in their order. */
     KFAST_NEEDS_STROKES,
     KFAST_NEEDS_TWEENS,

@@ -10,10 +10,10 @@ void KeyTimeline::move_to(Time time, const SceneView& scene)
     has_other_keys_ = time < begin_ || time >= end_;
     if (time < begin_)
         rewind(scene);
-    while (time >= end_)
-        go_on(scene);
+    if (time >= end_)
+        go_on(time, scene);
     const Progress before = progress_;
-    progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws(laws_)) : Progress{};
+    progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws_at(laws_)) : Progress{};
     const bool has_come_further = progress_ != before || (moves_with_time_ && is_between_ && time != now_);
     has_moved_ = has_other_keys_ || has_come_further;
     now_ = time;
@@ -21,7 +21,7 @@ void KeyTimeline::move_to(Time time, const SceneView& scene)
 
 bool KeyTimeline::is_held(const SceneView& scene) const
 {
-    const LawPair laws = scene.laws(laws_);
+    const LawPair laws = scene.laws_at(laws_);
     return laws.x == VelocityLaw::hold && laws.y == VelocityLaw::hold;
 }
 
@@ -51,21 +51,22 @@ void KeyTimeline::rewind(const SceneView& scene)
     is_between_ = false;
 }
 
-/// To the next key: there is one.
-void KeyTimeline::go_on(const SceneView& scene)
+/// To the last key that is not behind `time`: at least one.
+void KeyTimeline::go_on(Time time, const SceneView& scene)
 {
     BeatCursor behind = beats_behind(scene);
-    before_ = is_between_ ? begin_ : end_;
-    from_ += is_between_ ? 1 : 0;
-    begin_ = end_;
-    laws_ = next_laws_;
-    is_between_ = !behind.at_end();
-    end_ = never;
-    if (!is_between_)
-        return;
-    const Beat next = behind.next();
-    end_ = next.time;
-    next_laws_ = static_cast<std::uint8_t>(next.laws);
+    std::uint32_t laws = 0;
+    while (time >= end_) {
+        before_ = is_between_ ? begin_ : end_;
+        from_ += is_between_ ? 1 : 0;
+        begin_ = end_;
+        laws = next_laws_;
+        is_between_ = !behind.at_end();
+        const Beat next = is_between_ ? behind.next() : Beat{.time = never};
+        end_ = next.time;
+        next_laws_ = static_cast<std::uint8_t>(next.laws);
+    }
+    laws_ = scene.place_of_laws(laws);
 }
 
 Time KeyTimeline::time_after(const SceneView& scene) const

@@ -59,7 +59,7 @@ private:
     static constexpr Time always{std::numeric_limits<std::int32_t>::min()};
 
     void rewind(const SceneView& scene);
-    void go_on(const SceneView& scene);
+    void go_on(Time time, const SceneView& scene);
     BeatCursor beats_behind(const SceneView& scene) const;
 
     std::uint32_t beats_;
@@ -70,8 +70,8 @@ private:
     Time now_;
     Progress progress_;
     std::uint32_t from_ = 0;
-    std::uint8_t laws_ = 0;      ///< number of the pair for the way between the two keys
-    std::uint8_t next_laws_ = 0; ///< for the way that follows
+    std::uint16_t laws_ = 0;     ///< for the way between the two keys: SceneView::place_of_laws()
+    std::uint8_t next_laws_ = 0; ///< number of the pair for the way that follows
     Clock clock_;
     bool is_between_ = false;
     bool moves_with_time_ = false;

@@ -46,11 +46,13 @@ struct Node {
     std::uint8_t bone_count = 0;       ///< of its skeleton
     bool has_arrivals : 1 = false;
     bool has_depths : 1 = false;
-    bool is_placed : 1 = false;          ///< some track moves, turns or scales it
-    bool has_path : 1 = false;           ///< the pivot follows one
-    bool has_several_layers : 1 = false; ///< core/blending.hpp
-    bool is_ordered : 1 = false;         ///< something right inside of it has an order
-    ObjectStyle style;                   ///< also of what is live
+    bool is_placed : 1 = false; ///< some track moves, turns or scales it
+    bool has_path : 1 = false;  ///< the pivot follows one
+    /// Its opacity has to apply to its finished picture. A single layer is made transparent by its colour, in
+    /// however many groups and symbols it lies alone.
+    bool has_several_layers : 1 = false;
+    bool is_ordered : 1 = false; ///< something right inside of it has an order
+    ObjectStyle style;           ///< also of what is live
 
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
     /// Its keys have KeyValue::more, see Key::more.

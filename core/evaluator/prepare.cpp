@@ -1,7 +1,8 @@
 #include "core/evaluator/prepare.hpp"
 
-#include "core/blending.hpp"
 #include "core/feature_code.hpp"
+
+#include <algorithm>
 
 namespace kfast {
 namespace {
@@ -104,7 +105,6 @@ Node Preparer::node_of(const ItemView& item) const
               .has_depths = item.object.has_depths,
               .is_placed = item.is_placed(),
               .has_path = item.path.is_known,
-              .has_several_layers = has_several_layers(scene_, item),
               .style = item.object.style};
     if (item.kind == ItemKind::use)
         node.of = symbol_node(item.symbol);
@@ -182,6 +182,7 @@ std::uint16_t Preparer::timeline_of(const BeatCursor& beats, bool is_smooth)
     const std::uint32_t place = scene_.place_of(beats.place());
     if (place != beats_) {
         beats_ = place;
+        keys_ += beats.count();
         timeline_ = static_cast<std::uint16_t>(records_.timelines);
         put_at(room_.timelines, records_.timelines++, KeyTimeline{place, beats.clock()});
     }
@@ -190,9 +191,24 @@ std::uint16_t Preparer::timeline_of(const BeatCursor& beats, bool is_smooth)
     return timeline_;
 }
 
+/// Of a node behind which all lies that is within it.
+bool Preparer::has_several_layers(std::uint32_t number, const Node& node) const
+{
+    if (node.is_leaf())
+        return node.style.is_filled && node.style.is_stroked;
+    if (node.kind == ItemKind::use)
+        return node.of < room_.nodes.size() && room_.nodes[node.of].has_several_layers;
+    const std::uint32_t first = number + 1;
+    if (first >= std::min<std::size_t>(node.end, room_.nodes.size()))
+        return false;
+    const Node& inside = room_.nodes[first];
+    return inside.end != node.end || inside.has_several_layers;
+}
+
 void Preparer::finish(std::uint32_t number, Node& node)
 {
     node.end = static_cast<std::uint16_t>(records_.nodes);
+    node.has_several_layers = has_several_layers(number, node);
     put_at(room_.nodes, number, node);
 }
 

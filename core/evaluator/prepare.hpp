@@ -28,6 +28,8 @@ public:
     void add_skeletons();
     /// Afterwards.
     const SceneRecords& records() const { return records_; }
+    /// Of all timelines.
+    std::uint32_t keys() const { return keys_; }
     /// The number of the scene's own node, the last one that is no item's.
     std::uint32_t root() const { return root_; }
 
@@ -45,12 +47,14 @@ private:
                    bool is_smooth = false);
     void add_track(const LiveTrack& track);
     std::uint16_t timeline_of(const BeatCursor& beats, bool is_smooth);
+    bool has_several_layers(std::uint32_t number, const Node& node) const;
     void finish(std::uint32_t number, Node& node);
 
     const SceneView& scene_;
     Room room_;
     SceneRecords records_;
     std::uint32_t root_ = 0;
+    std::uint32_t keys_ = 0;
     std::uint32_t beats_ = 0;                         ///< the place of those that were met last
     std::uint16_t timeline_ = LiveTrack::no_timeline; ///< theirs
 };

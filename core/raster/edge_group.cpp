@@ -73,7 +73,10 @@ EdgeCrossing next_crossing(std::span<const RowChain> chains, std::int32_t top)
         const std::int32_t below = chains[i].bottom_x - chains[i + 1].bottom_x;
         if (below <= 0)
             continue;
-        const std::int32_t height = std::max(above * CoverageSums::part_height / (above + below), top);
+        const auto way =
+            static_cast<std::uint32_t>(std::max<std::int32_t>(above, 0)) * CoverageSums::part_height;
+        const std::int32_t height =
+            std::max(static_cast<std::int32_t>(way / static_cast<std::uint32_t>(above + below)), top);
         if (height < next.height)
             next = {height, i};
     }

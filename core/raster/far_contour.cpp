@@ -71,7 +71,7 @@ CutContour divide_edges(Corner* first, CutContour contour, Corner* limit)
 {
     return rewrite(first, contour, limit, [](CornerList& list, Corner from, Corner to) {
         const std::int32_t length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
-        const std::int32_t pieces = length / max_far_edge + 1;
+        const auto pieces = static_cast<std::int32_t>(static_cast<std::uint32_t>(length) / max_far_edge) + 1;
         for (std::int32_t i = 1; i < pieces; ++i)
             list.add({interpolate(from.x, to.x, i, pieces), interpolate(from.y, to.y, i, pieces)});
         list.add(to);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/point.hpp"
+#include "core/quotient.hpp"
 
 #include <cstdint>
 
@@ -23,8 +24,8 @@ constexpr bool is_on_border(std::int32_t coordinate) { return (coordinate & (gri
 constexpr std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t part, std::int32_t whole)
 {
     const std::int64_t way = std::int64_t{to - from} * part;
-    return from +
-           static_cast<std::int32_t>((2 * way + (way < 0 ? -whole : whole)) / (std::int64_t{2} * whole));
+    return from + static_cast<std::int32_t>(
+                      quotient(2 * way + (way < 0 ? -whole : whole), 2 * static_cast<std::uint32_t>(whole)));
 }
 
 /// A corner of an outline made of straight lines. |x| and |y| are at most 2^21.

@@ -1,6 +1,7 @@
 #include "host/compiler/allowance.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "host/slow_scene.hpp"
 
 #include <algorithm>
 #include <string>
@@ -24,6 +25,7 @@ struct Allowance {
     std::string_view remedy;
     std::uint64_t limit;
     std::vector<Need> needs;
+    std::string_view who = "the format holds";
 };
 
 std::uint64_t total(const std::vector<Need>& needs)
@@ -88,16 +90,6 @@ bool may_be_transparent(const scene::Item& item)
     });
 }
 
-/// Of the drawings of inputs, each counting as one more: far less than the format holds.
-std::uint64_t points_of_inputs(const scene::Scene& scene)
-{
-    std::uint64_t points = 0;
-    for (const scene::Input& input : scene.inputs)
-        if (input.type == InputType::drawing)
-            points += point_count(input.drawing.usual) + 1;
-    return points;
-}
-
 const std::vector<scene::Item>& items_in(const scene::Scene& scene, const scene::Item& item)
 {
     if (const auto* use = std::get_if<scene::Use>(&item.content))
@@ -105,7 +97,7 @@ const std::vector<scene::Item>& items_in(const scene::Scene& scene, const scene:
     return std::get<scene::Group>(item.content).items;
 }
 
-/// As the core's has_several_layers() tells.
+/// As Node::has_several_layers of the core.
 bool has_several_layers(const scene::Scene& scene, const scene::Item& item)
 {
     if (const auto* object = std::get_if<scene::Object>(&item.content))
@@ -160,25 +152,47 @@ void check(const Allowance& allowance, const scene::Scene& scene, Diagnostics& d
         return;
     const auto most = std::ranges::max_element(allowance.needs, {}, &Need::amount);
     diagnostics.error(most->item->place,
-                      "the scene needs " + std::to_string(needed) + " " + std::string{allowance.what} +
-                          ", the format holds " + std::to_string(allowance.limit) + "; " +
+                      "the scene needs " + std::to_string(needed) + " " + std::string{allowance.what} + ", " +
+                          std::string{allowance.who} + " " + std::to_string(allowance.limit) + "; " +
                           name_of(*most->item, scene) + " alone needs " + std::to_string(most->amount),
                       std::string{allowance.remedy});
 }
 
+/// On all ways of an item whose points match by length.
+std::uint64_t matched_strokes(const scene::Item& item)
+{
+    const auto* object = std::get_if<scene::Object>(&item.content);
+    std::uint64_t strokes = 0;
+    for (std::size_t i = 1; object != nullptr && i < object->keys.size(); ++i) {
+        const scene::Key& from = object->keys[i - 1];
+        if (from.match == scene::Match::length)
+            strokes += std::max(from.drawing.strokes.size(), object->keys[i].drawing.strokes.size());
+    }
+    return strokes;
 }
 
-void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, Diagnostics& diagnostics)
+/// In the order in which items are stored, as every_item() reads them; null if there is none.
+const scene::Item* stored_item(const scene::Scene& scene, std::size_t number)
 {
-    const auto points_of = [&points](const scene::Item& item) {
-        const auto* object = std::get_if<scene::Object>(&item.content);
-        return object != nullptr ? points.at(object) : 0;
-    };
+    const std::vector<Need> stored = stored_needs(scene, [](const scene::Item&) { return std::uint64_t{}; });
+    return number < stored.size() ? stored[number].item : nullptr;
+}
+
+}
+
+void check_matching(const scene::Scene& scene, Diagnostics& diagnostics)
+{
+    // A stroke takes up to a fifth of a millisecond.
+    constexpr std::uint64_t limit = 16'384;
+    check({"strokes matched by length", "use match=count, or fewer strokes", limit,
+           stored_needs(scene, matched_strokes), "the compiler takes"},
+          scene, diagnostics);
+}
+
+void check_allowances(const scene::Scene& scene, Diagnostics& diagnostics)
+{
     const auto one = [](const scene::Item&) { return std::uint64_t{1}; };
     const auto steps_of = [&scene](const scene::Item& item) { return paint_steps_of(scene, item); };
-    check({"points in all keys together", "draw it with fewer points, or with fewer keys",
-           kfb::max_key_points - points_of_inputs(scene), stored_needs(scene, points_of)},
-          scene, diagnostics);
     check({"items", "use symbols less often, or such that have fewer items", kfb::max_items,
            needs_with_uses(scene, one)},
           scene, diagnostics);
@@ -191,6 +205,29 @@ void check_allowances(const scene::Scene& scene, const PointsOfObjects& points, 
     check({"steps of painting", "use symbols less often, or fill or stroke alone, or fade fewer groups",
            kfb::max_paint_steps, needs_with_uses(scene, steps_of)},
           scene, diagnostics);
+}
+
+std::optional<SceneView> playable(std::span<const std::byte> file, const scene::Scene& scene,
+                                  Diagnostics& diagnostics)
+{
+    std::uint32_t number = 0;
+    const auto view = SceneView::parse(file, every_feature, &number);
+    if (view)
+        return *view;
+    const scene::Item* item = stored_item(scene, number);
+    const Place place = item != nullptr ? item->place : Place{1, 1};
+    if (view.error() == Error::too_slow)
+        diagnostics.error(place,
+                          "a picture of the scene takes a Pico (RP2040) longer than a second" +
+                              (item != nullptr ? "; " + name_of(*item, scene) + " takes most of it" : ""),
+                          std::string{slow_scene_remedy});
+    else
+        diagnostics.error(place,
+                          "the scene has more keys, and points in their drawings, than a player reads of one "
+                          "of " +
+                              std::to_string(file.size()) + " bytes",
+                          "use fewer keys, or drawings of fewer points");
+    return std::nullopt;
 }
 
 }

@@ -23,12 +23,4 @@ void write_backbones(const scene::Object& object, std::uint32_t unit_bits, LawTa
     write_values(offsets, bytes);
 }
 
-std::uint64_t backbone_points(const scene::Object& object)
-{
-    std::uint64_t points = 0;
-    for (const scene::BackboneKey& key : object.backbone_keys)
-        points += point_count(drawing_of(key.backbones)) + 1;
-    return points;
-}
-
 }

@@ -13,7 +13,4 @@ namespace kfast {
 void write_backbones(const scene::Object& object, std::uint32_t unit_bits, LawTable& laws,
                      DrawingPool& drawings, ByteWriter& bytes);
 
-/// The points of their keys, as the format counts them; 0 without backbones.
-std::uint64_t backbone_points(const scene::Object& object);
-
 }

@@ -1,5 +1,6 @@
 #include "host/compiler/compile.hpp"
 
+#include "host/compiler/allowance.hpp"
 #include "host/compiler/drifting_arcs.hpp"
 #include "host/compiler/item_origins.hpp"
 #include "host/compiler/stroke_order.hpp"
@@ -25,6 +26,9 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
         return std::nullopt;
     std::optional<scene::Scene> scene = scene::read_scene(document, source, diagnostics);
     if (!scene)
+        return std::nullopt;
+    check_matching(*scene, diagnostics);
+    if (diagnostics.has_errors())
         return std::nullopt;
     warn_of_drifting_arcs(*scene, diagnostics);
     if (scene->has_routes)

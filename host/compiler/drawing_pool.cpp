@@ -12,14 +12,29 @@ std::string text_of(std::span<const std::byte> bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// Another one for each drawing; quicker than packing it.
+std::string key_of(const scene::Drawing& drawing)
+{
+    ByteWriter key;
+    pack_drawing(drawing, key, [](const Steps& steps, ByteWriter& bytes) {
+        bytes.varint(static_cast<std::uint32_t>(steps.size()));
+        for (const Step& step : steps) {
+            bytes.u8(step.cubic ? 1 : 0);
+            for (const Delta delta : {step.end, step.c1, step.back}) {
+                bytes.signed_varint(delta.x);
+                bytes.signed_varint(delta.y);
+            }
+        }
+    });
+    return text_of(key.bytes());
+}
+
 }
 
 std::int32_t DrawingPool::offset_of(const scene::Drawing& drawing)
 {
-    ByteWriter alone;
-    pack_drawing(drawing, alone);
     const auto offset = static_cast<std::int32_t>(section_.size());
-    const auto [entry, is_new] = drawings_.emplace(text_of(alone.bytes()), offset);
+    const auto [entry, is_new] = drawings_.emplace(key_of(drawing), offset);
     if (is_new)
         pack_drawing(drawing, section_, [this](const Steps& steps, ByteWriter&) { add_form(steps); });
     return entry->second;
@@ -36,11 +51,14 @@ std::int32_t DrawingPool::offset_of(std::span<const std::byte> bytes)
 
 void DrawingPool::add_form(const Steps& steps)
 {
-    const std::vector<std::byte> form = packed_form(steps);
     const std::vector<std::byte> repeat = repeat_of(steps);
+    const auto known = forms_.find(steps);
+    if (known != forms_.end() && repeat.size() < known->second.size)
+        return section_.append(repeat); // without packing it once more
+    const std::vector<std::byte> form = packed_form(steps);
     if (!repeat.empty() && repeat.size() < form.size())
         return section_.append(repeat);
-    forms_.emplace(steps, static_cast<std::uint32_t>(section_.size()));
+    forms_.emplace(steps, Form{static_cast<std::uint32_t>(section_.size()), form.size()});
     section_.append(form);
 }
 
@@ -54,7 +72,7 @@ std::vector<std::byte> DrawingPool::repeat_of(const Steps& steps) const
             continue;
         ByteWriter bytes;
         bytes.u8(repeat | mirroring << 2);
-        bytes.varint(form->second);
+        bytes.varint(form->second.offset);
         return bytes.bytes();
     }
     return {};

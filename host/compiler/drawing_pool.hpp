@@ -25,12 +25,18 @@ public:
     const std::vector<std::byte>& bytes() const { return section_.bytes(); }
 
 private:
+    /// A stroke that the section has.
+    struct Form {
+        std::uint32_t offset;
+        std::size_t size;
+    };
+
     void add_form(const Steps& steps);
     std::vector<std::byte> repeat_of(const Steps& steps) const;
 
     ByteWriter section_;
-    std::map<std::string, std::int32_t> drawings_; ///< by what they are when packed by themselves
-    std::map<Steps, std::uint32_t> forms_;
+    std::map<std::string, std::int32_t> drawings_;
+    std::map<Steps, Form> forms_;
     std::map<std::string, std::int32_t> others_; ///< by their bytes
 };
 

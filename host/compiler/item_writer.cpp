@@ -129,11 +129,9 @@ void ItemWriter::write_carrier(const scene::Object& object, std::uint32_t unit_b
 /// Behind the number of the input.
 void ItemWriter::write_live(const scene::Object& object, ByteWriter& bytes)
 {
-    points_[&object] = 0; // those of a drawing are the input's
     write_style(object, bytes);
     if (!object.label)
         return;
-    points_[&object] = label_points(*object.label);
     ByteWriter label;
     write_label(*object.label, drawings_, label);
     bytes.block(label.bytes());
@@ -143,7 +141,6 @@ void ItemWriter::write_object(const scene::Object& object, ByteWriter& bytes)
 {
     const PackedKeys keys = object.skin ? packed_skinned_keys(object, laws_, drawings_, diagnostics_)
                                         : packed_keys(object, laws_, drawings_, diagnostics_);
-    points_[&object] = keys.points + backbone_points(object);
     write_style(object, bytes);
     write_carrier(object, keys.unit_bits, bytes);
     bytes.append(keys.bytes);

@@ -7,13 +7,9 @@
 #include "host/text/diagnostic.hpp"
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace kfast {
-
-/// The points of all keys of objects, see PackedKeys::points.
-using PointsOfObjects = std::unordered_map<const scene::Object*, std::uint64_t>;
 
 /// Appends items as the core's ItemCursor reads them (docs/format.md, "Items").
 class ItemWriter {
@@ -26,9 +22,6 @@ public:
 
     void write(const std::vector<scene::Item>& items, ByteWriter& bytes);
 
-    /// Of the objects that have been written, which must stay where they are.
-    const PointsOfObjects& points() const { return points_; }
-
 private:
     void write_item(const scene::Item& item, ByteWriter& bytes);
     void write_carrier(const scene::Object& object, std::uint32_t unit_bits, ByteWriter& bytes);
@@ -38,7 +31,6 @@ private:
     LawTable& laws_;
     DrawingPool& drawings_;
     Diagnostics& diagnostics_;
-    PointsOfObjects points_;
 };
 
 }

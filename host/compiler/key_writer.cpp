@@ -64,7 +64,6 @@ KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics)
 PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics)
 {
-    std::uint64_t points = 0;
     const bool with_arrivals = has_arrivals(object);
     const KeyWays ways = key_ways(object, diagnostics);
     Beats beats;
@@ -74,17 +73,13 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
     for (const KeyWay& way : ways.ways) {
         beats.push_back({way.time, laws.number_of(way.laws, way.place)});
         from.push_back(drawings.offset_of(way.ends.from));
-        points += point_count(way.ends.from) + 1;
-        if (with_arrivals) {
+        if (with_arrivals)
             to.push_back(drawings.offset_of(way.ends.to));
-            points += point_count(way.ends.to) + 1;
-        }
     }
     for (const scene::Key& key : object.keys) {
         if (!object.has_depths)
             break;
         depths.push_back(drawings.offset_of(key.depths));
-        points += point_count(key.depths) + 1;
     }
     ByteWriter bytes;
     write_beats({beats, object.clock}, one_beat, bytes);
@@ -93,7 +88,7 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
         write_values(to, bytes);
     if (object.has_depths)
         write_values(depths, bytes);
-    return {bytes.bytes(), points, ways.unit_bits};
+    return {bytes.bytes(), ways.unit_bits};
 }
 
 }

@@ -15,7 +15,6 @@ namespace kfast {
 /// The keys of one object as the format has them.
 struct PackedKeys {
     std::vector<std::byte> bytes;
-    std::uint64_t points = 0;    ///< as the format counts them: each drawing of each key has one more
     std::uint32_t unit_bits = 0; ///< see KeyWays
 };
 

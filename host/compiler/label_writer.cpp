@@ -30,12 +30,4 @@ void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& b
         write_values(kerning, bytes);
 }
 
-std::uint64_t label_points(const scene::Label& label)
-{
-    std::uint64_t points = 0;
-    for (const scene::LabelGlyph& glyph : label.glyphs)
-        points += point_count(glyph.drawing) + 1;
-    return points;
-}
-
 }

@@ -11,7 +11,4 @@ namespace kfast {
 /// Appends a label (docs/format.md, "Labels"), whose drawings go to `drawings`.
 void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& bytes);
 
-/// The points of its drawings as the format counts them: each drawing has one more.
-std::uint64_t label_points(const scene::Label& label);
-
 }

@@ -12,9 +12,21 @@ namespace {
 
 constexpr std::size_t most_samples = 24;
 
-std::vector<MeasuredMoment> samples_of(std::span<const MeasuredMoment> moments)
+std::size_t glyph_count(const SceneView& scene)
 {
-    const std::size_t count = std::min(moments.size(), most_samples);
+    std::size_t count = 0;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end();)
+        if (const InputView input = inputs.next(); input.type == InputType::text)
+            count += input.text.glyphs.count();
+    return count;
+}
+
+/// All glyphs are looked at in each.
+std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const MeasuredMoment> moments)
+{
+    const std::size_t affordable =
+        std::max<std::size_t>(affordable_pictures(scene) / std::max<std::size_t>(glyph_count(scene), 1), 1);
+    const std::size_t count = std::min({moments.size(), most_samples, affordable});
     std::vector<MeasuredMoment> samples;
     for (std::size_t i = 0; i < count; ++i)
         samples.push_back(moments[i * moments.size() / count]);
@@ -66,7 +78,7 @@ void put_texts(const InputTexts& texts, OutlineMeter& meter)
 std::vector<InputTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
                                       OutlineMeter& meter)
 {
-    const std::vector<MeasuredMoment> samples = samples_of(moments);
+    const std::vector<MeasuredMoment> samples = samples_of(scene, moments);
     std::vector<InputTexts> sets{InputTexts(scene.input_count())};
     InputCursor inputs = scene.inputs();
     for (std::uint32_t number = 0; !inputs.at_end(); ++number) {

@@ -13,6 +13,8 @@ namespace {
 constexpr std::int32_t most_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
 constexpr int input_combinations = 1500;
+/// Of all pictures together, in the unit of SceneView::cost(): some two seconds of a computer.
+constexpr std::size_t most_cost = 1U << 23;
 
 /// Collects moments of one clock, which goes from 0 to `length`.
 class ClockMoments {
@@ -164,6 +166,22 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
     if (scene.number_inputs() != 0)
         add_with_inputs(times, places, moments);
     return moments;
+}
+
+std::size_t affordable_pictures(const SceneView& scene)
+{
+    return most_cost / std::max<std::uint32_t>(scene.cost(), 1);
+}
+
+void thin_out(std::vector<MeasuredMoment>& moments, std::size_t count)
+{
+    const std::size_t left = std::max<std::size_t>(count, 2);
+    if (moments.size() <= left)
+        return;
+    std::vector<MeasuredMoment> spread;
+    for (std::size_t i = 0; i < left; ++i)
+        spread.push_back(std::move(moments[i * (moments.size() - 1) / (left - 1)]));
+    moments = std::move(spread);
 }
 
 }

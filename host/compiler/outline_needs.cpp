@@ -1,6 +1,7 @@
 #include "host/compiler/outline_needs.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "host/compiler/allowance.hpp"
 #include "host/compiler/header.hpp"
 #include "host/compiler/largest_texts.hpp"
 #include "host/compiler/measured_moments.hpp"
@@ -13,6 +14,7 @@ namespace kfast {
 namespace {
 
 constexpr std::size_t least_bytes = 64;
+constexpr std::size_t least_moments = 64; ///< that are measured, however long it takes
 
 std::uint32_t with_reserve(std::size_t bytes)
 {
@@ -49,13 +51,16 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
                                           Diagnostics& diagnostics, const TellWork& tell)
 {
     set_outline_needs(file, {.bytes = kfb::max_outline_bytes});
-    const auto view = SceneView::parse(file);
+    const auto view = playable(file, scene, diagnostics);
+    if (!view)
+        return std::nullopt;
     OutlineMeter meter{*view, kfb::max_outline_bytes};
-    const std::vector<MeasuredMoment> moments = measured_moments(*view);
+    std::vector<MeasuredMoment> moments = measured_moments(*view);
     std::size_t most = 0;
     std::size_t most_borders = 0;
     std::size_t most_cache_bytes = 0;
     const std::vector<InputTexts> all_texts = largest_texts(*view, moments, meter);
+    thin_out(moments, std::max(affordable_pictures(*view) / all_texts.size(), least_moments));
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
     for (const InputTexts& texts : all_texts) {

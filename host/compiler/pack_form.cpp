@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <initializer_list>
+#include <optional>
 #include <span>
-#include <utility>
 
 namespace kfast {
 namespace {
@@ -111,10 +111,21 @@ private:
     std::uint32_t seconds_ = 1;
 };
 
+/// In the place of a BitWriter, where only the size of a form is asked for.
+class BitCounter {
+public:
+    void put(std::int32_t, std::uint32_t count) { bits_ += count; }
+    std::size_t bytes() const { return (bits_ + 7) / 8; }
+
+private:
+    std::size_t bits_ = 0;
+};
+
 /// Writes the bits of a form.
+template <class Bits>
 class FormPacker {
 public:
-    FormPacker(const StrokeForm& form, BitWriter& bits) : form_{form}, bits_{bits} {}
+    FormPacker(const StrokeForm& form, Bits& bits) : form_{form}, bits_{bits} {}
 
     void kind(bool cubic)
     {
@@ -147,16 +158,30 @@ private:
     }
 
     const StrokeForm& form_;
-    BitWriter& bits_;
+    Bits& bits_;
 };
 
-std::vector<std::byte> packed(const Steps& steps, const StrokeForm& form)
+void write_head(const Steps& steps, const StrokeForm& form, ByteWriter& bytes)
 {
-    ByteWriter bytes;
     bytes.u16(form.packed());
     bytes.varint(static_cast<std::uint32_t>(2 * steps.size()) + (form.foretold != 0 ? 1 : 0));
     if (form.foretold != 0)
         bytes.u8(form.foretelling());
+}
+
+/// Of what packed() makes, but for the head: that of forms that are not foretold is one byte shorter.
+std::size_t packed_size(const Steps& steps, const StrokeForm& form)
+{
+    BitCounter bits;
+    FormPacker packer{form, bits};
+    store(steps, form, packer);
+    return bits.bytes() + (form.foretold != 0 ? 1 : 0);
+}
+
+std::vector<std::byte> packed(const Steps& steps, const StrokeForm& form)
+{
+    ByteWriter bytes;
+    write_head(steps, form, bytes);
     {
         BitWriter bits{bytes};
         FormPacker packer{form, bits};
@@ -205,18 +230,21 @@ std::vector<std::byte> packed_form(const Steps& steps)
 {
     if (steps.empty())
         return packed(steps, StrokeForm{});
-    std::vector<std::byte> best;
+    std::optional<StrokeForm> best;
+    std::size_t best_size = 0;
     for (StrokeForm form : forms_for(steps)) {
         WidthFinder widths;
         store(steps, form, widths);
         widths.fit(form);
         if (std::max(form.ends.bits, form.controls.bits) > StrokeForm::max_bits)
             continue;
-        std::vector<std::byte> bytes = packed(steps, form);
-        if (best.empty() || bytes.size() < best.size())
-            best = std::move(bytes);
+        const std::size_t size = packed_size(steps, form);
+        if (!best || size < best_size) {
+            best = form;
+            best_size = size;
+        }
     }
-    return best;
+    return best ? packed(steps, *best) : std::vector<std::byte>{};
 }
 
 }

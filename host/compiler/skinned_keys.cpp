@@ -78,12 +78,6 @@ std::int32_t number_of_skin(const SkinnedDrawing& skinned, DrawingPool& drawings
     return drawings.offset_of(skin.bytes());
 }
 
-std::uint64_t points_of(const SkinnedDrawing& skinned)
-{
-    const std::uint64_t own = point_count(skinned.drawing) + 1;
-    return skinned.at_rest ? 2 * own : own;
-}
-
 }
 
 PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
@@ -100,7 +94,6 @@ PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, Draw
             {key.time, laws.number_of(i + 1 == skinned.size() ? LawPair{} : key.laws, key.place)});
         offsets.push_back(drawings.offset_of(skinned[i].drawing));
         skins.push_back(number_of_skin(skinned[i], drawings));
-        packed.points += points_of(skinned[i]);
     }
     ByteWriter bytes;
     write_beats({beats, object.clock}, one_beat, bytes);

@@ -53,7 +53,7 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     write_symbols(scene, writer, symbols);
     writer.write(scene.items, items);
 
-    check_allowances(scene, writer.points(), diagnostics);
+    check_allowances(scene, diagnostics);
     check_laws(laws, diagnostics);
     if (diagnostics.has_errors())
         return std::nullopt;
@@ -85,6 +85,8 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     if (!needs)
         return std::nullopt;
     set_outline_needs(file, *needs);
+    if (!playable(file, scene, diagnostics))
+        return std::nullopt;
     return file;
 }
 

@@ -72,45 +72,45 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 80400,
-        .bare_code = 56000,
-        .feature_code = {2448, 5200, 4708, 5952, 2092, 3956, 872, 600, 1524, 1500},
+        .code = 81364,
+        .bare_code = 56880,
+        .feature_code = {2448, 5208, 4748, 5788, 2240, 4028, 892, 608, 1552, 1504},
         .fixed_ram = 4,
-        .stack = 7580,
+        .stack = 7628,
         .cycles = 1.68,
-        .frame = 830,
+        .frame = 871,
         .area = 534,
         .work =
             std::to_array<double>({
-                2459.6, // picture
-                184.5, // timeline
-                946.9, // key
-                539.6, // item
-                1010.8, // track
-                854.0, // placement
-                559.9, // law
-                3447.4, // bezier_law
-                2272.9, // bone
+                2382.0, // picture
+                118.5, // timeline
+                1076.9, // key
+                560.3, // item
+                1052.4, // track
+                734.1, // placement
+                585.7, // law
+                2970.3, // bezier_law
+                1933.9, // bone
                 0.0, // object
-                1323.4, // stroke
-                801.1, // segment
+                1324.1, // stroke
+                790.7, // segment
                 0.0, // line
-                225.3, // curve
-                1038.2, // split
-                147.3, // point
+                210.9, // curve
+                1056.4, // split
+                147.0, // point
                 0.0, // wide_point
-                1107.9, // projected_point
-                197.2, // carried_point
-                635.8, // bent_point
-                61.1, // piece
-                453.8, // pen_piece
-                232.3, // bend
+                943.6, // projected_point
+                216.0, // carried_point
+                628.8, // bent_point
+                63.0, // piece
+                450.0, // pen_piece
+                228.8, // bend
                 0.0, // slight_bend
-                201.3, // placed_corner
-                267.0, // corner
-                613.2, // chain
-                7.0, // crossing
-                53.2, // kept_chain
+                194.7, // placed_corner
+                265.6, // corner
+                622.5, // chain
+                7.2, // crossing
+                53.1, // kept_chain
                 300.7, // step
                 84.8, // passed_band
                 0.0, // passed_border
@@ -118,14 +118,14 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 328.9, // band_chain
                 378.4, // straight_chain
                 53.0, // border
-                235.0, // region
+                235.1, // region
                 142.5, // edge_row
-                9.3, // flat_pixel
+                9.4, // flat_pixel
                 44.8, // chain_visit
-                519.6, // layer
+                519.7, // layer
                 0.0, // layer_row
-                135.2, // layer_edge
-                311.6, // bent_edge
+                135.1, // layer_edge
+                311.5, // bent_edge
                 281.7, // sum_row
                 180.1, // row_chain
                 138.8, // sum_part
@@ -141,45 +141,45 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m3
     {
-        .code = 77016,
-        .bare_code = 53356,
-        .feature_code = {2548, 4928, 4604, 5680, 2032, 3692, 836, 536, 1536, 1528},
+        .code = 78444,
+        .bare_code = 54656,
+        .feature_code = {2556, 4936, 4640, 5604, 2160, 3708, 848, 544, 1560, 1536},
         .fixed_ram = 4,
-        .stack = 7444,
-        .cycles = 1.79,
+        .stack = 7484,
+        .cycles = 1.80,
         .frame = 426,
         .area = 412,
         .work =
             std::to_array<double>({
-                1794.3, // picture
-                112.1, // timeline
-                1013.0, // key
-                450.9, // item
-                802.4, // track
-                108.1, // placement
-                245.3, // law
-                2159.5, // bezier_law
-                1090.3, // bone
+                1832.3, // picture
+                91.6, // timeline
+                1035.2, // key
+                446.6, // item
+                830.3, // track
+                40.9, // placement
+                235.3, // law
+                1937.3, // bezier_law
+                978.6, // bone
                 0.0, // object
-                857.0, // stroke
-                528.9, // segment
+                840.1, // stroke
+                525.1, // segment
                 0.0, // line
-                224.0, // curve
-                881.9, // split
-                108.5, // point
+                219.2, // curve
+                887.1, // split
+                109.3, // point
                 0.0, // wide_point
-                413.8, // projected_point
-                195.2, // carried_point
-                537.1, // bent_point
-                41.5, // piece
-                272.4, // pen_piece
-                47.3, // bend
+                415.6, // projected_point
+                203.6, // carried_point
+                538.8, // bent_point
+                41.4, // piece
+                269.8, // pen_piece
+                44.0, // bend
                 0.0, // slight_bend
-                128.7, // placed_corner
-                208.1, // corner
-                479.6, // chain
+                126.4, // placed_corner
+                208.7, // corner
+                483.6, // chain
                 7.2, // crossing
-                40.7, // kept_chain
+                40.6, // kept_chain
                 226.3, // step
                 59.0, // passed_band
                 0.0, // passed_border
@@ -193,10 +193,10 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 37.1, // chain_visit
                 402.9, // layer
                 0.0, // layer_row
-                108.6, // layer_edge
-                215.9, // bent_edge
-                198.4, // sum_row
-                149.4, // row_chain
+                108.5, // layer_edge
+                215.8, // bent_edge
+                198.5, // sum_row
+                149.3, // row_chain
                 107.4, // sum_part
                 12.3, // sum_pixel
                 0.0, // edge_group
@@ -210,63 +210,63 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m4
     {
-        .code = 77008,
-        .bare_code = 53368,
-        .feature_code = {2560, 4912, 4596, 5656, 2020, 3704, 836, 536, 1544, 1536},
+        .code = 78480,
+        .bare_code = 54700,
+        .feature_code = {2560, 4912, 4632, 5580, 2160, 3704, 848, 544, 1564, 1532},
         .fixed_ram = 4,
-        .stack = 7436,
+        .stack = 7476,
         .cycles = 1.80,
-        .frame = 428,
+        .frame = 427,
         .area = 410,
         .work =
             std::to_array<double>({
-                1798.4, // picture
-                112.1, // timeline
-                1012.1, // key
-                450.8, // item
-                807.4, // track
-                105.6, // placement
-                245.2, // law
-                2178.3, // bezier_law
-                1102.3, // bone
+                1836.3, // picture
+                91.6, // timeline
+                1034.2, // key
+                446.5, // item
+                835.3, // track
+                38.0, // placement
+                235.2, // law
+                1956.0, // bezier_law
+                990.5, // bone
                 0.0, // object
-                854.0, // stroke
-                528.0, // segment
+                837.3, // stroke
+                524.1, // segment
                 0.0, // line
-                224.4, // curve
-                878.2, // split
-                107.6, // point
+                219.6, // curve
+                883.4, // split
+                108.4, // point
                 0.0, // wide_point
-                415.5, // projected_point
-                194.4, // carried_point
-                537.2, // bent_point
-                42.3, // piece
-                273.5, // pen_piece
-                38.5, // bend
+                416.3, // projected_point
+                202.8, // carried_point
+                538.6, // bent_point
+                42.2, // piece
+                270.9, // pen_piece
+                35.3, // bend
                 0.0, // slight_bend
-                130.4, // placed_corner
-                209.8, // corner
-                484.9, // chain
-                7.2, // crossing
-                40.7, // kept_chain
+                128.1, // placed_corner
+                210.4, // corner
+                488.9, // chain
+                7.3, // crossing
+                40.6, // kept_chain
                 226.5, // step
                 60.1, // passed_band
                 0.0, // passed_border
                 436.6, // band
                 284.6, // band_chain
-                322.0, // straight_chain
+                322.1, // straight_chain
                 42.3, // border
                 202.1, // region
                 102.5, // edge_row
-                3.1, // flat_pixel
+                3.2, // flat_pixel
                 36.9, // chain_visit
                 406.2, // layer
                 0.0, // layer_row
-                107.7, // layer_edge
-                229.0, // bent_edge
-                201.1, // sum_row
-                148.5, // row_chain
-                107.3, // sum_part
+                107.6, // layer_edge
+                228.9, // bent_edge
+                201.2, // sum_row
+                148.4, // row_chain
+                107.4, // sum_part
                 11.6, // sum_pixel
                 0.0, // edge_group
                 119.6, // line_crossing
@@ -279,45 +279,45 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m7
     {
-        .code = 77060,
-        .bare_code = 53412,
-        .feature_code = {2568, 4908, 4600, 5660, 2040, 3692, 836, 536, 1544, 1536},
+        .code = 78516,
+        .bare_code = 54748,
+        .feature_code = {2568, 4916, 4624, 5576, 2160, 3692, 848, 544, 1560, 1528},
         .fixed_ram = 4,
-        .stack = 7436,
-        .cycles = 1.66,
+        .stack = 7476,
+        .cycles = 1.65,
         .frame = 423,
         .area = 424,
         .work =
             std::to_array<double>({
-                1791.5, // picture
-                112.2, // timeline
-                1012.8, // key
-                450.5, // item
-                800.7, // track
-                113.1, // placement
-                245.0, // law
-                2159.7, // bezier_law
-                1095.9, // bone
+                1829.4, // picture
+                91.7, // timeline
+                1035.0, // key
+                446.2, // item
+                828.8, // track
+                45.5, // placement
+                235.1, // law
+                1937.0, // bezier_law
+                984.2, // bone
                 0.0, // object
-                858.0, // stroke
-                528.1, // segment
+                841.2, // stroke
+                524.3, // segment
                 0.0, // line
-                224.1, // curve
-                878.1, // split
-                108.5, // point
+                219.2, // curve
+                883.3, // split
+                109.3, // point
                 0.0, // wide_point
-                415.8, // projected_point
-                194.3, // carried_point
-                537.7, // bent_point
-                41.5, // piece
-                272.5, // pen_piece
-                48.0, // bend
+                414.6, // projected_point
+                202.7, // carried_point
+                538.7, // bent_point
+                41.4, // piece
+                269.8, // pen_piece
+                44.7, // bend
                 0.0, // slight_bend
-                128.8, // placed_corner
-                208.1, // corner
-                479.6, // chain
+                126.4, // placed_corner
+                208.7, // corner
+                483.6, // chain
                 7.2, // crossing
-                40.7, // kept_chain
+                40.6, // kept_chain
                 227.9, // step
                 59.8, // passed_band
                 0.0, // passed_border
@@ -331,10 +331,10 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 37.3, // chain_visit
                 394.5, // layer
                 0.0, // layer_row
-                109.7, // layer_edge
-                222.4, // bent_edge
-                202.7, // sum_row
-                149.6, // row_chain
+                109.6, // layer_edge
+                222.3, // bent_edge
+                202.8, // sum_row
+                149.5, // row_chain
                 110.3, // sum_part
                 14.1, // sum_pixel
                 0.0, // edge_group
@@ -348,45 +348,45 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m33
     {
-        .code = 77072,
-        .bare_code = 53428,
-        .feature_code = {2552, 4916, 4608, 5668, 2036, 3692, 836, 536, 1540, 1524},
+        .code = 78464,
+        .bare_code = 54688,
+        .feature_code = {2560, 4920, 4636, 5588, 2168, 3704, 848, 544, 1560, 1536},
         .fixed_ram = 4,
-        .stack = 7444,
+        .stack = 7484,
         .cycles = 1.79,
-        .frame = 428,
+        .frame = 426,
         .area = 412,
         .work =
             std::to_array<double>({
-                1795.0, // picture
-                112.1, // timeline
-                1012.4, // key
-                450.9, // item
-                802.2, // track
-                109.3, // placement
-                245.3, // law
-                2159.7, // bezier_law
-                1098.2, // bone
+                1832.0, // picture
+                91.6, // timeline
+                1035.0, // key
+                446.8, // item
+                830.0, // track
+                41.8, // placement
+                235.3, // law
+                1937.3, // bezier_law
+                985.4, // bone
                 0.0, // object
-                855.9, // stroke
-                528.3, // segment
+                839.2, // stroke
+                524.5, // segment
                 0.0, // line
-                224.2, // curve
-                877.9, // split
-                108.5, // point
+                219.3, // curve
+                883.2, // split
+                109.3, // point
                 0.0, // wide_point
-                414.5, // projected_point
-                194.2, // carried_point
-                537.2, // bent_point
+                415.6, // projected_point
+                202.7, // carried_point
+                538.3, // bent_point
                 41.4, // piece
-                272.4, // pen_piece
-                47.2, // bend
+                269.8, // pen_piece
+                43.9, // bend
                 0.0, // slight_bend
-                128.7, // placed_corner
-                208.2, // corner
-                479.7, // chain
+                126.4, // placed_corner
+                208.7, // corner
+                483.7, // chain
                 7.2, // crossing
-                40.7, // kept_chain
+                40.6, // kept_chain
                 226.6, // step
                 60.0, // passed_band
                 0.0, // passed_border
@@ -397,12 +397,12 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
                 202.5, // region
                 102.6, // edge_row
                 2.5, // flat_pixel
-                37.1, // chain_visit
+                37.2, // chain_visit
                 403.3, // layer
                 0.0, // layer_row
-                108.6, // layer_edge
-                215.9, // bent_edge
-                198.4, // sum_row
+                108.5, // layer_edge
+                215.8, // bent_edge
+                198.5, // sum_row
                 149.3, // row_chain
                 107.4, // sum_part
                 12.3, // sum_pixel

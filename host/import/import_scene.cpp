@@ -111,8 +111,11 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
 /// As the compiler's messages of limits have it; see docs/scene-language.md, "Limits".
 bool names_limit(std::string_view message)
 {
-    return message.find("holds") != std::string_view::npos ||
-           message.find("at most") != std::string_view::npos;
+    const auto has = [message](std::string_view words) {
+        return message.find(words) != std::string_view::npos;
+    };
+    return has("holds") || has("at most") || has("longer than a second") || has("than a player reads") ||
+           has("the compiler takes");
 }
 
 /// Tells of a text that is not seen: either a limit of scenes is exceeded, or kfast is wrong.

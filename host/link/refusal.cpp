@@ -1,5 +1,6 @@
 #include "host/link/refusal.hpp"
 
+#include "host/slow_scene.hpp"
 #include "host/text/glyph.hpp"
 
 #include <string>
@@ -36,6 +37,8 @@ std::string remedy_of(const link::Failure& told)
     case Status::block_too_small:
         return "'kfast fit' tells how much the scene needs; in RAM it lies in the same memory itself, so "
                "'kfast upload --play' may do";
+    case Status::too_slow:
+        return std::string{slow_scene_remedy};
     case Status::unsupported_version:
     case Status::unknown_kind:
         return "update the firmware of the device, or use the kfast that belongs to it";

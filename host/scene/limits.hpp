@@ -12,7 +12,7 @@ namespace kfast::scene {
 /// In a drawing: one where a stroke begins and one for each of its segments.
 inline constexpr std::size_t most_points = kfb::max_drawing_points;
 /// In all drawings, keys counted as well.
-inline constexpr std::size_t most_points_of_scene = kfb::max_key_points;
+inline constexpr std::size_t most_points_of_scene = std::size_t{1} << 22;
 inline constexpr std::size_t most_keys = 65'535;                          ///< of an item
 inline constexpr std::size_t most_ordered_items = kfb::max_ordered_items; ///< beside each other
 inline constexpr std::size_t most_symbols = kfb::max_symbols;             ///< of items, in use

@@ -62,7 +62,8 @@ class Bench:
         self.refused = []
 
     def results(self):
-        found = {"instructions": {cpu: {} for cpu in self._cpus}, "flash_bytes": {}, "ram_bytes": {}, "stack_bytes": {},
+        found = {"instructions": {cpu: {} for cpu in self._cpus}, "loading": {cpu: {} for cpu in self._cpus},
+                 "flash_bytes": {}, "ram_bytes": {}, "stack_bytes": {},
                  "kfb_bytes": {scene.name: scene.size for scene in self._scenes}, "sent_bytes": {}, "host": {}}
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             self._measure_traffic(pool, found)
@@ -89,6 +90,7 @@ class Bench:
                 continue
             self._expect_same_pixels(cpu, scene, run)
             found["instructions"][cpu][scene.name] = results.instruction_figures(run.frames)
+            found["loading"][cpu][scene.name] = {"check": run.check, "load": run.load}
             found["ram_bytes"][scene.name] = run.needed
             found["stack_bytes"][cpu] = max(run.stack, found["stack_bytes"].get(cpu, 0))
 

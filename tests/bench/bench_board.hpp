@@ -86,15 +86,18 @@ inline Stretch steady_stretch(const SceneView& scene)
     return stretch;
 }
 
-/// Plays two turns of `scene` on a panel of its canvas's size. Fails as Player::create does; else the bytes
-/// of the block that it needs.
+/// Plays two turns of `scene` on a panel of its canvas's size. Fails as Player::create does; else what it has
+/// cost to make the player.
 template <class Meter, class Report>
-Result<std::size_t> measure(const SceneView& scene, const Workspace& workspace, Meter& meter, Report report)
+Result<std::uint32_t> measure(const SceneView& scene, const Workspace& workspace, Meter& meter, Report report)
 {
     const Size panel = scene.canvas();
+    meter.enter(Phase::load);
     auto player = Player::create(scene, panel, Fit::contain, workspace.block);
+    meter.enter(Phase::elsewhere);
     if (!player)
         return player.error();
+    const std::uint32_t load = meter.take()[static_cast<std::size_t>(Phase::load)];
 
     const Stretch stretch = steady_stretch(scene);
     BenchBoard board{stretch, panel, workspace, meter, report};
@@ -102,7 +105,7 @@ Result<std::size_t> measure(const SceneView& scene, const Workspace& workspace, 
     meter.enter(Phase::send);
     play(board, metered, Playhead{stretch, scene.events()}, {scene.frame_rate(), board.now()});
     meter.enter(Phase::elsewhere);
-    return Player::block_bytes(scene, panel);
+    return load;
 }
 
 }

@@ -22,6 +22,8 @@ class Run:
     lent: int = 0
     needed: int = 0
     stack: int = 0
+    check: int = 0  # instructions: of SceneView::parse
+    load: int = 0  # with it, until the first picture can be drawn
 
 
 def image_for(folder, cpu, program="bench"):
@@ -64,7 +66,7 @@ def parse(told):
             samples.append([])
         elif words[0] == "frame":
             run.frames.append(fields(words))
-        elif words[0] in ("lent", "stack"):
+        elif words[0] in ("lent", "check", "stack"):
             vars(run).update(fields(words))
     run.samples = samples[len(run.frames):-1]
     return run

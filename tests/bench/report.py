@@ -25,7 +25,7 @@ def markdown(results):
     sections = [frame_section(counted, results["kfb_bytes"])]
     sections += [part_section(cpu, counted[cpu]) for cpu in counted if cpu in SPLIT]
     sections += [peer_section(cpu, counted[cpu]) for cpu in counted if any(cpu in peer for peer in PEERS["instructions"])]
-    sections += [image_section(results), block_section(results), sent_section(results), file_section(results),
+    sections += [loading_section(results["loading"]), image_section(results), block_section(results), sent_section(results), file_section(results),
                  host_section(results)]
     if "pico" in results:
         sections += [pico_section(results["pico"]["scenes"]), pico_bus_section(results["pico"]["buses"])]
@@ -82,6 +82,15 @@ def peer_section(cpu, scenes):
              for peer in PEERS["instructions"] if cpu in peer]
     return section(f"Beside others on {pretty(cpu)}, instructions in a frame, median / worst", [""] + list(REFERENCES),
                    rows)
+
+
+def loading_section(loading):
+    """What comes once: to check the scene, and with it until the first picture can be drawn."""
+    names = [name for name in REFERENCES if any(name in scenes for scenes in loading.values())]
+    rows = [[name] + [" / ".join(number(value) for value in scenes[name].values()) if name in scenes else ""
+                      for scenes in loading.values()] for name in names]
+    return section("Loading: instructions to check a scene, and with it until the first picture can be drawn",
+                   ["scene"] + [pretty(cpu) for cpu in loading], rows)
 
 
 def image_section(results):

@@ -3,7 +3,7 @@
 import statistics
 
 PARTS = ("update", "draw", "send")
-COMPARED = ("instructions", "flash_bytes", "ram_bytes", "stack_bytes", "kfb_bytes", "sent_bytes")
+COMPARED = ("instructions", "loading", "flash_bytes", "ram_bytes", "stack_bytes", "kfb_bytes", "sent_bytes")
 NOT_OURS = ("least",)
 MOST_GROWTH = 0.02
 

@@ -95,22 +95,22 @@ TEST_CASE("depths lie among the drawings, and are sound themselves")
     CHECK_FALSE(is_accepted(scene));
 }
 
-TEST_CASE("depths count for the points of all keys, too")
+TEST_CASE("there is an end to the depths that are read")
 {
     // 1023 points on a stroke that does not move
     const Bytes row = joined({bytes({1, 0, 0, 0, 1, 0xFC, 0x0F}), Bytes(256)});
     const auto takes_keys = [&row](std::size_t count) {
         std::vector<RawKey> keys(count);
         for (std::size_t i = 0; i < count; ++i)
-            keys[i] = {.time = {static_cast<std::int32_t>(i)}, .more = 0};
+            keys[i] = {.time = {static_cast<std::int32_t>(i)}, .more = i % 2 == 0 ? 0 : 297};
         RawScene scene;
-        scene.drawings = row;
+        scene.drawings =
+            joined({row, Bytes(297 - row.size()), row}); // where the one makes the other forgotten
         scene.items = joined({bytes({0x13, 2}), bytes({1, 16, 0, 32}), key_bytes(keys)});
         return is_accepted(scene);
     };
-    constexpr std::size_t points = 1023 + 1;
-    CHECK(takes_keys(kfb::max_key_points / points / 2));
-    CHECK_FALSE(takes_keys(kfb::max_key_points / points / 2 + 1));
+    CHECK(takes_keys(125)); // 125 * (1 + 1024 + 1023) = 256000
+    CHECK_FALSE(takes_keys(140));
 }
 
 }

@@ -74,24 +74,34 @@ TEST_CASE("a symbol that is not used may not be too deep by itself either")
 
 TEST_CASE("items, symbols and the scene are at most 65535 as they are stored, and so are tracks")
 {
-    CHECK(takes_items(repeated(nothing(), 65534)));
-    CHECK_FALSE(takes_items(repeated(nothing(), 65535)));
+    const auto takes_unused = [](const Bytes& items) {
+        RawScene scene;
+        scene.add_symbol(items);
+        return is_accepted(scene);
+    };
+    CHECK(takes_unused(repeated(nothing(), 65532)));
+    CHECK_FALSE(takes_unused(repeated(nothing(), 65533)));
     RawScene scene;
-    scene.add_symbol(repeated(group({}), 65532));
+    scene.add_symbol(repeated(group({}), 65531));
+    scene.add_symbol({});
     CHECK(is_accepted(scene));
     scene.add_symbol({});
     CHECK_FALSE(is_accepted(scene));
     const Bytes moved = tracked(2, joined({fixed_track(Property::x, 1), fixed_track(Property::y, 1)}));
-    CHECK(takes_items(repeated(moved, 21845)));
-    CHECK_FALSE(takes_items(joined({repeated(moved, 21845), nothing()})));
+    CHECK(takes_unused(repeated(moved, 21844))); // and two of the triangle that is seen
+    CHECK_FALSE(takes_unused(joined({repeated(moved, 21844), repeated(nothing(), 3)})));
 }
 
 TEST_CASE("the whole scene has at most 65535 items, each counted wherever it is painted")
 {
     RawScene scene = doubled(510);
-    CHECK(is_accepted(scene));
+    const auto error_of = [](const RawScene& of) {
+        const Bytes file = of.file();
+        return SceneView::parse(file).error();
+    };
+    CHECK(error_of(scene) == Error::too_slow); // nothing is wrong with it but that
     scene.items = joined({nothing(), scene.items});
-    CHECK_FALSE(is_accepted(scene));
+    CHECK(error_of(scene) == Error::bad_scene);
     SUBCASE("and is refused before 255^8 of them are counted")
     {
         RawScene hostile;
@@ -113,21 +123,24 @@ TEST_CASE("items beside each other are at most 256 if one of them has an order")
     CHECK(takes_items(repeated(nothing(), 400)));
 }
 
-TEST_CASE("drawings of all keys have at most 4,194,304 points, each key one more")
+TEST_CASE("there is an end to the drawings of keys that are read, one like that before aside")
 {
-    // 127 points on one stroke: 126 lines of one bit each way, which do not move
+    // 127 points on one stroke: 126 lines of one bit each way, which do not move. It is stored twice, where
+    // the one makes the other forgotten.
     const Bytes line = joined({bytes({1, 0, 0, 0, 1, 0xFC, 0x01}), Bytes(32)});
-    const auto takes_keys_of = [&line](std::size_t count) {
+    const auto takes_keys_of = [&line](std::size_t count, bool are_different) {
         RawScene scene;
-        scene.drawings = line;
+        scene.drawings = joined({line, Bytes(66 - line.size()), line});
         std::vector<RawKey> keys(count);
         for (std::size_t i = 0; i < count; ++i)
-            keys[i].time.ticks = static_cast<std::int32_t>(i);
+            keys[i] = {.time = {static_cast<std::int32_t>(i)},
+                       .drawing = are_different && i % 2 != 0 ? 66U : 0};
         scene.items = joined({bytes({0x08, 1}), key_bytes(keys)});
         return is_accepted(scene);
     };
-    CHECK(takes_keys_of(4'194'304 / 128));
-    CHECK_FALSE(takes_keys_of(4'194'304 / 128 + 1));
+    CHECK(takes_keys_of(2'040, true)); // 2040 * 128 = 261120
+    CHECK_FALSE(takes_keys_of(2'100, true));
+    CHECK(takes_keys_of(20'000, false));
 }
 
 }

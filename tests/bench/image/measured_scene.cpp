@@ -4,7 +4,7 @@
 
 namespace kfast::bench {
 
-Result<std::size_t> measure_scene(const SceneView& scene, const Workspace& workspace)
+Result<std::uint32_t> measure_scene(const SceneView& scene, const Workspace& workspace)
 {
     InstructionMeter meter;
     meter.begin();

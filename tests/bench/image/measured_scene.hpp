@@ -10,9 +10,9 @@ extern const Features& linked_features;
 /// Tells what a frame of the steady loop has cost.
 void report_frame(const FrameCost& frame);
 
-/// Plays the scene; reports every frame of the second turn.
-Result<std::size_t> measure_scene(const SceneView& scene, const Workspace& workspace);
-/// Plays the scene and tells which instructions are run.
-Result<std::size_t> profile_scene(const SceneView& scene, const Workspace& workspace);
+/// Plays the scene; reports every frame of the second turn. What it has cost to make the player.
+Result<std::uint32_t> measure_scene(const SceneView& scene, const Workspace& workspace);
+/// The same, but tells which instructions are run.
+Result<std::uint32_t> profile_scene(const SceneView& scene, const Workspace& workspace);
 
 }

@@ -159,7 +159,8 @@ TEST_CASE("every status has a text that a report has room for")
         CHECK(status_text(static_cast<Status>(code)).size() <= longest_status_text);
     CHECK(status_text(Status::bad_scene) == "a value is out of its range or refers to nothing");
     CHECK(status_text(Status::no_such_clip) == "the scene has no clip of that name");
-    CHECK(status_text(static_cast<Status>(7)).empty());
+    CHECK(status_text(static_cast<Status>(8)).empty());
+    CHECK(status_text(Status::too_slow) == "a picture of the scene takes longer than a second");
     CHECK(status_of(Error::block_too_small) == Status::block_too_small);
     CHECK(static_cast<int>(Status::unsupported) == 31); // as the document counts them
     CHECK(static_cast<int>(Status::no_text) == 35);

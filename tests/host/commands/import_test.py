@@ -114,7 +114,7 @@ class ImportTest(ImportCase):
         zigzag = " ".join(f"{x % 60} {x * 7 % 40}" for x in range(70000))
         self.write("zigzag.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40">'
                                  + "".join(f'<path d="M {zigzag[:4000]} {x}"/>' for x in range(400)) + "</svg>")
-        self.refuse("import", "zigzag.svg", "--tolerance", "0", status=1, says="; draw it with fewer points")
+        self.refuse("import", "zigzag.svg", "--tolerance", "0", status=1, says="; show less at once, use symbols less often, or draw with fewer points")
 
     def test_background_of_files_that_have_none(self):
         self.write("sun.svg", SVG.format(x=20))

@@ -2,9 +2,12 @@
 
 #include "core/kfb_limits.hpp"
 #include "core/scene_view.hpp"
+#include "host/compiler/allowance.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>
+
+#include <string>
 
 namespace kfast::test {
 namespace {
@@ -25,6 +28,14 @@ scene::Item at(std::size_t place, scene::Item item)
     return item;
 }
 
+/// Of what the format limits, empty if it holds the scene.
+std::string beyond_format(const scene::Scene& scene)
+{
+    Diagnostics diagnostics;
+    check_allowances(scene, diagnostics);
+    return diagnostics.has_errors() ? diagnostics.sorted().front().message : std::string{};
+}
+
 Diagnostic refusal(const scene::Scene& scene)
 {
     Diagnostics diagnostics;
@@ -43,11 +54,10 @@ std::vector<scene::Item> uses(std::size_t count, std::size_t symbol)
 TEST_CASE("too many items are an error at the use with the most")
 {
     scene::Scene scene = scene_of(uses(255, 1), {{"dust", {}}, {"cloud", uses(256, 0)}});
-    CHECK(written(scene).size() > 0); // 255 * 257 = 65535
+    CHECK(beyond_format(scene).empty()); // 255 * 257 = 65535
     scene.items.push_back(at(5, item(scene::Group{})));
-    const Diagnostic error = refusal(scene);
     CHECK(
-        error.message ==
+        refusal(scene).message ==
         "the scene needs 65536 items, the format holds 65535; this use of symbol \"cloud\" alone needs 257");
 }
 
@@ -57,7 +67,7 @@ TEST_CASE("items are counted as they are written, too, and so are their tracks")
         return std::vector<scene::Item>(count, item(scene::Group{}));
     };
     scene::Scene scene = scene_of({item(scene::Use{0})}, {{"dust", empty_groups(65'532)}});
-    CHECK(written(scene).size() > 0);
+    CHECK(beyond_format(scene).empty());
     scene.symbols.front().items.push_back(at(5, item(scene::Group{})));
     CHECK(refusal(scene).message ==
           "the scene needs 65534 items as they are written, the format holds 65533; "
@@ -78,7 +88,7 @@ TEST_CASE("steps of painting count wherever they are seen, two more for what fad
 {
     scene::Object both = filled({key(0, {})});
     both.stroke = scene::StrokeStyle{};
-    const std::vector<scene::Item> dots(100, item(both, {}, "dot"));
+    const std::vector<scene::Item> dots(100, item(both, {fixed(Property::visible, 0)}, "dot"));
     scene::Scene scene = scene_of(uses(327, 0), {{"dots", dots}}); // 65400
     const std::vector<scene::Item> faded(33, item(both, {fixed(Property::opacity, 99)}, "faded"));
     scene.items.insert(scene.items.end(), faded.begin(), faded.end()); // 132
@@ -99,22 +109,65 @@ TEST_CASE("steps of painting count wherever they are seen, two more for what fad
     CHECK(written(scene).size() > bytes.size());
 }
 
-TEST_CASE("points of all keys count, those of symbols once")
+TEST_CASE("what a player would read too long is an error")
 {
     scene::Object heavy = filled({});
-    for (int frame = 0; frame < 64; ++frame)
-        heavy.keys.push_back(key(frame, many_lines(65'534)));
-    heavy.fill.reset();
-    heavy.stroke = scene::StrokeStyle{};
-    const auto used_twice = [&heavy] {
-        return scene_of({item(scene::Use{0}), item(scene::Use{0})},
-                        {{"s", {item(heavy, {fixed(Property::visible, 0)}, "h")}}});
+    const auto add_keys = [&heavy](int count) {
+        for (; count > 0; --count) {
+            const auto frame = static_cast<int>(heavy.keys.size());
+            scene::Drawing drawing;
+            drawing.strokes.emplace_back().segments.resize(static_cast<std::size_t>(60'000 + frame));
+            heavy.keys.push_back(key(frame, drawing));
+        }
     };
-    CHECK(written(used_twice()).size() > 0); // 64 * 65536
-    heavy.keys.push_back(key(64, {}));
-    CHECK(refusal(used_twice()).message ==
-          "the scene needs 4194305 points in all keys together, the format holds 4194304; "
-          "object \"h\" alone needs 4194305");
+    add_keys(6);
+    const auto hidden = [&heavy] {
+        return scene_of({at(7, item(heavy, {fixed(Property::visible, 0)}, "h"))});
+    };
+    CHECK(written(hidden()).size() > 0); // 360,000 points in 100 KB
+    add_keys(8);
+    const Diagnostic error = refusal(hidden());
+    CHECK(error.place.offset == 7);
+    CHECK(error.message.starts_with(
+        "the scene has more keys, and points in their drawings, than a player reads of one of "));
+}
+
+TEST_CASE("a picture that takes longer than a second is an error at the item that takes most")
+{
+    const scene::Symbol leaves{"leaves",
+                               std::vector<scene::Item>(50, item(filled({key(0, many_lines(10))})))};
+    scene::Scene scene = scene_of(uses(100, 0), {leaves});
+    scene.items.front().place = {3, 1};
+    CHECK(written(scene).size() > 0); // 5000 leaves of 9 thousand instructions each
+    scene.items.push_back(at(5, item(filled({key(0, many_lines(2'000))}), {}, "large")));
+    scene.items.push_back(at(9, item(scene::Group{uses(80, 0)})));
+    const Diagnostic error = refusal(scene);
+    CHECK(error.place.offset == 5);
+    CHECK(error.message == "a picture of the scene takes a Pico (RP2040) longer than a second; object "
+                           "\"large\" takes most of it");
+    scene.items[100] = item(scene::Group{}, {}, {});
+    CHECK(refusal(scene).message.ends_with("this use of symbol \"leaves\" takes most of it"));
+}
+
+TEST_CASE("the compiler does not match strokes by length for ever")
+{
+    scene::Drawing dots;
+    dots.strokes.assign(1'000, lines({{0, 0}, {16, 0}}).strokes.front());
+    scene::Object object = filled({});
+    for (int frame = 0; frame < 18; ++frame) {
+        object.keys.push_back(key(frame, dots));
+        object.keys.back().match = scene::Match::length;
+    }
+    const auto said_of = [](const scene::Scene& scene) {
+        Diagnostics diagnostics;
+        check_matching(scene, diagnostics);
+        return diagnostics.has_errors() ? diagnostics.sorted().front().message : std::string{};
+    };
+    CHECK(said_of(scene_of({item(object, {}, "dots")})) ==
+          "the scene needs 17000 strokes matched by length, the compiler takes 16384; "
+          "object \"dots\" alone needs 17000");
+    object.keys.front().match = scene::Match::count;
+    CHECK(said_of(scene_of({item(object, {}, "dots")})).empty());
 }
 
 }

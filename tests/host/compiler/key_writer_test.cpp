@@ -7,14 +7,6 @@
 namespace kfast::test {
 namespace {
 
-PackedKeys packed(const scene::Object& object)
-{
-    LawTable laws;
-    DrawingPool drawings;
-    Diagnostics diagnostics;
-    return packed_keys(object, laws, drawings, diagnostics);
-}
-
 /// A line in `count` steps of 10 px, and one stroke.
 scene::Drawing steps(int count)
 {
@@ -25,14 +17,6 @@ scene::Drawing steps(int count)
     return {{stroke}};
 }
 
-}
-
-TEST_CASE("every drawing of every key counts with its points and one more, arrivals too")
-{
-    scene::Object object = filled({key(0, steps(4)), key(1, steps(4)), key(2, {})});
-    CHECK(packed(object).points == 6 + 6 + 1);
-    object.keys[0].match = scene::Match::length; // points meet already: nothing is added
-    CHECK(packed(object).points == 6 + 6 + 6 + 1 + 1 + 1);
 }
 
 TEST_CASE("a way by length that takes too many points is an error at its key")

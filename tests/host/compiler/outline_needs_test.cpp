@@ -85,6 +85,69 @@ TEST_CASE("moments are even, at changes and just before them")
         CHECK(std::ranges::count(moments, Time{ticks}, &MeasuredMoment::time) == 1);
 }
 
+TEST_CASE("moments are thinned out evenly, and of a scene that takes long there are fewer")
+{
+    const auto dear =
+        compiled(scene_with("input a default=0.25\nobject z fill=red { track x input=a { at 0 0; "
+                            "at 1 9 }; " +
+                            comb(2'500, 9, 99) + " }"));
+    const auto view = SceneView::parse(dear);
+    const std::vector<MeasuredMoment> all = measured_moments(*view);
+    std::vector<MeasuredMoment> some = all;
+    thin_out(some, 7);
+    REQUIRE(some.size() == 7);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        const MeasuredMoment& expected = all[i * (all.size() - 1) / 6];
+        CHECK(some[i].time == expected.time);
+        CHECK(some[i].inputs == expected.inputs);
+    }
+    thin_out(some, 0);
+    CHECK(some.size() == 2);
+    some = all;
+    thin_out(some, all.size());
+    CHECK(some.size() == all.size());
+    CHECK(some[1].inputs == all[1].inputs);
+    const auto cheap = compiled(scene_with("object z fill=red { rect 0 0 9 9 }"));
+    CHECK(affordable_pictures(*view) < 3'000);
+    CHECK(affordable_pictures(*SceneView::parse(cheap)) > 300'000);
+}
+
+TEST_CASE("what a scene costs grows with what it shows")
+{
+    const auto cost = [](const std::string& items) {
+        const auto bytes = compiled(scene_with(items));
+        return SceneView::parse(bytes)->cost();
+    };
+    const auto line = [](const std::string& between, const std::string& behind) {
+        std::string all;
+        for (int i = 0; i < 1024; ++i)
+            all += " " + std::to_string(i % 60) + between + (i % 2 == 0 ? behind : " 0");
+        return all + " }";
+    };
+    const std::string drawn = "{ line" + line("", " 30");
+    const std::uint32_t filled = cost("object o fill=red " + drawn);
+    const std::uint32_t stroked = cost("object o stroke=red " + drawn);
+    CHECK(stroked >= filled + 512);
+    CHECK(cost("object o fill=red stroke=red " + drawn) >= stroked + 513);
+    CHECK(cost("bones b { bone c 0 0 60 0 }\nobject o stroke=red skin=b bone=c " + drawn) >= stroked + 256);
+    CHECK(cost("object o stroke=red { wire" + line(" 0", " 30")) >=
+          cost("object o stroke=red { line" + line("", " 0")) + 1000);
+    const auto label = [&cost](int most) {
+        return cost("input t kind=text max=" + std::to_string(most) +
+                    " default=\"0\" glyphs=\"0-9\"\nobject o fill=red { text input=t at=\"9,9\" size=20 }");
+    };
+    CHECK(label(60) > label(10) + 50);
+    const auto live = [&cost](int most) {
+        return cost("input d kind=drawing points=" + std::to_string(most) +
+                    " { line 0 0 9 9 }\nobject o stroke=red live=d");
+    };
+    CHECK(live(2048) >= live(1024) + 1024);
+    std::string way = "M 0 0";
+    for (int i = 0; i < 800; ++i)
+        way += " L " + std::to_string(i % 2 * 60) + " " + std::to_string(i % 60);
+    CHECK(cost("object o fill=red { rect 0 0 9 9; track along \"" + way + "\" { at 0 0; at 9 1 } }") >= 100);
+}
+
 TEST_CASE("inputs stand as usual at all moments, then each goes its way, and all of them anywhere")
 {
     const auto bytes =
@@ -153,22 +216,17 @@ TEST_CASE("outlines of too many bytes are an error at the largest object")
 
 TEST_CASE("outlines of too many bytes are an error at the largest object in a symbol, too")
 {
-    std::string steps; // few chains
-    for (int i = 0; i < 4000; ++i)
-        steps +=
-            " L " + std::to_string(i % 200) + " " + std::to_string(i / 20) + "." + std::to_string(i % 20 * 5);
-    const std::string text = refusal(scene_with(
-        "symbol s { object stairs fill=red { key 0 visible=#false; key 7 visible=#true; path \"M 0 0" +
-        steps + " Z\" } }\n" + [] {
-            std::string uses;
-            for (int i = 0; i < 400; ++i)
-                uses += "use s\n";
-            return uses;
-        }()));
+    std::string uses;
+    for (int i = 0; i < 20; ++i)
+        uses += "use s\n";
+    const std::string text =
+        refusal(scene_with("symbol s { object comb fill=red { key 0 visible=#false; key 7 "
+                           "visible=#true; " +
+                           comb(2500, 9, 99) + " } }\n" + uses));
     CAPTURE(text);
     CHECK(text.find("s.kfast:3:") == 0);
     CHECK(text.find("the outlines at frame 7 need ") != std::string::npos);
-    CHECK(text.find("object \"stairs\" alone needs 22") != std::string::npos);
+    CHECK(text.find("object \"comb\" alone needs 34") != std::string::npos);
 }
 
 TEST_CASE("wires find room at any time, whatever the camera")

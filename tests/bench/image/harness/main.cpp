@@ -1,3 +1,4 @@
+#include "tests/bench/image/harness/instruction_meter.hpp"
 #include "tests/bench/image/harness/painted_stack.hpp"
 #include "tests/bench/image/harness/semihosting.hpp"
 #include "tests/bench/image/measured_scene.hpp"
@@ -59,7 +60,12 @@ void report_frame(const FrameCost& frame)
 
 int run()
 {
+    InstructionMeter meter;
+    meter.begin();
+    meter.enter(Phase::load);
     const auto scene = SceneView::parse({scene_region_begin, scene_region_end}, linked_features);
+    meter.enter(Phase::elsewhere);
+    const std::uint32_t check = meter.take()[static_cast<std::size_t>(Phase::load)];
     if (!scene)
         return refuse(scene.error());
     write_field("lent ", static_cast<std::uint32_t>(block_end - block_begin));
@@ -69,7 +75,9 @@ int run()
         profile_wanted != 0 ? profile_scene(*scene, workspace()) : measure_scene(*scene, workspace());
     if (!played)
         return refuse(played.error());
-    write_field("stack ", used_stack());
+    write_field("check ", check);
+    write_field(" load ", check + *played);
+    write_field(" stack ", used_stack());
     semihosting::write("\nend\n");
     return 0;
 }

@@ -3,7 +3,7 @@
 
 namespace kfast::bench {
 
-Result<std::size_t> profile_scene(const SceneView& scene, const Workspace& workspace)
+Result<std::uint32_t> profile_scene(const SceneView& scene, const Workspace& workspace)
 {
     Sampler sampler;
     return measure(scene, workspace, sampler, report_frame);
