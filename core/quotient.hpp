@@ -16,9 +16,10 @@ constexpr std::uint32_t long_quotient(std::uint32_t high, std::uint32_t low, std
     const std::uint32_t whole = divisor << shift;
     const std::uint32_t upper = whole >> 16;
     const std::uint32_t lower = whole & 0xFFFF;
-    std::uint32_t rest = shift == 0 ? high : high << shift | low >> (32 - shift);
+    const std::uint64_t dividend = (std::uint64_t{high} << 32 | low) << shift;
+    auto rest = static_cast<std::uint32_t>(dividend >> 32);
+    low = static_cast<std::uint32_t>(dividend);
     std::uint32_t quotient = 0;
-    low <<= shift;
     for (int digits = 0; digits < 2; ++digits) {
         std::uint32_t digit = rest / upper;
         std::uint32_t left = rest - digit * upper;

@@ -314,6 +314,28 @@ TEST_CASE("a scene says how many bones it has, and how many nodes and gaps any o
     CHECK(scene->camera() == 32);
 }
 
+TEST_CASE("there is an end to the skins that are read, one like that before aside")
+{
+    // 1023 points on a stroke that does not move
+    const Bytes row = joined({bytes({1, 0, 0, 0, 1, 0xFC, 0x0F}), Bytes(256)});
+    const auto takes_keys = [&row](int count, bool are_different) {
+        CarriedScene scene;
+        const std::uint32_t drawing = scene.drawings.add(row);
+        const std::uint32_t first = scene.drawings.add(skin_bytes({{1023, {{0}}}}));
+        const std::uint32_t second = scene.drawings.add(skin_bytes({{1023, {{1}}}}));
+        std::vector<RawKey> keys;
+        for (int i = 0; i < count; ++i)
+            keys.push_back({.time = Time{i},
+                            .drawing = drawing,
+                            .more = static_cast<std::int32_t>(are_different && i % 2 != 0 ? second : first)});
+        scene.object = carried_object(bytes({1}), keys);
+        return scene.is_taken();
+    };
+    CHECK(takes_keys(250, true)); // 250 * (1 + 1023) = 256000
+    CHECK_FALSE(takes_keys(270, true));
+    CHECK(takes_keys(20'000, false));
+}
+
 TEST_CASE("there is an end to the drawings of backbones that are read")
 {
     // 127 points on each of three strokes, which do not move
