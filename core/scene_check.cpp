@@ -27,7 +27,7 @@ bool SceneCheck::may_read(std::uint32_t keys_or_points)
 {
     if (allowance_.take(keys_or_points))
         return true;
-    item_ = items_read_ == 0 ? 0 : items_read_ - 1;
+    item_ = items_read_ - 1; // 0xFFFFFFFF before the first one
     return false;
 }
 

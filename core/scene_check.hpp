@@ -115,10 +115,11 @@ private:
     std::uint32_t shown_ = 0; ///< the parts in which it takes more than a thousand for each item
     // Of the item that is looked at.
     std::uint32_t items_read_ = 0;
-    std::uint32_t points_ = 0; ///< of its largest drawing, or of all of its letters
+    std::uint32_t points_ = 0;         ///< of its largest drawing, or of all of its letters
+    std::uint32_t drawing_points_ = 0; ///< of the drawing checked last
     // Of the item that costs most.
     std::uint32_t most_ = 0;
-    std::uint32_t item_ = 0;
+    std::uint32_t item_ = 0xFFFF'FFFF;
 };
 
 }

@@ -108,7 +108,7 @@ bool SceneCheck::check_content(const ItemView& item, std::uint32_t seen, std::ui
     if (item.symbol >= usable_symbols)
         return false;
     own = symbols_[item.symbol].in_item();
-    cost_.add(own.items, seen);
+    cost_.add(own.items, seen & ~own.shown);
     add_cost(own.cost, seen & own.shown);
     return true;
 }

@@ -111,7 +111,8 @@ bool SceneCheck::check_drawing(std::uint32_t offset)
     const bool is_known = checked.key == offset + 1;
     if (!(is_known ? may_read(1) : check_points(offset, checked)))
         return false;
-    points_ = std::max(points_, checked.points);
+    drawing_points_ = checked.points;
+    points_ = std::max(points_, drawing_points_);
     return true;
 }
 
@@ -158,7 +159,7 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
     for (Time before{-1}; !keys.at_end();) {
         const BackboneKey key = keys.next();
         if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
-            !check_drawing(key.drawing) || !may_read(points_) ||
+            !check_drawing(key.drawing) || !may_read(drawing_points_) ||
             !are_backbones(scene_.drawing(key.drawing)) ||
             !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(first)))
             return false;
@@ -171,7 +172,8 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
 bool SceneCheck::check_depths(const Key& key)
 {
     const auto depths = static_cast<std::uint32_t>(key.more);
-    return check_drawing(depths) && may_read(points_) && has_only_lines(scene_.drawing(key.drawing)) &&
+    return check_drawing(depths) && may_read(drawing_points_) &&
+           has_only_lines(scene_.drawing(key.drawing)) &&
            is_built_alike(scene_.drawing(key.drawing), scene_.drawing(depths));
 }
 
@@ -187,7 +189,7 @@ bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
          !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(skin.drawing_at_rest()))))
         return false;
     PackedDrawing drawing = scene_.drawing(key.drawing);
-    if (!may_read(points_))
+    if (!may_read(drawing_points_))
         return false;
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
         const std::uint32_t segments = drawing.next_stroke();

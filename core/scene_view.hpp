@@ -42,7 +42,8 @@ public:
     /// bad_scene, too_slow, or with the first feature that the scene needs and the program has not. Behind
     /// too_slow `item`, if there is one, is the number of the item that takes most, a use with all that is
     /// inside, in the order in which they are stored; behind bad_scene, where the scene has more keys and
-    /// points than are read (core/read_allowance.hpp), that of the item at which it was too much.
+    /// points than are read (core/read_allowance.hpp), that of the item at which it was too much; 0xFFFFFFFF
+    /// where it is none.
     static Result<SceneView> parse(std::span<const std::byte> bytes, const Features& features = every_feature,
                                    std::uint32_t* item = nullptr);
 

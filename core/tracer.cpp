@@ -58,7 +58,7 @@ void Tracer::trace_scene()
         else
             trace_leaf(walk);
         if (picture_.outlines.is_full() && picture_.coarseness < coarsest)
-            return; // all of it is traced again
+            break; // all of it is traced again
     }
     picture_.dependence = walk.whole();
     work_for(0);

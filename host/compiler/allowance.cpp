@@ -210,7 +210,7 @@ void check_allowances(const scene::Scene& scene, Diagnostics& diagnostics)
 std::optional<SceneView> playable(std::span<const std::byte> file, const scene::Scene& scene,
                                   Diagnostics& diagnostics)
 {
-    std::uint32_t number = 0;
+    std::uint32_t number = 0xFFFF'FFFF;
     const auto view = SceneView::parse(file, every_feature, &number);
     if (view)
         return *view;

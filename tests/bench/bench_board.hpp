@@ -57,10 +57,14 @@ public:
     void scene_started(const SceneView&) {}
     void fault(Error) {}
 
+    /// What it has cost to make the player, from the first frame on.
+    std::uint32_t load() const { return load_; }
+
     void frame_shown(FrameReport)
     {
         meter_.enter(Phase::elsewhere);
         const FrameCost cost{shown_ % turn_, meter_.take(), panel_.take_traffic()};
+        load_ += cost.phases[static_cast<std::size_t>(Phase::load)];
         if (shown_ >= turn_)
             report_(cost);
         ++shown_;
@@ -75,6 +79,7 @@ private:
     Report report_;
     Microseconds now_;
     std::uint32_t shown_ = 0;
+    std::uint32_t load_ = 0;
 };
 
 /// As the scene says, but what would end comes round again: only then is there a steady loop.
@@ -97,7 +102,6 @@ Result<std::uint32_t> measure(const SceneView& scene, const Workspace& workspace
     meter.enter(Phase::elsewhere);
     if (!player)
         return player.error();
-    const std::uint32_t load = meter.take()[static_cast<std::size_t>(Phase::load)];
 
     const Stretch stretch = steady_stretch(scene);
     BenchBoard board{stretch, panel, workspace, meter, report};
@@ -105,7 +109,7 @@ Result<std::uint32_t> measure(const SceneView& scene, const Workspace& workspace
     meter.enter(Phase::send);
     play(board, metered, Playhead{stretch, scene.events()}, {scene.frame_rate(), board.now()});
     meter.enter(Phase::elsewhere);
-    return load;
+    return board.load();
 }
 
 }

@@ -147,7 +147,7 @@ TEST_CASE("the item told is one that is seen")
     RawScene scene;
     scene.add_symbol(repeated(triangle(), 3'000));
     scene.add_symbol(repeated(triangle(), 9'000));
-    scene.items = joined({use_with(fixed_track(Property::visible, 0)), repeated(use(0), 4), bytes({0x06, 1}),
+    scene.items = joined({use_with(fixed_track(Property::visible, 0)), repeated(use(0), 5), bytes({0x06, 1}),
                           fixed_track(Property::visible, 0), bytes({1}), use(0)});
     CHECK(refused(scene).error == Error::too_slow);
     CHECK(refused(scene).item == 12'000 + 1);

@@ -324,6 +324,7 @@ TEST_CASE("there is an end to the skins that are read, one like that before asid
         const std::uint32_t first = scene.drawings.add(skin_bytes({{1023, {{0}}}}));
         const std::uint32_t second = scene.drawings.add(skin_bytes({{1023, {{1}}}}));
         std::vector<RawKey> keys;
+        keys.reserve(static_cast<std::size_t>(count));
         for (int i = 0; i < count; ++i)
             keys.push_back({.time = Time{i},
                             .drawing = drawing,
