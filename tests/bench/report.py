@@ -25,8 +25,8 @@ def markdown(results):
     sections = [frame_section(counted, results["kfb_bytes"])]
     sections += [part_section(cpu, counted[cpu]) for cpu in counted if cpu in SPLIT]
     sections += [peer_section(cpu, counted[cpu]) for cpu in counted if any(cpu in peer for peer in PEERS["instructions"])]
-    sections += [loading_section(results["loading"]), image_section(results), block_section(results), sent_section(results), file_section(results),
-                 host_section(results)]
+    sections += [loading_section(results["loading"]), image_section(results), block_section(results),
+                 sent_section(results), file_section(results), host_section(results)]
     if "pico" in results:
         sections += [pico_section(results["pico"]["scenes"]), pico_bus_section(results["pico"]["buses"])]
     sections += [f"Figures of others: {PEERS['source']}.\n"]
