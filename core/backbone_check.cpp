@@ -1,11 +1,13 @@
 #include "core/backbone_check.hpp"
 
 #include "core/kfb_limits.hpp"
+#include "core/packed_drawing.hpp"
 
 namespace kfast {
 
-bool are_backbones(PackedDrawing drawing)
+bool are_backbones(std::span<const std::byte> drawings, std::uint32_t offset)
 {
+    PackedDrawing drawing{drawings, offset};
     std::uint32_t all = 0;
     std::uint32_t nodes = 0;
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {

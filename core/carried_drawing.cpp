@@ -28,7 +28,7 @@ Point carried_by(std::span<const LiveBone> bones, Point point, const Binding& bi
 
 const CarriedDrawing::Code CarriedDrawing::code{.begin_stroke =
                                                     plain_function<&CarriedDrawing::begin_carried_stroke>,
-                                                .carry = plain_function<&CarriedDrawing::carried_segment>};
+                                                .carry = plain_function<&CarriedDrawing::carry>};
 
 CarriedDrawing::CarriedDrawing(const PackedDrawing& drawing, const PackedDrawing& at_rest,
                                const SkinReader& skin, std::span<const LiveBone> bones)
@@ -47,30 +47,30 @@ std::uint32_t CarriedDrawing::next_stroke()
 
 Segment CarriedDrawing::next_segment()
 {
-    const Segment segment = drawing_.next_segment();
-    return is_carried() ? code_->carry(*this, segment) : segment;
+    Segment segment = drawing_.next_segment();
+    if (is_carried())
+        code_->carry(*this, segment);
+    return segment;
 }
 
 void CarriedDrawing::begin_carried_stroke()
 {
     at_rest_.next_stroke();
-    binding_ = skin_.next();
-    start_ = carried(start_, at_rest_.start(), binding_);
+    start_ = carried(start_, at_rest_.start(), skin_.next());
     at_ = start_;
 }
 
-Segment CarriedDrawing::carried_segment(Segment segment)
+void CarriedDrawing::carry(Segment& segment)
 {
     const Segment at_rest = at_rest_.next_segment();
     segment.from = at_;
     if (segment.kind == Segment::Kind::cubic)
-        segment.c1 = carried(segment.c1, at_rest.c1, binding_);
-    binding_ = skin_.next();
+        segment.c1 = carried(segment.c1, at_rest.c1, skin_.binding());
+    const Binding& binding = skin_.next();
     if (segment.kind == Segment::Kind::cubic)
-        segment.c2 = carried(segment.c2, at_rest.c2, binding_);
-    segment.to = carried(segment.to, at_rest.to, binding_);
+        segment.c2 = carried(segment.c2, at_rest.c2, binding);
+    segment.to = carried(segment.to, at_rest.to, binding);
     at_ = segment.to;
-    return segment;
 }
 
 Point CarriedDrawing::carried(Point point, Point at_rest, const Binding& binding) const

@@ -31,13 +31,13 @@ private:
     /// What works on it where bones carry it: linked only with what makes such a one.
     struct Code {
         void (*begin_stroke)(CarriedDrawing&);
-        Segment (*carry)(CarriedDrawing&, Segment segment);
+        void (*carry)(CarriedDrawing&, Segment& segment);
     };
     static const Code code;
 
     bool is_carried() const { return code_ != nullptr; }
     void begin_carried_stroke();
-    Segment carried_segment(Segment segment);
+    void carry(Segment& segment);
     Point carried(Point point, Point at_rest, const Binding& binding) const;
 
     const Code* code_ = nullptr;
@@ -45,9 +45,8 @@ private:
     PackedDrawing at_rest_; ///< read in step with the other if there is one
     SkinReader skin_;
     std::span<const LiveBone> bones_;
-    Binding binding_; ///< of the vertex read last
     Point start_;
-    Point at_; ///< that vertex as it is carried
+    Point at_; ///< the vertex read last as it is carried
 };
 
 static_assert(DrawingReader<CarriedDrawing>);

@@ -1,9 +1,13 @@
 #include "core/drawing_check.hpp"
 
+#include "core/packed_drawing.hpp"
+
 namespace kfast {
 
-bool is_built_alike(PackedDrawing a, PackedDrawing b)
+bool is_built_alike(std::span<const std::byte> drawings, std::uint32_t one, std::uint32_t other)
 {
+    PackedDrawing a{drawings, one};
+    PackedDrawing b{drawings, other};
     if (a.strokes() != b.strokes())
         return false;
     for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
@@ -17,8 +21,9 @@ bool is_built_alike(PackedDrawing a, PackedDrawing b)
     return true;
 }
 
-bool has_only_lines(PackedDrawing drawing)
+bool has_only_lines(std::span<const std::byte> drawings, std::uint32_t offset)
 {
+    PackedDrawing drawing{drawings, offset};
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
         for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
             if (drawing.next_segment().kind != Segment::Kind::line)

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "core/packed_drawing.hpp"
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
-/// Of drawings that have been checked.
+/// Of drawings that have been checked, at offsets in a scene's section of drawings.
 namespace kfast {
 
 /// As many strokes, with the same segments of the same kinds.
-bool is_built_alike(PackedDrawing a, PackedDrawing b);
+bool is_built_alike(std::span<const std::byte> drawings, std::uint32_t one, std::uint32_t other);
 
-bool has_only_lines(PackedDrawing drawing);
+bool has_only_lines(std::span<const std::byte> drawings, std::uint32_t offset);
 
 }

@@ -2,6 +2,7 @@
 
 #include "core/distribution.hpp"
 #include "core/drawing_reader.hpp"
+#include "core/function_ref.hpp"
 #include "core/work.hpp"
 
 #include <algorithm>
@@ -11,16 +12,18 @@
 /// same.
 ///
 /// The rules are those of KFAST (C. M. Lever, Amiga, about 1992); docs/design.md has them with a worked
-/// example. Nothing is copied: each drawing is read once, and points are added as they are asked for.
+/// example. Nothing is copied: each drawing is read once, beside an empty one twice, and points are added as
+/// they are asked for.
 namespace kfast {
 
 /// One of the two drawings, its strokes broken into as many parts as the partner has strokes.
 template <DrawingReader R>
 class BrokenDrawing {
 public:
-    BrokenDrawing(const R& drawing, std::uint32_t partner_strokes)
-        : reader_{drawing}, strokes_{drawing.strokes()}, parts_{std::max(partner_strokes, strokes_),
-                                                                std::max<std::uint32_t>(strokes_, 1)}
+    /// `make(is_second)` returns the drawing, unread: so it comes to its place without a copy.
+    BrokenDrawing(FunctionRef<R(bool)> make, bool is_second, std::uint32_t partner_strokes)
+        : reader_{make(is_second)}, strokes_{reader_.strokes()}, parts_{std::max(partner_strokes, strokes_),
+                                                                        std::max<std::uint32_t>(strokes_, 1)}
     {
     }
 
@@ -73,8 +76,8 @@ public:
     bool is_whole() const { return stroke_parts_ == 1; }
     /// Each segment of the part is one piece.
     bool is_plain() const { return is_plain_; }
-    /// Goes on reading from where this stands.
-    const R& reader() const { return reader_; }
+    /// For whoever reads the drawing without its parts.
+    R& reader() { return reader_; }
 
 private:
     bool is_subdivided() const { return segments_ < stroke_parts_; }
@@ -176,9 +179,26 @@ inline void make_alike(Pair<Segment>& both)
 template <DrawingReader R>
 class EqualizedPair {
 public:
-    EqualizedPair(const R& a, const R& b) : EqualizedPair{a, b, false} {}
+    EqualizedPair(const R& a, const R& b)
+        : EqualizedPair{a.strokes(), b.strokes(), false, [&](bool is_second) { return is_second ? b : a; }}
+    {
+    }
     /// A drawing beside itself, read once.
-    explicit EqualizedPair(const R& both) : EqualizedPair{both, both, true} {}
+    explicit EqualizedPair(const R& both)
+        : EqualizedPair{both.strokes(), both.strokes(), true, [&](bool) { return both; }}
+    {
+    }
+    /// For a small stack: `make(is_second)` returns either drawing, unread, of so many strokes. A single pair
+    /// has as many strokes on both sides, and `make` is asked for the first drawing alone.
+    [[gnu::noinline]] EqualizedPair(std::uint32_t strokes_of_a, std::uint32_t strokes_of_b, bool is_single,
+                                    FunctionRef<R(bool)> make)
+        : a_{make, strokes_of_a == 0 && !is_single, strokes_of_b}, b_{make, strokes_of_b != 0 && !is_single,
+                                                                      strokes_of_a},
+          is_single_{is_single || strokes_of_a == 0 || strokes_of_b == 0}, a_is_empty_{strokes_of_a == 0},
+          b_is_empty_{strokes_of_b == 0}, is_plain_{strokes_of_a == strokes_of_b},
+          strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
+    {
+    }
 
     /// Begins the next pair of strokes and returns the number of its segments; 0 after the last stroke.
     std::uint32_t next_stroke()
@@ -205,15 +225,14 @@ public:
     const Pair<Segment>& next_segment()
     {
         a_.next_piece(both_.a);
-        if (is_single_) {
+        if (!is_single_) {
+            b_.next_piece(both_.b);
+        } else {
             both_.b = both_.a;
-            return both_;
+            if (a_is_empty_ == b_is_empty_)
+                return both_;
+            (a_is_empty_ ? both_.a : both_.b) = still_segment(centre_);
         }
-        b_.next_piece(both_.b);
-        if (a_is_empty_)
-            both_.a = still_segment(centre_);
-        if (b_is_empty_)
-            both_.b = still_segment(centre_);
         is_plain_ = is_plain_ && both_.a.kind == both_.b.kind;
         make_alike(both_);
         return both_;
@@ -235,17 +254,10 @@ public:
     bool is_whole() const { return a_.is_whole() && (is_single_ || b_.is_whole()); }
 
 private:
-    EqualizedPair(const R& a, const R& b, bool is_single)
-        : a_{a.strokes() != 0 ? a : b, b.strokes()}, b_{b.strokes() != 0 ? b : a, a.strokes()},
-          is_single_{is_single}, a_is_empty_{a.strokes() == 0}, b_is_empty_{b.strokes() == 0},
-          is_plain_{a.strokes() == b.strokes()}, strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
-    {
-    }
-
-    /// Of the stroke that comes next: both sides read the drawing that is not empty.
+    /// Of the stroke that comes next: b_ has the drawing that is not empty, too, and is read for this alone.
     [[gnu::cold, gnu::noinline]] void find_centre()
     {
-        R outline = a_.reader();
+        R& outline = b_.reader();
         const std::uint32_t segments = outline.next_stroke();
         Point low = outline.start();
         Point high = low;
@@ -258,8 +270,8 @@ private:
     }
 
     BrokenDrawing<R> a_;
-    BrokenDrawing<R> b_; ///< not read if the pair is single
-    bool is_single_;
+    BrokenDrawing<R> b_; ///< not read side by side with the other if the pair is single
+    bool is_single_;     ///< a drawing beside itself, or beside its strokes drawn together
     bool a_is_empty_;
     bool b_is_empty_;
     bool is_plain_;

@@ -94,6 +94,13 @@ Space Placement::turn() const
     return is_upright ? upright(turning) : features_.depth->tilted(turning);
 }
 
+/// Apart, so that the stack has the view of the item only where it is wanted.
+[[gnu::noinline]] void follow_path(Placement& placement, const SceneView& scene, const Node& item)
+{
+    const PathView path = item_view(scene, item).path;
+    placement.follow(path, scene.drawing(path.drawing));
+}
+
 }
 
 const LiveTrack* ItemState::track(Property property) const
@@ -131,10 +138,8 @@ Space ItemState::placement() const
         did(Work::track);
         placement.fine(static_cast<Property>(track.property)) = prepared_.fine_value(scene_, track);
     }
-    if (item_.has_path) {
-        const PathView path = item_view(scene_, item_).path;
-        placement.follow(path, scene_.drawing(path.drawing));
-    }
+    if (item_.has_path)
+        follow_path(placement, scene_, item_);
     return placement.space();
 }
 

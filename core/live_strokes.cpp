@@ -5,13 +5,6 @@
 
 namespace kfast {
 
-LiveStrokes::LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
-                         const LiveBackbones* backbones, const Affine& placement)
-    : pair_(way.x == Way{} && way.y == Way{} ? EqualizedPair{from} : EqualizedPair{from, to}), way_{way},
-      backbones_{backbones}, place_{placement}
-{
-}
-
 /// `from` is where the segment before ended, the same bits.
 Segment LiveStrokes::live(const Pair<Segment>& both, Point from) const
 {

@@ -46,10 +46,15 @@ void trace_strokes(CarriedDrawing& drawing, const Affine& placement, Outline& ou
 /// The strokes between two drawings at one moment of their way, placed.
 class LiveStrokes {
 public:
-    /// At the very beginning of the way, `from` alone. `backbones`, which may be null, carry the drawings;
-    /// they and `placement` must outlive the strokes.
-    LiveStrokes(const CarriedDrawing& from, const CarriedDrawing& to, Progress way,
-                const LiveBackbones* backbones, const Affine& placement);
+    /// `make(is_second)` returns either drawing, unread, of so many strokes (EqualizedPair); at the very
+    /// beginning of the way it is asked for the first alone. `backbones`, which may be null, carry the
+    /// drawings; they and `placement` must outlive the strokes.
+    LiveStrokes(Pair<std::uint32_t> strokes, FunctionRef<CarriedDrawing(bool)> make, Progress way,
+                const LiveBackbones* backbones, const Affine& placement)
+        : pair_{strokes.a, way.is_at_beginning() ? strokes.a : strokes.b, way.is_at_beginning(), make},
+          way_{way}, backbones_{backbones}, place_{placement}
+    {
+    }
 
     /// Tells `outline` each stroke, as trace_strokes() does. Of an outline that has end_part(), this ends the
     /// parts of a broken stroke instead.

@@ -8,15 +8,17 @@
 #include "core/segment.hpp"
 #include "core/work.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace kfast {
 
 /// A key drawing of a wire frame: x and y of its points, and a drawing of the same form whose x is their z.
-/// All segments are lines.
+/// All segments are lines. Both are offsets in a scene's section of drawings.
 struct WireDrawing {
-    PackedDrawing flat;
-    PackedDrawing depths;
+    std::uint32_t flat = 0;
+    std::uint32_t depths = 0;
 };
 
 /// The strokes of a wire frame between two drawings at one moment of their way, as they are seen. Both pairs
@@ -24,9 +26,11 @@ struct WireDrawing {
 /// code is cold, so that a board can leave it in flash.
 class LiveWires {
 public:
-    /// At the very beginning of the way, `from` alone. `projection` must outlive the wires.
-    LiveWires(const WireDrawing& from, const WireDrawing& to, Progress way, const Projection& projection)
-        : LiveWires{from, to, way, projection, way.is_at_beginning()}
+    /// At the very beginning of the way, `from` alone. `drawings` and `projection` must outlive the wires.
+    LiveWires(std::span<const std::byte> drawings, const WireDrawing& from, const WireDrawing& to,
+              Progress way, const Projection& projection)
+        : flat_{pair_of(drawings, from.flat, to.flat, way)},
+          depths_{pair_of(drawings, from.depths, to.depths, way)}, way_{way}, see_{projection}
     {
     }
 
@@ -42,12 +46,12 @@ public:
     }
 
 private:
-    LiveWires(const WireDrawing& from, const WireDrawing& to, Progress way, const Projection& projection,
-              bool is_on_key)
-        : flat_{is_on_key ? EqualizedPair{from.flat} : EqualizedPair{from.flat, to.flat}},
-          depths_{is_on_key ? EqualizedPair{from.depths} : EqualizedPair{from.depths, to.depths}}, way_{way},
-          see_{projection}
+    static EqualizedPair<PackedDrawing> pair_of(std::span<const std::byte> drawings, std::uint32_t from,
+                                                std::uint32_t to, Progress way)
     {
+        const bool is_single = way.is_at_beginning();
+        return {drawing_at(drawings, from).strokes(), drawing_at(drawings, is_single ? from : to).strokes(),
+                is_single, [&](bool is_second) { return drawing_at(drawings, is_second ? to : from); }};
     }
 
     template <class Outline>
@@ -56,9 +60,9 @@ private:
         did(Work::stroke);
         const Pair<Segment>& flat = flat_.next_segment();
         const Pair<Segment>& depths = depths_.next_segment();
-        const Pair<Segment> first = flat;
-        const Pair<Segment> first_depths = depths;
-        Segment segment{.to = seen({flat.a.from, flat.b.from}, {depths.a.from, depths.b.from})};
+        const Pair<Point> first{flat.a.from, flat.b.from};
+        const Pair<Point> first_depths{depths.a.from, depths.b.from};
+        Segment segment{.to = seen(first, first_depths)};
         outline.begin(segment.to);
         for (std::uint32_t i = 0; i < segments; ++i) {
             if (i != 0) {
@@ -74,9 +78,9 @@ private:
         outline.end(segment.to, ends_meet && flat_.is_whole());
     }
 
-    static bool end_where_began(const Pair<Segment>& first, const Pair<Segment>& last)
+    static bool end_where_began(const Pair<Point>& first, const Pair<Segment>& last)
     {
-        return first.a.from == last.a.to && first.b.from == last.b.to;
+        return first.a == last.a.to && first.b == last.b.to;
     }
 
     [[gnu::cold]] Point seen(Pair<Point> flat, Pair<Point> depths) const;

@@ -79,12 +79,20 @@ void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement,
 /// Apart, so that the stack has what they are made of only as long as they are made.
 [[gnu::noinline]] LiveStrokes ObjectStrokes::live_strokes(const Affine& placement) const
 {
-    return {carried(from_), carried(to_), way_, backbones(nullptr), placement};
+    const SceneView& scene = on_panel_.scene;
+    return {{scene.drawing(from_.drawing).strokes(), scene.drawing(to_.drawing).strokes()},
+            [this](bool is_second) { return carried(is_second ? to_ : from_); },
+            way_,
+            backbones(nullptr),
+            placement};
 }
 
 [[gnu::noinline]] LiveWires ObjectStrokes::live_wires(const Projection& projection) const
 {
-    return {wires(from_), wires(to_), way_, projection};
+    const auto wires = [](const Shown& shown) {
+        return WireDrawing{shown.drawing, static_cast<std::uint32_t>(shown.more)};
+    };
+    return {on_panel_.scene.drawings(), wires(from_), wires(to_), way_, projection};
 }
 
 CarriedDrawing ObjectStrokes::carried(const Shown& shown) const
@@ -103,12 +111,6 @@ CarriedDrawing ObjectStrokes::carried_by_bones(std::uint32_t drawing, std::int32
             on_panel_.bones.subspan(object_.of)};
 }
 
-WireDrawing ObjectStrokes::wires(const Shown& shown) const
-{
-    return {on_panel_.scene.drawing(shown.drawing),
-            on_panel_.scene.drawing(static_cast<std::uint32_t>(shown.more))};
-}
-
 /// Null if none carry the object.
 const LiveBackbones* ObjectStrokes::backbones(PictureCache* cache) const
 {
@@ -121,19 +123,25 @@ const LiveBackbones& ObjectStrokes::live_backbones(PictureCache* cache) const
 {
     if (backbones_)
         return *backbones_;
-    const SceneView& scene = on_panel_.scene;
     const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
-    const Progress way = on_panel_.prepared.progress(keys);
     const auto from = static_cast<std::uint32_t>(keys.from);
     const auto to = static_cast<std::uint32_t>(keys.to);
-    const std::span<BackboneNode> nodes = on_panel_.backbone_nodes;
-    const std::uint32_t unit_bits = object_.unit_bits;
-    const auto both = cache != nullptr ? kept_tween(*cache, scene.drawings(), from, to) : std::nullopt;
+    const auto both =
+        cache != nullptr ? kept_tween(*cache, on_panel_.scene.drawings(), from, to) : std::nullopt;
     if (both)
-        backbones_.emplace(nodes, unit_bits, *both, way);
+        backbones_.emplace(on_panel_.backbone_nodes, object_.unit_bits, *both,
+                           on_panel_.prepared.progress(keys));
     else
-        backbones_.emplace(nodes, unit_bits, scene.drawing(from), scene.drawing(to), way);
+        read_backbones(from, to);
     return *backbones_;
+}
+
+/// Apart, so that the stack has the readers only where they are wanted.
+[[gnu::noinline]] void ObjectStrokes::read_backbones(std::uint32_t from, std::uint32_t to) const
+{
+    const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
+    backbones_.emplace(on_panel_.backbone_nodes, object_.unit_bits, on_panel_.scene.drawing(from),
+                       on_panel_.scene.drawing(to), on_panel_.prepared.progress(keys));
 }
 
 }

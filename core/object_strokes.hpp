@@ -96,9 +96,9 @@ private:
     }
     LiveStrokes live_strokes(const Affine& placement) const;
     CarriedDrawing carried(const Shown& shown) const;
-    WireDrawing wires(const Shown& shown) const;
     LiveWires live_wires(const Projection& projection) const;
     const LiveBackbones* backbones(PictureCache* cache) const;
+    void read_backbones(std::uint32_t from, std::uint32_t to) const;
 
     const SceneOnPanel& on_panel_;
     const Node& object_;

@@ -64,6 +64,8 @@ public:
     Size panel() const { return panel_; }
     /// The picture that show() has computed.
     const raster::Picture& picture() const { return renderer_.picture(); }
+    /// For want of room in the block its curves are coarser, or parts of it are missing.
+    bool is_coarse() const { return picture().is_coarse(); }
     /// How much of what the panel shows is not known, once draw_changes() has drawn it: for want of room,
     /// these bands of rows are drawn whole the next time.
     int unrecorded_bands() const { return renderer_.unrecorded_bands(); }

@@ -52,6 +52,12 @@ public:
 
     /// Only when the result holds no value.
     constexpr Error error() const { return error_; }
+    /// There is no value any more.
+    constexpr void fail(Error error)
+    {
+        value_.reset();
+        error_ = error;
+    }
 
 private:
     std::optional<T> value_;

@@ -117,6 +117,7 @@ bool SceneCheck::check_whole()
     scene_.paint_steps_ = totals.paint_steps;
     scene_.blended_depth_ = totals.blended;
     scene_.records_.spaces = totals.spaces;
+    scene_.records_.levels = totals.depth + 2U; // the scene and a leaf
     scene_.cost_ = static_cast<std::uint16_t>(cost_.most());
     if (scene_.cost_ == PictureCost::max)
         error_ = Error::too_slow;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/features.hpp"
-#include "core/kfb_limits.hpp"
 #include "core/label_view.hpp"
 #include "core/picture_cost.hpp"
 #include "core/read_allowance.hpp"
@@ -11,14 +10,18 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace kfast {
 
 /// Looks for everything that can be wrong within the sections of a scene, and counts what it needs.
 class SceneCheck {
 public:
-    /// `scene` has its header and sections.
-    explicit SceneCheck(SceneView& scene) : scene_{scene}, allowance_{scene.size()}, parts_{scene.length()} {}
+    /// `scene` has its header and sections; `symbols` is room for what is found of as many as it has.
+    SceneCheck(SceneView& scene, std::span<ItemTotals> symbols)
+        : scene_{scene}, allowance_{scene.size()}, parts_{scene.length()}, symbols_{symbols}
+    {
+    }
 
     /// Whether nothing is wrong; then the scene knows what its pictures take.
     bool passes();
@@ -108,7 +111,7 @@ private:
     ReadAllowance allowance_;
     SceneParts parts_;
     std::array<std::uint32_t, 8> holds_{}; ///< a bit for each pair of laws that is hold
-    std::array<ItemTotals, kfb::max_symbols> symbols_{};
+    std::span<ItemTotals> symbols_;
     std::array<CheckedDrawing, 32> checked_{}; ///< where the last bits of their offsets lead
     // Of the symbol that is looked at, or of the scene.
     PictureCost cost_;

@@ -48,6 +48,21 @@ bool is_sound(const Binding& binding, std::uint32_t bones)
     return sound;
 }
 
+/// Whether each point of a drawing that has been checked follows bones that there are.
+[[gnu::cold, gnu::noinline]] bool has_bindings(PackedDrawing& drawing, SkinReader& skin, std::uint32_t bones)
+{
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        for (std::uint32_t i = 0; i <= segments; ++i) {
+            if (!is_sound(skin.next(), bones) || !skin.is_sound())
+                return false;
+            if (i != segments)
+                drawing.next_segment();
+        }
+    }
+    return skin.run_is_over() && skin.is_sound();
+}
+
 }
 
 bool SceneCheck::check_object(const ObjectView& object)
@@ -160,8 +175,8 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
         const BackboneKey key = keys.next();
         if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
             !check_drawing(key.drawing) || !may_read(drawing_points_) ||
-            !are_backbones(scene_.drawing(key.drawing)) ||
-            !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(first)))
+            !are_backbones(scene_.drawings_, key.drawing) ||
+            !is_built_alike(scene_.drawings_, key.drawing, first))
             return false;
         before = key.time;
     }
@@ -173,8 +188,8 @@ bool SceneCheck::check_depths(const Key& key)
 {
     const auto depths = static_cast<std::uint32_t>(key.more);
     return check_drawing(depths) && may_read(drawing_points_) &&
-           has_only_lines(scene_.drawing(key.drawing)) &&
-           is_built_alike(scene_.drawing(key.drawing), scene_.drawing(depths));
+           has_only_lines(scene_.drawings_, key.drawing) &&
+           is_built_alike(scene_.drawings_, key.drawing, depths);
 }
 
 bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
@@ -186,21 +201,12 @@ bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
     SkinReader skin = scene_.skin(key.more);
     if (skin.has_drawing_at_rest() &&
         (!check_drawing(skin.drawing_at_rest()) ||
-         !is_built_alike(scene_.drawing(key.drawing), scene_.drawing(skin.drawing_at_rest()))))
+         !is_built_alike(scene_.drawings_, key.drawing, skin.drawing_at_rest())))
         return false;
-    PackedDrawing drawing = scene_.drawing(key.drawing);
     if (!may_read(drawing_points_))
         return false;
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
-        const std::uint32_t segments = drawing.next_stroke();
-        for (std::uint32_t i = 0; i <= segments; ++i) {
-            if (!is_sound(skin.next(), bones) || !skin.is_sound())
-                return false;
-            if (i != segments)
-                drawing.next_segment();
-        }
-    }
-    return skin.run_is_over() && skin.is_sound();
+    PackedDrawing drawing = scene_.drawing(key.drawing);
+    return has_bindings(drawing, skin, bones);
 }
 
 bool SceneCheck::check_path(const ItemView& item)

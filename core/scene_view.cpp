@@ -9,6 +9,8 @@
 #include "core/usual_camera.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -43,6 +45,16 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
 [[gnu::cold]] Result<SceneView> SceneView::parse(std::span<const std::byte> bytes, const Features& features,
                                                  std::uint32_t* item)
 {
+    Result<SceneView> scene{std::in_place, Unread{}}; // in its place at once, for a small stack
+    scene->features_ = features;
+    if (const auto error = scene->read(bytes, item))
+        scene.fail(*error);
+    return scene;
+}
+
+/// Why it cannot be played.
+[[gnu::cold]] std::optional<Error> SceneView::read(std::span<const std::byte> bytes, std::uint32_t* item)
+{
     ByteReader reader{bytes};
     const std::uint32_t tag = reader.u32();
     const std::uint32_t checksum = reader.u32();
@@ -53,28 +65,38 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
         return Error::unsupported_version;
     if (reader.overrun() || reader.left() < body)
         return Error::truncated;
-    SceneView scene;
-    scene.features_ = features;
-    scene.size_ = bytes.size() - reader.left() + body;
+    size_ = bytes.size() - reader.left() + body;
     Crc32 crc;
-    crc.add(bytes.first(scene.size_).subspan(checksum_end));
+    crc.add(bytes.first(size_).subspan(checksum_end));
     if (crc.value() != checksum)
         return Error::bad_checksum;
-    if (!scene.read_sections(reader.take(body)))
+    if (!read_sections(reader.take(body)))
         return Error::bad_scene;
-    if (const auto error = scene.check(item))
-        return *error;
-    if (!scene.count_records())
+    if (const auto error = check(item))
+        return error;
+    if (!count_records())
         return Error::bad_scene;
-    if (scene.cost_ == PictureCost::max)
-        return Error::too_slow;
-    return scene;
+    return cost_ == PictureCost::max ? std::optional{Error::too_slow} : std::nullopt;
 }
 
-// Apart: it needs some 4 KB of stack.
-[[gnu::cold, gnu::noinline]] std::optional<Error> SceneView::check(std::uint32_t* item)
+/// Few scenes have many symbols: only for these it takes 3 KB more of the stack.
+[[gnu::cold]] std::optional<Error> SceneView::check(std::uint32_t* item)
 {
-    SceneCheck check{*this};
+    constexpr std::size_t few = 12;
+    return symbol_count_ <= few ? check_in_room<few>(item) : check_in_room<kfb::max_symbols>(item);
+}
+
+template <std::size_t symbols>
+[[gnu::cold, gnu::noinline]] std::optional<Error> SceneView::check_in_room(std::uint32_t* item)
+{
+    std::array<ItemTotals, symbols> room{};
+    return check(item, std::span{room}.first(symbol_count_));
+}
+
+[[gnu::cold, gnu::noinline]] std::optional<Error> SceneView::check(std::uint32_t* item,
+                                                                   std::span<ItemTotals> symbols)
+{
+    SceneCheck check{*this, symbols};
     const bool passes = check.passes();
     if (item != nullptr)
         *item = check.item();
@@ -86,9 +108,10 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
 {
     Preparer preparer{*this, {}};
     preparer.run();
-    const std::uint32_t spaces = records_.spaces;
+    const SceneRecords nested = records_;
     records_ = preparer.records();
-    records_.spaces = spaces;
+    records_.spaces = nested.spaces;
+    records_.levels = nested.levels;
     const std::uint32_t cost = cost_ + cost_of_records(records_, preparer.keys(), borders_);
     cost_ = static_cast<std::uint16_t>(std::min(cost, PictureCost::max));
     return records_.timelines < LiveTrack::no_timeline && records_.tracks <= kfb::max_tracks &&

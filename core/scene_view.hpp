@@ -22,6 +22,8 @@
 
 namespace kfast {
 
+struct ItemTotals;
+
 /// What a scene takes that is laid out to be played (core/evaluator/prepared_scene.hpp).
 struct SceneRecords {
     std::uint32_t timelines = 0; ///< sets of two or more key times that are stored
@@ -29,6 +31,7 @@ struct SceneRecords {
     std::uint32_t nodes = 0;     ///< items as they are stored, symbols, and the scene
     std::uint32_t bones = 0;     ///< of all skeletons
     std::uint32_t spaces = 0;    ///< of items that are placed and lie in each other
+    std::uint32_t levels = 0;    ///< items that lie in each other, and the scene
 };
 
 /// A checked, borrowed look at the bytes of a compiled scene (docs/format.md).
@@ -36,7 +39,14 @@ struct SceneRecords {
 /// Everything that can be wrong with the bytes is found by parse(). Every other member is total: it cannot
 /// fail and does not look twice.
 class SceneView {
+    struct Unread {
+        explicit Unread() = default;
+    };
+
 public:
+    /// For parse() alone.
+    explicit SceneView(Unread) {}
+
     /// `bytes` must outlive the view; more bytes than the scene has are ignored. `features` are those that
     /// the program has to play it with. Fails with truncated, bad_magic, unsupported_version, bad_checksum,
     /// bad_scene, too_slow, or with the first feature that the scene needs and the program has not. Behind
@@ -142,10 +152,12 @@ public:
 private:
     friend class SceneCheck;
 
-    SceneView() = default;
-
+    std::optional<Error> read(std::span<const std::byte> bytes, std::uint32_t* item);
     bool read_sections(ByteReader reader);
     std::optional<Error> check(std::uint32_t* item);
+    std::optional<Error> check(std::uint32_t* item, std::span<ItemTotals> symbols);
+    template <std::size_t symbols>
+    std::optional<Error> check_in_room(std::uint32_t* item);
     bool count_records();
 
     Features features_;

@@ -62,6 +62,8 @@ public:
 
     /// There is one more point.
     const Binding& next();
+    /// What next() returned last.
+    const Binding& binding() const { return binding_; }
 
     /// Whether everything that has been read so far was within the bytes.
     bool is_sound() const { return !bytes_.overrun(); }

@@ -164,10 +164,9 @@ namespace {
 [[gnu::cold, gnu::noinline]] EqualizedPair<CarriedDrawing> equalized(const PictureCache::Name& name,
                                                                      std::span<const std::byte> drawings)
 {
-    const CarriedDrawing from{drawing_at(drawings, name[0])};
-    if (name[0] == name[1])
-        return EqualizedPair{from};
-    return EqualizedPair{from, CarriedDrawing{drawing_at(drawings, name[1])}};
+    return {drawing_at(drawings, name[0]).strokes(), drawing_at(drawings, name[1]).strokes(),
+            name[0] == name[1],
+            [&](bool is_second) { return CarriedDrawing{drawing_at(drawings, name[is_second ? 1 : 0])}; }};
 }
 
 /// Null if they find no room.

@@ -68,7 +68,7 @@ Result<BeamPlayer> BeamPlayer::create(const SceneView& scene, const BeamProfile&
     const std::size_t bytes = block_bytes(scene, profile);
     if (block.size() < bytes)
         return Error::block_too_small;
-    return BeamPlayer{scene, profile, budget, block.first(bytes)};
+    return Result<BeamPlayer>{std::in_place, scene, profile, budget, block.first(bytes)};
 }
 
 BeamPlayer::BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
@@ -101,6 +101,7 @@ void BeamPlayer::trace()
     tracer.run();
     dependence_ = tracer.dependence();
     wider_hatchings_ = tracer.wider_hatchings();
+    is_coarse_ = tracer.coarseness() != 0 || wider_hatchings_ != 0 || lines_.is_full();
     const std::span<BeamLeg> legs = leg_storage_.first(lines_.size());
     compared_ = find_route(lines_, profile_.park, legs);
     legs_ = legs;

@@ -49,7 +49,13 @@ public:
     /// As show(), but without loop: the scene's beginning before it and its very end from there on.
     void show_moment(Time moment);
 
+    /// As create(), but `block` has block_bytes(), no more and no less.
+    [[gnu::cold, gnu::noinline]] BeamPlayer(const SceneView& scene, const BeamProfile& profile,
+                                            std::uint32_t budget, std::span<std::byte> block);
+
     const BeamReport& report() const { return report_; }
+    /// For want of room in the block its curves are coarser, hatchings wider, or lines of it are missing.
+    bool is_coarse() const { return is_coarse_; }
     /// The points of the picture, from its beginning. They can be repeated as they are: the last one is
     /// followed by the first one. At least one: where there is nothing to draw, the beam is parked. Valid
     /// until the next call of show().
@@ -57,9 +63,6 @@ public:
     const BeamProfile& profile() const { return profile_; }
 
 private:
-    BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
-               std::span<std::byte> block);
-
     void trace();
     void measure();
 
@@ -72,6 +75,7 @@ private:
     BeamReport report_;
     std::uint32_t compared_ = 0;
     std::uint32_t wider_hatchings_ = 0;
+    bool is_coarse_ = false;
     Dependence dependence_; ///< of the picture
 };
 

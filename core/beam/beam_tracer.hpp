@@ -24,6 +24,8 @@ public:
     void run();
     /// What moves the picture.
     const Dependence& dependence() const { return dependence_; }
+    /// How often the pieces of curves were made twice as long to find room.
+    int coarseness() const { return coarseness_; }
     /// Of so many objects the hatching had to be wider than told, to find room.
     std::uint32_t wider_hatchings() const { return wider_hatchings_; }
 

@@ -1,8 +1,10 @@
 #include "core/evaluator/prepare.hpp"
 
 #include "core/feature_code.hpp"
+#include "core/kfb_limits.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace kfast {
 namespace {
@@ -61,36 +63,45 @@ void Preparer::add_symbols()
         add_root(scene_.symbol(number));
 }
 
-/// Its number.
+/// A node and all that lies within it; its number. Groups are entered in a loop: their levels take less of
+/// the stack than calls would.
 std::uint32_t Preparer::add_root(ItemCursor items)
 {
-    const std::uint32_t number = records_.nodes++;
-    Node root;
-    root.is_ordered = add_items(items);
-    finish(number, root);
-    return number;
+    std::array<Level, kfb::max_depth + 1> levels{};
+    Level* level = levels.data();
+    *level = {items, add_node({})};
+    for (;;) {
+        if (level->items.at_end()) {
+            finish(level->node);
+            if (level == levels.data())
+                return level->node;
+            --level;
+            continue;
+        }
+        const ItemView item = level->items.next();
+        const std::uint32_t number = add_item(item, level->node);
+        if (item.kind == ItemKind::group)
+            *++level = {ItemCursor{item.items}, number};
+        else
+            finish(number);
+    }
 }
 
-/// Whether one of them has an order. Calls itself no deeper than groups lie in each other, kfb::max_depth.
-bool Preparer::add_items(ItemCursor items)
+/// What it is besides what lies within it; its number.
+std::uint32_t Preparer::add_item(const ItemView& item, std::uint32_t around)
 {
-    bool are_ordered = false;
-    while (!items.at_end())
-        are_ordered = add_item(items.next()) || are_ordered;
-    return are_ordered;
-}
-
-bool Preparer::add_item(const ItemView& item)
-{
-    const std::uint32_t number = records_.nodes++;
     Node node = node_of(item);
-    const bool has_order = add_tracks(item, node);
+    if (add_tracks(item, node) && around < room_.nodes.size())
+        room_.nodes[around].is_ordered = true;
     if (item.kind == ItemKind::object)
         add_keys(item.object);
-    if (item.kind == ItemKind::group)
-        node.is_ordered = add_items(ItemCursor{item.items});
-    finish(number, node);
-    return has_order;
+    return add_node(node);
+}
+
+std::uint32_t Preparer::add_node(const Node& node)
+{
+    put_at(room_.nodes, records_.nodes, node);
+    return records_.nodes++;
 }
 
 Node Preparer::node_of(const ItemView& item) const
@@ -205,11 +216,13 @@ bool Preparer::has_several_layers(std::uint32_t number, const Node& node) const
     return inside.end != node.end || inside.has_several_layers;
 }
 
-void Preparer::finish(std::uint32_t number, Node& node)
+void Preparer::finish(std::uint32_t number)
 {
+    if (number >= room_.nodes.size())
+        return;
+    Node& node = room_.nodes[number];
     node.end = static_cast<std::uint16_t>(records_.nodes);
     node.has_several_layers = has_several_layers(number, node);
-    put_at(room_.nodes, number, node);
 }
 
 }

@@ -34,11 +34,17 @@ public:
     std::uint32_t root() const { return root_; }
 
 private:
+    /// Items beside each other, and the node that they lie in.
+    struct Level {
+        ItemCursor items{ByteReader{{}}};
+        std::uint32_t node = 0;
+    };
+
     void add_bones(const BonesView& skeleton, std::uint32_t first);
     void add_symbols();
     std::uint32_t add_root(ItemCursor items);
-    bool add_items(ItemCursor items);
-    bool add_item(const ItemView& item);
+    std::uint32_t add_item(const ItemView& item, std::uint32_t around);
+    std::uint32_t add_node(const Node& node);
     Node node_of(const ItemView& item) const;
     std::uint16_t symbol_node(std::uint32_t symbol) const;
     bool add_tracks(const ItemView& item, Node& node);
@@ -48,7 +54,7 @@ private:
     void add_track(const LiveTrack& track);
     std::uint16_t timeline_of(const BeatCursor& beats, bool is_smooth);
     bool has_several_layers(std::uint32_t number, const Node& node) const;
-    void finish(std::uint32_t number, Node& node);
+    void finish(std::uint32_t number);
 
     const SceneView& scene_;
     Room room_;

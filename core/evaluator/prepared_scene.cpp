@@ -13,6 +13,7 @@ std::size_t timeline_bytes(const SceneView& scene) { return scene.records().time
 std::size_t track_bytes(const SceneView& scene) { return scene.records().tracks * sizeof(LiveTrack); }
 std::size_t node_bytes(const SceneView& scene) { return scene.records().nodes * sizeof(Node); }
 std::size_t bone_bytes(const SceneView& scene) { return scene.records().bones * sizeof(BoneNode); }
+std::size_t level_bytes(const SceneView& scene) { return scene.records().levels * sizeof(WalkLevel); }
 
 /// Values as `track` has them stored.
 PackedValues values_of(const SceneView& scene, const LiveTrack& track, std::uint32_t count)
@@ -32,7 +33,8 @@ ItemView item_view(const SceneView& scene, const Node& node)
 
 std::size_t PreparedScene::bytes_for(const SceneView& scene)
 {
-    return timeline_bytes(scene) + track_bytes(scene) + node_bytes(scene) + bone_bytes(scene);
+    return timeline_bytes(scene) + track_bytes(scene) + node_bytes(scene) + bone_bytes(scene) +
+           level_bytes(scene);
 }
 
 PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory)
@@ -42,6 +44,7 @@ PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory
     tracks_ = cutter.cut_as<LiveTrack>(track_bytes(scene));
     nodes_ = cutter.cut_as<Node>(node_bytes(scene));
     bones_ = cutter.cut_as<BoneNode>(bone_bytes(scene));
+    levels_ = cutter.cut_as<WalkLevel>(level_bytes(scene));
     Preparer preparer{scene, {timelines_, tracks_, nodes_, bones_}};
     preparer.run();
     root_ = static_cast<std::uint16_t>(preparer.root());

@@ -3,6 +3,7 @@
 #include "core/dependence.hpp"
 #include "core/evaluator/key_timeline.hpp"
 #include "core/evaluator/node.hpp"
+#include "core/evaluator/walk_level.hpp"
 #include "core/moment.hpp"
 #include "core/scene_view.hpp"
 
@@ -23,6 +24,7 @@ ItemView item_view(const SceneView& scene, const Node& node);
 ///     tracks      values at the two keys around        LiveTrack, of items, of objects' keys, of bones
 ///     nodes       items in the order of the scene      Node
 ///     bones       of all skeletons                     BoneNode
+///     levels      room for one walk at a time          WalkLevel
 class PreparedScene {
 public:
     /// What its memory takes, a multiple of 4.
@@ -47,6 +49,7 @@ public:
     /// Within which the items of a group or of a used symbol lie.
     const Node& inside(const Node& node) const { return node.kind == ItemKind::use ? nodes_[node.of] : node; }
     std::span<const BoneNode> bones() const { return bones_; }
+    std::span<WalkLevel> levels() const { return levels_; }
 
     /// Of its properties, in their order.
     std::span<const LiveTrack> tracks(const Node& node) const
@@ -103,6 +106,7 @@ private:
     std::span<LiveTrack> tracks_;
     std::span<Node> nodes_;
     std::span<BoneNode> bones_;
+    std::span<WalkLevel> levels_;
     std::uint16_t root_ = 0;
     Dependence moved_;
 };

@@ -17,10 +17,10 @@ bool shapes(Property property) { return places_item(property) || property == Pro
 
 }
 
-SceneWalk::SceneWalk(const SceneOnPanel& on_panel, Opacity opacity) : on_panel_{on_panel}, opacity_{opacity}
+SceneWalk::SceneWalk(const SceneOnPanel& on_panel, Opacity opacity)
+    : on_panel_{on_panel}, opacity_{opacity}, top_{levels()}, current_{top_}
 {
-    top_->node = &on_panel.prepared.root();
-    top_->space = &on_panel.canvas;
+    *top_ = {.node = number_of(on_panel.prepared.root()), .has_space = true};
     begin_inside(*top_);
 }
 
@@ -37,7 +37,7 @@ SceneWalk::Step SceneWalk::next()
                 return Step::begin_group;
             continue;
         }
-        if (top_ == levels_.data())
+        if (top_ == levels())
             return Step::end;
         --top_;
         if (current_->is_blended)
@@ -48,7 +48,7 @@ SceneWalk::Step SceneWalk::next()
 /// Whether it is seen.
 bool SceneWalk::enter(const Node& node)
 {
-    const Level& outer = *top_;
+    const WalkLevel& outer = *top_;
     const PreparedScene& prepared = on_panel_.prepared;
     const std::uint32_t path = path_to(node.place, outer.path);
     work_for(path);
@@ -77,24 +77,24 @@ void SceneWalk::push(const Node& node, std::uint32_t path, std::uint32_t opacity
                      const Dependence& dependence)
 {
     const std::uint8_t placed_around = top_->placed;
-    Level& level = *++top_;
-    level.node = &node;
+    WalkLevel& level = *++top_;
+    level.node = number_of(node);
     level.path = path;
-    level.opacity = opacity;
+    level.opacity = static_cast<std::uint8_t>(opacity);
     level.dependence = dependence;
     level.is_blended = opacity != opaque && opacity_ == Opacity::of_groups && node.has_several_layers;
     level.is_to_come = node.is_leaf();
     level.placed = static_cast<std::uint8_t>(placed_around + (node.is_placed ? 1 : 0));
-    level.space = nullptr;
+    level.has_space = false;
     level.is_ordered = false;
     level.next = level.end = 0;
     if (!node.is_leaf())
         begin_inside(level);
 }
 
-void SceneWalk::begin_inside(Level& level) const
+void SceneWalk::begin_inside(WalkLevel& level) const
 {
-    const Node& inside = on_panel_.prepared.inside(*level.node);
+    const Node& inside = on_panel_.prepared.inside(node_of(level));
     level.first = static_cast<std::uint16_t>(number_of(inside) + 1);
     level.next = level.first;
     level.end = inside.end;
@@ -104,7 +104,7 @@ void SceneWalk::begin_inside(Level& level) const
 }
 
 /// Null behind the last one.
-const Node* SceneWalk::next_in(Level& level) const
+const Node* SceneWalk::next_in(WalkLevel& level) const
 {
     if (level.is_ordered)
         return next_by_order(level);
@@ -117,7 +117,7 @@ const Node* SceneWalk::next_in(Level& level) const
 
 /// The lowest order first, and of equals the first: they are passed once for each order that they have at the
 /// moment.
-const Node* SceneWalk::next_by_order(Level& level) const
+const Node* SceneWalk::next_by_order(WalkLevel& level) const
 {
     for (;;) {
         while (level.next != level.end) {
@@ -146,20 +146,19 @@ std::int32_t SceneWalk::order_of(const Node& node) const
 
 const Space& SceneWalk::space()
 {
-    Level* known = current_;
-    while (known->space == nullptr)
-        --known;
-    const Space* outer = known->space;
-    for (Level* level = known + 1; level <= current_; ++level) {
-        if (level->node->is_placed) {
-            const ItemState state{on_panel_.scene, on_panel_.prepared, *level->node};
-            Space& own = on_panel_.spaces[level->placed - 1U];
-            own = product(*outer, state.placement(), on_panel_.scene.features());
-            outer = &own;
+    WalkLevel* level = current_;
+    while (!level->has_space)
+        --level;
+    while (level != current_) {
+        const Space& outer = space_of(*level++);
+        level->has_space = true;
+        if (const Node& node = node_of(*level); node.is_placed) {
+            const ItemState state{on_panel_.scene, on_panel_.prepared, node};
+            on_panel_.spaces[level->placed - 1U] =
+                product(outer, state.placement(), on_panel_.scene.features());
         }
-        level->space = outer;
     }
-    return *outer;
+    return space_of(*current_);
 }
 
 }

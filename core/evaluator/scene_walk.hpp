@@ -3,12 +3,11 @@
 #include "core/dependence.hpp"
 #include "core/evaluator/node.hpp"
 #include "core/evaluator/prepared_scene.hpp"
+#include "core/evaluator/walk_level.hpp"
 #include "core/item_state.hpp"
-#include "core/kfb_limits.hpp"
 #include "core/scene_on_panel.hpp"
 #include "core/space.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -28,14 +27,15 @@ public:
     /// What opacities of groups apply to: their finished pictures, or each leaf inside.
     enum class Opacity : std::uint8_t { of_groups, of_leaves };
 
-    /// `on_panel` has been moved to a moment; it must outlive the walk, which uses its room for spaces.
+    /// `on_panel` has been moved to a moment; it must outlive the walk, which uses its room for levels and
+    /// spaces.
     SceneWalk(const SceneOnPanel& on_panel, Opacity opacity);
 
     Step next();
 
     // Of what the last step was about.
 
-    const Node& node() const { return *current_->node; }
+    const Node& node() const { return node_of(*current_); }
     ItemState state() const { return {on_panel_.scene, on_panel_.prepared, node()}; }
     /// Tells it apart (core/item_path.hpp).
     std::uint32_t path() const { return current_->path; }
@@ -50,53 +50,42 @@ public:
     /// From its own coordinates to the panel; computed when it is first asked for.
     const Space& space();
     /// It and the groups and uses around it, the outermost first: that of the level 0 … depth() - 1.
-    const Node& node(std::size_t level) const { return *levels_[level + 1].node; }
-    std::size_t depth() const { return static_cast<std::size_t>(current_ - levels_.data()); }
+    const Node& node(std::size_t level) const { return node_of(levels()[level + 1]); }
+    std::size_t depth() const { return static_cast<std::size_t>(current_ - levels()); }
 
     /// On what the whole picture depends, as far as it was walked through: all tracks of what is seen, and of
     /// what is not those that could show it.
     const Dependence& whole() const { return whole_; }
 
 private:
-    /// A node on the way from the scene to the present one.
-    struct Level {
-        const Node* node = nullptr;
-        std::uint16_t first = 0; ///< nodes that lie within it
-        std::uint16_t next = 0;
-        std::uint16_t end = 0;
-        bool is_ordered = false;     ///< some of them have an order
-        bool is_blended = false;     ///< as a whole
-        bool is_to_come = false;     ///< a leaf that was not told yet
-        std::uint8_t placed = 0;     ///< so many have spaces of their own, it and those around it
-        std::int32_t order = 0;      ///< of the nodes that are passed now
-        std::int32_t next_order = 0; ///< the lowest above it, of those passed
-        std::uint32_t path = 0;
-        std::uint32_t opacity = 255; ///< of its picture if it is blended, else of all that lies within it
-        Dependence dependence;
-        const Space* space = nullptr; ///< its own, or that of what lies around; null until it is computed
-    };
-
-    static constexpr std::size_t max_levels = kfb::max_depth + 2; ///< the scene, groups and uses, a leaf
     static constexpr std::int32_t no_order = std::numeric_limits<std::int32_t>::max();
 
     /// What applies to the colours of what lies within it.
-    static std::uint32_t inner_opacity(const Level& level) { return level.is_blended ? 255 : level.opacity; }
-    const Node* next_in(Level& level) const;
-    const Node* next_by_order(Level& level) const;
+    static std::uint32_t inner_opacity(const WalkLevel& level)
+    {
+        return level.is_blended ? 255 : level.opacity;
+    }
+    WalkLevel* levels() const { return on_panel_.prepared.levels().data(); }
+    const Node& node_of(const WalkLevel& level) const { return on_panel_.prepared.nodes()[level.node]; }
+    const Space& space_of(const WalkLevel& level) const
+    {
+        return level.placed == 0 ? on_panel_.canvas : on_panel_.spaces[level.placed - 1U];
+    }
+    const Node* next_in(WalkLevel& level) const;
+    const Node* next_by_order(WalkLevel& level) const;
     std::int32_t order_of(const Node& node) const;
     bool enter(const Node& node);
     void push(const Node& node, std::uint32_t path, std::uint32_t opacity, const Dependence& dependence);
-    void begin_inside(Level& level) const;
-    std::uint32_t number_of(const Node& node) const
+    void begin_inside(WalkLevel& level) const;
+    std::uint16_t number_of(const Node& node) const
     {
-        return static_cast<std::uint32_t>(&node - on_panel_.prepared.nodes().data());
+        return static_cast<std::uint16_t>(&node - on_panel_.prepared.nodes().data());
     }
 
     const SceneOnPanel& on_panel_;
     Opacity opacity_;
-    std::array<Level, max_levels> levels_;
-    Level* top_ = levels_.data();
-    Level* current_ = levels_.data();
+    WalkLevel* top_;
+    WalkLevel* current_;
     Dependence leaf_dependence_;
     Dependence whole_;
 };

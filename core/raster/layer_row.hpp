@@ -17,6 +17,10 @@ namespace kfast::raster {
 /// areas where they share a pixel, begin or end.
 class LayerRow {
 public:
+    /// `sums` are empty, and so they are between rows.
+    explicit LayerRow(CoverageSums& sums) : sums_{sums} {}
+    LayerRow(const LayerRow&) = delete;
+
     /// The chains of a layer that lie in a region; columns are counted from `left` from now on, and end at
     /// `columns`. False if there are none.
     bool begin(const Band& band, const Region& region, std::uint16_t layer, FillRule rule, int left,
@@ -104,7 +108,7 @@ private:
     std::array<const RowChain*, max_edges>
         bent_; ///< in place of an edge: one that bends; null if it does not
     std::array<RowChain, max_group> group_;
-    CoverageSums sums_;
+    CoverageSums& sums_;
 };
 
 }

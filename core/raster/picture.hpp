@@ -20,6 +20,9 @@ struct Picture {
     Dependence dependence;       ///< on what it depends: the same as long as nothing of that moves
     std::uint8_t coarseness = 0; ///< how often the pieces of curves were made twice as long to find room
 
+    /// For want of room its curves are coarser, or parts of it are missing.
+    bool is_coarse() const { return coarseness != 0 || outlines.is_full(); }
+
     /// There is room for all steps that a scene needs. If two items had the same path and one were taken for
     /// the other, the last step would be lost, but no memory.
     PaintStep& add_step(const PaintStep& step)

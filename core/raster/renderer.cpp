@@ -231,14 +231,14 @@ Renderer::Window Renderer::next_window(int granularity, int gap)
 }
 
 template <class Cells>
-void Renderer::draw_tile(const Tile<Cells>& tile)
+void Renderer::draw_tile(const Tile<Cells>& tile, LayerRow& row)
 {
     using Cell = typename Cells::Cell;
     BandPainter<Cells> painter{
         band_,
         picture_.steps(),
         slots_,
-        row_,
+        row,
         {reinterpret_cast<Cell*>(backdrops_.data()), backdrops_.size() / sizeof(Cell)}};
     const int right = tile.left + tile.columns;
     const Region* const end = regions_.end();
@@ -264,7 +264,7 @@ void Renderer::draw_tile(const Tile<Cells>& tile)
 
 /// An area of the band.
 template <PixelFormat format>
-void Renderer::draw_area(const Rect& area, std::span<std::byte> pixels)
+void Renderer::draw_area(const Rect& area, std::span<std::byte> pixels, LayerRow& row)
 {
     using Pack = Packing<format>;
     using Cells = typename Pack::Cells;
@@ -282,14 +282,14 @@ void Renderer::draw_area(const Rect& area, std::span<std::byte> pixels)
         if constexpr (Pack::is_direct) {
             tile.cells = reinterpret_cast<Cell*>(first);
             tile.stride = area.width;
-            draw_tile(tile);
+            draw_tile(tile, row);
         } else {
             tile.cells = cells.data();
             tile.stride = columns;
-            draw_tile(tile);
-            for (int row = 0; row != area.height; ++row)
-                Pack::pack(tile.cells + row * columns, tile.columns,
-                           first + static_cast<std::size_t>(row) * stride, tile.left, area.y + row);
+            draw_tile(tile, row);
+            for (int y = 0; y != area.height; ++y)
+                Pack::pack(tile.cells + y * columns, tile.columns,
+                           first + static_cast<std::size_t>(y) * stride, tile.left, area.y + y);
         }
     }
     work_for(0);
@@ -308,6 +308,7 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
         begin_changes(band_bits_for(granularity, panel_.width));
         slots_.set_inks<Cells>();
     }
+    LayerRow row{sums_}; // on the stack: evaluation takes as much of it at other times
     std::size_t count = 0;
     const int gap = area_bytes * 8 / bits_per_pixel(format) >> picture_.outlines.band_bits();
     while (count != max_changes) {
@@ -330,7 +331,7 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
             area.width = rounded_down(room, granularity.width);
             bytes = row_bytes(format, area.width) * rows;
         }
-        draw_area<format>(area, pixels.first(bytes));
+        draw_area<format>(area, pixels.first(bytes), row);
         // Whole rows go together; else slow buses take long ways without a break.
         if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area)) {
             extend(changes_[count - 1], area.height, bytes);
@@ -357,6 +358,7 @@ void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
         slots_.set_pictures(picture_.steps(), {});
         slots_.set_inks<Cells>();
     }
+    LayerRow row{sums_};
     for (; rows > 0;) {
         while (band_.number() < first_row >> default_band_bits) {
             band_.advance();
@@ -366,7 +368,7 @@ void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
         const int band_end = std::min(band_.top_row() + (1 << default_band_bits), panel_.height);
         const int part = std::min(rows, band_end - first_row);
         draw_area<format>({0, first_row, panel_.width, part},
-                          pixels.first(stride * static_cast<std::size_t>(part)));
+                          pixels.first(stride * static_cast<std::size_t>(part)), row);
         pixels = pixels.subspan(stride * static_cast<std::size_t>(part));
         first_row += part;
         rows -= part;

@@ -93,9 +93,9 @@ private:
     };
     Window next_window(int granularity, int gap);
     template <PixelFormat format>
-    void draw_area(const Rect& area, std::span<std::byte> pixels);
+    void draw_area(const Rect& area, std::span<std::byte> pixels, LayerRow& row);
     template <class Cells>
-    void draw_tile(const Tile<Cells>& tile);
+    void draw_tile(const Tile<Cells>& tile, LayerRow& row);
 
     Size panel_;
     Picture picture_;
@@ -107,7 +107,7 @@ private:
     Slots slots_;
     Band band_;
     RegionList regions_;
-    LayerRow row_;
+    CoverageSums sums_;                   ///< empty between rows of layers
     int drawn_columns_ = 0;               ///< of the band: areas to the left of here are drawn
     const Region* next_region_ = nullptr; ///< all before it lie to the left of there
     int next_row_ = 0;                    ///< that draw_rows() may go on with

@@ -43,8 +43,9 @@ int LayerProbe::max_coverage(const raster::Band& band, std::size_t step, int row
     const raster::Region all{.end = static_cast<std::int16_t>(player_.panel().width), .first = band.first()};
     const FillRule rule = player_.picture().steps()[step].rule;
     int found = 0;
-    if (row_.begin(band, all, static_cast<std::uint16_t>(step), rule, begin, end - begin))
-        row_.sum_up(row, [&](int, int, int coverage) { found = std::max(found, coverage); });
+    raster::LayerRow layer{sums_};
+    if (layer.begin(band, all, static_cast<std::uint16_t>(step), rule, begin, end - begin))
+        layer.sum_up(row, [&](int, int, int coverage) { found = std::max(found, coverage); });
     return found;
 }
 

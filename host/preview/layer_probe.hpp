@@ -24,7 +24,7 @@ private:
     int max_coverage(const raster::Band& band, std::size_t step, int row, int begin, int end);
 
     Player& player_;
-    raster::LayerRow row_;
+    raster::CoverageSums sums_;
 };
 
 }

@@ -93,14 +93,25 @@ public:
         std::optional<LiveBackbones> backbones;
         if (object_.carrier == Carrier::backbones)
             backbones = live_backbones();
-        LiveStrokes{carried(way_.from.drawing, way_.from.more), carried(way_.arrival, way_.to.more),
-                    way_.progress, backbones ? &*backbones : nullptr, placement}
+        const auto drawing = [this](bool is_second) {
+            return is_second ? carried(way_.arrival, way_.to.more)
+                             : carried(way_.from.drawing, way_.from.more);
+        };
+        LiveStrokes{{drawing(false).strokes(), drawing(true).strokes()},
+                    drawing,
+                    way_.progress,
+                    backbones ? &*backbones : nullptr,
+                    placement}
             .trace(strokes);
     }
 
     void trace(const Projection& projection, StrokeList& strokes) const
     {
-        LiveWires{wires(way_.from), wires(way_.to), way_.progress, projection}.trace(strokes);
+        const auto wires = [](const Key& key) {
+            return WireDrawing{key.drawing, static_cast<std::uint32_t>(key.more)};
+        };
+        LiveWires{on_panel_.scene.drawings(), wires(way_.from), wires(way_.to), way_.progress, projection}
+            .trace(strokes);
     }
 
 private:
@@ -113,12 +124,6 @@ private:
         const SkinReader reader = scene.skin(skin);
         return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
                 on_panel_.bones.subspan(scene.first_bone(object_.skeleton))};
-    }
-
-    WireDrawing wires(const Key& key) const
-    {
-        return {on_panel_.scene.drawing(key.drawing),
-                on_panel_.scene.drawing(static_cast<std::uint32_t>(key.more))};
     }
 
     LiveBackbones live_backbones() const

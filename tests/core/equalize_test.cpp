@@ -287,6 +287,18 @@ TEST_CASE("an empty drawing is its partner drawn together to the centres of its 
     CHECK(strokes[0].is_whole);
     CHECK(strokes[1].a.front() == still_segment(pixels(20, 30)));
     CHECK(strokes[0].hub.a == pixels(4, 6));
+    const auto turned = equalized(square_and_dot, {});
+    REQUIRE(turned.size() == 2);
+    CHECK(turned[0].a == square_and_dot[0].segments);
+    for (const Segment& segment : turned[0].b)
+        CHECK(segment == still_segment(pixels(4, 6)));
+    CHECK(turned[0].hub.b == pixels(4, 6));
+    CHECK(turned[1].b.front() == still_segment(pixels(20, 30)));
+    const ArrayDrawing nothing;
+    EqualizedPair pair{ArrayReader{square_and_dot}, ArrayReader{nothing}};
+    pair.next_stroke();
+    pair.next_segment();
+    CHECK_FALSE(pair.is_plain());
     CHECK(equalized({}, {}).empty());
 }
 

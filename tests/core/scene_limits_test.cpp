@@ -1,7 +1,10 @@
+#include "core/evaluator/scene_walk.hpp"
 #include "core/kfb_limits.hpp"
 #include "tests/core/acceptance.hpp"
+#include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_drawing.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <doctest/doctest.h>
 #include <vector>
@@ -61,6 +64,46 @@ TEST_CASE("groups and uses of symbols lie at most 8 deep in each other")
     CHECK(is_accepted(chain(2, 3)));
     CHECK_FALSE(is_accepted(chain(2, 4)));
     CHECK_FALSE(is_accepted(chain(3, 2)));
+}
+
+TEST_CASE("few symbols and up to 255 are checked alike")
+{
+    for (const int count : {1, 12, 13, 255}) {
+        const auto takes = [count](int depth) {
+            RawScene scene;
+            for (int number = 1; number < count; ++number)
+                scene.add_symbol(triangle());
+            scene.add_symbol(nested(depth, triangle()));
+            scene.items = use(count - 1);
+            return is_accepted(scene);
+        };
+        CHECK(takes(7));
+        CHECK_FALSE(takes(8));
+    }
+}
+
+TEST_CASE("levels are those of what lies in each other, with the scene and a leaf")
+{
+    const auto levels_of = [](const RawScene& scene) {
+        const Bytes file = scene.file();
+        const auto view = SceneView::parse(file);
+        REQUIRE(view);
+        MovedScene moved{*view}; // in memory of just as many bytes
+        const SceneOnPanel shown = moved.on_panel_at({});
+        SceneWalk walk{shown, SceneWalk::Opacity::of_leaves};
+        std::size_t depth = 0;
+        while (walk.next() == SceneWalk::Step::leaf)
+            depth = std::max(depth, walk.depth());
+        CHECK(view->records().levels >= depth + 1);
+        return view->records().levels;
+    };
+    RawScene scene;
+    scene.items = {};
+    CHECK(levels_of(scene) == 2);
+    scene.items = nested(8, triangle());
+    CHECK(levels_of(scene) == 10);
+    CHECK(levels_of(chain(8, 0)) == 10);
+    CHECK(levels_of(chain(2, 3)) == 10);
 }
 
 TEST_CASE("a symbol that is not used may not be too deep by itself either")

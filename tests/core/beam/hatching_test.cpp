@@ -89,10 +89,11 @@ double length_of(const PieceList& list)
 /// The area inside, looked at in the middle of every square of half a pixel.
 double area_of(const std::vector<Polygon>& polygons, FillRule rule)
 {
+    constexpr int reach = 252;
     double area = 0;
-    for (double y = -126; y < 126; y += 0.5)
-        for (double x = -126; x < 126; x += 0.5)
-            area += is_inside(rule, winding_at(polygons, x + 0.26, y + 0.26)) ? 0.25 : 0;
+    for (int y = -reach; y < reach; ++y)
+        for (int x = -reach; x < reach; ++x)
+            area += is_inside(rule, winding_at(polygons, x / 2.0 + 0.26, y / 2.0 + 0.26)) ? 0.25 : 0;
     return area;
 }
 
@@ -110,6 +111,7 @@ TEST_CASE("a square is crossed by lines half a spacing from its edges, if these 
     CHECK(stage.player.report().lines == 10);
     CHECK(stage.player.report().lit_length == 10 * 100 * 256);
     CHECK(stage.player.report().wider_hatchings == 0);
+    CHECK_FALSE(stage.player.is_coarse());
     // from each line to the next at the same side, and the way back
     CHECK(stage.player.report().blanked_length <= (9 + 9 + 100) * 10 * 256);
 }
@@ -213,6 +215,7 @@ TEST_CASE("a hatching without room is wider, and the report tells of it")
         object o fill=white beam=hatch hatch=0.5 { polygon -1900 -1900 1900 -1900 1900 1900 -1900 1900 })"};
     CHECK(stage.player.report().wider_hatchings == 1);
     CHECK(stage.player.report().lines > 0);
+    CHECK(stage.player.is_coarse());
 }
 
 TEST_CASE("a hatching turns in space with its object")

@@ -55,26 +55,27 @@ private:
     void draw_tile(const raster::Band& band, FillRule rule, int left, int columns, bool by_edges)
     {
         const raster::Region all{.end = static_cast<std::int16_t>(size_.width), .first = band.first()};
-        if (!row_.begin(band, all, 0, rule, left, columns))
+        raster::LayerRow layer{sums_};
+        if (!layer.begin(band, all, 0, rule, left, columns))
             return;
         for (int row = 0; row != band.row_count(); ++row) {
             int* const out = levels_.data() + (band.top_row() + row) * size_.width + left;
-            if (by_edges && row_.find_edges(row))
-                draw_edges(out, columns);
+            if (by_edges && layer.find_edges(row))
+                draw_edges(layer, out, columns);
             else
-                row_.sum_up(row, [&](int begin, int end, int coverage) {
+                layer.sum_up(row, [&](int begin, int end, int coverage) {
                     std::fill(out + begin, out + end, coverage);
                 });
         }
     }
 
-    void draw_edges(int* out, int columns)
+    void draw_edges(raster::LayerRow& layer, int* out, int columns)
     {
-        bool is_inside = row_.is_inside_at_left();
+        bool is_inside = layer.is_inside_at_left();
         int column = 0;
-        for (std::size_t i = 0; i != row_.edge_count(); ++i) {
+        for (std::size_t i = 0; i != layer.edge_count(); ++i) {
             raster::CoverageRun run;
-            row_.cover_edge(i, is_inside, run);
+            layer.cover_edge(i, is_inside, run);
             std::fill(out + column, out + run.begin, is_inside ? raster::full_coverage : 0);
             for (column = run.begin; column != run.end; ++column) {
                 const int right = run.pixels[static_cast<std::size_t>(column - run.begin)];
@@ -89,7 +90,7 @@ private:
     std::vector<std::uint32_t> memory_;
     std::vector<std::uint32_t> heads_;
     raster::OutlineStore store_;
-    raster::LayerRow row_;
+    raster::CoverageSums sums_;
     std::vector<int> levels_;
 };
 
