@@ -28,6 +28,7 @@ struct FrameReport {
     Time time;
     std::uint32_t skipped = 0; ///< frames left out since the scene began, because their time had passed
     bool is_late = false;      ///< it had not arrived when the next one was due
+    bool is_coarse = false;    ///< for want of room its curves are coarser, or parts of it are missing
 };
 
 /// What a board calls itself on its test card, in the letters of small_font.hpp.

@@ -84,6 +84,7 @@ void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
         if constexpr (PanelBoard<B>)
             if (std::exchange(is_dark, false))
                 light_panel(board);
+        report.is_coarse = player.is_coarse();
         report.is_late = reached(board.now(), clock.following());
         board.frame_shown(report);
 

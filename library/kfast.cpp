@@ -297,6 +297,11 @@ int kfast_update(kfast_player* player, uint32_t milliseconds, kfast_event_passed
 
 int kfast_finished(const kfast_player* player) { return player != nullptr && player->playback.finished(); }
 
+int kfast_is_coarse(const kfast_player* player)
+{
+    return player != nullptr && player->playback.animation().is_coarse();
+}
+
 kfast_error kfast_draw_rgb565(kfast_player* player, void* buffer, size_t buffer_bytes,
                               kfast_draw_rectangle draw_rectangle, void* user)
 {

@@ -180,6 +180,10 @@ int kfast_update(kfast_player* player, uint32_t milliseconds, kfast_event_passed
 /* Whether what kfast_update() plays has come to its end, as a clip does that plays once: 1 or 0. */
 int kfast_finished(const kfast_player* player);
 
+/* Whether the picture is drawn with coarser curves, or not wholly, because the block has no room for all of
+ * its outlines: 1 or 0. kfast info and kfast fit tell beforehand. */
+int kfast_is_coarse(const kfast_player* player);
+
 /* Takes the pixels of one rectangle: its rows from the top down, each of them starting on a byte. They are
  * gone after the call. */
 typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const void* pixels, void* user);

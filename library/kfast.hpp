@@ -147,6 +147,9 @@ public:
         }
     }
 
+    /// For want of room in the block the picture's curves are coarser, or parts of it are missing.
+    bool is_coarse() const { return player_.is_coarse(); }
+
     /// The display shows something else by now: the next draw() hands out the whole panel.
     void redraw() { player_.redraw(); }
 

@@ -75,6 +75,9 @@ public:
     /// Whether a clip that plays once has come to its end.
     bool finished() const { return kfast_finished(player_) != 0; }
 
+    /// Whether the picture has coarser curves, or is not whole, for want of room.
+    bool is_coarse() const { return kfast_is_coarse(player_) != 0; }
+
     /// Computes the picture for when a clock, such as millis(), shows this. Whether there is something to
     /// draw.
     bool update(uint32_t milliseconds) { return kfast_update(player_, milliseconds, nullptr, nullptr) != 0; }

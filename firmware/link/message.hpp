@@ -95,8 +95,12 @@ struct Statistics {
     std::uint32_t late = 0;        ///< of these, shown after they were due
     std::uint32_t skipped = 0;     ///< left out, because their time had passed
     std::uint32_t link_errors = 0; ///< reports that could not be understood, or had no room for their answer
+    std::uint32_t coarse = 0;      ///< of the frames, drawn coarser or not wholly, for want of room
 
-    static constexpr void fields(auto&& io, auto& it) { io(it.frames, it.late, it.skipped, it.link_errors); }
+    static constexpr void fields(auto&& io, auto& it)
+    {
+        io(it.frames, it.late, it.skipped, it.link_errors, it.coarse);
+    }
 };
 
 /// About one slot: what it holds, erase it, or play it when the device starts.

@@ -265,6 +265,7 @@ void Stage::frame_shown(const FrameReport& report)
 {
     ++frames_;
     late_ += report.is_late ? 1 : 0;
+    coarse_ += report.is_coarse ? 1 : 0;
     skipped_ += report.skipped - skipped_of_scene_;
     skipped_of_scene_ = report.skipped;
 }

@@ -60,7 +60,10 @@ public:
     // What Link wants of its device (device.hpp).
     DeviceFacts facts() const;
     Playing playing() const;
-    Statistics statistics() const { return {.frames = frames_, .late = late_, .skipped = skipped_}; }
+    Statistics statistics() const
+    {
+        return {.frames = frames_, .late = late_, .skipped = skipped_, .coarse = coarse_};
+    }
     InputState input(std::uint8_t number) const;
     std::span<const std::byte> played() const;
     std::span<const std::byte> built_in() const { return facts_.built_in; }
@@ -161,6 +164,7 @@ private:
     std::uint8_t turned_brightness_; ///< as the controls had it last
     std::uint32_t frames_ = 0;
     std::uint32_t late_ = 0;
+    std::uint32_t coarse_ = 0;
     std::uint32_t skipped_ = 0;
     std::uint32_t skipped_of_scene_ = 0;
     std::optional<Microseconds> leaves_;

@@ -59,6 +59,7 @@ Json json_of(const DeviceFacts& facts)
          {{"frames", facts.statistics.frames},
           {"late", facts.statistics.late},
           {"skipped", facts.statistics.skipped},
+          {"coarse", facts.statistics.coarse},
           {"link_errors", facts.statistics.link_errors}}},
         {"playing", playing_json(facts.playing)},
         {"armed", armed_json(facts.playing)},
@@ -68,6 +69,7 @@ Json json_of(const DeviceFacts& facts)
 void print_text(const DeviceFacts& facts)
 {
     const link::Capabilities& can = facts.capabilities;
+    const link::Statistics& statistics = facts.statistics;
     std::cout << facts.name << '\n'
               << "  board       " << visible(facts.names.board.view()) << ", firmware "
               << visible(facts.names.firmware.view()) << '\n'
@@ -76,8 +78,10 @@ void print_text(const DeviceFacts& facts)
               << "  room        scenes of up to " << can.ram_bytes << " bytes in RAM, " << can.room_bytes
               << " in one of " << int{can.slots} << " slots\n"
               << "  plays       " << playing_text(facts.playing) << '\n'
-              << "  frames      " << facts.statistics.frames << " shown, " << facts.statistics.late
-              << " of them late, " << facts.statistics.skipped << " left out\n";
+              << "  frames      " << statistics.frames << " shown, " << statistics.late << " of them late, "
+              << (statistics.coarse == 0 ? ""
+                                         : std::to_string(statistics.coarse) + " coarser for want of room, ")
+              << statistics.skipped << " left out\n";
 }
 
 /// Those that are asked for, or else all that are attached.

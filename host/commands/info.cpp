@@ -17,6 +17,7 @@
 #include "host/in_frames.hpp"
 #include "host/input_text.hpp"
 #include "host/loop_name.hpp"
+#include "host/picture/detail.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/key_times.hpp"
 #include "host/scene_file.hpp"
@@ -143,6 +144,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
     const Timeline timeline = timeline_of(scene.view);
     const Size canvas = scene.view.canvas();
     const Size panel = panel_size(options.picture, scene.view);
+    const CoarsePictures pictures = coarse_pictures(scene.view, panel);
     return {
         {"file", options.file},
         {"bytes", scene.bytes.size()},
@@ -164,7 +166,9 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"memory",
          {{"bytes", Player::block_bytes(scene.view, panel)},
           {"width", panel.width},
-          {"height", panel.height}}},
+          {"height", panel.height},
+          {"coarse_pictures", pictures.coarse},
+          {"of_pictures", pictures.looked_at}}},
     };
 }
 
@@ -245,6 +249,16 @@ std::string end_text(const SceneView& scene)
                : ", and then its end: " + std::to_string(timeline.frame_count()) + " pictures";
 }
 
+/// Behind the memory.
+std::string detail_text(const Json& memory)
+{
+    const auto coarse = memory["coarse_pictures"].get<std::size_t>();
+    if (coarse == 0)
+        return "";
+    return ", too little for all detail of " + std::to_string(coarse) + " of " +
+           counted(memory["of_pictures"].get<std::size_t>(), "picture") + " that were tried";
+}
+
 void print_scene_facts(const Json& facts, const SceneView& scene)
 {
     std::cout << facts["file"].get<std::string>() << '\n'
@@ -261,7 +275,7 @@ void print_scene_facts(const Json& facts, const SceneView& scene)
               << "  keys        " << key_text(facts["keys"], ", at frames ") << '\n'
               << "  features    " << features_text(scene.needed_features()) << '\n'
               << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
-              << size_text(facts["memory"]) << '\n';
+              << size_text(facts["memory"]) << detail_text(facts["memory"]) << '\n';
     std::ranges::for_each(facts["inputs"], print_input);
     std::ranges::for_each(facts["clips"], print_clip);
     std::ranges::for_each(facts["events"], print_event);

@@ -1,5 +1,9 @@
 #include "host/picture/detail.hpp"
 
+#include "core/player.hpp"
+#include "host/picture/timeline.hpp"
+#include "host/word_block.hpp"
+
 #include <algorithm>
 
 namespace kfast {
@@ -8,7 +12,24 @@ Detail detail_of(const raster::Picture& picture)
 {
     if (picture.outlines.is_full())
         return Detail::parts_missing;
-    return picture.coarseness != 0 ? Detail::coarse : Detail::full;
+    return picture.is_coarse() ? Detail::coarse : Detail::full;
+}
+
+CoarsePictures coarse_pictures(const SceneView& scene, Size panel)
+{
+    constexpr std::uint32_t most_cost = 1U << 22; // as SceneView::cost(): some second of a computer
+    const std::uint32_t most = std::min(most_cost / std::max<std::uint32_t>(scene.cost(), 1), 1000U);
+    const Timeline timeline = timeline_of(scene);
+    const int frames = timeline.frame_count();
+    const int count = std::min(frames, static_cast<int>(most));
+    WordBlock block{Player::block_bytes(scene, panel)};
+    auto player = Player::create(scene, panel, Fit::contain, block.bytes());
+    CoarsePictures pictures{.looked_at = static_cast<std::size_t>(count)};
+    for (int i = 0; i < count; ++i) {
+        player->show_moment(timeline.frame_time(static_cast<int>(std::int64_t{frames} * i / count)));
+        pictures.coarse += player->is_coarse() ? 1 : 0;
+    }
+    return pictures;
 }
 
 void ShownDetail::add(const raster::Picture& picture)

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "core/raster/picture.hpp"
+#include "core/scene_view.hpp"
+#include "core/size.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -15,6 +18,15 @@ enum class Detail : std::uint8_t {
 };
 
 Detail detail_of(const raster::Picture& picture);
+
+/// How many of a scene's pictures on a panel are drawn with less than full detail, with inputs at their
+/// defaults.
+struct CoarsePictures {
+    std::size_t coarse = 0;
+    std::size_t looked_at = 0; ///< the frames of one turn, or of more than a second of drawing a part, evenly
+};
+
+CoarsePictures coarse_pictures(const SceneView& scene, Size panel);
 
 /// The detail of the pictures that a source shows.
 class ShownDetail {

@@ -21,6 +21,8 @@ public:
         meter_.enter(Phase::send);
     }
 
+    bool is_coarse() const { return player_.is_coarse(); }
+
     template <PixelFormat format>
     std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes)
     {

@@ -15,6 +15,7 @@ namespace kfast::test {
 class NumberedRows {
 public:
     void show_moment(Time moment) { shown.push_back(moment.ticks / Time::ticks_per_frame); }
+    bool is_coarse() const { return are_coarse; }
     void redraw()
     {
         ++redraws;
@@ -37,6 +38,7 @@ public:
 
     std::vector<int> shown;
     int redraws = 0;
+    bool are_coarse = false; ///< the pictures
 
 private:
     int row_ = 0;

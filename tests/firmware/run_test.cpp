@@ -77,7 +77,18 @@ TEST_CASE("a frame in which nothing changes sends nothing and is shown all the s
     play(board, player, hundred_frames(), {50'000, board.now()});
     CHECK(board.panel().areas.size() == 3);
     CHECK(board.reports.size() == 4);
+    CHECK_FALSE(board.reports.back().is_coarse);
     CHECK(board.reports.back().time == Time::frame(3));
+}
+
+TEST_CASE("a board is told that a frame was drawn coarser, for want of room")
+{
+    SlowBoard board{12};
+    NumberedRows player;
+    player.are_coarse = true;
+    board.durations = {0, 0};
+    play(board, player, hundred_frames(), {50'000, board.now()});
+    CHECK(std::ranges::all_of(board.reports, &FrameReport::is_coarse));
 }
 
 TEST_CASE("a board may have a frame sent whole")

@@ -1,5 +1,6 @@
 #include "library/kfast.h"
 
+#include "host/compiler/header.hpp"
 #include "library/kfast.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/library/screen.hpp"
@@ -34,6 +35,19 @@ TEST_CASE("what has been drawn is not drawn again, unless it is asked for")
     screen.draw(2 * width * height);
     CHECK(screen.rectangles == 1);
     CHECK(screen.pixels() == picture(moving, Time{}));
+}
+
+TEST_CASE("a program asks whether a picture has all of its detail")
+{
+    CHECK(kfast_is_coarse(Screen{moving}.player) == 0);
+    std::vector<std::byte> scarce =
+        compiled("kfast 1\ncanvas 30 20\nobject disc fill=white { circle 15 10 r=9 }");
+    set_outline_needs(scarce, {.bytes = 128, .borders = 20});
+    std::vector<std::byte> block(kfast_block_bytes(scarce.data(), scarce.size(), width, height));
+    kfast_player* player = nullptr;
+    CHECK(kfast_create(&player, block.data(), block.size(), scarce.data(), scarce.size(), width, height) ==
+          KFAST_OK);
+    CHECK(kfast_is_coarse(player) == 1);
 }
 
 TEST_CASE("times count from the beginning of a clip, and its loop decides about those outside")
@@ -257,6 +271,7 @@ TEST_CASE("null pointers are refused")
     CHECK(kfast_show(player, 0) == KFAST_NULL_POINTER);
     CHECK(kfast_show_after(player, 0) == KFAST_NULL_POINTER);
     CHECK(kfast_redraw(player) == KFAST_NULL_POINTER);
+    CHECK(kfast_is_coarse(player) == 0);
     for (const Draw draw : {kfast_draw_rgb565, kfast_draw_rgb565_be, kfast_draw_rgb444, kfast_draw_rgb666,
                             kfast_draw_grey4, kfast_draw_mono1, kfast_draw_mono1_dithered})
         CHECK(draw(player, buffer.data(), buffer.size(), take, nullptr) == KFAST_NULL_POINTER);

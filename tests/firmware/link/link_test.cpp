@@ -34,6 +34,7 @@ TEST_CASE("the device tells what it is")
     CHECK(statistics.frames == 1000);
     CHECK(statistics.late == 3);
     CHECK(statistics.skipped == 2);
+    CHECK(statistics.coarse == 1);
     CHECK(statistics.link_errors == 0);
 }
 

@@ -64,8 +64,8 @@ TEST_CASE("messages lie in their reports as the document says")
                   {0x83, 0x5A, 1, 1, 1, 3, 200, 2, 64,   0,    48,  0,   0x30, 0x75, 0, 0, 0, 0xF0,
                    0,    0,    1, 0, 0, 0, 0,   0, 0xFF, 0xFF, 'u', 'p', 0,    0,    0, 0, 0, 0,
                    0,    0,    0, 0, 0, 0, 0,   0, 0,    0,    0,   0,   0,    0,    0, 0, 2});
-    is_written_as(Statistics{.frames = 1, .late = 2, .skipped = 3, .link_errors = 4},
-                  {0x84, 0x5A, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4});
+    is_written_as(Statistics{.frames = 1, .late = 2, .skipped = 3, .link_errors = 4, .coarse = 5},
+                  {0x84, 0x5A, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0, 5});
     is_written_as(Begin{.home = Home::ram, .slot = 255, .size = 0x010203, .crc = 0xA1B2C3D4, .name = {"n"}},
                   {0x10, 0x5A, 2, 255, 3, 2, 1, 0, 0xD4, 0xC3, 0xB2, 0xA1, 'n'});
     is_written_as(Begun{.next = 0x0102, .window = 64}, {0x90, 0x5A, 2, 1, 64, 0, 0});

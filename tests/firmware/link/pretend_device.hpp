@@ -33,7 +33,7 @@ public:
     link::Playing playing() const { return now; }
     link::Statistics statistics() const
     {
-        return {.frames = 1000, .late = 3, .skipped = 2, .link_errors = 0};
+        return {.frames = 1000, .late = 3, .skipped = 2, .link_errors = 0, .coarse = 1};
     }
     std::span<const std::byte> played() const { return programme.scene; }
     std::span<const std::byte> built_in() const { return built_in_scene; }

@@ -1,3 +1,4 @@
+#include "host/compiler/header.hpp"
 #include "tests/compiled.hpp"
 #include "tests/firmware/control_settings.hpp"
 #include "tests/firmware/link/staged_bench.hpp"
@@ -275,6 +276,15 @@ TEST_CASE("frames are counted")
     CHECK(statistics.frames > 20);
     CHECK(statistics.late == 0);
     CHECK(statistics.skipped == 0);
+    CHECK(statistics.coarse == 0);
+
+    Scene curves = compiled("kfast 1\ncanvas 40 20 frames=90\nobject disc fill=white { circle 20 10 r=9 }");
+    set_outline_needs(curves, {.bytes = 256, .borders = 100});
+    play_from_ram(bench, curves);
+    bench.board.run_for(1000);
+    const auto later = bench.ask<Statistics>(AskStatistics{});
+    CHECK(later.coarse > 20);
+    CHECK(later.coarse < later.frames);
 }
 
 }

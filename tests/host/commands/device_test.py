@@ -35,6 +35,7 @@ class ListTest(DeviceTest):
         self.assertEqual(device["slots"], 8)
         self.assertEqual(device["playing"]["home"], "built-in")
         text = self.ask("devices").stdout
+        self.assertIn("1000 shown, 3 of them late, 1 coarser for want of room, 2 left out", text)
         for words in ("A\n", "pico, firmware 0.1.0", "st7789, 240x135", "20000 bytes in RAM", "the built-in scene"):
             self.assertIn(words, text)
         self.assertEqual(self.ask("devices", "--quiet").stdout, "")

@@ -1,4 +1,4 @@
-"""What kfast fit and render say of scenes whose outlines find no room."""
+"""What kfast fit, info and render say of scenes whose outlines find no room."""
 
 import json
 import unittest
@@ -60,6 +60,13 @@ class OutlineRoomTest(CommandTest):
         self.assertIn("6 of 8 pictures have coarser curves", report["notes"][-1])
         self.give_room(NO_ROOM)
         self.assertIn("parts of the picture are missing", self.fit("scarce.kfb", status=1)["reasons"][0])
+
+    def test_info_counts_coarser_pictures(self):
+        self.assertNotIn("detail", self.run_kfast("info", "dots.kfb").stdout)
+        self.give_room(SCARCE)
+        self.assertIn("too little for all detail of 3 of 4 pictures that were tried", self.run_kfast("info", "scarce.kfb").stdout)
+        memory = json.loads(self.run_kfast("info", "scarce.kfb", "--json").stdout)["memory"]
+        self.assertEqual((memory["coarse_pictures"], memory["of_pictures"]), (3, 4))
 
     def test_render_says_so_once_for_all_kinds_of_pictures(self):
         for size, says in ((SCARCE, "curves are coarser"), (NO_ROOM, "parts of the picture are missing")):

@@ -51,6 +51,10 @@ object dots fill=white {
     }
     CHECK(was_coarse);
     CHECK(last.second == "parts are missing, for want of room");
+    const CoarsePictures pictures = coarse_pictures(*SceneView::parse(bytes), {60, 60});
+    CHECK(pictures.looked_at == 8);
+    CHECK(pictures.coarse > 0);
+    CHECK(pictures.coarse < 8);
 }
 
 }
