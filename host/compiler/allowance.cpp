@@ -182,8 +182,8 @@ const scene::Item* stored_item(const scene::Scene& scene, std::size_t number)
 
 void check_matching(const scene::Scene& scene, Diagnostics& diagnostics)
 {
-    // A stroke takes up to a fifth of a millisecond.
-    constexpr std::uint64_t limit = 16'384;
+    // A stroke takes up to a fifth of a millisecond: less than two seconds in all.
+    constexpr std::uint64_t limit = 8'192;
     check({"strokes matched by length", "use match=count, or fewer strokes", limit,
            stored_needs(scene, matched_strokes), "the compiler takes"},
           scene, diagnostics);

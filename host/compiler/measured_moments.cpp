@@ -13,8 +13,8 @@ namespace {
 constexpr std::int32_t most_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
 constexpr int input_combinations = 1500;
-/// Of all pictures together, in the unit of SceneView::cost(): some two seconds of a computer.
-constexpr std::size_t most_cost = 1U << 23;
+/// Of all pictures together, in the unit of SceneView::cost(): some one and a half seconds of a computer.
+constexpr std::size_t most_cost = 3U << 21;
 
 /// Collects moments of one clock, which goes from 0 to `length`.
 class ClockMoments {

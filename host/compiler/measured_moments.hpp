@@ -24,7 +24,7 @@ struct MeasuredMoment {
 /// at: thin_out() leaves fewer.
 std::vector<MeasuredMoment> measured_moments(const SceneView& scene);
 
-/// How many pictures of the scene are drawn in about two seconds.
+/// How many pictures of the scene are drawn in about one and a half seconds.
 std::size_t affordable_pictures(const SceneView& scene);
 
 /// Leaves no more than `count` of them, spread evenly: at least the first and the last.
