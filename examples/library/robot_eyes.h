@@ -6,7 +6,7 @@ enum {
     robot_eyes_bytes = 305,
     robot_eyes_width = 240, /* of the panel */
     robot_eyes_height = 240,
-    robot_eyes_block_bytes = 8287 /* of memory to be lent: the player and what the scene needs on such a panel */
+    robot_eyes_block_bytes = 7215 /* of memory to be lent: the player and what the scene needs on such a panel */
 };
 
 /* What it needs of the player, for a program that plays nothing else: kfast.h, kfast_features */

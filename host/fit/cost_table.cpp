@@ -72,68 +72,68 @@ static_assert(kinds == work_names, "the kinds of work have changed: scripts/cali
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 81364,
-        .bare_code = 56880,
-        .feature_code = {2448, 5208, 4748, 5788, 2240, 4028, 892, 608, 1552, 1504},
+        .code = 81648,
+        .bare_code = 57112,
+        .feature_code = {2448, 5284, 4676, 5952, 2240, 4144, 888, 608, 1544, 1512},
         .fixed_ram = 4,
-        .stack = 7628,
+        .stack = 5728,
         .cycles = 1.68,
-        .frame = 871,
-        .area = 534,
+        .frame = 887,
+        .area = 536,
         .work =
             std::to_array<double>({
-                2382.0, // picture
-                118.5, // timeline
-                1076.9, // key
-                560.3, // item
-                1052.4, // track
-                734.1, // placement
-                585.7, // law
-                2970.3, // bezier_law
-                1933.9, // bone
+                2049.8, // picture
+                118.3, // timeline
+                1068.4, // key
+                579.6, // item
+                1056.0, // track
+                711.9, // placement
+                587.3, // law
+                2987.8, // bezier_law
+                847.2, // bone
                 0.0, // object
-                1324.1, // stroke
-                790.7, // segment
+                1355.1, // stroke
+                783.6, // segment
                 0.0, // line
-                210.9, // curve
-                1056.4, // split
-                147.0, // point
+                211.6, // curve
+                987.4, // split
+                146.3, // point
                 0.0, // wide_point
-                943.6, // projected_point
-                216.0, // carried_point
-                628.8, // bent_point
-                63.0, // piece
-                450.0, // pen_piece
-                228.8, // bend
+                952.9, // projected_point
+                279.4, // carried_point
+                619.5, // bent_point
+                64.4, // piece
+                451.6, // pen_piece
+                230.0, // bend
                 0.0, // slight_bend
-                194.7, // placed_corner
-                265.6, // corner
-                622.5, // chain
-                7.2, // crossing
-                53.1, // kept_chain
-                300.7, // step
-                84.8, // passed_band
+                195.6, // placed_corner
+                264.3, // corner
+                623.4, // chain
+                7.0, // crossing
+                52.9, // kept_chain
+                302.9, // step
+                85.1, // passed_band
                 0.0, // passed_border
-                551.9, // band
+                554.8, // band
                 328.9, // band_chain
-                378.4, // straight_chain
-                53.0, // border
-                235.1, // region
-                142.5, // edge_row
-                9.4, // flat_pixel
+                378.8, // straight_chain
+                53.1, // border
+                235.2, // region
+                142.1, // edge_row
+                9.5, // flat_pixel
                 44.8, // chain_visit
-                519.7, // layer
+                522.6, // layer
                 0.0, // layer_row
-                135.1, // layer_edge
-                311.5, // bent_edge
-                281.7, // sum_row
+                137.0, // layer_edge
+                311.2, // bent_edge
+                278.2, // sum_row
                 180.1, // row_chain
-                138.8, // sum_part
-                15.8, // sum_pixel
+                138.7, // sum_part
+                15.7, // sum_pixel
                 0.0, // edge_group
                 152.2, // line_crossing
-                78.0, // span
-                24.5, // fill
+                78.1, // span
+                24.3, // fill
                 0.0, // filled_pixel
                 33.6, // blended_pixel
                 49.0, // faded_pixel
@@ -141,64 +141,64 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m3
     {
-        .code = 78444,
-        .bare_code = 54656,
-        .feature_code = {2556, 4936, 4640, 5604, 2160, 3708, 848, 544, 1560, 1536},
+        .code = 78944,
+        .bare_code = 55020,
+        .feature_code = {2556, 5036, 4552, 5812, 2164, 3860, 848, 544, 1556, 1540},
         .fixed_ram = 4,
-        .stack = 7484,
-        .cycles = 1.80,
-        .frame = 426,
-        .area = 412,
+        .stack = 5560,
+        .cycles = 1.79,
+        .frame = 427,
+        .area = 415,
         .work =
             std::to_array<double>({
-                1832.3, // picture
-                91.6, // timeline
-                1035.2, // key
-                446.6, // item
-                830.3, // track
-                40.9, // placement
-                235.3, // law
-                1937.3, // bezier_law
-                978.6, // bone
+                1584.4, // picture
+                91.7, // timeline
+                1034.9, // key
+                473.6, // item
+                844.5, // track
+                19.3, // placement
+                235.5, // law
+                1950.9, // bezier_law
+                164.9, // bone
                 0.0, // object
-                840.1, // stroke
-                525.1, // segment
+                874.0, // stroke
+                517.0, // segment
                 0.0, // line
-                219.2, // curve
-                887.1, // split
-                109.3, // point
+                218.5, // curve
+                849.8, // split
+                108.7, // point
                 0.0, // wide_point
-                415.6, // projected_point
-                203.6, // carried_point
-                538.8, // bent_point
-                41.4, // piece
-                269.8, // pen_piece
-                44.0, // bend
+                416.5, // projected_point
+                253.4, // carried_point
+                535.6, // bent_point
+                42.8, // piece
+                271.4, // pen_piece
+                46.0, // bend
                 0.0, // slight_bend
-                126.4, // placed_corner
-                208.7, // corner
-                483.6, // chain
+                126.9, // placed_corner
+                207.4, // corner
+                483.9, // chain
                 7.2, // crossing
-                40.6, // kept_chain
-                226.3, // step
-                59.0, // passed_band
+                40.5, // kept_chain
+                227.6, // step
+                59.1, // passed_band
                 0.0, // passed_border
-                436.1, // band
+                437.7, // band
                 285.0, // band_chain
-                323.6, // straight_chain
+                323.8, // straight_chain
                 42.1, // border
                 202.6, // region
-                102.5, // edge_row
-                2.5, // flat_pixel
+                102.6, // edge_row
+                2.6, // flat_pixel
                 37.1, // chain_visit
-                402.9, // layer
+                404.1, // layer
                 0.0, // layer_row
-                108.5, // layer_edge
-                215.8, // bent_edge
-                198.5, // sum_row
-                149.3, // row_chain
-                107.4, // sum_part
-                12.3, // sum_pixel
+                109.2, // layer_edge
+                214.7, // bent_edge
+                195.9, // sum_row
+                149.4, // row_chain
+                107.3, // sum_part
+                12.2, // sum_pixel
                 0.0, // edge_group
                 119.8, // line_crossing
                 63.9, // span
@@ -210,68 +210,68 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m4
     {
-        .code = 78480,
-        .bare_code = 54700,
-        .feature_code = {2560, 4912, 4632, 5580, 2160, 3704, 848, 544, 1564, 1532},
+        .code = 78932,
+        .bare_code = 55040,
+        .feature_code = {2560, 5024, 4552, 5788, 2164, 3852, 848, 544, 1552, 1536},
         .fixed_ram = 4,
-        .stack = 7476,
-        .cycles = 1.80,
-        .frame = 427,
-        .area = 410,
+        .stack = 5560,
+        .cycles = 1.79,
+        .frame = 428,
+        .area = 413,
         .work =
             std::to_array<double>({
-                1836.3, // picture
-                91.6, // timeline
-                1034.2, // key
-                446.5, // item
-                835.3, // track
-                38.0, // placement
-                235.2, // law
-                1956.0, // bezier_law
-                990.5, // bone
+                1587.5, // picture
+                91.7, // timeline
+                1034.0, // key
+                471.4, // item
+                849.6, // track
+                16.1, // placement
+                235.4, // law
+                1969.9, // bezier_law
+                175.7, // bone
                 0.0, // object
-                837.3, // stroke
-                524.1, // segment
+                870.9, // stroke
+                515.9, // segment
                 0.0, // line
-                219.6, // curve
-                883.4, // split
-                108.4, // point
+                218.9, // curve
+                846.3, // split
+                107.8, // point
                 0.0, // wide_point
-                416.3, // projected_point
-                202.8, // carried_point
-                538.6, // bent_point
-                42.2, // piece
-                270.9, // pen_piece
-                35.3, // bend
+                417.2, // projected_point
+                252.7, // carried_point
+                535.3, // bent_point
+                43.6, // piece
+                272.5, // pen_piece
+                37.2, // bend
                 0.0, // slight_bend
-                128.1, // placed_corner
-                210.4, // corner
-                488.9, // chain
-                7.3, // crossing
-                40.6, // kept_chain
-                226.5, // step
-                60.1, // passed_band
+                128.6, // placed_corner
+                209.1, // corner
+                489.2, // chain
+                7.2, // crossing
+                40.5, // kept_chain
+                227.7, // step
+                60.2, // passed_band
                 0.0, // passed_border
-                436.6, // band
+                438.3, // band
                 284.6, // band_chain
-                322.1, // straight_chain
+                322.2, // straight_chain
                 42.3, // border
                 202.1, // region
-                102.5, // edge_row
+                102.6, // edge_row
                 3.2, // flat_pixel
                 36.9, // chain_visit
-                406.2, // layer
+                407.4, // layer
                 0.0, // layer_row
-                107.6, // layer_edge
-                228.9, // bent_edge
-                201.2, // sum_row
-                148.4, // row_chain
-                107.4, // sum_part
+                108.3, // layer_edge
+                227.8, // bent_edge
+                198.5, // sum_row
+                148.5, // row_chain
+                107.3, // sum_part
                 11.6, // sum_pixel
                 0.0, // edge_group
                 119.6, // line_crossing
                 64.8, // span
-                20.0, // fill
+                19.9, // fill
                 0.7, // filled_pixel
                 23.6, // blended_pixel
                 32.6, // faded_pixel
@@ -279,67 +279,67 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m7
     {
-        .code = 78516,
-        .bare_code = 54748,
-        .feature_code = {2568, 4916, 4624, 5576, 2160, 3692, 848, 544, 1560, 1528},
+        .code = 78992,
+        .bare_code = 55100,
+        .feature_code = {2576, 5020, 4544, 5784, 2168, 3848, 848, 544, 1552, 1536},
         .fixed_ram = 4,
-        .stack = 7476,
-        .cycles = 1.65,
-        .frame = 423,
-        .area = 424,
+        .stack = 5552,
+        .cycles = 1.66,
+        .frame = 424,
+        .area = 428,
         .work =
             std::to_array<double>({
-                1829.4, // picture
+                1582.2, // picture
                 91.7, // timeline
-                1035.0, // key
-                446.2, // item
-                828.8, // track
-                45.5, // placement
-                235.1, // law
-                1937.0, // bezier_law
-                984.2, // bone
+                1034.8, // key
+                475.3, // item
+                842.7, // track
+                24.6, // placement
+                235.3, // law
+                1950.4, // bezier_law
+                169.5, // bone
                 0.0, // object
-                841.2, // stroke
-                524.3, // segment
+                875.1, // stroke
+                516.3, // segment
                 0.0, // line
-                219.2, // curve
-                883.3, // split
-                109.3, // point
+                218.5, // curve
+                845.8, // split
+                108.8, // point
                 0.0, // wide_point
-                414.6, // projected_point
-                202.7, // carried_point
-                538.7, // bent_point
-                41.4, // piece
-                269.8, // pen_piece
-                44.7, // bend
+                415.5, // projected_point
+                252.5, // carried_point
+                535.4, // bent_point
+                42.8, // piece
+                271.5, // pen_piece
+                46.6, // bend
                 0.0, // slight_bend
-                126.4, // placed_corner
-                208.7, // corner
-                483.6, // chain
+                127.0, // placed_corner
+                207.4, // corner
+                483.8, // chain
                 7.2, // crossing
-                40.6, // kept_chain
-                227.9, // step
-                59.8, // passed_band
+                40.5, // kept_chain
+                229.2, // step
+                60.0, // passed_band
                 0.0, // passed_border
-                436.3, // band
+                438.0, // band
                 285.9, // band_chain
-                323.4, // straight_chain
+                323.5, // straight_chain
                 42.4, // border
                 194.5, // region
                 106.0, // edge_row
-                1.8, // flat_pixel
-                37.3, // chain_visit
-                394.5, // layer
+                1.9, // flat_pixel
+                37.2, // chain_visit
+                395.7, // layer
                 0.0, // layer_row
-                109.6, // layer_edge
-                222.3, // bent_edge
-                202.8, // sum_row
-                149.5, // row_chain
-                110.3, // sum_part
-                14.1, // sum_pixel
+                110.3, // layer_edge
+                221.2, // bent_edge
+                200.2, // sum_row
+                149.6, // row_chain
+                110.2, // sum_part
+                14.0, // sum_pixel
                 0.0, // edge_group
                 118.1, // line_crossing
-                58.6, // span
+                58.7, // span
                 20.5, // fill
                 0.8, // filled_pixel
                 24.5, // blended_pixel
@@ -348,67 +348,67 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m33
     {
-        .code = 78464,
-        .bare_code = 54688,
-        .feature_code = {2560, 4920, 4636, 5588, 2168, 3704, 848, 544, 1560, 1536},
+        .code = 78940,
+        .bare_code = 55044,
+        .feature_code = {2560, 5028, 4552, 5800, 2164, 3856, 848, 544, 1556, 1540},
         .fixed_ram = 4,
-        .stack = 7484,
+        .stack = 5560,
         .cycles = 1.79,
-        .frame = 426,
-        .area = 412,
+        .frame = 427,
+        .area = 415,
         .work =
             std::to_array<double>({
-                1832.0, // picture
-                91.6, // timeline
-                1035.0, // key
-                446.8, // item
-                830.0, // track
-                41.8, // placement
-                235.3, // law
-                1937.3, // bezier_law
-                985.4, // bone
+                1584.1, // picture
+                91.7, // timeline
+                1034.7, // key
+                473.8, // item
+                844.2, // track
+                20.3, // placement
+                235.5, // law
+                1950.9, // bezier_law
+                170.9, // bone
                 0.0, // object
-                839.2, // stroke
-                524.5, // segment
+                873.0, // stroke
+                516.4, // segment
                 0.0, // line
-                219.3, // curve
-                883.2, // split
-                109.3, // point
+                218.6, // curve
+                845.8, // split
+                108.7, // point
                 0.0, // wide_point
-                415.6, // projected_point
-                202.7, // carried_point
-                538.3, // bent_point
-                41.4, // piece
-                269.8, // pen_piece
-                43.9, // bend
+                416.5, // projected_point
+                252.5, // carried_point
+                535.0, // bent_point
+                42.8, // piece
+                271.4, // pen_piece
+                45.9, // bend
                 0.0, // slight_bend
-                126.4, // placed_corner
-                208.7, // corner
-                483.7, // chain
+                127.0, // placed_corner
+                207.4, // corner
+                483.9, // chain
                 7.2, // crossing
-                40.6, // kept_chain
-                226.6, // step
-                60.0, // passed_band
+                40.5, // kept_chain
+                227.9, // step
+                60.2, // passed_band
                 0.0, // passed_border
-                436.3, // band
+                437.9, // band
                 285.0, // band_chain
-                323.6, // straight_chain
+                323.8, // straight_chain
                 42.2, // border
                 202.5, // region
-                102.6, // edge_row
-                2.5, // flat_pixel
-                37.2, // chain_visit
-                403.3, // layer
+                102.7, // edge_row
+                2.6, // flat_pixel
+                37.1, // chain_visit
+                404.5, // layer
                 0.0, // layer_row
-                108.5, // layer_edge
-                215.8, // bent_edge
-                198.5, // sum_row
-                149.3, // row_chain
-                107.4, // sum_part
+                109.2, // layer_edge
+                214.7, // bent_edge
+                195.8, // sum_row
+                149.4, // row_chain
+                107.3, // sum_part
                 12.3, // sum_pixel
                 0.0, // edge_group
                 119.8, // line_crossing
-                63.8, // span
+                63.9, // span
                 19.6, // fill
                 0.7, // filled_pixel
                 23.5, // blended_pixel

@@ -9,7 +9,7 @@ namespace kfast::fit {
 namespace {
 
 /// By the compiler's figures for the deepest scene: docs/design.md, "The bound on memory".
-constexpr std::size_t stack_bound = 8192;
+constexpr std::size_t stack_bound = 6144;
 
 std::size_t sum_of(const std::vector<Reserved>& parts, std::size_t Reserved::*bytes)
 {

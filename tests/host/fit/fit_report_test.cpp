@@ -183,7 +183,7 @@ TEST_CASE("of the player counts what the scene needs, or all of it")
 TEST_CASE("the stack has no less than its bound")
 {
     const auto bytes = test::compiled("kfast 1\ncanvas 60 40\nobject a fill=red { rect 0 0 2 2 }\n");
-    CHECK(report_of(bytes).ram.stack >= 8192);
+    CHECK(report_of(bytes).ram.stack >= 6144);
 }
 
 }
