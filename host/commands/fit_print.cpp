@@ -129,7 +129,7 @@ std::string verdict_text(const FitReport& report)
     const std::string late = report.lateness_text();
     if (!report.fits())
         return "no";
-    return late.empty() ? "yes" : "yes, but " + late;
+    return late.empty() ? "yes, at " + rate_text(report.wanted_rate) : "yes, but " + late;
 }
 
 std::string heaviest_text(const FitReport& report)

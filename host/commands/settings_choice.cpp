@@ -11,6 +11,7 @@
 #include "host/config/printed_roles.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/failure.hpp"
+#include "host/fit/display.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -37,6 +38,11 @@ std::string configuration_of(const std::string& panel)
         return std::string{prefix} + panel;
     if (const auto remedy = fit::undriven_panel_text(panel))
         throw CLI::ValidationError("--panel", "'" + visible(panel) + "' is unknown: " + *remedy);
+    if (const fit::Display* display = fit::display_named(panel); display != nullptr && display->is_driven)
+        throw CLI::ValidationError(
+            "--panel", "'" + panel + "' has no ready configuration: make one for --config of another one, " +
+                           "kfast config pico-st7789 -o FILE.kdl, with panel " + panel +
+                           " in it (docs/config.md)");
     throw CLI::ValidationError("--panel", "'" + visible(panel) +
                                               "' has no ready configuration: " + suggestion(panel, known) +
                                               ", or name a file of settings with --config (docs/config.md)");

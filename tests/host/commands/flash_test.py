@@ -92,7 +92,7 @@ class RefusalTest(FlashTest):
         (self.folder / "fast.kdl").write_text("beam scope rate=(kHz)900\n")
         for arguments, status, says in (
                 (["--panel", "gc9a02"], 2, 'did you mean "gc9a01"?'),
-                (["--panel", "st7735"], 2, "'st7735' has no ready configuration"),
+                (["--panel", "st7735"], 2, "'st7735' has no ready configuration: make one for --config"),
                 (["--config", "gadget"], 1, "there is no configuration"),
                 (["--config", "pico-st7789", "--panel", "st7789"], 2, "--panel"),
                 (["--panel", "xy-scope"], 2, "'xy-scope' has no ready configuration"),
