@@ -11,6 +11,7 @@
 #include "host/commands/report_options.hpp"
 #include "host/commands/size_text.hpp"
 #include "host/commands/summary.hpp"
+#include "host/compiler/measured_moments.hpp"
 #include "host/counted.hpp"
 #include "host/every_item.hpp"
 #include "host/feature_name.hpp"
@@ -144,7 +145,9 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
     const Timeline timeline = timeline_of(scene.view);
     const Size canvas = scene.view.canvas();
     const Size panel = panel_size(options.picture, scene.view);
-    const CoarsePictures pictures = coarse_pictures(scene.view, panel);
+    constexpr std::size_t max_pictures = 1000;
+    const CoarsePictures pictures =
+        coarse_pictures(scene.view, panel, std::min(affordable_pictures(scene.view), max_pictures));
     return {
         {"file", options.file},
         {"bytes", scene.bytes.size()},

@@ -15,13 +15,11 @@ Detail detail_of(const raster::Picture& picture)
     return picture.is_coarse() ? Detail::coarse : Detail::full;
 }
 
-CoarsePictures coarse_pictures(const SceneView& scene, Size panel)
+CoarsePictures coarse_pictures(const SceneView& scene, Size panel, std::size_t max_pictures)
 {
-    constexpr std::uint32_t most_cost = 1U << 22; // as SceneView::cost(): some second of a computer
-    const std::uint32_t most = std::min(most_cost / std::max<std::uint32_t>(scene.cost(), 1), 1000U);
     const Timeline timeline = timeline_of(scene);
     const int frames = timeline.frame_count();
-    const int count = std::min(frames, static_cast<int>(most));
+    const int count = static_cast<int>(std::min(static_cast<std::size_t>(frames), max_pictures));
     WordBlock block{Player::block_bytes(scene, panel)};
     auto player = Player::create(scene, panel, Fit::contain, block.bytes());
     CoarsePictures pictures{.looked_at = static_cast<std::size_t>(count)};

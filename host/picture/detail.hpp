@@ -23,10 +23,11 @@ Detail detail_of(const raster::Picture& picture);
 /// defaults.
 struct CoarsePictures {
     std::size_t coarse = 0;
-    std::size_t looked_at = 0; ///< the frames of one turn, or of more than a second of drawing a part, evenly
+    std::size_t looked_at = 0; ///< all frames of one turn, or some of them, evenly spread
 };
 
-CoarsePictures coarse_pictures(const SceneView& scene, Size panel);
+/// Looks at no more than `max_pictures` of them.
+CoarsePictures coarse_pictures(const SceneView& scene, Size panel, std::size_t max_pictures);
 
 /// The detail of the pictures that a source shows.
 class ShownDetail {

@@ -97,7 +97,8 @@ public:
             return is_second ? carried(way_.arrival, way_.to.more)
                              : carried(way_.from.drawing, way_.from.more);
         };
-        LiveStrokes{{drawing(false).strokes(), drawing(true).strokes()},
+        const SceneView& scene = on_panel_.scene;
+        LiveStrokes{{scene.drawing(way_.from.drawing).strokes(), scene.drawing(way_.arrival).strokes()},
                     drawing,
                     way_.progress,
                     backbones ? &*backbones : nullptr,

@@ -51,10 +51,12 @@ object dots fill=white {
     }
     CHECK(was_coarse);
     CHECK(last.second == "parts are missing, for want of room");
-    const CoarsePictures pictures = coarse_pictures(*SceneView::parse(bytes), {60, 60});
+    const CoarsePictures pictures = coarse_pictures(*SceneView::parse(bytes), {60, 60}, 100);
     CHECK(pictures.looked_at == 8);
     CHECK(pictures.coarse > 0);
     CHECK(pictures.coarse < 8);
+    CHECK(coarse_pictures(*SceneView::parse(bytes), {60, 60}, 1).looked_at == 1);
+    CHECK(coarse_pictures(*SceneView::parse(bytes), {60, 60}, 1).coarse == 0); // that of frame 0
 }
 
 }
