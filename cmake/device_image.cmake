@@ -8,13 +8,17 @@ include(${PROJECT_SOURCE_DIR}/firmware/sources.cmake)
 set(KFAST_EVERY_ROW
     player raster/coverage
     beam/beam_course beam/beam_lines beam/beam_pace beam/beam_piece beam/beam_plot beam/beam_route beam/beam_turn beam/leg_corners
-    beam/nearest_leg beam/tour beam/tour_improvement)
+    beam/nearest_leg beam/tour)
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 
 # What is done once for a scene or for an item of a picture.
-set(KFAST_EACH_ITEM affine evaluator/key_timeline evaluator/prepare evaluator/prepared_scene evaluator/scene_walk input_view
-    item_state item_view label_view live_scene object_strokes path_view rigid_placement scene_on_panel scene_view space tracer)
+set(KFAST_EACH_ITEM
+    math/affine math/space
+    parse_scene scene/input_view scene/item_view scene/label_view scene/path_view scene/scene_view
+    prepared/key_timeline prepared/preparer prepared/prepared_scene
+    pose/item_state pose/live_scene pose/object_strokes pose/rigid_placement pose/scene_on_panel
+    scene_walk tracer)
 list(TRANSFORM KFAST_EACH_ITEM PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EACH_ITEM APPEND .cpp)
 
@@ -30,7 +34,7 @@ set(KFAST_DEVICE_OPTIONS
     -fno-unwind-tables -fno-asynchronous-unwind-tables)
 
 # Not among KFAST_FIRMWARE_SOURCES: a computer has these functions already.
-set(KFAST_DEVICE_MEMORY ${PROJECT_SOURCE_DIR}/firmware/memory.cpp)
+set(KFAST_DEVICE_MEMORY ${PROJECT_SOURCE_DIR}/firmware/chip/memory.cpp)
 
 # The compiler options that choose a CPU. Those of the A profile run in ARM state, without an MMU, and nothing is read or
 # written across words then.
@@ -87,10 +91,10 @@ function(kfast_flash_files NAME)
     kfast_native_program(uf2
         SOURCES
             host/flash/uf2_main.cpp host/flash/uf2.cpp host/flash/uf2_block.cpp host/flash/uf2_contents.cpp
-            host/flash/flash_image.cpp host/atomic_file.cpp host/input_file.cpp
+            host/flash/flash_image.cpp host/file/atomic_file.cpp host/file/input_file.cpp
         HEADERS
             host/flash/uf2.hpp host/flash/uf2_block.hpp host/flash/uf2_contents.hpp host/flash/flash_image.hpp
-            host/flash/flash_region.hpp host/flash/hex_text.hpp host/compiler/byte_writer.hpp core/byte_reader.hpp)
+            host/flash/flash_region.hpp host/flash/hex_text.hpp host/compiler/pack/byte_writer.hpp core/bytes/byte_reader.hpp)
     add_custom_command(
         OUTPUT ${IMAGE}.bin ${IMAGE}.uf2
         COMMAND ${CMAKE_OBJCOPY} -O binary ${IMAGE}.elf ${IMAGE}.bin

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/bytes/function_ref.hpp"
 #include "core/features.hpp"
-#include "core/function_ref.hpp"
 
 #include <cstdint>
 #include <optional>

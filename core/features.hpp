@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/result.hpp"
+#include "core/bytes/result.hpp"
 
 #include <concepts>
 #include <cstddef>

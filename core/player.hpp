@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/canvas_map.hpp"
-#include "core/live_scene.hpp"
-#include "core/pixel_format.hpp"
+#include "core/bytes/result.hpp"
+#include "core/math/canvas_map.hpp"
+#include "core/math/size.hpp"
+#include "core/pixel/pixel_format.hpp"
+#include "core/pose/live_scene.hpp"
 #include "core/raster/change.hpp"
 #include "core/raster/renderer.hpp"
-#include "core/result.hpp"
-#include "core/scene_view.hpp"
-#include "core/size.hpp"
-#include "core/time.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>

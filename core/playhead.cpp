@@ -1,6 +1,6 @@
 #include "core/playhead.hpp"
 
-#include "core/quotient.hpp"
+#include "core/math/quotient.hpp"
 
 namespace kfast {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/mark_view.hpp"
-#include "core/stretch.hpp"
-#include "core/time.hpp"
+#include "core/scene/mark_view.hpp"
+#include "core/scene/stretch.hpp"
+#include "core/time/time.hpp"
 
 #include <algorithm>
 #include <cstdint>

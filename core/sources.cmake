@@ -1,9 +1,9 @@
 # Shared by the host library and the device images, which compile the core for their own processor.
 set(KFAST_CORE_SOURCES
-    ${CMAKE_CURRENT_LIST_DIR}/affine.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/angle.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/backbone_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/backbone_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/affine.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/angle.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/backbone_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/backbone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_course.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_gait.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_lines.cpp
@@ -21,92 +21,92 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/beam/nearest_leg.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/strip_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/tour_improvement.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beat_cursor.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/bit_reader.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/bone_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/bone_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/canvas_map.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/carried_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/code_point.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/crc32.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/drawing_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/evaluator/prepare.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/evaluator/prepared_scene.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/evaluator/scene_walk.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/evaluator/key_timeline.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/feature_code.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/flatten.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/glyph_set.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/heading.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/hermite.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/input_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/input_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/item_state.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/item_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/key_interval.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/label_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/label_layout.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/label_trace.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/label_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/law_pair.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_backbones.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_bones.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_drawings.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_scene.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_strokes.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_texts.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/live_wires.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/mark_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/object_outline.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/object_strokes.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/packed_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/packed_values.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/picture_cache.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/picture_cost.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/path_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/beat_cursor.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bytes/bit_reader.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/bone_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/bone_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/canvas_map.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/carried_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bytes/code_point.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bytes/crc32.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/drawing_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/prepared/preparer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/prepared/prepared_scene.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene_walk.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/prepared/key_timeline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/every_feature.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/flatten.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/glyph_set.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/heading.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/time/hermite.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/input_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/input_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/item_state.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/item_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/time/key_interval.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/label_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/label_layout.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/label_trace.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/label_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/time/law_pair.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_backbones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_bones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_drawings.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_scene.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_strokes.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_texts.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/live_wires.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/mark_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/object_outline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/object_strokes.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/packed_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/packed_values.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bytes/picture_cache.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/picture_cost.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/parse_scene.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/point_map.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/projection.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/point_map.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/projection.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/band.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/chain_builder.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/contour_cache.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/chain_builder.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/contour_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/coverage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/dirty.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/edge_group.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/far_contour.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/kept_layers.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/far_contour.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/kept_layers.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row_many.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/outline_store.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/placed_contours.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/outline_store.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/placed_contours.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer_block.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/row_chain.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/sample_line.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/simplify.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/simplify.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/rigid_placement.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_check_items.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_check_live.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_check_objects.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_on_panel.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/sight.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/segment.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/skin_reader.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/space.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/stroke_form.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/stroke_outline.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/time_code.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/rigid_placement.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_items.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_live.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_objects.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/scene_on_panel.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/scene_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/sight.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/segment.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/skin_reader.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/space.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/stroke_form.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/stroke_outline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/time_code.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/track.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/track_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/turning.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/tween_cache.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/velocity_law.cpp)
+    ${CMAKE_CURRENT_LIST_DIR}/time/track.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/track_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/turning.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/tween_cache.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/time/velocity_law.cpp)

@@ -1,10 +1,10 @@
 #include "core/tracer.hpp"
 
+#include "core/bytes/work.hpp"
 #include "core/feature_code.hpp"
-#include "core/label_trace.hpp"
-#include "core/live_drawing_trace.hpp"
-#include "core/opacity.hpp"
-#include "core/work.hpp"
+#include "core/pixel/opacity.hpp"
+#include "core/pose/label_trace.hpp"
+#include "core/pose/live_drawing_trace.hpp"
 
 namespace kfast {
 namespace {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/evaluator/scene_walk.hpp"
-#include "core/function_ref.hpp"
-#include "core/item_state.hpp"
-#include "core/object_outline.hpp"
-#include "core/object_strokes.hpp"
-#include "core/raster/picture.hpp"
-#include "core/scene_on_panel.hpp"
-#include "core/space.hpp"
-#include "core/stroke_outline.hpp"
+#include "core/bytes/function_ref.hpp"
+#include "core/math/space.hpp"
+#include "core/pose/item_state.hpp"
+#include "core/pose/object_strokes.hpp"
+#include "core/pose/scene_on_panel.hpp"
+#include "core/raster/outline/object_outline.hpp"
+#include "core/raster/outline/picture.hpp"
+#include "core/raster/outline/stroke_outline.hpp"
+#include "core/scene_walk.hpp"
 
 #include <cstddef>
 #include <cstdint>

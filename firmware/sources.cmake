@@ -1,7 +1,7 @@
 # What is no template over the board: shared by the host library and the device images.
 set(KFAST_FIRMWARE_SOURCES
-    ${CMAKE_CURRENT_LIST_DIR}/board_record.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/controls.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/settings/board_record.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/run/controls.cpp
     ${CMAKE_CURRENT_LIST_DIR}/link/stage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/link/transfer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/slots/slot_directory.cpp

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/error_text.hpp"
-#include "core/result.hpp"
+#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "core/stretch.hpp"
+#include "core/scene/stretch.hpp"
 
 #include <algorithm>
 #include <cstddef>

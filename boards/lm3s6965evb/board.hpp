@@ -3,9 +3,9 @@
 #include "boards/lm3s6965evb/clock.hpp"
 #include "boards/lm3s6965evb/ssi.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
-#include "firmware/console_board.hpp"
-#include "firmware/controller_facts.hpp"
 #include "firmware/panel/ssd0323.hpp"
+#include "firmware/serial/console_board.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <array>
 #include <cstddef>

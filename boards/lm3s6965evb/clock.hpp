@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/microseconds.hpp"
+#include "firmware/chip/microseconds.hpp"
 
 namespace kfast::lm3s6965evb {
 

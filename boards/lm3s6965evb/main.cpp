@@ -1,5 +1,5 @@
 #include "boards/lm3s6965evb/board.hpp"
-#include "firmware/run.hpp"
+#include "firmware/run/run.hpp"
 
 int main()
 {

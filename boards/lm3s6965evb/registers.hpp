@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/register.hpp"
+#include "firmware/chip/register.hpp"
 
 namespace kfast::lm3s6965evb {
 

@@ -1,6 +1,6 @@
 #include "boards/lm3s6965evb/registers.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
-#include "firmware/console.hpp"
+#include "firmware/serial/console.hpp"
 
 #include <algorithm>
 #include <array>

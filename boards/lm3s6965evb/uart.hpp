@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/pl011.hpp"
+#include "firmware/serial/pl011.hpp"
 
 namespace kfast::lm3s6965evb {
 

@@ -1,7 +1,7 @@
-#include "boards/pico/gadget.hpp"
-#include "boards/pico/panel_display.hpp"
-#include "boards/pico/spi_bus.hpp"
-#include "firmware/image_mark.hpp"
+#include "boards/pico/panel/panel_display.hpp"
+#include "boards/pico/panel/spi_bus.hpp"
+#include "boards/pico/stage/gadget.hpp"
+#include "firmware/settings/image_mark.hpp"
 
 [[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::spi};
 

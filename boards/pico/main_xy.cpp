@@ -1,6 +1,6 @@
-#include "boards/pico/beam_display.hpp"
-#include "boards/pico/gadget.hpp"
-#include "firmware/image_mark.hpp"
+#include "boards/pico/beam/beam_display.hpp"
+#include "boards/pico/stage/gadget.hpp"
+#include "firmware/settings/image_mark.hpp"
 
 [[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::dac};
 

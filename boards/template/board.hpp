@@ -1,8 +1,8 @@
 #pragma once
 
-#include "firmware/board.hpp"
-#include "firmware/controller_facts.hpp"
 #include "firmware/panel/ssd0323.hpp"
+#include "firmware/run/board.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 #include "boards/template/board.hpp"
-#include "firmware/run.hpp"
+#include "firmware/run/run.hpp"
 
 int main()
 {

@@ -1,4 +1,4 @@
-#include "firmware/register.hpp"
+#include "firmware/chip/register.hpp"
 
 #include <algorithm>
 #include <array>

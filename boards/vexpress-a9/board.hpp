@@ -3,7 +3,7 @@
 #include "boards/vexpress-a9/clock.hpp"
 #include "boards/vexpress-a9/framebuffer.hpp"
 #include "boards/vexpress-a9/uart.hpp"
-#include "firmware/console_board.hpp"
+#include "firmware/serial/console_board.hpp"
 
 #include <array>
 #include <cstddef>

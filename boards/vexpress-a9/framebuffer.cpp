@@ -1,7 +1,7 @@
 #include "boards/vexpress-a9/framebuffer.hpp"
 
 #include "boards/vexpress-a9/registers.hpp"
-#include "firmware/panel_mirror.hpp"
+#include "firmware/run/panel_mirror.hpp"
 
 #include <cstdint>
 

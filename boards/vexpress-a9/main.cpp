@@ -1,5 +1,5 @@
 #include "boards/vexpress-a9/board.hpp"
-#include "firmware/run.hpp"
+#include "firmware/run/run.hpp"
 
 int main()
 {

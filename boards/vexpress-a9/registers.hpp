@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/register.hpp"
+#include "firmware/chip/register.hpp"
 
 namespace kfast::vexpress_a9 {
 

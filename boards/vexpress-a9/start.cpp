@@ -1,5 +1,5 @@
 #include "boards/vexpress-a9/uart.hpp"
-#include "firmware/console.hpp"
+#include "firmware/serial/console.hpp"
 
 #include <algorithm>
 #include <cstdint>

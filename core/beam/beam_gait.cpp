@@ -1,6 +1,6 @@
 #include "core/beam/beam_gait.hpp"
 
-#include "core/channel.hpp"
+#include "core/pixel/channel.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
-#include "core/colour.hpp"
+#include "core/pixel/colour.hpp"
 
 #include <cstdint>
 

@@ -2,10 +2,10 @@
 
 #include "core/beam/beam_lines.hpp"
 #include "core/beam/beam_profile.hpp"
-#include "core/colour.hpp"
-#include "core/point.hpp"
-#include "core/segment.hpp"
-#include "core/sight.hpp"
+#include "core/math/point.hpp"
+#include "core/math/segment.hpp"
+#include "core/math/sight.hpp"
+#include "core/pixel/colour.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_tracer.hpp"
 #include "core/beam/hatching_bytes.hpp"
-#include "core/block_cutter.hpp"
+#include "core/bytes/block_cutter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,11 +25,12 @@ struct BlockPlan {
     }
 
     /// Outlines take 8 bytes for each corner while they come in, twice that for a stroke, and then at least
-    /// 88 for each contour (core/raster/outline_store.hpp). A closed line in the field takes 4 for each
-    /// piece, and 16, or 20 for each piece if all of them leave the field and come back: there is room for
-    /// any contour, and for any number of contours of 50 pieces. Curves cross the border three times at most,
-    /// so that the same room is enough for four times as many pieces: they double where a field has 4 times
-    /// as many pixels as the canvas. Dots with flat ends, which only a beam shows, are not counted there.
+    /// 88 for each contour (core/raster/outline/outline_store.hpp). A closed line in the field takes 4 for
+    /// each piece, and 16, or 20 for each piece if all of them leave the field and come back: there is room
+    /// for any contour, and for any number of contours of 50 pieces. Curves cross the border three times at
+    /// most, so that the same room is enough for four times as many pieces: they double where a field has 4
+    /// times as many pixels as the canvas. Dots with flat ends, which only a beam shows, are not counted
+    /// there.
     static std::size_t line_bytes(const SceneView& scene, const BeamProfile& profile)
     {
         std::size_t bytes = scene.outline_bytes() * std::size_t{20} / 8;

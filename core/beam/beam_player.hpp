@@ -5,10 +5,10 @@
 #include "core/beam/beam_plot.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
-#include "core/live_scene.hpp"
-#include "core/result.hpp"
-#include "core/scene_view.hpp"
-#include "core/time.hpp"
+#include "core/bytes/result.hpp"
+#include "core/pose/live_scene.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>

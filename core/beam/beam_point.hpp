@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/field_point.hpp"
-#include "core/colour.hpp"
+#include "core/pixel/colour.hpp"
 
 namespace kfast {
 

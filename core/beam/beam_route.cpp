@@ -1,11 +1,9 @@
 #include "core/beam/beam_route.hpp"
 
-#include "core/beam/beam_travel.hpp"
+#include "core/beam/field_point.hpp"
 #include "core/beam/nearest_leg.hpp"
-#include "core/beam/route_effort.hpp"
 #include "core/beam/strip_order.hpp"
 #include "core/beam/tour.hpp"
-#include "core/beam/tour_improvement.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,11 +2,11 @@
 
 #include "core/beam/beam_pen.hpp"
 #include "core/beam/hatching.hpp"
-#include "core/channel.hpp"
-#include "core/label_trace.hpp"
-#include "core/live_drawing_trace.hpp"
-#include "core/opacity.hpp"
-#include "core/projection.hpp"
+#include "core/math/projection.hpp"
+#include "core/pixel/channel.hpp"
+#include "core/pixel/opacity.hpp"
+#include "core/pose/label_trace.hpp"
+#include "core/pose/live_drawing_trace.hpp"
 
 namespace kfast {
 namespace {

@@ -2,9 +2,9 @@
 
 #include "core/beam/beam_lines.hpp"
 #include "core/beam/beam_pen.hpp"
-#include "core/evaluator/scene_walk.hpp"
-#include "core/object_strokes.hpp"
-#include "core/scene_on_panel.hpp"
+#include "core/pose/object_strokes.hpp"
+#include "core/pose/scene_on_panel.hpp"
+#include "core/scene_walk.hpp"
 
 #include <cstdint>
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/affine.hpp"
-#include "core/beam_style.hpp"
-#include "core/fill_rule.hpp"
-#include "core/point.hpp"
-#include "core/point_map.hpp"
-#include "core/segment.hpp"
-#include "core/sight.hpp"
+#include "core/math/affine.hpp"
+#include "core/math/point.hpp"
+#include "core/math/point_map.hpp"
+#include "core/math/segment.hpp"
+#include "core/math/sight.hpp"
+#include "core/pixel/beam_style.hpp"
+#include "core/pixel/fill_rule.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,6 @@
 
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/field_point.hpp"
-#include "core/beam/field_vector.hpp"
 
 #include <algorithm>
 #include <cstdint>

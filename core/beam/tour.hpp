@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_leg.hpp"
 #include "core/beam/beam_lines.hpp"
-#include "core/beam/beam_travel.hpp"
+#include "core/beam/field_point.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -50,5 +50,24 @@ private:
     const BeamLines& lines_;
     std::span<BeamLeg> legs_;
 };
+
+/// What may still be done for a route.
+class RouteEffort {
+public:
+    explicit RouteEffort(std::uint32_t travels) : left_{travels} {}
+
+    bool is_spent() const { return left_ == 0; }
+    void spend(std::uint32_t travels) { left_ = travels < left_ ? left_ - travels : 0; }
+    std::uint32_t left() const { return left_; }
+
+private:
+    std::uint32_t left_;
+};
+
+/// Makes `tour` shorter by small changes, each of which makes it shorter by itself: reverses a stretch
+/// (2-opt), moves up to three legs elsewhere (Or-opt), begins closed lines at other points, of which not all
+/// are looked at where there are many. Stretches and moves are at most `window` legs long. Ends where no such
+/// change is left, or the effort.
+void improve(Tour& tour, std::size_t window, RouteEffort& effort);
 
 }

@@ -1,6 +1,6 @@
 #include "core/raster/band.hpp"
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 #include <algorithm>
 #include <utility>

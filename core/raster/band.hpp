@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/raster/chain.hpp"
-#include "core/raster/outline_store.hpp"
-#include "core/raster/paint_step.hpp"
+#include "core/math/size.hpp"
+#include "core/raster/outline/chain.hpp"
+#include "core/raster/outline/outline_store.hpp"
+#include "core/raster/outline/paint_step.hpp"
 #include "core/raster/slots.hpp"
-#include "core/size.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/channel.hpp"
-#include "core/colour.hpp"
+#include "core/pixel/channel.hpp"
+#include "core/pixel/colour.hpp"
 #include "core/raster/coverage.hpp"
 
 #include <cstdint>

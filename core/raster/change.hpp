@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/size.hpp"
+#include "core/math/size.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,7 @@
 #include "core/raster/coverage.hpp"
 
-#include "core/raster/reciprocal.hpp"
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
+#include "core/raster/outline/reciprocal.hpp"
 
 #include <algorithm>
 #include <cstdlib>

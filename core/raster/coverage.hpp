@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/raster/grid.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/raster/dirty.hpp"
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 #include <algorithm>
 

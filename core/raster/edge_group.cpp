@@ -1,6 +1,6 @@
 #include "core/raster/edge_group.hpp"
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "core/raster/layer_row.hpp"
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 #include <algorithm>
 #include <utility>

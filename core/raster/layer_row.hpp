@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/function_ref.hpp"
+#include "core/bytes/function_ref.hpp"
 #include "core/raster/band.hpp"
 #include "core/raster/coverage.hpp"
 #include "core/raster/dirty.hpp"

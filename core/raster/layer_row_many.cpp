@@ -2,7 +2,7 @@
 
 #include "core/raster/layer_row.hpp"
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/raster/paint_step.hpp"
+#include "core/raster/outline/paint_step.hpp"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include "core/raster/record.hpp"
 
-#include "core/wide_fill.hpp"
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
+#include "core/pixel/wide_fill.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/raster/chain.hpp"
-#include "core/raster/paint_step.hpp"
+#include "core/raster/outline/chain.hpp"
+#include "core/raster/outline/paint_step.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "core/raster/renderer.hpp"
 
+#include "core/bytes/work.hpp"
 #include "core/raster/band_painter.hpp"
 #include "core/raster/packing.hpp"
-#include "core/work.hpp"
 
 #include <algorithm>
 

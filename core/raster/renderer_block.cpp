@@ -1,4 +1,4 @@
-#include "core/block_cutter.hpp"
+#include "core/bytes/block_cutter.hpp"
 #include "core/raster/renderer.hpp"
 
 namespace kfast::raster {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/raster/chain.hpp"
-#include "core/raster/grid.hpp"
+#include "core/raster/outline/chain.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #include "core/raster/sample_line.hpp"
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 namespace kfast::raster {
 

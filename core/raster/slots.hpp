@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/colour.hpp"
+#include "core/pixel/colour.hpp"
 #include "core/raster/cells.hpp"
-#include "core/raster/paint_step.hpp"
+#include "core/raster/outline/paint_step.hpp"
 
 #include <array>
 #include <cstddef>

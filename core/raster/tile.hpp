@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/bytes/work.hpp"
 #include "core/raster/cells.hpp"
-#include "core/work.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Turns one drawing into another, both in plain arrays, and writes a strip of the in-betweens: morph
 // >morph.svg
-#include "core/drawing_view.hpp"
-#include "core/equalize.hpp"
-#include "core/flatten.hpp"
-#include "core/velocity_law.hpp"
+#include "core/math/flatten.hpp"
+#include "core/pose/drawing_view.hpp"
+#include "core/pose/equalize.hpp"
+#include "core/time/velocity_law.hpp"
 
 #include <array>
 #include <cstdint>

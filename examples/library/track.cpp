@@ -2,7 +2,7 @@
 //
 //     track
 
-#include "core/track.hpp"
+#include "core/time/track.hpp"
 
 #include <array>
 #include <cstdio>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/link.hpp"
 #include "firmware/link/report.hpp"
 #include "firmware/link/stage.hpp"
-#include "firmware/microseconds.hpp"
 #include "firmware/slots/slot_store.hpp"
 
 #include <array>

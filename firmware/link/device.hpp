@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/scene_view.hpp"
-#include "core/time.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/time.hpp"
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/drawing_part.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
-#include "firmware/microseconds.hpp"
 #include "firmware/status.hpp"
 
 #include <concepts>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/live_drawing.hpp"
+#include "core/pose/live_drawing.hpp"
 #include "firmware/link/input_message.hpp"
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/byte_reader.hpp"
-#include "core/live_drawing.hpp"
-#include "core/size.hpp"
-#include "core/time.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "core/math/size.hpp"
+#include "core/pose/live_drawing.hpp"
+#include "core/time/time.hpp"
+#include "firmware/chip/span_writer.hpp"
+#include "firmware/chip/stored_text.hpp"
 #include "firmware/link/report.hpp"
-#include "firmware/span_writer.hpp"
-#include "firmware/stored_text.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/playhead.hpp"
-#include "core/scene_view.hpp"
+#include "core/scene/scene_view.hpp"
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/answer_queue.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/fields.hpp"
@@ -12,7 +13,6 @@
 #include "firmware/link/silence_watch.hpp"
 #include "firmware/link/upload.hpp"
 #include "firmware/link/upload_message.hpp"
-#include "firmware/microseconds.hpp"
 #include "firmware/slots/slot_store.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/size.hpp"
-#include "core/time.hpp"
+#include "core/math/size.hpp"
+#include "core/time/time.hpp"
+#include "firmware/chip/stored_text.hpp"
 #include "firmware/link/message_kind.hpp"
 #include "firmware/status.hpp"
-#include "firmware/stored_text.hpp"
 
 #include <cstdint>
 

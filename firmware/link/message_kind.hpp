@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/stored_text.hpp"
+#include "firmware/chip/stored_text.hpp"
 
 #include <cstdint>
 

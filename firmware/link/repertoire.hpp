@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/scene_view.hpp"
-#include "firmware/blank.hpp"
+#include "core/scene/scene_view.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/upload.hpp"
+#include "firmware/run/blank.hpp"
 #include "firmware/slots/slot_store.hpp"
 #include "firmware/status.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/message.hpp"
-#include "firmware/microseconds.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene_view.hpp"
+#include "core/scene/scene_view.hpp"
 #include "firmware/status.hpp"
 
 #include <algorithm>

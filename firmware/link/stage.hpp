@@ -1,17 +1,17 @@
 #pragma once
 
-#include "core/live_scene.hpp"
+#include "core/bytes/result.hpp"
 #include "core/playhead.hpp"
-#include "core/result.hpp"
-#include "core/scene_view.hpp"
-#include "firmware/board.hpp"
-#include "firmware/board_settings.hpp"
-#include "firmware/controls.hpp"
+#include "core/pose/live_scene.hpp"
+#include "core/scene/scene_view.hpp"
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
-#include "firmware/microseconds.hpp"
-#include "firmware/placed_input.hpp"
+#include "firmware/run/board.hpp"
+#include "firmware/run/controls.hpp"
+#include "firmware/run/placed_input.hpp"
+#include "firmware/settings/board_settings.hpp"
 #include "firmware/status.hpp"
 
 #include <cstddef>
@@ -94,7 +94,7 @@ public:
     /// What shall play begins. False if nothing is to be drawn: the picture holds.
     bool begin();
 
-    // What the run loop asks of a board (firmware/board.hpp), after begin().
+    // What the run loop asks of a board (firmware/run/board.hpp), after begin().
     std::span<const std::byte> scene_bytes() const { return now_.programme.scene; }
     std::span<std::byte> block() const;
     void scene_started(const SceneView& scene);

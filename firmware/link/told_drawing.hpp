@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/live_scene.hpp"
+#include "core/pose/live_scene.hpp"
 #include "firmware/link/drawing_part.hpp"
 #include "firmware/status.hpp"
 

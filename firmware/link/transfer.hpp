@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/sink.hpp"
 #include "firmware/link/upload_message.hpp"
-#include "firmware/microseconds.hpp"
 #include "firmware/status.hpp"
 
 #include <cstddef>

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "firmware/chip/microseconds.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/outcome.hpp"
 #include "firmware/link/sink.hpp"
 #include "firmware/link/transfer.hpp"
 #include "firmware/link/upload_message.hpp"
-#include "firmware/microseconds.hpp"
 #include "firmware/slots/slot_store.hpp"
 
 #include <cstdint>

@@ -26,7 +26,7 @@ struct Begin {
     Home home = Home::slot; ///< slot or ram
     std::uint8_t slot = no_slot;
     std::uint32_t size = 0; ///< bytes
-    std::uint32_t crc = 0;  ///< CRC-32 of all bytes (core/crc32.hpp)
+    std::uint32_t crc = 0;  ///< CRC-32 of all bytes (core/bytes/crc32.hpp)
     Name name{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.home, it.slot, it.size, it.crc, it.name); }

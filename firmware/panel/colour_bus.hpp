@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/pixel_format.hpp"
-#include "firmware/bus.hpp"
+#include "core/pixel/pixel_format.hpp"
+#include "firmware/panel/bus.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "firmware/controller_facts.hpp"
-#include "firmware/panel.hpp"
 #include "firmware/panel/colour_bus.hpp"
+#include "firmware/panel/panel.hpp"
 #include "firmware/panel/picture_place.hpp"
-#include "firmware/start_up.hpp"
+#include "firmware/panel/start_up.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "firmware/slots/slot_directory.hpp"
 
-#include "core/byte_reader.hpp"
-#include "core/crc32.hpp"
-#include "firmware/span_writer.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "core/bytes/crc32.hpp"
+#include "firmware/chip/span_writer.hpp"
 
 #include <algorithm>
 

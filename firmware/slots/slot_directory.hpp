@@ -1,7 +1,7 @@
 #pragma once
 
+#include "firmware/chip/stored_text.hpp"
 #include "firmware/slots/flash.hpp"
-#include "firmware/stored_text.hpp"
 
 #include <array>
 #include <cstddef>

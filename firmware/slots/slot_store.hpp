@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/crc32.hpp"
-#include "core/scene_view.hpp"
+#include "core/bytes/crc32.hpp"
+#include "core/scene/scene_view.hpp"
 #include "firmware/slots/flash.hpp"
 #include "firmware/slots/flash_places.hpp"
 #include "firmware/slots/sector_writer.hpp"

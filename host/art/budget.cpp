@@ -1,6 +1,6 @@
 #include "host/art/budget.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time.hpp"
+#include "core/time/time.hpp"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_player.hpp"
 #include "host/picture/told_inputs.hpp"
-#include "host/word_block.hpp"
+#include "host/player/word_block.hpp"
 
 #include <cstdint>
 #include <limits>

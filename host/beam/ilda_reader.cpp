@@ -1,7 +1,7 @@
 #include "host/beam/ilda_reader.hpp"
 
 #include "host/beam/ilda_palette.hpp"
-#include "host/counted.hpp"
+#include "host/text/counted.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "host/beam/point_hash.hpp"
 
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,11 +1,11 @@
 #include "host/beam/profile_choice.hpp"
 
 #include "host/beam/beam_reader.hpp"
-#include "host/counted.hpp"
-#include "host/failure.hpp"
-#include "host/input_file.hpp"
-#include "host/reported_diagnostics.hpp"
+#include "host/file/input_file.hpp"
+#include "host/program/failure.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
+#include "host/text/reported_diagnostics.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>

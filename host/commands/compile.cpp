@@ -1,13 +1,13 @@
-#include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/fit_options.hpp"
-#include "host/commands/import_options.hpp"
-#include "host/commands/output_option.hpp"
-#include "host/commands/output_path.hpp"
-#include "host/commands/report_options.hpp"
-#include "host/commands/summary.hpp"
-#include "host/failure.hpp"
-#include "host/scene_file.hpp"
+#include "host/commands/import/import_options.hpp"
+#include "host/commands/options/fit_options.hpp"
+#include "host/commands/options/output_option.hpp"
+#include "host/commands/options/output_path.hpp"
+#include "host/commands/options/report_options.hpp"
+#include "host/commands/text/summary.hpp"
+#include "host/compile/scene_file.hpp"
+#include "host/file/atomic_file.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <array>

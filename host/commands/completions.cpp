@@ -1,10 +1,10 @@
-#include "host/commands/bash_completion.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/command_words.hpp"
-#include "host/commands/fish_completion.hpp"
-#include "host/commands/named_choice.hpp"
-#include "host/commands/offered_names.hpp"
-#include "host/commands/zsh_completion.hpp"
+#include "host/commands/help/bash_completion.hpp"
+#include "host/commands/help/command_words.hpp"
+#include "host/commands/help/fish_completion.hpp"
+#include "host/commands/help/zsh_completion.hpp"
+#include "host/commands/options/named_choice.hpp"
+#include "host/commands/options/offered_names.hpp"
 
 #include <array>
 #include <iostream>

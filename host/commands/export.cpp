@@ -1,13 +1,13 @@
-#include "host/commands/beam_option.hpp"
-#include "host/commands/c_name.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/export_kinds.hpp"
-#include "host/commands/import_options.hpp"
-#include "host/commands/number_range.hpp"
-#include "host/commands/option_groups.hpp"
-#include "host/commands/output_option.hpp"
-#include "host/commands/output_path.hpp"
-#include "host/commands/report_options.hpp"
+#include "host/commands/export/c_name.hpp"
+#include "host/commands/export/export_kinds.hpp"
+#include "host/commands/import/import_options.hpp"
+#include "host/commands/options/beam_option.hpp"
+#include "host/commands/options/number_range.hpp"
+#include "host/commands/options/option_groups.hpp"
+#include "host/commands/options/output_option.hpp"
+#include "host/commands/options/output_path.hpp"
+#include "host/commands/options/report_options.hpp"
 
 #include <array>
 #include <memory>

@@ -1,9 +1,9 @@
-#include "host/commands/beam_fit_print.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/fit_options.hpp"
-#include "host/commands/fit_print.hpp"
-#include "host/commands/import_options.hpp"
-#include "host/commands/report_options.hpp"
+#include "host/commands/import/import_options.hpp"
+#include "host/commands/info/beam_fit_print.hpp"
+#include "host/commands/info/fit_print.hpp"
+#include "host/commands/options/fit_options.hpp"
+#include "host/commands/options/report_options.hpp"
 
 #include <iostream>
 

@@ -1,12 +1,12 @@
 #include "host/beam/beam_source.hpp"
 #include "host/beam/point_hash.hpp"
-#include "host/commands/beam_option.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/import_options.hpp"
-#include "host/commands/picture_options.hpp"
-#include "host/commands/play_options.hpp"
-#include "host/commands/work_bar.hpp"
-#include "host/scene_file.hpp"
+#include "host/commands/import/import_options.hpp"
+#include "host/commands/options/beam_option.hpp"
+#include "host/commands/options/play_options.hpp"
+#include "host/commands/render/picture_options.hpp"
+#include "host/commands/text/work_bar.hpp"
+#include "host/compile/scene_file.hpp"
 
 #include <cstdio>
 #include <iostream>

@@ -1,6 +1,6 @@
 #include "host/commands/command.hpp"
-#include "host/commands/help_page.hpp"
-#include "host/commands/offered_names.hpp"
+#include "host/commands/help/help_page.hpp"
+#include "host/commands/options/offered_names.hpp"
 
 #include <memory>
 #include <string>

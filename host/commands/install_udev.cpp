@@ -1,6 +1,6 @@
-#include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/failure.hpp"
+#include "host/file/atomic_file.hpp"
+#include "host/program/failure.hpp"
 #include "host/udev/udev_rule.hpp"
 
 #include <cerrno>

@@ -1,9 +1,9 @@
-#include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/man_page.hpp"
-#include "host/commands/output_folder.hpp"
-#include "host/commands/report_options.hpp"
-#include "host/counted.hpp"
+#include "host/commands/help/man_page.hpp"
+#include "host/commands/options/output_folder.hpp"
+#include "host/commands/options/report_options.hpp"
+#include "host/file/atomic_file.hpp"
+#include "host/text/counted.hpp"
 
 #include <filesystem>
 #include <iostream>

@@ -1,11 +1,11 @@
-#include "host/atomic_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/named_choice.hpp"
-#include "host/commands/offered_names.hpp"
-#include "host/commands/report_options.hpp"
-#include "host/commands/template_list.hpp"
-#include "host/failure.hpp"
-#include "host/preview/borrowed_terminal.hpp"
+#include "host/commands/options/named_choice.hpp"
+#include "host/commands/options/offered_names.hpp"
+#include "host/commands/options/report_options.hpp"
+#include "host/commands/templates/template_list.hpp"
+#include "host/file/atomic_file.hpp"
+#include "host/preview/terminal/borrowed_terminal.hpp"
+#include "host/program/failure.hpp"
 
 #include <filesystem>
 #include <iostream>

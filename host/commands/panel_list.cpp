@@ -1,7 +1,7 @@
 #include "host/commands/panel_list.hpp"
 
-#include "firmware/controller_facts.hpp"
-#include "host/commands/settings_choice.hpp"
+#include "firmware/settings/controller_facts.hpp"
+#include "host/commands/flash/settings_choice.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/fit/display.hpp"
 #include "host/picture/panel_choice.hpp"

@@ -1,9 +1,9 @@
 #include "host/commands/command.hpp"
-#include "host/commands/json_text.hpp"
+#include "host/commands/options/report_options.hpp"
 #include "host/commands/panel_list.hpp"
-#include "host/commands/report_options.hpp"
-#include "host/commands/size_text.hpp"
-#include "host/commands/table_lines.hpp"
+#include "host/commands/text/json_text.hpp"
+#include "host/commands/text/size_text.hpp"
+#include "host/commands/text/table_lines.hpp"
 #include "host/picture/format_name.hpp"
 
 #include <iostream>

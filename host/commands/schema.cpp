@@ -1,8 +1,8 @@
 #include "host/commands/command.hpp"
-#include "host/commands/report_options.hpp"
-#include "host/commands/vocabulary_json.hpp"
-#include "host/commands/vocabulary_kdl.hpp"
-#include "host/commands/vocabulary_markdown.hpp"
+#include "host/commands/help/vocabulary_json.hpp"
+#include "host/commands/help/vocabulary_kdl.hpp"
+#include "host/commands/help/vocabulary_markdown.hpp"
+#include "host/commands/options/report_options.hpp"
 
 #include <iostream>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "host/commands/command.hpp"
-#include "host/commands/device_options.hpp"
-#include "host/commands/json_text.hpp"
+#include "host/commands/devices/device_options.hpp"
+#include "host/commands/text/json_text.hpp"
 #include "host/link/on_each.hpp"
 #include "host/link/refusal.hpp"
 #include "host/link/slot_choice.hpp"

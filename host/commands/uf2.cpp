@@ -1,5 +1,5 @@
 #include "host/commands/command.hpp"
-#include "host/commands/uf2_commands.hpp"
+#include "host/commands/uf2/uf2_commands.hpp"
 
 #include <array>
 #include <string_view>

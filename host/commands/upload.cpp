@@ -1,12 +1,12 @@
 #include "host/commands/command.hpp"
-#include "host/commands/device_options.hpp"
-#include "host/commands/import_options.hpp"
-#include "host/commands/json_text.hpp"
-#include "host/commands/option_groups.hpp"
-#include "host/commands/progress_bar.hpp"
+#include "host/commands/devices/device_options.hpp"
+#include "host/commands/devices/progress_bar.hpp"
+#include "host/commands/import/import_options.hpp"
+#include "host/commands/options/option_groups.hpp"
+#include "host/commands/text/json_text.hpp"
+#include "host/compile/scene_file.hpp"
 #include "host/link/on_each.hpp"
 #include "host/link/slot_choice.hpp"
-#include "host/scene_file.hpp"
 #include "host/text/glyph.hpp"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "host/compiler/compile.hpp"
 
-#include "host/compiler/allowance.hpp"
 #include "host/compiler/drifting_arcs.hpp"
 #include "host/compiler/item_origins.hpp"
+#include "host/compiler/limits/allowance.hpp"
 #include "host/compiler/stroke_order.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "host/kdl/parser.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/tell_work.hpp"
+#include "host/program/tell_work.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 

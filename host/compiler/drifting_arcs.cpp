@@ -1,11 +1,11 @@
 #include "host/compiler/drifting_arcs.hpp"
 
-#include "core/key_interval.hpp"
-#include "host/compiler/backbone_cell.hpp"
-#include "host/compiler/match_by_count.hpp"
-#include "host/compiler/match_by_length.hpp"
-#include "host/in_frames.hpp"
-#include "host/rounded_text.hpp"
+#include "core/time/key_interval.hpp"
+#include "host/compiler/carry/backbone_cell.hpp"
+#include "host/compiler/match/match_by_count.hpp"
+#include "host/compiler/match/match_by_length.hpp"
+#include "host/text/rounded_text.hpp"
+#include "host/words/in_frames.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "host/compiler/stroke_order.hpp"
 
 #include "core/beam/beam_route.hpp"
-#include "core/beam/beam_travel.hpp"
-#include "host/compiler/carrier.hpp"
+#include "core/beam/field_point.hpp"
+#include "host/compiler/carry/carrier.hpp"
 
 #include <algorithm>
 #include <cstddef>

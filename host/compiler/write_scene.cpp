@@ -1,15 +1,15 @@
 #include "host/compiler/write_scene.hpp"
 
-#include "core/kfb_limits.hpp"
-#include "host/compiler/allowance.hpp"
-#include "host/compiler/bone_writer.hpp"
-#include "host/compiler/drawing_pool.hpp"
-#include "host/compiler/header.hpp"
-#include "host/compiler/input_writer.hpp"
-#include "host/compiler/item_writer.hpp"
-#include "host/compiler/law_table.hpp"
-#include "host/compiler/mark_writer.hpp"
-#include "host/compiler/outline_needs.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "host/compiler/limits/allowance.hpp"
+#include "host/compiler/limits/outline_needs.hpp"
+#include "host/compiler/pack/drawing_pool.hpp"
+#include "host/compiler/pack/law_table.hpp"
+#include "host/compiler/write/bone_writer.hpp"
+#include "host/compiler/write/header.hpp"
+#include "host/compiler/write/input_writer.hpp"
+#include "host/compiler/write/item_writer.hpp"
+#include "host/compiler/write/mark_writer.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "host/program/tell_work.hpp"
 #include "host/scene/model.hpp"
-#include "host/tell_work.hpp"
 #include "host/text/diagnostic.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_settings.hpp"
+#include "firmware/settings/board_settings.hpp"
 
 #include <cstddef>
 #include <string>
@@ -9,8 +9,8 @@
 namespace kfast::config {
 
 /// The settings that `input` names: a configuration of this program; a text; or a record
-/// (firmware/board_record.hpp), at the beginning of a file, in its place in an image of the whole flash, or
-/// in a UF2 file. Names have neither dot nor slash; what a file is, its content tells.
+/// (firmware/settings/board_record.hpp), at the beginning of a file, in its place in an image of the whole
+/// flash, or in a UF2 file. Names have neither dot nor slash; what a file is, its content tells.
 ///
 /// What is wrong with a text is printed to standard error, and what a person should know although it is not.
 /// Throws Failure for a name that there is not, a file that holds no settings, and settings that break a

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_settings.hpp"
+#include "firmware/settings/board_settings.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
@@ -9,8 +9,8 @@
 namespace kfast::config {
 
 /// Reads the settings of a board (docs/config.md). Any text is allowed; what is wrong goes to `diagnostics`,
-/// and there are settings exactly when nothing was. They keep all rules of firmware/board_rules.hpp; a clock
-/// above what the display is rated for is only warned of.
+/// and there are settings exactly when nothing was. They keep all rules of firmware/settings/board_rules.hpp;
+/// a clock above what the display is rated for is only warned of.
 std::optional<BoardSettings> read_config(const SourceText& source, Diagnostics& diagnostics);
 
 }

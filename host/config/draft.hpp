@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_settings.hpp"
+#include "firmware/settings/board_settings.hpp"
 #include "host/kdl/document.hpp"
 
 #include <array>

@@ -1,12 +1,12 @@
 #include "host/config/firmware_file.hpp"
 
-#include "core/byte_reader.hpp"
-#include "firmware/image_mark.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "firmware/settings/image_mark.hpp"
 #include "host/config/pico_flash.hpp"
-#include "host/failure.hpp"
+#include "host/file/input_file.hpp"
 #include "host/flash/boot_checksum.hpp"
 #include "host/flash/uf2.hpp"
-#include "host/input_file.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_settings.hpp"
+#include "firmware/settings/board_settings.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,7 +18,7 @@ std::vector<std::byte> load_firmware(const std::filesystem::path& path);
 /// Whether they begin with a boot block of the RP2040, with the right checksum.
 bool begins_with_boot_block(std::span<const std::byte> bytes);
 
-/// The bus that an image says it is for (firmware/image_mark.hpp); nothing if it says nothing.
+/// The bus that an image says it is for (firmware/settings/image_mark.hpp); nothing if it says nothing.
 std::optional<BusKind> marked_bus(std::span<const std::byte> image);
 
 }

@@ -1,8 +1,8 @@
 #include "host/config/firmware_images.hpp"
 
 #include "host/config/setting_words.hpp"
-#include "host/failure.hpp"
-#include "host/program_file.hpp"
+#include "host/file/program_file.hpp"
+#include "host/program/failure.hpp"
 
 #include <cstdlib>
 #include <string>

@@ -1,7 +1,7 @@
 #include "host/config/panel_reader.hpp"
 
 #include "core/player.hpp"
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 #include "host/config/named_words.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/scene/property_rule.hpp"

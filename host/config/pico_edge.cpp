@@ -1,6 +1,6 @@
 #include "host/config/pico_edge.hpp"
 
-#include "firmware/rp2040_pins.hpp"
+#include "firmware/settings/rp2040_pins.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/rp2040_flash.hpp"
+#include "firmware/settings/rp2040_flash.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_rules.hpp"
+#include "firmware/settings/board_rules.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "host/config/pins_reader.hpp"
 
-#include "firmware/rp2040_pins.hpp"
+#include "firmware/settings/rp2040_pins.hpp"
 #include "host/config/printed_roles.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/scene/property_rule.hpp"

@@ -1,6 +1,6 @@
 #include "host/config/wiring.hpp"
 
-#include "firmware/board_rules.hpp"
+#include "firmware/settings/board_rules.hpp"
 #include "host/config/panel_labels.hpp"
 #include "host/config/pico_edge.hpp"
 #include "host/config/setting_words.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/board_settings.hpp"
+#include "firmware/settings/board_settings.hpp"
 
 #include <array>
 #include <optional>
@@ -30,7 +30,8 @@ struct Connection {
     bool is_optional = false; ///< only where the part has such an end; no drawing shows it
 };
 
-/// All wires that settings for a Pico ask for, part by part; they keep its rules (firmware/board_rules.hpp).
+/// All wires that settings for a Pico ask for, part by part; they keep its rules
+/// (firmware/settings/board_rules.hpp).
 std::vector<Connection> wiring(const BoardSettings& settings);
 
 }

@@ -1,11 +1,11 @@
-#include "host/counted.hpp"
-#include "host/failure.hpp"
-#include "host/input_file.hpp"
+#include "host/compile/reported_compile.hpp"
+#include "host/file/input_file.hpp"
 #include "host/picture/player_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/preview/borrowed_terminal.hpp"
-#include "host/preview/steady_now.hpp"
-#include "host/reported_compile.hpp"
+#include "host/preview/playback/steady_now.hpp"
+#include "host/preview/terminal/borrowed_terminal.hpp"
+#include "host/program/failure.hpp"
+#include "host/text/counted.hpp"
 
 #include <algorithm>
 #include <charconv>

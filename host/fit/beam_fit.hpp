@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/beam/beam_player.hpp"
-#include "core/scene_view.hpp"
+#include "core/scene/scene_view.hpp"
 #include "host/fit/fit_stop.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/target.hpp"
-#include "host/tell_work.hpp"
+#include "host/program/tell_work.hpp"
 
 #include <cstddef>
 #include <cstdint>

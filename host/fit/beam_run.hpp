@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/beam/beam_player.hpp"
-#include "core/stretch.hpp"
+#include "core/scene/stretch.hpp"
 #include "host/fit/busy_inputs.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_count.hpp"
-#include "host/word_block.hpp"
+#include "host/player/word_block.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,13 +1,13 @@
 #include "host/fit/board_choice.hpp"
 
-#include "host/counted.hpp"
-#include "host/failure.hpp"
+#include "host/file/input_file.hpp"
 #include "host/fit/board_reader.hpp"
 #include "host/fit/board_texts.hpp"
 #include "host/fit/other_hardware.hpp"
-#include "host/input_file.hpp"
-#include "host/reported_diagnostics.hpp"
+#include "host/program/failure.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
+#include "host/text/reported_diagnostics.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/scene_view.hpp"
-#include "host/told_drawing.hpp"
+#include "core/scene/scene_view.hpp"
+#include "host/player/told_drawing.hpp"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #include "host/fit/busy_inputs.hpp"
 
-#include "host/input_text.hpp"
+#include "host/walk/input_text.hpp"
 
 #include <algorithm>
 

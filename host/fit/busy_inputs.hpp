@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/live_scene.hpp"
+#include "core/pose/live_scene.hpp"
 #include "host/fit/busy_drawing.hpp"
-#include "host/told_drawing.hpp"
+#include "host/player/told_drawing.hpp"
 
 #include <array>
 #include <cstdint>

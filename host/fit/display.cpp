@@ -1,6 +1,6 @@
 #include "host/fit/display.hpp"
 
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr Display usual(Controller controller)
             .rated_spi = static_cast<double>(facts.spi_hz)};
 }
 
-/// Its clock is not known from the maker himself (firmware/controller_facts.hpp).
+/// Its clock is not known from the maker himself (firmware/settings/controller_facts.hpp).
 constexpr Display unrated(Display display)
 {
     display.rated_spi = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/pixel_format.hpp"
-#include "core/size.hpp"
+#include "core/math/size.hpp"
+#include "core/pixel/pixel_format.hpp"
 
 #include <cstddef>
 #include <span>
@@ -27,7 +27,7 @@ Display taking(PixelFormat format, Display display);
 
 /// The controller of that name, or null.
 const Display* display_named(std::string_view name);
-/// All controllers that are known: those with a driver (firmware/controller_facts.hpp), and some for
+/// All controllers that are known: those with a driver (firmware/settings/controller_facts.hpp), and some for
 /// estimates alone.
 std::span<const Display> displays();
 /// Of all of them.

@@ -1,9 +1,9 @@
 #include "host/fit/fit_report.hpp"
 
-#include "host/counted.hpp"
 #include "host/fit/item_labels.hpp"
 #include "host/fit/slack.hpp"
 #include "host/fit/wording.hpp"
+#include "host/text/counted.hpp"
 
 #include <algorithm>
 #include <cmath>

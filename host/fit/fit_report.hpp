@@ -5,7 +5,7 @@
 #include "host/fit/memory_need.hpp"
 #include "host/fit/speed.hpp"
 #include "host/fit/target.hpp"
-#include "host/tell_work.hpp"
+#include "host/program/tell_work.hpp"
 
 #include <span>
 #include <string>

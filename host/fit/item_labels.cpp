@@ -1,6 +1,6 @@
 #include "host/fit/item_labels.hpp"
 
-#include "core/item_path.hpp"
+#include "core/scene/item_path.hpp"
 
 namespace kfast::fit {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/scene_view.hpp"
-#include "host/stored_items.hpp"
+#include "core/scene/scene_view.hpp"
+#include "host/walk/stored_items.hpp"
 
 #include <cstdint>
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace kfast::fit {
 
-/// What the objects of a scene are called, by their paths (core/item_path.hpp).
+/// What the objects of a scene are called, by their paths (core/scene/item_path.hpp).
 class ItemLabels {
 public:
     /// `names` are those of the items in the order in which the scene stores them, or none.

@@ -1,6 +1,6 @@
 #include "host/fit/largest_outlines.hpp"
 
-#include "host/outline_items.hpp"
+#include "host/walk/outline_items.hpp"
 
 namespace kfast::fit {
 

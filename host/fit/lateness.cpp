@@ -1,6 +1,6 @@
 #include "host/fit/lateness.hpp"
 
-#include "firmware/frame_clock.hpp"
+#include "firmware/run/frame_clock.hpp"
 #include "host/fit/slack.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 namespace kfast::fit {
 
 /// How many frames of one turn of a scene a board shows late, or not at all. It begins each frame when it is
-/// due, or at once if that has passed (firmware/run.hpp).
+/// due, or at once if that has passed (firmware/run/run.hpp).
 struct Lateness {
     std::size_t frames = 0;   ///< of the turn
     std::size_t late = 0;     ///< those that are not finished when the next one is due, or are left out

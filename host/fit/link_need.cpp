@@ -1,8 +1,8 @@
 #include "host/fit/link_need.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "firmware/link/input_message.hpp"
-#include "host/counted.hpp"
+#include "host/text/counted.hpp"
 
 namespace kfast::fit {
 namespace {

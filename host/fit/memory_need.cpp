@@ -1,6 +1,6 @@
 #include "host/fit/memory_need.hpp"
 
-#include "host/feature_name.hpp"
+#include "host/words/feature_name.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "core/stretch.hpp"
+#include "core/scene/stretch.hpp"
 #include "host/fit/busy_inputs.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
 #include "host/fit/work_log.hpp"
-#include "host/word_block.hpp"
+#include "host/player/word_block.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/canvas_map.hpp"
-#include "core/scene_view.hpp"
-#include "core/time.hpp"
+#include "core/math/canvas_map.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/time.hpp"
 #include "host/fit/fit_stop.hpp"
 #include "host/fit/frame_cost.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
-#include "host/tell_work.hpp"
+#include "host/program/tell_work.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace kfast::fit {
 
-/// The object that costs most in a picture, by its path (core/item_path.hpp); and its part of the work.
+/// The object that costs most in a picture, by its path (core/scene/item_path.hpp); and its part of the work.
 struct HeaviestItem {
     std::uint32_t path = 0;
     double share = 0;

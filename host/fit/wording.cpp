@@ -1,8 +1,8 @@
 #include "host/fit/wording.hpp"
 
-#include "host/counted.hpp"
-#include "host/feature_name.hpp"
-#include "host/in_frames.hpp"
+#include "host/text/counted.hpp"
+#include "host/words/feature_name.hpp"
+#include "host/words/in_frames.hpp"
 
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/work.hpp"
+#include "core/bytes/work.hpp"
 
 #include <array>
 #include <cstdint>

@@ -4,11 +4,11 @@
 //     kfast-work SCENE      a line of names; then for each frame its areas, bytes, the instructions that the
 //                           table predicts for each processor, and the counts
 
-#include "host/failure.hpp"
+#include "host/compile/scene_file.hpp"
 #include "host/fit/cost_table.hpp"
 #include "host/fit/scene_run.hpp"
 #include "host/fit/work_names.hpp"
-#include "host/scene_file.hpp"
+#include "host/program/failure.hpp"
 
 #include <cstdio>
 #include <iostream>

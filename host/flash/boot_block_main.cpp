@@ -1,8 +1,8 @@
 // boot_block CODE OUT.S    For the build of device images: makes assembly of a boot block from its code.
 
-#include "host/atomic_file.hpp"
+#include "host/file/atomic_file.hpp"
+#include "host/file/input_file.hpp"
 #include "host/flash/boot_checksum.hpp"
-#include "host/input_file.hpp"
 
 #include <array>
 #include <cstdio>

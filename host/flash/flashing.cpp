@@ -1,8 +1,8 @@
 #include "host/flash/flashing.hpp"
 
-#include "host/failure.hpp"
 #include "host/flash/hex_text.hpp"
-#include "host/interruption.hpp"
+#include "host/program/failure.hpp"
+#include "host/program/interruption.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "host/flash/picoboot.hpp"
 
-#include "core/byte_reader.hpp"
-#include "host/compiler/byte_writer.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
 #include "host/flash/flash_image.hpp"
 #include "host/flash/hex_text.hpp"
 

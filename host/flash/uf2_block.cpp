@@ -1,6 +1,6 @@
 #include "host/flash/uf2_block.hpp"
 
-#include "core/byte_reader.hpp"
+#include "core/bytes/byte_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/compiler/byte_writer.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
 #include "host/flash/flash_image.hpp"
 
 #include <cstddef>

@@ -1,10 +1,10 @@
 #include "host/flash/uf2_drive.hpp"
 
-#include "host/failure.hpp"
 #include "host/flash/mounted_folders.hpp"
 #include "host/flash/uf2.hpp"
 #include "host/flash/uf2_block.hpp"
-#include "host/interruption.hpp"
+#include "host/program/failure.hpp"
+#include "host/program/interruption.hpp"
 
 #include <algorithm>
 #include <array>

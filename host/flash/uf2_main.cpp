@@ -1,8 +1,8 @@
 // uf2 IMAGE ADDRESS OUT.uf2    For the build of device images: a file to drop on the drive of a boot loader.
 
-#include "host/atomic_file.hpp"
+#include "host/file/atomic_file.hpp"
+#include "host/file/input_file.hpp"
 #include "host/flash/uf2.hpp"
-#include "host/input_file.hpp"
 
 #include <array>
 #include <cstdio>

@@ -1,8 +1,8 @@
-#include "host/failure.hpp"
 #include "host/flash/boot_board.hpp"
 #include "host/flash/boot_usb_id.hpp"
 #include "host/flash/picoboot.hpp"
 #include "host/flash/usb_pipe.hpp"
+#include "host/program/failure.hpp"
 #include "host/udev/not_allowed.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/failure.hpp"
 #include "host/gpio/gpio_lookup.hpp"
+#include "host/program/failure.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "host/import/canvas_size.hpp"
 
-#include "host/art/prepare.hpp"
+#include "host/art/prepare/prepare.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/size.hpp"
-#include "host/art/document.hpp"
+#include "core/math/size.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
-#include "host/scene_text/reach.hpp"
+#include "host/scene_text/values/reach.hpp"
 
 #include <optional>
 

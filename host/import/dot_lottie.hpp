@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/archive/zip_file.hpp"
-#include "host/art/document.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/art/document.hpp"
+#include "host/art/document/document.hpp"
 
 #include <cstddef>
 

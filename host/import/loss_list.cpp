@@ -1,6 +1,6 @@
 #include "host/import/loss_list.hpp"
 
-#include "host/counted.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "host/failure.hpp"
 #include "host/import/import_scene.hpp"
+#include "host/program/failure.hpp"
 
 // In place of import_scene.cpp where KFAST_IMPORTERS is off.
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/colour.hpp"
-#include "core/size.hpp"
-#include "host/art/tolerance.hpp"
-#include "host/svg/key_options.hpp"
-#include "host/tell_work.hpp"
+#include "core/math/size.hpp"
+#include "core/pixel/colour.hpp"
+#include "host/art/prepare/tolerance.hpp"
+#include "host/program/tell_work.hpp"
+#include "host/svg/poses/key_options.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "host/link/device_choice.hpp"
 
-#include "host/failure.hpp"
 #include "host/link/sim_socket.hpp"
+#include "host/program/failure.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "host/link/live_sending.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "firmware/link/input_message.hpp"
-#include "host/drawing_reports.hpp"
-#include "host/interruption.hpp"
+#include "host/player/drawing_reports.hpp"
+#include "host/program/interruption.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/time.hpp"
-#include "host/told_drawing.hpp"
+#include "core/time/time.hpp"
+#include "host/player/told_drawing.hpp"
 
 #include <cstdint>
 #include <map>

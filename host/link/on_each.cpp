@@ -1,7 +1,7 @@
 #include "host/link/on_each.hpp"
 
-#include "host/failure.hpp"
-#include "host/interruption.hpp"
+#include "host/program/failure.hpp"
+#include "host/program/interruption.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "host/link/refusal.hpp"
 
-#include "host/slow_scene.hpp"
+#include "host/program/slow_scene.hpp"
 #include "host/text/glyph.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/link/message.hpp"
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 namespace kfast {
 

@@ -1,9 +1,9 @@
 #include "host/link/remote_device.hpp"
 
-#include "host/failure.hpp"
-#include "host/interruption.hpp"
 #include "host/link/hid_pipe.hpp"
 #include "host/link/socket_pipe.hpp"
+#include "host/program/failure.hpp"
+#include "host/program/interruption.hpp"
 #include "host/text/glyph.hpp"
 
 #include <random>

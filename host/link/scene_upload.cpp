@@ -1,8 +1,8 @@
 #include "host/link/scene_upload.hpp"
 
-#include "core/crc32.hpp"
-#include "host/interruption.hpp"
+#include "core/bytes/crc32.hpp"
 #include "host/link/refusal.hpp"
+#include "host/program/interruption.hpp"
 
 #include <algorithm>
 

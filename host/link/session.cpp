@@ -1,7 +1,7 @@
 #include "host/link/session.hpp"
 
-#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
+#include "host/program/interruption.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "host/link/slot_choice.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "host/text/utf8.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "host/lottie/read_lottie.hpp"
 
-#include "host/lottie/background.hpp"
-#include "host/lottie/camera.hpp"
-#include "host/lottie/composition.hpp"
-#include "host/lottie/json_text.hpp"
+#include "host/lottie/layers/background.hpp"
+#include "host/lottie/layers/camera.hpp"
+#include "host/lottie/layers/composition.hpp"
+#include "host/lottie/values/json_text.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "host/picture/apng.hpp"
 
-#include "core/crc32.hpp"
-#include "host/atomic_file.hpp"
+#include "core/bytes/crc32.hpp"
+#include "host/file/atomic_file.hpp"
 #include "host/picture/film_delay.hpp"
 #include "host/picture/film_moment.hpp"
 #include "host/picture/picture_part.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/player.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/word_block.hpp"
+#include "host/player/word_block.hpp"
 
 #include <algorithm>
 

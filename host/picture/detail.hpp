@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/raster/picture.hpp"
-#include "core/scene_view.hpp"
-#include "core/size.hpp"
+#include "core/math/size.hpp"
+#include "core/raster/outline/picture.hpp"
+#include "core/scene/scene_view.hpp"
 
 #include <cstddef>
 #include <cstdint>

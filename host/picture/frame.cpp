@@ -1,6 +1,6 @@
 #include "host/picture/frame.hpp"
 
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
 
 namespace kfast {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time.hpp"
+#include "core/time/time.hpp"
 #include "host/picture/detail.hpp"
 #include "host/picture/frame.hpp"
 #include "host/picture/told_inputs.hpp"

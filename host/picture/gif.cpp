@@ -1,9 +1,9 @@
 #include "host/picture/gif.hpp"
 
-#include "host/atomic_file.hpp"
-#include "host/failure.hpp"
+#include "host/file/atomic_file.hpp"
 #include "host/picture/gif_moment.hpp"
 #include "host/picture/palette.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/picture/panel_choice.hpp"
 
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/panel_settings.hpp"
+#include "firmware/settings/panel_settings.hpp"
 
 #include <span>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "host/picture/picture.hpp"
 
-#include "core/pixel_row.hpp"
+#include "core/pixel/pixel_row.hpp"
 
 namespace kfast {
 namespace {

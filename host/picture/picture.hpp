@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/colour.hpp"
+#include "core/pixel/colour.hpp"
 #include "host/picture/frame.hpp"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "host/picture/picture_part.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "core/player.hpp"
 #include "host/picture/frame_source.hpp"
-#include "host/word_block.hpp"
+#include "host/player/word_block.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 #include "host/picture/png.hpp"
 
-#include "host/atomic_file.hpp"
-#include "host/failure.hpp"
+#include "host/file/atomic_file.hpp"
 #include "host/picture/channel_bytes.hpp"
+#include "host/program/failure.hpp"
 
 #include <cstdint>
 #include <memory>

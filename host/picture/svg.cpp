@@ -1,6 +1,6 @@
 #include "host/picture/svg.hpp"
 
-#include "host/atomic_file.hpp"
+#include "host/file/atomic_file.hpp"
 #include "host/picture/film_moment.hpp"
 #include "host/picture/svg_colour.hpp"
 

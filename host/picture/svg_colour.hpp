@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/colour.hpp"
-#include "core/opacity.hpp"
+#include "core/pixel/colour.hpp"
+#include "core/pixel/opacity.hpp"
 #include "host/picture/svg_number.hpp"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fixed.hpp"
+#include "core/math/fixed.hpp"
 
 #include <string>
 

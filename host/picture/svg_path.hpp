@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sight.hpp"
+#include "core/math/sight.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/live_scene.hpp"
+#include "core/pose/live_scene.hpp"
 #include "host/picture/told_inputs.hpp"
-#include "host/word_block.hpp"
+#include "host/player/word_block.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 #include "host/picture/svg_tracer.hpp"
 
-#include "core/label_trace.hpp"
-#include "core/live_drawing_trace.hpp"
-#include "core/projection.hpp"
+#include "core/math/projection.hpp"
+#include "core/pose/label_trace.hpp"
+#include "core/pose/live_drawing_trace.hpp"
 #include "host/picture/svg_colour.hpp"
 #include "host/picture/svg_number.hpp"
 #include "host/picture/svg_path.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/evaluator/scene_walk.hpp"
-#include "core/object_strokes.hpp"
-#include "core/scene_on_panel.hpp"
+#include "core/pose/object_strokes.hpp"
+#include "core/pose/scene_on_panel.hpp"
+#include "core/scene_walk.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/live_drawing.hpp"
-#include "core/time.hpp"
+#include "core/pose/live_drawing.hpp"
+#include "core/time/time.hpp"
 
 #include <cstdint>
 #include <span>

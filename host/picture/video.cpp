@@ -1,6 +1,6 @@
 #include "host/picture/video.hpp"
 
-#include "host/atomic_file.hpp"
+#include "host/file/atomic_file.hpp"
 #include "host/picture/channel_bytes.hpp"
 #include "host/picture/film_moment.hpp"
 #include "host/picture/picture_part.hpp"

@@ -2,7 +2,7 @@
 
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/tell_work.hpp"
+#include "host/program/tell_work.hpp"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #include "host/picture/video_pipe.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/picture_window.hpp"
+#include "host/preview/window/picture_window.hpp"
 #include "host/simulator/onlooker.hpp"
 
 #include <functional>

@@ -1,11 +1,11 @@
 #include "host/preview/headless.hpp"
 
-#include "core/crc32.hpp"
-#include "host/counted.hpp"
-#include "host/failure.hpp"
-#include "host/in_frames.hpp"
+#include "core/bytes/crc32.hpp"
+#include "host/program/failure.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
+#include "host/words/in_frames.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "host/preview/snapshot.hpp"
 
 #include "host/preview/headless.hpp"
-#include "host/preview/preview_screen.hpp"
-#include "host/preview/raster_painter.hpp"
+#include "host/preview/painter/raster_painter.hpp"
+#include "host/preview/window/preview_screen.hpp"
 
 #include <chrono>
 #include <thread>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/preview/script.hpp"
-#include "host/preview/viewer.hpp"
+#include "host/preview/controls/script.hpp"
+#include "host/preview/viewer/viewer.hpp"
 
 #include <ostream>
 #include <span>

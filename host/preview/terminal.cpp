@@ -1,11 +1,11 @@
 #include "host/preview/terminal.hpp"
 
-#include "host/failure.hpp"
-#include "host/preview/beside.hpp"
-#include "host/preview/borrowed_terminal.hpp"
-#include "host/preview/steady_now.hpp"
-#include "host/preview/terminal_colours.hpp"
-#include "host/preview/terminal_text.hpp"
+#include "host/preview/playback/steady_now.hpp"
+#include "host/preview/terminal/borrowed_terminal.hpp"
+#include "host/preview/terminal/terminal_colours.hpp"
+#include "host/preview/terminal/terminal_text.hpp"
+#include "host/preview/viewer/beside.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/preview/keyboard.hpp"
-#include "host/preview/viewer.hpp"
+#include "host/preview/terminal/keyboard.hpp"
+#include "host/preview/viewer/viewer.hpp"
 
 namespace kfast {
 

@@ -1,7 +1,7 @@
 #include "host/preview/window.hpp"
 
-#include "host/preview/preview_screen.hpp"
-#include "host/preview/steady_now.hpp"
+#include "host/preview/playback/steady_now.hpp"
+#include "host/preview/window/preview_screen.hpp"
 
 #include <algorithm>
 #include <cmath>

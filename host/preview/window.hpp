@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/preview/picture_window.hpp"
-#include "host/preview/viewer.hpp"
+#include "host/preview/viewer/viewer.hpp"
+#include "host/preview/window/picture_window.hpp"
 
 namespace kfast {
 

@@ -1,6 +1,5 @@
 #include "host/scene/backbone_reader.hpp"
 
-#include "host/counted.hpp"
 #include "host/scene/band.hpp"
 #include "host/scene/coordinate.hpp"
 #include "host/scene/node_form.hpp"
@@ -8,6 +7,7 @@
 #include "host/scene/property_rule.hpp"
 #include "host/scene/spot_reader.hpp"
 #include "host/scene/value_reader.hpp"
+#include "host/text/counted.hpp"
 
 #include <algorithm>
 #include <array>

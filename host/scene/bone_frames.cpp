@@ -1,7 +1,7 @@
 #include "host/scene/bone_frames.hpp"
 
-#include "core/angle.hpp"
-#include "core/key_interval.hpp"
+#include "core/math/angle.hpp"
+#include "core/time/key_interval.hpp"
 #include "host/scene/unit_circle.hpp"
 
 #include <algorithm>

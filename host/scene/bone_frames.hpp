@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/bone_quantity.hpp"
-#include "core/time.hpp"
+#include "core/scene/bone_view.hpp"
+#include "core/time/time.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/outline.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/scene/bone_tree.hpp"
 
-#include "core/angle.hpp"
+#include "core/math/angle.hpp"
 #include "host/scene/bone_frames.hpp"
 #include "host/scene/coordinate.hpp"
 #include "host/scene/limits.hpp"

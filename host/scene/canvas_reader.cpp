@@ -1,7 +1,7 @@
 #include "host/scene/canvas_reader.hpp"
 
-#include "core/kfb_limits.hpp"
-#include "core/usual_camera.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/scene/usual_camera.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"

@@ -1,6 +1,6 @@
 #include "host/scene/double_quantity.hpp"
 
-#include "host/property_name.hpp"
+#include "host/words/property_name.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 #include "host/scene/drawing_input_reader.hpp"
 
-#include "host/counted.hpp"
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/input_type.hpp"
 #include "host/scene/limits.hpp"
@@ -9,6 +8,7 @@
 #include "host/scene/shape_reader.hpp"
 #include "host/scene/synonyms.hpp"
 #include "host/scene/value_reader.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>

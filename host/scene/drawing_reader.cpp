@@ -1,6 +1,5 @@
 #include "host/scene/drawing_reader.hpp"
 
-#include "host/property_name.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/node_form.hpp"
 #include "host/scene/node_words.hpp"
@@ -11,6 +10,7 @@
 #include "host/scene/wire_reader.hpp"
 #include "host/scene/wire_rules.hpp"
 #include "host/text/glyph.hpp"
+#include "host/words/property_name.hpp"
 
 #include <algorithm>
 #include <string>

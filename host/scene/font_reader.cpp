@@ -1,6 +1,6 @@
 #include "host/scene/font_reader.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
 

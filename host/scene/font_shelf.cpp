@@ -1,8 +1,8 @@
 #include "host/scene/font_shelf.hpp"
 
-#include "host/failure.hpp"
+#include "host/file/input_file.hpp"
 #include "host/fonts/dejavu_faces.hpp"
-#include "host/input_file.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/hershey_faces.hpp"
 #include "host/scene/hershey_font.hpp"
 #include "host/scene/outline_font.hpp"

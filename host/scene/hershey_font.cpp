@@ -1,6 +1,6 @@
 #include "host/scene/hershey_font.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <charconv>

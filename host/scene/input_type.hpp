@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/input_view.hpp"
+#include "core/scene/input_view.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/reading.hpp"
 #include "host/scene/value_kind.hpp"

@@ -1,7 +1,7 @@
 #include "host/scene/item_values.hpp"
 
-#include "core/angle.hpp"
-#include "core/kfb_limits.hpp"
+#include "core/math/angle.hpp"
+#include "core/scene/kfb_limits.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/property.hpp"
+#include "core/scene/property.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/property_rule.hpp"
@@ -14,7 +14,7 @@
 
 namespace kfast::scene {
 
-/// What a node sets of the quantities of its item, in the units of core/property.hpp.
+/// What a node sets of the quantities of its item, in the units of core/scene/property.hpp.
 struct ItemValues {
     std::optional<std::int32_t>& operator[](Property property)
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/clock.hpp"
+#include "core/time/clock.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/input_table.hpp"
 #include "host/scene/reading.hpp"

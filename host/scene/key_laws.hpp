@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/law_pair.hpp"
+#include "core/time/law_pair.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/law_reader.hpp"
 #include "host/scene/property_rule.hpp"

@@ -1,6 +1,6 @@
 #include "host/scene/label_reader.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "host/scene/coordinate.hpp"
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/input_user.hpp"

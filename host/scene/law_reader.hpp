@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/velocity_law.hpp"
+#include "core/time/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/reading.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/kfb_limits.hpp"
-#include "core/time.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "core/beam_style.hpp"
-#include "core/bone_quantity.hpp"
-#include "core/clock.hpp"
-#include "core/colour.hpp"
-#include "core/fill_rule.hpp"
-#include "core/input_view.hpp"
-#include "core/label_view.hpp"
-#include "core/law_pair.hpp"
-#include "core/property.hpp"
-#include "core/size.hpp"
-#include "core/stroke_style.hpp"
-#include "core/time.hpp"
+#include "core/math/size.hpp"
+#include "core/pixel/beam_style.hpp"
+#include "core/pixel/colour.hpp"
+#include "core/pixel/fill_rule.hpp"
+#include "core/pixel/stroke_style.hpp"
+#include "core/scene/bone_view.hpp"
+#include "core/scene/input_view.hpp"
+#include "core/scene/label_view.hpp"
+#include "core/scene/property.hpp"
+#include "core/time/clock.hpp"
+#include "core/time/law_pair.hpp"
+#include "core/time/time.hpp"
 #include "host/scene/spot.hpp"
 #include "host/text/source.hpp"
 
@@ -67,7 +67,7 @@ inline std::size_t point_count(const Drawing& drawing)
 
 /// Which points of a drawing meet which of the next, where their numbers differ.
 enum class Match : std::uint8_t {
-    count,  ///< added points are spread evenly over the segments (core/equalize.hpp)
+    count,  ///< added points are spread evenly over the segments (core/pose/equalize.hpp)
     length, ///< added points are placed by arc length, closed strokes begin where it fits best
 };
 
@@ -113,7 +113,7 @@ struct TrackKey {
 struct Track {
     Property property = Property::x;
     std::vector<TrackKey> keys;
-    bool is_smooth = false; ///< by cubic Hermite curves (core/hermite.hpp) instead of laws
+    bool is_smooth = false; ///< by cubic Hermite curves (core/time/hermite.hpp) instead of laws
     Clock clock = {};       ///< of its keys
 };
 

@@ -1,6 +1,5 @@
 #include "host/scene/object_reader.hpp"
 
-#include "host/property_name.hpp"
 #include "host/scene/default_pivot.hpp"
 #include "host/scene/double_quantity.hpp"
 #include "host/scene/drawing_content.hpp"
@@ -19,6 +18,7 @@
 #include "host/scene/track_builder.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/scene/wire_rules.hpp"
+#include "host/words/property_name.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/scene/outline_font.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <freetype/freetype.h>
 #include <freetype/ftoutln.h>

@@ -1,7 +1,7 @@
 #include "host/scene/overlapping_bones.hpp"
 
-#include "host/counted.hpp"
 #include "host/scene/bone_frames.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "host/scene/placement.hpp"
 
-#include "core/angle.hpp"
+#include "core/math/angle.hpp"
 
 namespace kfast::scene {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time.hpp"
+#include "core/time/time.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/pose_reader.hpp"
 #include "host/scene/reading.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time.hpp"
+#include "core/time/time.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/key_clock.hpp"
 #include "host/scene/key_laws.hpp"

@@ -1,7 +1,7 @@
 #include "host/scene/reach_keys.hpp"
 
-#include "core/angle.hpp"
-#include "core/kfb_limits.hpp"
+#include "core/math/angle.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/two_bone_arm.hpp"
 #include "host/scene/value_reader.hpp"

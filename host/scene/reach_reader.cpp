@@ -1,6 +1,6 @@
 #include "host/scene/reach_reader.hpp"
 
-#include "core/key_interval.hpp"
+#include "core/time/key_interval.hpp"
 #include "host/scene/bone_frames.hpp"
 #include "host/scene/bone_name_reader.hpp"
 #include "host/scene/key_laws.hpp"

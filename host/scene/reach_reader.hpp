@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/time.hpp"
-#include "core/velocity_law.hpp"
+#include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/node_words.hpp"

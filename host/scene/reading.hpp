@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time.hpp"
+#include "core/time/time.hpp"
 #include "host/scene/font_shelf.hpp"
 #include "host/scene/input_table.hpp"
 #include "host/scene/name_table.hpp"

@@ -1,6 +1,5 @@
 #include "host/scene/skeleton_reader.hpp"
 
-#include "host/counted.hpp"
 #include "host/scene/backbone_reader.hpp"
 #include "host/scene/drawing_reader.hpp"
 #include "host/scene/limits.hpp"
@@ -8,6 +7,7 @@
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"
 #include "host/scene/synonyms.hpp"
+#include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
 
 #include <array>

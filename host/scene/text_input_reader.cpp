@@ -1,7 +1,7 @@
 #include "host/scene/text_input_reader.hpp"
 
-#include "core/code_point.hpp"
-#include "core/kfb_limits.hpp"
+#include "core/bytes/code_point.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "host/scene/input_type.hpp"
 #include "host/scene/node_words.hpp"
 #include "host/scene/property_rule.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/property.hpp"
-#include "core/time.hpp"
-#include "core/velocity_law.hpp"
+#include "core/scene/property.hpp"
+#include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/key_clock.hpp"
 #include "host/scene/node_words.hpp"

@@ -1,8 +1,8 @@
 #include "host/scene/track_builder.hpp"
 
-#include "host/property_name.hpp"
 #include "host/scene/pivot.hpp"
 #include "host/scene/property_rule.hpp"
+#include "host/words/property_name.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,5 @@
 #include "host/scene/track_reader.hpp"
 
-#include "host/property_name.hpp"
 #include "host/scene/along_reader.hpp"
 #include "host/scene/law_reader.hpp"
 #include "host/scene/node_form.hpp"
@@ -11,6 +10,7 @@
 #include "host/scene/unseen_keys.hpp"
 #include "host/scene/value_reader.hpp"
 #include "host/text/glyph.hpp"
+#include "host/words/property_name.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/scene/two_bone_arm.hpp"
 
-#include "core/angle.hpp"
+#include "core/math/angle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "host/scene/value_reader.hpp"
 
-#include "host/in_frames.hpp"
 #include "host/kdl/identifier.hpp"
 #include "host/kdl/number.hpp"
 #include "host/scene/limits.hpp"
 #include "host/scene/synonyms.hpp"
 #include "host/text/glyph.hpp"
+#include "host/words/in_frames.hpp"
 
 #include <algorithm>
 #include <charconv>

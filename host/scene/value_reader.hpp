@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/kfb_limits.hpp"
-#include "core/time.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/time/time.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/coordinate.hpp"
 #include "host/scene/range.hpp"

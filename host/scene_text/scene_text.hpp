@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/art/document.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
-#include "host/scene_text/reach.hpp"
+#include "host/scene_text/values/reach.hpp"
 
 #include <string>
 #include <string_view>

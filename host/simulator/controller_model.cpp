@@ -1,7 +1,7 @@
 #include "host/simulator/controller_model.hpp"
 
-#include "firmware/controller_facts.hpp"
-#include "host/failure.hpp"
+#include "firmware/settings/controller_facts.hpp"
+#include "host/program/failure.hpp"
 #include "host/simulator/dcs_model.hpp"
 #include "host/simulator/ssd0323_model.hpp"
 #include "host/simulator/ssd1306_model.hpp"

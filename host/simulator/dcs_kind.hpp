@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/panel_settings.hpp"
+#include "firmware/settings/panel_settings.hpp"
 #include "host/simulator/command_model.hpp"
 
 #include <chrono>

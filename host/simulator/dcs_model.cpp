@@ -1,6 +1,6 @@
 #include "host/simulator/dcs_model.hpp"
 
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 #include "host/simulator/glass_place.hpp"
 #include "host/simulator/painted_frame.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mark_view.hpp"
-#include "core/time.hpp"
+#include "core/scene/mark_view.hpp"
+#include "core/time/time.hpp"
 #include "firmware/link/message.hpp"
 #include "host/picture/frame.hpp"
 

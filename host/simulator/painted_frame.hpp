@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel_coding.hpp"
+#include "core/pixel/pixel_coding.hpp"
 #include "host/picture/frame.hpp"
 
 namespace kfast {

@@ -4,13 +4,13 @@
 //
 //     kfast-panel TRACE RECORD [--pictures FOLDER]
 //
-// RECORD holds a board record (firmware/board_record.hpp), which says what panel it is. With --pictures each
-// of those pictures is written, too: 0000.png and so on. A damaged trace, or a mistake on the wires, ends it
-// with status 1.
+// RECORD holds a board record (firmware/settings/board_record.hpp), which says what panel it is. With
+// --pictures each of those pictures is written, too: 0000.png and so on. A damaged trace, or a mistake on the
+// wires, ends it with status 1.
 
-#include "firmware/board_record.hpp"
-#include "host/failure.hpp"
+#include "firmware/settings/board_record.hpp"
 #include "host/picture/png.hpp"
+#include "host/program/failure.hpp"
 #include "host/simulator/trace_replay.hpp"
 
 #include <cstdio>

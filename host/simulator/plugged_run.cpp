@@ -1,6 +1,6 @@
 #include "host/simulator/plugged_run.hpp"
 
-#include "firmware/panel_choice.hpp"
+#include "firmware/panel/panel_choice.hpp"
 
 namespace kfast {
 

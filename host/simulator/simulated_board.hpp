@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "firmware/board.hpp"
-#include "firmware/panel_choice.hpp"
-#include "firmware/panel_reset.hpp"
+#include "firmware/panel/panel_choice.hpp"
+#include "firmware/panel/panel_reset.hpp"
+#include "firmware/run/board.hpp"
 #include "host/simulator/simulated_bus.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "host/simulator/trace.hpp"
 
-#include "core/byte_reader.hpp"
-#include "host/failure.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "host/simulator/trace_replay.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 

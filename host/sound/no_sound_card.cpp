@@ -1,4 +1,4 @@
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "host/sound/sound_card.hpp"
 
 namespace kfast {

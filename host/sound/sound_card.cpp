@@ -1,6 +1,6 @@
 #include "host/sound/sound_card.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "host/text/glyph.hpp"
 
 #include <SDL.h>

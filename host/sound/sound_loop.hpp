@@ -2,8 +2,8 @@
 
 #include "host/beam/beam_source.hpp"
 #include "host/picture/timeline.hpp"
+#include "host/program/tell_work.hpp"
 #include "host/sound/tour.hpp"
-#include "host/tell_work.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "host/sound/wave_file.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "host/svg/read_keys.hpp"
 
-#include "host/failure.hpp"
-#include "host/svg/match_hint.hpp"
-#include "host/svg/pose_document.hpp"
-#include "host/svg/svg_text.hpp"
+#include "host/program/failure.hpp"
+#include "host/svg/markup/svg_text.hpp"
+#include "host/svg/poses/match_hint.hpp"
+#include "host/svg/poses/pose_document.hpp"
 
 #include <optional>
 #include <string>

@@ -1,11 +1,11 @@
 #include "host/svg/read_svg.hpp"
 
-#include "host/failure.hpp"
-#include "host/svg/layer_keys.hpp"
-#include "host/svg/part_reader.hpp"
-#include "host/svg/pose_document.hpp"
-#include "host/svg/shortened.hpp"
-#include "host/svg/svg_text.hpp"
+#include "host/program/failure.hpp"
+#include "host/svg/elements/part_reader.hpp"
+#include "host/svg/markup/shortened.hpp"
+#include "host/svg/markup/svg_text.hpp"
+#include "host/svg/poses/layer_keys.hpp"
+#include "host/svg/poses/pose_document.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/code_point.hpp"
+#include "core/bytes/code_point.hpp"
 
 #include <string>
 

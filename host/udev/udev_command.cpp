@@ -1,6 +1,6 @@
 #include "host/udev/udev_rule.hpp"
 
-#include "host/program_file.hpp"
+#include "host/file/program_file.hpp"
 
 #include <algorithm>
 #include <array>

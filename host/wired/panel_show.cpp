@@ -1,7 +1,7 @@
 #include "host/wired/panel_show.hpp"
 
-#include "host/failure.hpp"
-#include "host/interruption.hpp"
+#include "host/program/failure.hpp"
+#include "host/program/interruption.hpp"
 #include "host/wired/parallel_bus.hpp"
 #include "host/wired/spidev_bus.hpp"
 #include "host/wired/wired_board.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/live_scene.hpp"
-#include "firmware/panel_settings.hpp"
+#include "core/pose/live_scene.hpp"
+#include "firmware/settings/panel_settings.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/wired/panel_lines.hpp"
 #include "host/wired/spi_device.hpp"

@@ -1,6 +1,6 @@
 #include "host/wired/spi_device.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/bus.hpp"
+#include "firmware/panel/bus.hpp"
 #include "host/wired/panel_lines.hpp"
 #include "host/wired/spi_device.hpp"
 

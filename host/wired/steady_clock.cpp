@@ -1,6 +1,6 @@
 #include "host/wired/steady_clock.hpp"
 
-#include "host/interruption.hpp"
+#include "host/program/interruption.hpp"
 
 #include <cstdint>
 #include <ctime>

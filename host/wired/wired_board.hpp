@@ -1,9 +1,9 @@
 #pragma once
 
-#include "firmware/panel_choice.hpp"
-#include "firmware/panel_reset.hpp"
-#include "firmware/run.hpp"
-#include "host/interruption.hpp"
+#include "firmware/panel/panel_choice.hpp"
+#include "firmware/panel/panel_reset.hpp"
+#include "firmware/run/run.hpp"
+#include "host/program/interruption.hpp"
 #include "host/wired/panel_lines.hpp"
 #include "host/wired/panel_show.hpp"
 #include "host/wired/steady_clock.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "firmware/board.hpp"
-#include "firmware/run.hpp"
+#include "firmware/run/board.hpp"
+#include "firmware/run/run.hpp"
 #include "tests/bench/metered_player.hpp"
 #include "tests/bench/null_panel.hpp"
 #include "tests/bench/phase.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/crc32.hpp"
-#include "core/pixel_format.hpp"
-#include "core/size.hpp"
+#include "core/bytes/crc32.hpp"
+#include "core/math/size.hpp"
+#include "core/pixel/pixel_format.hpp"
 #include "tests/bench/phase.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/drawing_reader.hpp"
+#include "core/scene/drawing_reader.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel_format.hpp"
+#include "core/pixel/pixel_format.hpp"
 
 #include <cstddef>
 #include <vector>

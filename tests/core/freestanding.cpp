@@ -1,9 +1,9 @@
-#include "core/drawing_view.hpp"
-#include "core/equalize.hpp"
-#include "core/flatten.hpp"
+#include "core/math/flatten.hpp"
 #include "core/player.hpp"
-#include "core/track.hpp"
-#include "core/velocity_law.hpp"
+#include "core/pose/drawing_view.hpp"
+#include "core/pose/equalize.hpp"
+#include "core/time/track.hpp"
+#include "core/time/velocity_law.hpp"
 
 #include <array>
 

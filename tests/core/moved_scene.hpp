@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/evaluator/prepared_scene.hpp"
-#include "core/live_bones.hpp"
-#include "core/scene_on_panel.hpp"
+#include "core/pose/live_bones.hpp"
+#include "core/pose/scene_on_panel.hpp"
+#include "core/prepared/prepared_scene.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "host/compiler/header.hpp"
+#include "host/compiler/write/header.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/panel_memory.hpp"

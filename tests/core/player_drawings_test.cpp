@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "host/told_drawing.hpp"
+#include "host/player/told_drawing.hpp"
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/rounds.hpp"

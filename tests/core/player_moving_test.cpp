@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/stage.hpp"
 

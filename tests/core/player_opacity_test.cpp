@@ -1,4 +1,4 @@
-#include "core/pixel_coding.hpp"
+#include "core/pixel/pixel_coding.hpp"
 #include "core/player.hpp"
 
 #include "tests/core/stage.hpp"

@@ -1,7 +1,7 @@
 #include "core/player.hpp"
 
-#include "core/work.hpp"
-#include "host/compiler/header.hpp"
+#include "core/bytes/work.hpp"
+#include "host/compiler/write/header.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"

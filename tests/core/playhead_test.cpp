@@ -1,6 +1,6 @@
 #include "core/playhead.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "tests/core/played.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/live_bones.hpp"
+#include "core/pose/live_bones.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_bones.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bone_quantity.hpp"
+#include "core/scene/bone_view.hpp"
 #include "tests/core/raw_scene.hpp"
 
 #include <array>

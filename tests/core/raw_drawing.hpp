@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/compiler/pack_drawing.hpp"
+#include "host/compiler/pack/pack_drawing.hpp"
 #include "host/scene/model.hpp"
 #include "tests/core/raw_scene.hpp"
 

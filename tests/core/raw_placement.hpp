@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/item_state.hpp"
-#include "tests/core/exact_space.hpp"
+#include "core/pose/item_state.hpp"
+#include "tests/core/math/exact_space.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_scene.hpp"
 

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/kfb_limits.hpp"
-#include "core/property.hpp"
-#include "core/time.hpp"
-#include "host/compiler/beat_writer.hpp"
-#include "host/compiler/byte_writer.hpp"
-#include "host/compiler/header.hpp"
-#include "host/compiler/input_writer.hpp"
-#include "host/compiler/time_code.hpp"
-#include "host/compiler/value_writer.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/scene/property.hpp"
+#include "core/time/time.hpp"
+#include "host/compiler/pack/beat_writer.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
+#include "host/compiler/pack/value_writer.hpp"
+#include "host/compiler/write/header.hpp"
+#include "host/compiler/write/input_writer.hpp"
+#include "host/compiler/write/time_code.hpp"
 #include "tests/bytes.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/point.hpp"
-#include "core/raster/grid.hpp"
+#include "core/math/point.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <cmath>
 

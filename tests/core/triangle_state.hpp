@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/item_state.hpp"
+#include "core/pose/item_state.hpp"
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_drawing.hpp"

@@ -35,7 +35,7 @@ FILES = {
     **{path.name: path.relative_to(ROOT) for path in (HERE / "readers_files").iterdir()},
 }
 FIRMWARE_BYTES = 134504
-BUSES = ("spi", "parallel", "i2c", "xy") # in the order of firmware/image_mark.hpp
+BUSES = ("spi", "parallel", "i2c", "xy") # in the order of firmware/settings/image_mark.hpp
 
 
 def matches(shown, told):

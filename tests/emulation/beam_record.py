@@ -1,4 +1,4 @@
-"""A board record for a vector display (firmware/board_record.hpp), made here so that its layout is checked."""
+"""A board record for a vector display (firmware/settings/board_record.hpp), made here so that its layout is checked."""
 
 import dataclasses
 import struct

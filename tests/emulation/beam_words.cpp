@@ -1,6 +1,6 @@
-#include "core/scene_view.hpp"
-#include "firmware/board_record.hpp"
-#include "firmware/dac_point.hpp"
+#include "core/scene/scene_view.hpp"
+#include "firmware/run/dac_point.hpp"
+#include "firmware/settings/board_record.hpp"
 #include "host/beam/beam_source.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-"""Reads what a board says on its display in the letters of firmware/small_font.hpp."""
+"""Reads what a board says on its display in the letters of firmware/run/small_font.hpp."""
 
 import pathlib
 import re

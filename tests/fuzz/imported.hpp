@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/failure.hpp"
 #include "host/import/content_kind.hpp"
 #include "host/import/import_scene.hpp"
+#include "host/program/failure.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,13 +1,13 @@
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
 #include "firmware/link/fields.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/upload_message.hpp"
-#include "host/failure.hpp"
 #include "host/link/live_sending.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/link/scene_upload.hpp"
 #include "host/link/slot_choice.hpp"
 #include "host/link/unplugged.hpp"
+#include "host/program/failure.hpp"
 #include "tests/fuzz/demand.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
 #include "tests/fuzz/demand.hpp"

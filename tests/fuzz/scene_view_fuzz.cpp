@@ -1,8 +1,8 @@
-#include "core/crc32.hpp"
-#include "core/label_view.hpp"
+#include "core/bytes/crc32.hpp"
 #include "core/player.hpp"
-#include "host/every_item.hpp"
+#include "core/scene/label_view.hpp"
 #include "host/text/utf8.hpp"
+#include "host/walk/every_item.hpp"
 #include "tests/fuzz/demand.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "core/clock.hpp"
+#include "core/time/clock.hpp"
 #include "firmware/link/input_message.hpp"
-#include "host/commands/live_line.hpp"
-#include "host/drawing_text.hpp"
-#include "host/failure.hpp"
+#include "host/commands/live/live_line.hpp"
+#include "host/player/drawing_text.hpp"
+#include "host/program/failure.hpp"
 #include "tests/fuzz/demand.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-#include "host/input_file.hpp"
+#include "host/file/input_file.hpp"
 
-#include "host/failure.hpp"
-#include "host/program_file.hpp"
+#include "host/file/program_file.hpp"
+#include "host/program/failure.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "library/kfast.h"
 
-#include "host/compiler/header.hpp"
+#include "host/compiler/write/header.hpp"
 #include "library/kfast.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/library/screen.hpp"

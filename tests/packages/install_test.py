@@ -20,7 +20,7 @@ WANTED = """
     share/man/man1/kfast.1.gz share/bash-completion/completions/kfast share/zsh/site-functions/_kfast
     share/fish/vendor_completions.d/kfast.fish share/kfast/editors/vscode/package.json
     include/kfast/library/kfast.h include/kfast/library/kfast.hpp include/kfast/library/kfast_player.hpp
-    include/kfast/core/equalize.hpp include/kfast/core/beam/beam_player.hpp
+    include/kfast/core/pose/equalize.hpp include/kfast/core/beam/beam_player.hpp
     lib/libkfast.a lib/libkfast_core.a lib/cmake/kfast/kfast-config.cmake lib/pkgconfig/kfast.pc
 """.split()
 

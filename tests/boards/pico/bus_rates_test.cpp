@@ -1,6 +1,6 @@
-#include "boards/pico/bus_rates.hpp"
+#include "boards/pico/panel/bus_rates.hpp"
 
-#include "firmware/board_rules.hpp"
+#include "firmware/settings/board_rules.hpp"
 
 #include <doctest/doctest.h>
 

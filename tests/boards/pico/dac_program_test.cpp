@@ -1,5 +1,5 @@
-#include "boards/pico/dac_program.hpp"
-#include "firmware/board_rules.hpp"
+#include "boards/pico/beam/dac_program.hpp"
+#include "firmware/settings/board_rules.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,12 +1,12 @@
 // An image for tests: changes flash that the program does not use, and tells over the log what it reads there
 // then.
 
-#include "boards/pico/clock.hpp"
-#include "boards/pico/clocks.hpp"
-#include "boards/pico/flash.hpp"
-#include "boards/pico/log.hpp"
-#include "boards/pico/watchdog.hpp"
-#include "core/crc32.hpp"
+#include "boards/pico/chip/clock.hpp"
+#include "boards/pico/chip/clocks.hpp"
+#include "boards/pico/chip/flash.hpp"
+#include "boards/pico/chip/watchdog.hpp"
+#include "boards/pico/stage/log.hpp"
+#include "core/bytes/crc32.hpp"
 
 #include <array>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "boards/pico/log_buffer.hpp"
+#include "boards/pico/stage/log_buffer.hpp"
 
 #include <doctest/doctest.h>
 

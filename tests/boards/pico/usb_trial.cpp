@@ -1,9 +1,9 @@
 // An image for tests: whatever report comes over USB goes back, one added to its first byte.
 
-#include "boards/pico/clock.hpp"
-#include "boards/pico/clocks.hpp"
-#include "boards/pico/usb_reports.hpp"
-#include "boards/pico/watchdog.hpp"
+#include "boards/pico/chip/clock.hpp"
+#include "boards/pico/chip/clocks.hpp"
+#include "boards/pico/chip/watchdog.hpp"
+#include "boards/pico/usb/usb_reports.hpp"
 
 #include <cstddef>
 #include <cstdint>

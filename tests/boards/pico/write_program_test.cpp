@@ -1,4 +1,4 @@
-#include "boards/pico/write_program.hpp"
+#include "boards/pico/panel/write_program.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_leg.hpp"
-#include "core/beam/beam_travel.hpp"
+#include "core/beam/field_point.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_tracer.hpp"
-#include "core/live_scene.hpp"
+#include "core/pose/live_scene.hpp"
 #include "tests/core/stage.hpp"
 
 #include <cstdint>

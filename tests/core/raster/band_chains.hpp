@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/raster/band.hpp"
-#include "core/raster/outline_store.hpp"
+#include "core/raster/outline/outline_store.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,5 +1,5 @@
+#include "core/bytes/work.hpp"
 #include "core/raster/renderer.hpp"
-#include "core/work.hpp"
 #include "tests/core/raster/panel_model.hpp"
 #include "tests/core/raster/random_picture.hpp"
 #include "tests/rounds.hpp"

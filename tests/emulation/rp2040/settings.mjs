@@ -13,7 +13,7 @@ const beamFields = 8 + 274;
 const roles = ['clock', 'data', 'select', 'dc', 'reset', 'backlight', 'tearing', 'log'];
 
 /**
- * How the display is wired, read from a board record (firmware/board_record.hpp).
+ * How the display is wired, read from a board record (firmware/settings/board_record.hpp).
  * @param {Uint8Array} bytes that begin with the record
  */
 export function readSettings(bytes) {

@@ -1,4 +1,4 @@
-#include "core/scene_view.hpp"
+#include "core/scene/scene_view.hpp"
 #include "firmware/link/stage.hpp"
 #include "tests/compiled.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/drawing_reports.hpp"
+#include "host/player/drawing_reports.hpp"
 #include "tests/compiled.hpp"
 #include "tests/firmware/link/link_bench.hpp"
 

@@ -1,5 +1,5 @@
 #include "firmware/link/conversation.hpp"
-#include "firmware/rp2040_flash.hpp"
+#include "firmware/settings/rp2040_flash.hpp"
 
 static_assert(__STDC_HOSTED__ == 0, "compiled with -ffreestanding");
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "core/scene_view.hpp"
+#include "core/scene/scene_view.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/told_drawing.hpp"
-#include "host/told_drawing.hpp"
+#include "host/player/told_drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-#include "host/compiler/header.hpp"
+#include "host/compiler/write/header.hpp"
 #include "tests/compiled.hpp"
-#include "tests/firmware/control_settings.hpp"
 #include "tests/firmware/link/staged_bench.hpp"
+#include "tests/firmware/settings/control_settings.hpp"
 
 #include <doctest/doctest.h>
 

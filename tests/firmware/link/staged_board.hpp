@@ -2,13 +2,13 @@
 
 #include "firmware/link/conversation.hpp"
 #include "firmware/link/stage.hpp"
-#include "firmware/panel_mirror.hpp"
-#include "firmware/run.hpp"
+#include "firmware/run/panel_mirror.hpp"
+#include "firmware/run/run.hpp"
+#include "host/player/told_drawing.hpp"
 #include "host/text/utf8.hpp"
-#include "host/told_drawing.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
-#include "tests/firmware/pretend_pins.hpp"
+#include "tests/firmware/run/pretend_pins.hpp"
 #include "tests/firmware/slots/slot_bench.hpp"
 
 #include <doctest/doctest.h>

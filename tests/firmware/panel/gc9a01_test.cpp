@@ -1,6 +1,6 @@
 #include "firmware/panel/gc9a01.hpp"
 
-#include "tests/firmware/recorded_bus.hpp"
+#include "tests/firmware/panel/recorded_bus.hpp"
 
 #include <doctest/doctest.h>
 

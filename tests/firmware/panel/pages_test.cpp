@@ -1,7 +1,7 @@
 #include "firmware/panel/pages.hpp"
 
-#include "core/pixel_format.hpp"
-#include "core/size.hpp"
+#include "core/math/size.hpp"
+#include "core/pixel/pixel_format.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #include "firmware/panel/ssd1306.hpp"
 
 #include "tests/bytes.hpp"
-#include "tests/firmware/recorded_bus.hpp"
+#include "tests/firmware/panel/recorded_bus.hpp"
 
 #include <doctest/doctest.h>
 

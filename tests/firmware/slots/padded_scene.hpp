@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
 #include "tests/compiled.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/archive/zip_file.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/archive/packed.hpp"
 
 #include <doctest/doctest.h>

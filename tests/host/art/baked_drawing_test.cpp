@@ -1,7 +1,7 @@
-#include "host/art/baked_drawing.hpp"
+#include "host/art/animation/baked_drawing.hpp"
 
-#include "host/art/affine.hpp"
-#include "host/failure.hpp"
+#include "host/art/geometry/affine.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/shape.hpp"
 
 #include <algorithm>

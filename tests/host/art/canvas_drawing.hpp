@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/art/affine.hpp"
-#include "host/art/document.hpp"
-#include "host/art/every_animation.hpp"
+#include "host/art/document/document.hpp"
+#include "host/art/document/every_animation.hpp"
+#include "host/art/geometry/affine.hpp"
 
 #include <cmath>
 #include <map>
@@ -19,7 +19,7 @@ struct Place {
 };
 
 /// What a transform that is still makes of a place of a node's content, as docs/scene-language.md and
-/// host/art/document.hpp have it.
+/// host/art/document/document.hpp have it.
 inline Place placed(const art::Transform& transform, Place place)
 {
     const auto radians = [&](const art::Channel& degrees) {

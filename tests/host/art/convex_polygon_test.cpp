@@ -1,4 +1,4 @@
-#include "host/art/convex_polygon.hpp"
+#include "host/art/geometry/convex_polygon.hpp"
 #include "host/scene/shape.hpp"
 
 #include <array>

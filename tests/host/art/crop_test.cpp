@@ -1,6 +1,6 @@
-#include "host/art/ease_part.hpp"
-#include "host/art/prepare.hpp"
-#include "host/failure.hpp"
+#include "host/art/animation/ease_part.hpp"
+#include "host/art/prepare/prepare.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/shape.hpp"
 #include "tests/host/art/random_document.hpp"
 

@@ -1,5 +1,5 @@
-#include "host/art/dashes.hpp"
-#include "host/failure.hpp"
+#include "host/art/geometry/dashes.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/shape.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/art/drawing.hpp"
+#include "host/art/geometry/drawing.hpp"
 
 #include <algorithm>
 #include <vector>

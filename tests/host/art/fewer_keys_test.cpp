@@ -1,8 +1,8 @@
-#include "host/art/fewer_keys.hpp"
+#include "host/art/prepare/fewer_keys.hpp"
 
-#include "host/art/ease_part.hpp"
-#include "host/art/fitted_ease.hpp"
-#include "host/art/value_distance.hpp"
+#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/fitted_ease.hpp"
+#include "host/art/document/value_distance.hpp"
 #include "host/scene/shape.hpp"
 #include "tests/host/art/random_document.hpp"
 #include "tests/rounds.hpp"

@@ -1,6 +1,6 @@
-#include "host/art/merged_curves.hpp"
+#include "host/art/prepare/merged_curves.hpp"
 
-#include "host/art/cubic_piece.hpp"
+#include "host/art/geometry/cubic_piece.hpp"
 #include "host/scene/shape.hpp"
 #include "tests/host/art/art_parts.hpp"
 #include "tests/host/art/drawn_distance.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/art/document.hpp"
-#include "host/art/ease_part.hpp"
+#include "host/art/animation/ease_part.hpp"
+#include "host/art/document/document.hpp"
 
 #include <algorithm>
 #include <random>

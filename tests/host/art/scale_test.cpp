@@ -1,4 +1,4 @@
-#include "host/art/prepare.hpp"
+#include "host/art/prepare/prepare.hpp"
 #include "host/scene/shape.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "host/art/shape_form.hpp"
+#include "host/art/geometry/shape_form.hpp"
 
 #include "host/scene/shape.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/art/shared_eases.hpp"
+#include "host/art/prepare/shared_eases.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/art/prepare.hpp"
+#include "host/art/prepare/prepare.hpp"
 #include "host/scene/shape.hpp"
 #include "tests/host/art/art_parts.hpp"
 #include "tests/host/art/canvas_drawing.hpp"

@@ -1,4 +1,4 @@
-#include "host/commands/flash_report.hpp"
+#include "host/commands/flash/flash_report.hpp"
 
 #include <doctest/doctest.h>
 

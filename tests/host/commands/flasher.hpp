@@ -1,7 +1,7 @@
 #pragma once
 
-#include "firmware/board_record.hpp"
-#include "host/commands/flash_job.hpp"
+#include "firmware/settings/board_record.hpp"
+#include "host/commands/flash/flash_job.hpp"
 #include "host/config/config_input.hpp"
 #include "tests/host/commands/pretend_images.hpp"
 #include "tests/host/commands/pretend_workbench.hpp"

@@ -1,4 +1,4 @@
-#include "host/commands/help_page.hpp"
+#include "host/commands/help/help_page.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include "host/commands/line_source.hpp"
-#include "host/failure.hpp"
+#include "host/commands/live/line_source.hpp"
+#include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>
 

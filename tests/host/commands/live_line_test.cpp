@@ -1,5 +1,5 @@
-#include "host/commands/live_line.hpp"
-#include "host/failure.hpp"
+#include "host/commands/live/live_line.hpp"
+#include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/image_mark.hpp"
+#include "firmware/settings/image_mark.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/flash/boot_checksum.hpp"
 #include "tests/temporary_folder.hpp"

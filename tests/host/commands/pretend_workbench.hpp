@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/scene_view.hpp"
-#include "host/commands/workbench.hpp"
+#include "core/scene/scene_view.hpp"
+#include "host/commands/flash/workbench.hpp"
 #include "host/config/firmware_file.hpp"
 #include "host/config/pico_flash.hpp"
-#include "host/interruption.hpp"
+#include "host/program/interruption.hpp"
 #include "tests/host/flash/pretend_boot_loader.hpp"
 #include "tests/host/link/device_pipe.hpp"
 

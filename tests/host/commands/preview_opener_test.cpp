@@ -1,7 +1,7 @@
-#include "host/commands/preview_opener.hpp"
+#include "host/commands/render/preview_opener.hpp"
 
-#include "host/failure.hpp"
-#include "host/preview/scene_layers.hpp"
+#include "host/preview/viewer/scene_layers.hpp"
+#include "host/program/failure.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "host/commands/progress_text.hpp"
+#include "host/commands/text/progress_text.hpp"
 
 #include <doctest/doctest.h>
 

@@ -23,7 +23,7 @@ SCHEMA = json.loads(output_of("--json"))
 
 
 def scenes():
-    return [*sorted((ROOT / "examples").glob("*.kfast")), *sorted((ROOT / "examples/gallery").glob("*.kfast")), ROOT / "host/commands/starter.kfast"]
+    return [*sorted((ROOT / "examples").glob("*.kfast")), *sorted((ROOT / "examples/gallery").glob("*.kfast")), ROOT / "host/commands/templates/starter.kfast"]
 
 
 class SchemaTest(CommandTest):

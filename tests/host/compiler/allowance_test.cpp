@@ -1,8 +1,8 @@
 #include "host/compiler/write_scene.hpp"
 
-#include "core/kfb_limits.hpp"
-#include "core/scene_view.hpp"
-#include "host/compiler/allowance.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/scene/scene_view.hpp"
+#include "host/compiler/limits/allowance.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
-#include "host/compiler/backbone_cells.hpp"
+#include "host/compiler/carry/backbone_cells.hpp"
 
-#include "host/compiler/backbone_timeline.hpp"
+#include "host/compiler/carry/backbone_timeline.hpp"
 #include "tests/host/compiler/backbone_parts.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/compiler/carried_ways.hpp"
+#include "host/compiler/carry/carried_ways.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstdint>

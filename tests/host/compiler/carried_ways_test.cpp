@@ -1,9 +1,9 @@
-#include "host/compiler/carried_ways.hpp"
+#include "host/compiler/carry/carried_ways.hpp"
 
 #include "core/player.hpp"
-#include "host/compiler/backbone_timeline.hpp"
+#include "host/compiler/carry/backbone_timeline.hpp"
 #include "host/compiler/compile.hpp"
-#include "host/compiler/key_writer.hpp"
+#include "host/compiler/write/key_writer.hpp"
 #include "host/scene/outline.hpp"
 #include "tests/host/compiler/backbone_parts.hpp"
 #include "tests/host/compiler/scene_parts.hpp"

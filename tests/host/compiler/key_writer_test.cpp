@@ -1,4 +1,4 @@
-#include "host/compiler/key_writer.hpp"
+#include "host/compiler/write/key_writer.hpp"
 
 #include "tests/host/compiler/scene_parts.hpp"
 

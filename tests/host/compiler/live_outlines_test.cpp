@@ -1,5 +1,5 @@
 #include "core/player.hpp"
-#include "host/told_drawing.hpp"
+#include "host/player/told_drawing.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/rounds.hpp"
 

@@ -1,6 +1,6 @@
-#include "core/distribution.hpp"
-#include "core/equalize.hpp"
-#include "host/compiler/model_reader.hpp"
+#include "core/math/distribution.hpp"
+#include "core/pose/equalize.hpp"
+#include "host/compiler/match/model_reader.hpp"
 #include "tests/host/compiler/matched_drawings.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "host/compiler/match_by_length.hpp"
+#include "host/compiler/match/match_by_length.hpp"
 
-#include "core/equalize.hpp"
-#include "core/kfb_limits.hpp"
-#include "host/compiler/model_reader.hpp"
+#include "core/pose/equalize.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "host/compiler/match/model_reader.hpp"
 #include "host/scene/shape.hpp"
 #include "host/scene/svg_path.hpp"
 #include "tests/host/compiler/matched_drawings.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/compiler/match_by_length.hpp"
-#include "host/compiler/measured_stroke.hpp"
+#include "host/compiler/match/match_by_length.hpp"
+#include "host/compiler/match/measured_stroke.hpp"
 
 #include <doctest/doctest.h>
 #include <vector>

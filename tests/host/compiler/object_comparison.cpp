@@ -1,11 +1,11 @@
 #include "tests/host/compiler/object_comparison.hpp"
 
-#include "core/label_view.hpp"
-#include "host/compiler/backbone_timeline.hpp"
-#include "host/compiler/carrier.hpp"
-#include "host/compiler/key_writer.hpp"
-#include "host/compiler/match_by_length.hpp"
-#include "host/compiler/skinned_drawing.hpp"
+#include "core/scene/label_view.hpp"
+#include "host/compiler/carry/backbone_timeline.hpp"
+#include "host/compiler/carry/carrier.hpp"
+#include "host/compiler/carry/skinned_drawing.hpp"
+#include "host/compiler/match/match_by_length.hpp"
+#include "host/compiler/write/key_writer.hpp"
 #include "tests/host/compiler/law_comparison.hpp"
 #include "tests/host/compiler/unpacked_drawing.hpp"
 

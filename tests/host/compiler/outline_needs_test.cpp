@@ -1,6 +1,6 @@
-#include "core/kfb_limits.hpp"
 #include "core/player.hpp"
-#include "host/compiler/measured_moments.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "host/compiler/limits/measured_moments.hpp"
 #include "tests/compiled.hpp"
 #include "tests/rounds.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/segment.hpp"
-#include "host/compiler/skinned_drawing.hpp"
+#include "core/math/segment.hpp"
+#include "host/compiler/carry/skinned_drawing.hpp"
 #include "host/scene/bone_frames.hpp"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/law_pair.hpp"
-#include "core/time.hpp"
+#include "core/time/law_pair.hpp"
+#include "core/time/time.hpp"
 #include "tests/host/compiler/dice.hpp"
 
 namespace kfast::test {

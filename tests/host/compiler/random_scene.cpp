@@ -1,6 +1,6 @@
 #include "tests/host/compiler/random_scene.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "tests/host/compiler/random_drawing.hpp"
 #include "tests/host/compiler/random_inputs.hpp"
 #include "tests/host/compiler/random_keys.hpp"

@@ -1,4 +1,4 @@
-#include "core/live_bones.hpp"
+#include "core/pose/live_bones.hpp"
 #include "host/compiler/compile.hpp"
 #include "tests/core/moved_scene.hpp"
 

@@ -1,6 +1,6 @@
-#include "host/compiler/skinned_drawing.hpp"
+#include "host/compiler/carry/skinned_drawing.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/carried_drawing.hpp"
-#include "core/key_interval.hpp"
+#include "core/pose/carried_drawing.hpp"
+#include "core/time/key_interval.hpp"
 #include "host/scene/bone_frames.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/stage.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/packed_drawing.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstdint>

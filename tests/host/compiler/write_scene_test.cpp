@@ -1,7 +1,7 @@
 #include "host/compiler/write_scene.hpp"
 
-#include "core/crc32.hpp"
-#include "core/scene_view.hpp"
+#include "core/bytes/crc32.hpp"
+#include "core/scene/scene_view.hpp"
 #include "tests/bytes.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 

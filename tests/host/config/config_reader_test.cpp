@@ -1,6 +1,6 @@
 #include "host/config/config_reader.hpp"
 
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

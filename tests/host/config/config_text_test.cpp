@@ -1,7 +1,7 @@
 #include "host/config/config_text.hpp"
 
-#include "firmware/board_record.hpp"
-#include "firmware/board_rules.hpp"
+#include "firmware/settings/board_record.hpp"
+#include "firmware/settings/board_rules.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/config_reader.hpp"
 #include "host/config/configurations.hpp"

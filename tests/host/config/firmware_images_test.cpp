@@ -1,5 +1,5 @@
 #include "host/config/firmware_images.hpp"
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "tests/host/config/random_settings.hpp"
 
-#include "firmware/board_rules.hpp"
+#include "firmware/settings/board_rules.hpp"
 
 #include <algorithm>
 #include <vector>

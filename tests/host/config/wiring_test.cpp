@@ -1,6 +1,6 @@
 #include "host/config/wiring.hpp"
 
-#include "firmware/board_rules.hpp"
+#include "firmware/settings/board_rules.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/pico_drawing.hpp"
 #include "host/config/pico_edge.hpp"

@@ -1,6 +1,6 @@
 #include "host/fit/fit_report.hpp"
 
-#include "host/compiler/header.hpp"
+#include "host/compiler/write/header.hpp"
 #include "host/fit/scene_run.hpp"
 #include "tests/compiled.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/fit/pico_target.hpp"
 
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <doctest/doctest.h>
 

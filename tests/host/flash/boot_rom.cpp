@@ -1,7 +1,7 @@
 #include "tests/host/flash/boot_rom.hpp"
 
-#include "core/byte_reader.hpp"
-#include "host/compiler/byte_writer.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "host/flash/flashing.hpp"
 
-#include "host/interruption.hpp"
+#include "host/program/interruption.hpp"
 #include "tests/host/flash/failure_of.hpp"
 #include "tests/host/flash/pretend_boot_loader.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/failure.hpp"
 #include "host/flash/boot_loader.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/flash/nor_flash.hpp"
 
 #include <cstddef>

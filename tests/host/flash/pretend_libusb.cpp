@@ -1,6 +1,6 @@
 #include "tests/host/flash/pretend_libusb.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "host/flash/uf2_drive.hpp"
 
-#include "host/failure.hpp"
-#include "host/interruption.hpp"
+#include "host/program/failure.hpp"
+#include "host/program/interruption.hpp"
 #include "tests/host/flash/failure_of.hpp"
 #include "tests/host/flash/uf2_rom.hpp"
 #include "tests/temporary_folder.hpp"

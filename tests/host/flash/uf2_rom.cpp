@@ -1,6 +1,6 @@
 #include "tests/host/flash/uf2_rom.hpp"
 
-#include "core/byte_reader.hpp"
+#include "core/bytes/byte_reader.hpp"
 
 namespace kfast::test {
 

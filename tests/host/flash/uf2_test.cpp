@@ -1,6 +1,6 @@
 #include "host/flash/uf2.hpp"
 
-#include "core/byte_reader.hpp"
+#include "core/bytes/byte_reader.hpp"
 #include "tests/bytes.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "host/failure.hpp"
 #include "host/flash/boot_board.hpp"
+#include "host/program/failure.hpp"
 #include "tests/bytes.hpp"
 #include "tests/host/flash/pretend_libusb.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/gpio/boot_entry.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/gpio/gpio_bench.hpp"
 
 #include <csignal>

@@ -1,6 +1,6 @@
-#include "host/failure.hpp"
 #include "host/link/device_choice.hpp"
 #include "host/link/sim_socket.hpp"
+#include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include "host/interruption.hpp"
 #include "host/link/on_each.hpp"
+#include "host/program/interruption.hpp"
 #include "tests/host/link/scripted_pipe.hpp"
 
 #include <doctest/doctest.h>

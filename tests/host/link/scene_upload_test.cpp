@@ -1,6 +1,6 @@
-#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
 #include "host/link/scene_upload.hpp"
+#include "host/program/interruption.hpp"
 #include "tests/host/link/device_pipe.hpp"
 #include "tests/host/link/scripted_pipe.hpp"
 

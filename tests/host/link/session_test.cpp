@@ -1,7 +1,7 @@
-#include "host/interruption.hpp"
 #include "host/link/refusal.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/link/session.hpp"
+#include "host/program/interruption.hpp"
 #include "tests/host/link/device_pipe.hpp"
 #include "tests/host/link/scripted_pipe.hpp"
 

@@ -1,5 +1,5 @@
-#include "host/failure.hpp"
 #include "host/link/slot_choice.hpp"
+#include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>
 

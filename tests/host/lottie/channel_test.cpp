@@ -1,6 +1,6 @@
-#include "host/lottie/channel.hpp"
+#include "host/lottie/values/channel.hpp"
 
-#include "host/lottie/member.hpp"
+#include "host/lottie/values/member.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #include "tests/host/lottie/lottie_text.hpp"
 
-#include "host/failure.hpp"
 #include "host/lottie/read_lottie.hpp"
+#include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/lottie/extent.hpp"
+#include "host/lottie/drawings/extent.hpp"
 #include "tests/host/lottie/lottie_text.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tests/host/lottie/lottie_text.hpp"
 
-#include "host/lottie/extent.hpp"
+#include "host/lottie/drawings/extent.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/lottie/shapes.hpp"
+#include "host/lottie/shapes/shapes.hpp"
 
 #include <nlohmann/json.hpp>
 

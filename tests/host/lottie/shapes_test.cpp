@@ -1,4 +1,4 @@
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/lottie/shape_list.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "host/picture/film_delay.hpp"
 
-#include "core/time.hpp"
+#include "core/time/time.hpp"
 
 #include <doctest/doctest.h>
 

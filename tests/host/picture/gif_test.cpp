@@ -1,7 +1,7 @@
 #include "host/picture/gif.hpp"
 
-#include "host/failure.hpp"
 #include "host/picture/picture.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/picture/painted_source.hpp"
 #include "tests/temporary_folder.hpp"
 

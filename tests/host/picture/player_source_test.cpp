@@ -1,6 +1,6 @@
 #include "host/picture/player_source.hpp"
 
-#include "host/compiler/header.hpp"
+#include "host/compiler/write/header.hpp"
 #include "tests/compiled.hpp"
 
 #include <doctest/doctest.h>

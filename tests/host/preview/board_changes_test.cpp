@@ -1,8 +1,8 @@
-#include "host/preview/board_changes.hpp"
+#include "host/preview/board/board_changes.hpp"
 
-#include "firmware/run.hpp"
+#include "firmware/run/run.hpp"
 #include "host/fit/board_choice.hpp"
-#include "host/preview/previewed_board.hpp"
+#include "host/preview/board/previewed_board.hpp"
 #include "host/simulator/simulated_board.hpp"
 #include "tests/host/preview/named_scene.hpp"
 

@@ -1,8 +1,8 @@
-#include "host/preview/board_changes.hpp"
+#include "host/preview/board/board_changes.hpp"
 
 #include "core/player.hpp"
 #include "host/fit/speed.hpp"
-#include "host/preview/previewed_board.hpp"
+#include "host/preview/board/previewed_board.hpp"
 #include "tests/host/preview/named_scene.hpp"
 #include "tests/host/preview/played_programme.hpp"
 

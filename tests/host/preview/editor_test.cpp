@@ -1,6 +1,6 @@
-#include "host/preview/editor.hpp"
+#include "host/preview/files/editor.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/preview/watched_preview.hpp"
 
 #include <cstdlib>

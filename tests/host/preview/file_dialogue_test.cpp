@@ -1,6 +1,6 @@
-#include "host/preview/file_dialogue.hpp"
+#include "host/preview/files/file_dialogue.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <doctest/doctest.h>

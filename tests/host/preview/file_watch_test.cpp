@@ -1,4 +1,4 @@
-#include "host/preview/file_watch.hpp"
+#include "host/preview/files/file_watch.hpp"
 
 #include "tests/temporary_folder.hpp"
 

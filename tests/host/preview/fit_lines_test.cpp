@@ -1,8 +1,8 @@
-#include "host/preview/fit_check.hpp"
+#include "host/preview/board/fit_check.hpp"
 
 #include "core/player.hpp"
 #include "host/fit/wording.hpp"
-#include "host/preview/previewed_board.hpp"
+#include "host/preview/board/previewed_board.hpp"
 #include "tests/host/preview/named_scene.hpp"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "host/preview/half_blocks.hpp"
+#include "host/preview/terminal/half_blocks.hpp"
 
 #include <doctest/doctest.h>
 

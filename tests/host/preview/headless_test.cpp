@@ -1,6 +1,6 @@
 #include "host/preview/headless.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/compiled.hpp"
 #include "tests/event_bytes.hpp"
 #include "tests/host/picture/painted_source.hpp"

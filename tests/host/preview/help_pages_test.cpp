@@ -1,7 +1,7 @@
-#include "host/preview/help_pages.hpp"
+#include "host/preview/controls/help_pages.hpp"
 
-#include "host/preview/open_help.hpp"
-#include "host/preview/text_columns.hpp"
+#include "host/preview/controls/open_help.hpp"
+#include "host/preview/painter/text_columns.hpp"
 
 #include <doctest/doctest.h>
 

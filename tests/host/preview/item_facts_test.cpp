@@ -1,7 +1,7 @@
-#include "host/preview/item_facts.hpp"
+#include "host/preview/playback/item_facts.hpp"
 
-#include "host/every_item.hpp"
-#include "host/preview/overlay_source.hpp"
+#include "host/preview/overlay/overlay_source.hpp"
+#include "host/walk/every_item.hpp"
 #include "tests/host/preview/named_scene.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "host/preview/key_times.hpp"
+#include "host/preview/playback/key_times.hpp"
 
 #include "tests/host/compiler/scene_parts.hpp"
 

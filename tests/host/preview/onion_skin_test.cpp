@@ -1,4 +1,4 @@
-#include "host/preview/onion_skin.hpp"
+#include "host/preview/overlay/onion_skin.hpp"
 
 #include "host/picture/player_source.hpp"
 #include "tests/host/preview/named_scene.hpp"

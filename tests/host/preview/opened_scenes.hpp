@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/failure.hpp"
 #include "host/picture/player_source.hpp"
-#include "host/preview/opened_scene.hpp"
+#include "host/preview/viewer/opened_scene.hpp"
+#include "host/program/failure.hpp"
 
 #include <filesystem>
 #include <memory>

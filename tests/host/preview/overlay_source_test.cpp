@@ -1,10 +1,10 @@
-#include "host/preview/overlay_source.hpp"
+#include "host/preview/overlay/overlay_source.hpp"
 
 #include "host/beam/beam_screen_source.hpp"
 #include "host/beam/profile_choice.hpp"
 #include "host/picture/picture.hpp"
-#include "host/preview/label_places.hpp"
-#include "host/preview/overlay_marks.hpp"
+#include "host/preview/overlay/label_places.hpp"
+#include "host/preview/overlay/overlay_marks.hpp"
 #include "tests/host/preview/named_scene.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/preview/overlay_source.hpp"
+#include "host/preview/overlay/overlay_source.hpp"
 
 #include "host/picture/picture.hpp"
 #include "host/picture/player_source.hpp"

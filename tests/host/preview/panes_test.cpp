@@ -1,10 +1,10 @@
-#include "host/preview/picture_pane.hpp"
-#include "host/preview/preview_key.hpp"
-#include "host/preview/raster_painter.hpp"
-#include "host/preview/side_panel.hpp"
-#include "host/preview/status_line.hpp"
-#include "host/preview/text_box.hpp"
-#include "host/preview/time_line_pane.hpp"
+#include "host/preview/controls/preview_key.hpp"
+#include "host/preview/painter/raster_painter.hpp"
+#include "host/preview/panes/picture_pane.hpp"
+#include "host/preview/panes/side_panel.hpp"
+#include "host/preview/panes/status_line.hpp"
+#include "host/preview/panes/text_box.hpp"
+#include "host/preview/panes/time_line_pane.hpp"
 #include "tests/host/preview/recording_painter.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "host/preview/picture_window.hpp"
+#include "host/preview/window/picture_window.hpp"
 
 #include <SDL.h>
 #include <cstdlib>

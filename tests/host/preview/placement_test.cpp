@@ -1,4 +1,4 @@
-#include "host/preview/placement.hpp"
+#include "host/preview/painter/placement.hpp"
 
 #include <doctest/doctest.h>
 

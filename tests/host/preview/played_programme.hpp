@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/preview_playback.hpp"
+#include "host/preview/playback/preview_playback.hpp"
 #include "tests/event_bytes.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "host/preview/preview_key.hpp"
+#include "host/preview/controls/preview_key.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/preview/preview_playback.hpp"
+#include "host/preview/playback/preview_playback.hpp"
 
 #include "tests/host/preview/played_programme.hpp"
 

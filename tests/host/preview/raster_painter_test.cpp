@@ -1,4 +1,4 @@
-#include "host/preview/raster_painter.hpp"
+#include "host/preview/painter/raster_painter.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/preview/area.hpp"
-#include "host/preview/painter.hpp"
-#include "host/preview/text_columns.hpp"
+#include "host/preview/painter/area.hpp"
+#include "host/preview/painter/painter.hpp"
+#include "host/preview/painter/text_columns.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-#include "host/preview/seen_bones.hpp"
-#include "host/preview/seen_strokes.hpp"
+#include "host/preview/overlay/seen_bones.hpp"
+#include "host/preview/overlay/seen_strokes.hpp"
 
 #include "tests/host/preview/named_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/preview/terminal_text.hpp"
+#include "host/preview/terminal/terminal_text.hpp"
 
 #include <doctest/doctest.h>
 

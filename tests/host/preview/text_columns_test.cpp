@@ -1,4 +1,4 @@
-#include "host/preview/text_columns.hpp"
+#include "host/preview/painter/text_columns.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

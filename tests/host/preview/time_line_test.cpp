@@ -1,7 +1,7 @@
-#include "host/preview/area.hpp"
-#include "host/preview/theme.hpp"
-#include "host/preview/time_line.hpp"
-#include "host/preview/time_line_pane.hpp"
+#include "host/preview/painter/area.hpp"
+#include "host/preview/panes/theme.hpp"
+#include "host/preview/panes/time_line.hpp"
+#include "host/preview/panes/time_line_pane.hpp"
 #include "tests/host/preview/recording_painter.hpp"
 
 #include <array>

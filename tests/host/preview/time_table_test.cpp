@@ -1,4 +1,4 @@
-#include "host/preview/time_table.hpp"
+#include "host/preview/playback/time_table.hpp"
 
 #include "tests/host/preview/named_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/preview/unseen_objects.hpp"
+#include "host/preview/overlay/unseen_objects.hpp"
 
 #include "tests/host/preview/named_scene.hpp"
 

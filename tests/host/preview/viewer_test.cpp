@@ -1,4 +1,4 @@
-#include "host/preview/viewer.hpp"
+#include "host/preview/viewer/viewer.hpp"
 
 #include "tests/host/preview/watched_preview.hpp"
 

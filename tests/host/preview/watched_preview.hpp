@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/viewer.hpp"
+#include "host/preview/viewer/viewer.hpp"
 #include "tests/host/preview/opened_scenes.hpp"
 #include "tests/temporary_folder.hpp"
 

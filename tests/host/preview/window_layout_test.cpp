@@ -1,5 +1,5 @@
-#include "host/preview/area.hpp"
-#include "host/preview/window_layout.hpp"
+#include "host/preview/painter/area.hpp"
+#include "host/preview/window/window_layout.hpp"
 #include "tests/host/preview/recording_painter.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/preview_screen.hpp"
+#include "host/preview/window/preview_screen.hpp"
 #include "tests/host/preview/opened_scenes.hpp"
 #include "tests/host/preview/recording_painter.hpp"
 #include "tests/temporary_folder.hpp"

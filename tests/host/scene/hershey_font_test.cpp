@@ -1,8 +1,8 @@
 #include "host/scene/hershey_font.hpp"
 
-#include "core/crc32.hpp"
-#include "host/failure.hpp"
+#include "core/bytes/crc32.hpp"
 #include "host/fonts/dejavu_faces.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/hershey_faces.hpp"
 
 #include <doctest/doctest.h>

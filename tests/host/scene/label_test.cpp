@@ -1,6 +1,6 @@
 #include "tests/host/scene/scene_text.hpp"
 
-#include "core/kfb_limits.hpp"
+#include "core/scene/kfb_limits.hpp"
 
 #include <doctest/doctest.h>
 

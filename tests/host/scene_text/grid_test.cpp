@@ -1,4 +1,4 @@
-#include "host/scene_text/grid.hpp"
+#include "host/scene_text/values/grid.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/art/random_document.hpp"
 #include "tests/host/scene_text/written.hpp"
 #include "tests/rounds.hpp"

@@ -1,4 +1,4 @@
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/scene_text/art_parts.hpp"
 #include "tests/host/scene_text/written.hpp"
 

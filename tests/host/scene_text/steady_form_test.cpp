@@ -1,6 +1,6 @@
-#include "host/scene_text/steady_form.hpp"
+#include "host/scene_text/drawings/steady_form.hpp"
 
-#include "host/art/drawing.hpp"
+#include "host/art/geometry/drawing.hpp"
 #include "tests/host/art/random_document.hpp"
 
 #include <cmath>

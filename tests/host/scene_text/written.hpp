@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/art/prepare.hpp"
+#include "host/art/prepare/prepare.hpp"
 #include "host/compiler/compile.hpp"
 #include "host/scene_text/scene_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/host/simulator/wired_model.hpp"
 
 #include <doctest/doctest.h>

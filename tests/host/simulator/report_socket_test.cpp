@@ -1,6 +1,6 @@
 #include "host/simulator/report_socket.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <algorithm>

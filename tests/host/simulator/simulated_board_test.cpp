@@ -1,7 +1,7 @@
 #include "host/simulator/simulated_board.hpp"
 
-#include "firmware/fault_card.hpp"
-#include "firmware/run.hpp"
+#include "firmware/run/fault_card.hpp"
+#include "firmware/run/run.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 #include "tests/host/simulator/wired_model.hpp"
 

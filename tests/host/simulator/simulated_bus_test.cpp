@@ -1,6 +1,6 @@
 #include "host/simulator/simulated_bus.hpp"
 
-#include "firmware/panel_choice.hpp"
+#include "firmware/panel/panel_choice.hpp"
 #include "tests/host/simulator/wired_model.hpp"
 
 #include <doctest/doctest.h>

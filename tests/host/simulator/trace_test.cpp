@@ -1,6 +1,6 @@
 #include "host/simulator/trace.hpp"
 
-#include "host/failure.hpp"
+#include "host/program/failure.hpp"
 #include "tests/bytes.hpp"
 #include "tests/host/simulator/trace_bytes.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/controller_facts.hpp"
+#include "firmware/settings/controller_facts.hpp"
 #include "host/simulator/controller_model.hpp"
 #include "host/simulator/painted_frame.hpp"
 #include "tests/bytes.hpp"

@@ -1,5 +1,5 @@
 #include "host/scene/colour_names.hpp"
-#include "host/svg/colour.hpp"
+#include "host/svg/style/colour.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 
 #include <algorithm>

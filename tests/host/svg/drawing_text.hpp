@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/art/document.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
-#include "host/svg/key_options.hpp"
+#include "host/svg/poses/key_options.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "host/svg/part_match.hpp"
+#include "host/svg/poses/part_match.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

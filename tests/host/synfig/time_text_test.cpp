@@ -1,4 +1,4 @@
-#include "host/synfig/time_text.hpp"
+#include "host/synfig/values/time_text.hpp"
 
 #include <doctest/doctest.h>
 

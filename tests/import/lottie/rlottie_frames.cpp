@@ -2,8 +2,8 @@
 //
 // Draws frames of a Lottie animation on black with rlottie, which owes nothing to kfast.
 
-#include "host/failure.hpp"
 #include "host/picture/png.hpp"
+#include "host/program/failure.hpp"
 
 #include <rlottie.h>
 

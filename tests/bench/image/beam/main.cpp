@@ -1,5 +1,5 @@
 #include "core/beam/beam_player.hpp"
-#include "core/crc32.hpp"
+#include "core/bytes/crc32.hpp"
 #include "tests/bench/image/harness/instruction_meter.hpp"
 #include "tests/bench/image/harness/painted_stack.hpp"
 #include "tests/bench/image/harness/sampler.hpp"

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "boards/pico/beam/dac_beam.hpp"
+#include "boards/pico/stage/stage_board.hpp"
+
+namespace kfast::pico {
+
+/// A Pico with a vector display.
+class BeamBoard : public StageBoard {
+public:
+    /// All of them must outlive the board. The computer has begun.
+    BeamBoard(DacBeam& beam, const BoardSettings& settings, const Clock& clock, const Computer& computer)
+        : StageBoard{settings, clock, computer}, beam_{beam}
+    {
+    }
+
+    DacBeam& beam() { return beam_; }
+
+    // The button that disarms is looked at wherever time passes, however slow or large the scene is.
+    void listen()
+    {
+        watch_arming();
+        StageBoard::listen();
+    }
+    void linger_until(Microseconds moment)
+    {
+        constexpr Microseconds look{10'000};
+        do {
+            watch_arming();
+            const Microseconds soon = now() + look;
+            StageBoard::linger_until(reached(soon, moment) ? moment : soon);
+        } while (!stage().wants_to_begin() && !reached(now(), moment));
+    }
+
+private:
+    DacBeam& beam_;
+};
+
+}

@@ -1,0 +1,149 @@
+#include "boards/pico/beam/dac_beam.hpp"
+
+#include "boards/pico/beam/dac_program.hpp"
+#include "boards/pico/beam/looped_words.hpp"
+#include "boards/pico/beam/shutter.hpp"
+#include "boards/pico/chip/pins.hpp"
+#include "boards/pico/chip/pio_unit.hpp"
+#include "boards/pico/chip/resets.hpp"
+#include "firmware/run/dac_point.hpp"
+
+#include <array>
+
+namespace kfast::pico {
+namespace {
+
+using looped_words::Loop;
+
+constexpr pio::Machine teller{0};
+constexpr pio::Machine clock{1};
+constexpr std::uint32_t both_machines = 3;
+
+/// 41 ms at 100,000 points a second, as long as most profiles allow; 16 KiB each, of which two take no more
+/// than the bands of a panel.
+constexpr std::size_t most_points = 4096;
+
+/// Wherever these lie, no loop is right in front of another (looped_words.hpp).
+template <std::size_t size>
+struct Picture {
+    std::array<std::uint32_t, size> points;
+    Loop loop;
+};
+
+std::array<Picture<most_points>, 2> pictures;
+Picture<1> parked;
+
+/// A laser may shine for 2 ms in one place.
+constexpr std::uint32_t still_lights_in_second = 500;
+
+/// Gives a pin to the machine that has a side-set, set or out pin there, and its level at the beginning.
+void drive(const pio::Machine& machine, Pin pin, std::uint32_t level)
+{
+    machine.pin_ranges().write(pio::one_set_pin | static_cast<std::uint32_t>(pin) << pio::set_base_at);
+    machine.execute_now().write(pio::set_pins(level));
+    machine.execute_now().write(pio::set_directions_1);
+}
+
+template <std::size_t size>
+void load(const pio::Machine& machine, const std::array<std::uint32_t, size>& program, std::uint32_t place)
+{
+    for (std::uint32_t at = 0; at < size; ++at)
+        pio::program_memory(place + at).write(program[at]);
+    machine.execution().write((place + size - 1) << pio::wrap_from_at | place << pio::wrap_to_at);
+    machine.shifting().write(0); // to the left, nothing by itself
+}
+
+void give(const pio::Machine& machine, std::uint32_t word, std::uint32_t take_over)
+{
+    machine.transmit().write(word);
+    machine.execute_now().write(pio::pull);
+    machine.execute_now().write(take_over);
+}
+
+std::uint32_t range(Pin pin, int at) { return static_cast<std::uint32_t>(pin) << at; }
+
+void set_up_teller(const BoardSettings& settings, std::uint32_t usual_point)
+{
+    const Pin bits = settings.pin(PinRole::clock);
+    const Pin data = settings.pin(PinRole::data);
+    const Pin select = settings.pin(PinRole::select);
+    const rp2040::DacBit bit = rp2040::dac_bit(settings.bus_clock);
+    load(teller, pio::telling_program(bit), 0);
+    teller.clock_divisor().write(bit.divisor << pio::divisor_at);
+    drive(teller, bits, 0);
+    drive(teller, data, 1);
+    drive(teller, select, 1);
+    teller.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) | pio::one_set_pin |
+                              range(select, pio::set_base_at) | 1u << pio::out_pins_at |
+                              range(data, pio::out_base_at));
+    give(teller, usual_point, pio::mov_isr_osr);
+    teller.execute_now().write(pio::jump(0));
+    for (const Pin pin : {bits, data, select})
+        connect(pin, PinFunction::pio0, Pad::fast_output);
+}
+
+void set_up_clock(const BoardSettings& settings, std::uint32_t place)
+{
+    const Pin ldac = settings.pin(PinRole::ldac);
+    const Pin blank = settings.pin(PinRole::blank);
+    const pio::PointClock points = pio::point_clock(rp2040::cycles_per_point(settings.beam.rate));
+    load(clock, pio::point_clock_program(points, place), place);
+    clock.clock_divisor().write(1 << pio::divisor_at);
+    drive(clock, ldac, 1);
+    drive(clock, blank, 1);
+    clock.pin_ranges().write(pio::one_side_set_pin | range(ldac, pio::side_set_base_at) |
+                             range(settings.pin(PinRole::data), pio::in_base_at) | 1u << pio::out_pins_at |
+                             range(blank, pio::out_base_at));
+    give(clock, points.turns, pio::mov_y_osr);
+    clock.execute_now().write(pio::jump(place) | pio::side_high);
+    connect(ldac, PinFunction::pio0, Pad::fast_output);
+    shutter::hand_over();
+}
+
+}
+
+DacBeam::DacBeam(const BoardSettings& settings)
+    : profile_{settings.beam}, still_light_{settings.beam.rate / still_lights_in_second}
+{
+    parked.points[0] = dac_point({.at = profile_.park}, profile_.brightness);
+    parked.loop = Loop{parked.points};
+    resets::restart(resets::pio0);
+    set_up_teller(settings, parked.points[0]);
+    set_up_clock(settings, static_cast<std::uint32_t>(pio::telling_program({}).size()));
+    looped_words::begin(parked.loop, teller.transmit(), dma::Request::pio0_tx0);
+    pio::control.write(both_machines * (pio::machine_enable | pio::divisor_restart));
+}
+
+std::uint32_t DacBeam::room() const { return most_points; }
+
+bool DacBeam::takes_picture() const { return looped_words::has_gone_over(); }
+
+void DacBeam::plot(std::span<const BeamPoint> points)
+{
+    for (const BeamPoint& point : points) {
+        const std::uint32_t told = dac_point(point, profile_.brightness);
+        pictures[plotted_].points[points_++] = profile_.is_laser ? still_light_.passed(told) : told;
+    }
+}
+
+void DacBeam::show()
+{
+    auto& [words, loop] = pictures[plotted_];
+    const auto picture = std::span{words}.first(points_);
+    if (profile_.is_laser)
+        still_light_.end(picture);
+    loop = Loop{picture};
+    looped_words::go_over_to(loop);
+    plotted_ = 1 - plotted_;
+    points_ = 0;
+    shutter::set_busy(true);
+}
+
+void DacBeam::park()
+{
+    shutter::set_busy(false);
+    looped_words::go_over_to(parked.loop);
+    points_ = 0;
+}
+
+}

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "boards/pico/chip/memory.hpp"
+#include "boards/pico/panel/dimmer.hpp"
+#include "boards/pico/panel/tearing_line.hpp"
+#include "boards/pico/stage/stage_board.hpp"
+#include "firmware/run/tearing_wait.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast::pico {
+
+/// A Pico with a panel. The backlight is dark until a picture has arrived, and while the display rests.
+template <class Display>
+class Board : public StageBoard {
+public:
+    /// All of them must outlive the board. The computer has begun.
+    Board(Display& panel, const BoardSettings& settings, const Clock& clock, const Computer& computer)
+        : StageBoard{settings, clock, computer}, panel_{panel}, settings_{settings},
+          light_{settings.pin(PinRole::backlight)}, tearing_line_{settings.pin(PinRole::tearing)}
+    {
+    }
+
+    BoardNames names() const { return {"Pico", controller_name(settings_.panel.controller)}; }
+
+    Display& panel() { return panel_; }
+    std::array<std::span<std::byte>, 2> bands() { return memory::bands(); }
+
+    bool running()
+    {
+        if (!is_drawing())
+            stand_by();
+        return StageBoard::running();
+    }
+
+    void steer(Playhead& playhead)
+    {
+        StageBoard::steer(playhead);
+        if (stage().wants_rest())
+            light_.set(0);
+        else if (stage().brightness() != brightness_)
+            set_brightness(stage().brightness());
+    }
+
+    void wait_for_blank()
+    {
+        if (settings_.panel.tearing_effect)
+            tearing_wait_.wait([this] { return tearing_line_.pictures(); },
+                               [this] {
+                                   computer().serve();
+                                   return now();
+                               });
+    }
+
+    void frame_shown(FrameReport frame)
+    {
+        light_.set(brightness_); // not before: until now the display showed whatever it woke up with
+        StageBoard::frame_shown(frame);
+    }
+
+    void fault(Error error)
+    {
+        light_.set(brightness_);
+        StageBoard::fault(error);
+    }
+
+private:
+    /// While no frames are drawn.
+    void stand_by()
+    {
+        if (stage().brightness() == brightness_)
+            return;
+        set_brightness(stage().brightness());
+        light_.set(brightness_);
+    }
+
+    void set_brightness(std::uint8_t brightness)
+    {
+        brightness_ = brightness;
+        panel_.set_brightness(brightness);
+    }
+
+    Display& panel_;
+    const BoardSettings& settings_;
+    Dimmer light_;
+    TearingLine tearing_line_;
+    TearingWait tearing_wait_;
+    std::uint8_t brightness_ = settings_.panel.brightness;
+};
+
+}

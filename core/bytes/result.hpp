@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace kfast {
+
+/// Everything the device side can refuse. Each function lists which of these it returns. Boards show the
+/// number, so it stays what it is.
+enum class Error : std::uint8_t {
+    truncated = 1,       ///< the bytes end before the scene does
+    bad_magic,           ///< not a compiled scene
+    unsupported_version, ///< compiled for another version of the format
+    bad_checksum,        ///< the bytes were damaged on the way
+    bad_scene,           ///< a value in the scene is out of its range, or refers to nothing
+    block_too_small,     ///< the caller lent less memory than the scene needs
+    too_slow, ///< a picture of the scene takes longer than a second (core/scene/check/picture_cost.hpp)
+    // The scene needs a feature that the program was built without (core/features.hpp), in their order.
+    needs_strokes = 64,
+    needs_tweens,
+    needs_bones,
+    needs_backbones,
+    needs_depth,
+    needs_wires,
+    needs_paths,
+    needs_smooth,
+    needs_texts,
+    needs_drawings,
+};
+
+/// A value or the reason why there is none; the part of std::expected (C++23) that KFAST needs.
+template <class T>
+class [[nodiscard]] Result {
+public:
+    constexpr Result(T value) : value_{std::move(value)} {}
+    constexpr Result(Error error) : error_{error} {}
+    /// Makes the value in its place, which a small stack may have no room to copy.
+    template <class... Arguments>
+    constexpr explicit Result(std::in_place_t, Arguments&&... arguments)
+        : value_{std::in_place, std::forward<Arguments>(arguments)...}
+    {
+    }
+
+    constexpr explicit operator bool() const { return value_.has_value(); }
+
+    /// Only when the result holds a value.
+    constexpr T& operator*() { return *value_; }
+    constexpr const T& operator*() const { return *value_; }
+    constexpr T* operator->() { return &*value_; }
+    constexpr const T* operator->() const { return &*value_; }
+
+    /// Only when the result holds no value.
+    constexpr Error error() const { return error_; }
+    /// There is no value any more.
+    constexpr void fail(Error error)
+    {
+        value_.reset();
+        error_ = error;
+    }
+
+private:
+    std::optional<T> value_;
+    Error error_{};
+};
+
+}

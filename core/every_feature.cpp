@@ -1,0 +1,79 @@
+#include "core/feature_code.hpp"
+
+#include "core/bytes/plain_function.hpp"
+#include "core/math/space.hpp"
+#include "core/math/turning.hpp"
+#include "core/pose/live_bones.hpp"
+#include "core/pose/live_drawings.hpp"
+#include "core/pose/object_strokes.hpp"
+#include "core/prepared/preparer.hpp"
+#include "core/raster/outline/stroke_outline.hpp"
+#include "core/scene/check/bone_check.hpp"
+#include "core/scene/check/scene_check.hpp"
+#include "core/scene/path_view.hpp"
+#include "core/tracer.hpp"
+
+using namespace kfast;
+
+const StrokeFeature kfast_strokes{.emplace = emplace_stroke_outline};
+const TweenFeature kfast_tweens{.trace = plain_function<&ObjectStrokes::trace_way<ObjectOutline>>,
+                                .trace_kept = plain_function<&ObjectStrokes::trace_kept_way>};
+const BoneFeature kfast_bones{.check = bones_are_sound,
+                              .check_skin = plain_function<&SceneCheck::check_skin>,
+                              .prepare = plain_function<&Preparer::add_skeletons>,
+                              .set_up = set_up_bones,
+                              .pose = pose_bones,
+                              .carried = plain_function<&ObjectStrokes::carried_by_bones>};
+const BackboneFeature kfast_backbones{.check = plain_function<&SceneCheck::check_backbones>,
+                                      .live = plain_function<&ObjectStrokes::live_backbones>};
+const DepthFeature kfast_depth{.tilted = tilted,
+                               .product = product_in_depth,
+                               .add_layers = plain_function<&Tracer::add_layers_in_depth>};
+const WireFeature kfast_wires{.check = plain_function<&SceneCheck::check_depths>,
+                              .trace = plain_function<&Tracer::trace_wires>};
+const PathFeature kfast_paths{.check = plain_function<&SceneCheck::check_path>, .place_on = place_on};
+const SmoothFeature kfast_smooth{.value = plain_function<&PreparedScene::smooth_value>};
+const TextFeature kfast_texts{.check = plain_function<&SceneCheck::check_label>,
+                              .trace = plain_function<&Tracer::trace_label>};
+const DrawingFeature kfast_drawings{.check = plain_function<&SceneCheck::check_usual>,
+                                    .show_usual = plain_function<&LiveDrawings::show_usual>,
+                                    .trace = plain_function<&Tracer::trace_drawing>};
+
+namespace kfast {
+
+const Features every_feature{.strokes = &kfast_strokes,
+                             .tweens = &kfast_tweens,
+                             .bones = &kfast_bones,
+                             .backbones = &kfast_backbones,
+                             .depth = &kfast_depth,
+                             .wires = &kfast_wires,
+                             .paths = &kfast_paths,
+                             .smooth = &kfast_smooth,
+                             .texts = &kfast_texts,
+                             .drawings = &kfast_drawings};
+
+namespace {
+
+constexpr StrokeFeature strokes_of_beams{.emplace = nullptr};
+constexpr TweenFeature tweens_of_beams{.trace = nullptr, .trace_kept = nullptr};
+constexpr DepthFeature depth_of_beams{.tilted = tilted, .product = product_in_depth, .add_layers = nullptr};
+constexpr WireFeature wires_of_beams{.check = plain_function<&SceneCheck::check_depths>, .trace = nullptr};
+constexpr TextFeature texts_of_beams{.check = plain_function<&SceneCheck::check_label>, .trace = nullptr};
+constexpr DrawingFeature drawings_of_beams{.check = plain_function<&SceneCheck::check_usual>,
+                                           .show_usual = plain_function<&LiveDrawings::show_usual>,
+                                           .trace = nullptr};
+
+}
+
+const Features every_feature_but_outlines{.strokes = &strokes_of_beams,
+                                          .tweens = &tweens_of_beams,
+                                          .bones = &kfast_bones,
+                                          .backbones = &kfast_backbones,
+                                          .depth = &depth_of_beams,
+                                          .wires = &wires_of_beams,
+                                          .paths = &kfast_paths,
+                                          .smooth = &kfast_smooth,
+                                          .texts = &texts_of_beams,
+                                          .drawings = &drawings_of_beams};
+
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/math/point.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kfast {
+
+/// A map of the plane: x' = xx x + xy y + x0, y' = yx x + yy y + y0.
+struct Affine {
+    std::int32_t xx = Fixed::one; ///< Q16, as the other three; none is larger than `steepest`
+    std::int32_t xy = 0;
+    std::int32_t yx = 0;
+    std::int32_t yy = Fixed::one;
+    std::int64_t x0 = 0; ///< in 1/65536 px: what covers a panel of another shape reaches far beyond Fixed
+    std::int64_t y0 = 0;
+
+    static constexpr std::int32_t steepest = 1 << 28;
+
+    /// Rounded to 1/65536 px. Points further than 16383 px away from the origin are moved there, so that the
+    /// differences of mapped coordinates fit in Fixed.
+    Point operator()(Point point) const;
+    /// By what lengths grow, in Q16: the square root of what areas grow by, rounded down.
+    std::int32_t growth() const;
+
+    friend bool operator==(const Affine&, const Affine&) = default;
+};
+
+constexpr std::int32_t held_factor(std::int64_t value)
+{
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, -Affine::steepest, Affine::steepest));
+}
+
+/// First `inner`, then `outer`; rounded to the units of both. The shift of `inner` is within 65536 px. What
+/// would grow beyond Affine::steepest is held there.
+Affine operator*(const Affine& outer, const Affine& inner);
+
+/// Half the width of a stroke `width` wide, 0 or more, where lengths grow by `growth` (Q16); rounded to
+/// 1/65536 px, at most 4095 px.
+Fixed half_width(Fixed width, std::int32_t growth);
+
+}

@@ -1,0 +1,91 @@
+#include "core/math/angle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace kfast {
+namespace {
+
+/// a * b in Q30, rounded to nearest but for 1/1000 of a unit. Small processors multiply 64 bits by a
+/// function.
+constexpr std::int32_t product_q30(std::int32_t a, std::int32_t b)
+{
+    const auto low = [](std::int32_t value) { return static_cast<std::uint32_t>(value) & 0xFFFF; };
+    const auto half = [low](std::int32_t high, std::int32_t other) { // of a product of 16 bits and 16
+        return (high >> 16) * static_cast<std::int32_t>(low(other)) >> 1;
+    };
+    const auto lowest = static_cast<std::int32_t>(low(a) * low(b) >> 17);
+    return (a >> 16) * (b >> 16) * 4 + ((half(a, b) + half(b, a) + lowest + (1 << 12)) >> 13);
+}
+
+/// Horner's scheme in Q30: coefficients from the lowest power, `at` in 0 … 1.
+template <std::size_t count>
+constexpr std::int32_t polynomial(const std::array<std::int32_t, count>& coefficients, std::int32_t at)
+{
+    std::int32_t sum = coefficients[count - 1];
+    for (std::size_t i = count - 1; i-- > 0;)
+        sum = coefficients[i] + product_q30(sum, at);
+    return sum;
+}
+
+// Both polynomials interpolate at Chebyshev nodes in the square of the argument. The lowest coefficient of
+// the sine is adjusted so that they add up to 1: the quarter turn is exact.
+
+/// sin(pi/2 * u) / u as a polynomial in u^2.
+constexpr std::array<std::int32_t, 5> sine_terms{1686629699, -693598305, 85566398, -5018824, 162856};
+
+/// atan(u) / u as a polynomial in u^2, in turns.
+constexpr std::array<std::int32_t, 7> arctangent_terms{170891187, -56950691, 33959592, -22981232,
+                                                       14205589,  -6213682,  1307037};
+
+/// atan(ratio) in 1/65536 turn for a ratio in Q15, 0 … 1.
+std::int32_t arctangent(std::int32_t ratio)
+{
+    return multiply(ratio, polynomial(arctangent_terms, ratio * ratio), 29);
+}
+
+/// sin(at * 90 degrees) in Q30 for `at` in Q30, 0 … 1.
+std::int32_t quarter_sine(std::int32_t at)
+{
+    return product_q30(at, polynomial(sine_terms, product_q30(at, at)));
+}
+
+/// smaller / larger in Q15 for 0 <= smaller <= larger, larger > 0.
+std::int32_t ratio_q15(std::uint32_t smaller, std::uint32_t larger)
+{
+    const int excess = std::max(0, 16 - std::countl_zero(larger));
+    const std::uint32_t divisor = larger >> excess;
+    return static_cast<std::int32_t>(std::min(((smaller >> excess) << 15) + divisor / 2, divisor << 15) /
+                                     divisor);
+}
+
+}
+
+std::int32_t quarter_sine(Share share) { return quarter_sine(static_cast<std::int32_t>(share.raw << 14)); }
+
+std::int32_t sine(FineAngle angle)
+{
+    constexpr std::uint32_t half_turn = 1U << 31;
+    const std::uint32_t within_half = angle.raw & (half_turn - 1);
+    const std::uint32_t size = std::min(within_half, half_turn - within_half);
+    const std::int32_t quarter = quarter_sine(static_cast<std::int32_t>(size));
+    return angle.raw < half_turn ? quarter : -quarter;
+}
+
+std::int32_t cosine(FineAngle angle) { return sine(FineAngle{angle.raw + (1U << 30)}); }
+
+BinaryAngle direction(std::int32_t x, std::int32_t y)
+{
+    const auto width = static_cast<std::uint32_t>(x < 0 ? -x : x);
+    const auto height = static_cast<std::uint32_t>(y < 0 ? -y : y);
+    if (width == 0 && height == 0)
+        return {};
+    std::int32_t angle = width >= height ? arctangent(ratio_q15(height, width))
+                                         : BinaryAngle::quarter_turn - arctangent(ratio_q15(width, height));
+    if (x < 0)
+        angle = BinaryAngle::half_turn - angle;
+    return BinaryAngle::from_raw(y < 0 ? -angle : angle);
+}
+
+}

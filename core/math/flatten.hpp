@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/bytes/work.hpp"
+#include "core/math/segment.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// How far the middles of chords may lie from a curve. The corners of the pieces that stand for it lie beside
+/// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
+inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 16);
+
+/// A curve is cut into any number of pieces up to most_steps, or into 64, 128 or 256.
+inline constexpr int most_pieces = 256;
+inline constexpr int most_steps = 32;
+
+/// The points of a cubic at steps of equal parameter length by forward differences, in 32 bits without a
+/// division. Each is moved away from the chord between its neighbours by 1/12 of its second difference: the
+/// pieces between the points enclose what the curve does.
+///
+///     P(t) = from + C t + B t^2 + A t^3,  h = 1 / pieces
+///     first  = C h + B h^2 + A h^3        from one point to the next
+///     second = 2 B h^2 + 6 A h^3          from one first difference to the next
+///     third  = 6 A h^3
+///
+/// Differences are kept in 1/65536 of a unit, which is 1/1024 px, or as much more as the cubic is larger than
+/// 32 px. Points are off by 2.5 units at most where there are as many pieces as pieces_for() says.
+class CubicSteps {
+public:
+    /// 2 … most_steps pieces.
+    CubicSteps(const Segment& cubic, int pieces);
+
+    /// The next point behind the beginning, before the end.
+    Point next() { return {x_.next(from_.x, shift_), y_.next(from_.y, shift_)}; }
+
+private:
+    static constexpr int result_bits = 4; ///< points come in 2^result_bits / 65536 px
+
+    /// Along x or y.
+    struct Axis {
+        std::uint32_t value;
+        std::uint32_t first;
+        std::uint32_t second;
+        std::uint32_t third;
+
+        /// Where `from` is the beginning. Steps may be rounded up beyond what a difference can be; the sums
+        /// lose that again.
+        Fixed next(Fixed from, int shift)
+        {
+            value += first;
+            first += second;
+            second += third;
+            const auto way = static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> shift);
+            return Fixed::from_raw(
+                static_cast<std::int32_t>(static_cast<std::uint32_t>(from.raw()) + (way << result_bits)));
+        }
+    };
+
+    void set(Axis& axis, Fixed c1, Fixed c2, Fixed to, int pieces) const;
+
+    Point from_;
+    int shift_; ///< a unit is 2^(result_bits - shift) px
+    Axis x_;
+    Axis y_;
+};
+
+/// All of a cubic but its end, in 2 … most_steps pieces.
+template <class LineTo>
+void flatten_freely(const Segment& cubic, int pieces, LineTo& line_to)
+{
+    did(Work::piece, static_cast<std::uint32_t>(pieces));
+    CubicSteps steps{cubic, pieces};
+    for (int left = pieces - 1; left > 0; --left)
+        line_to(steps.next());
+}
+
+/// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
+/// `pieces` of equal parameter length for a curve. The point it begins at is not among them, the last one is
+/// exact, those between lie beside the curve (CubicSteps), but for every 32nd of more, which lies on it.
+template <class LineTo>
+void flatten(const Segment& segment, int pieces, LineTo line_to)
+{
+    if (segment.kind == Segment::Kind::cubic && pieces > most_steps) {
+        const Share part{Share::one / static_cast<std::uint32_t>(pieces / most_steps)};
+        for (Share begin; begin.raw != Share::one; begin.raw += part.raw) {
+            const Segment cubic = stretch(segment, begin, {begin.raw + part.raw});
+            if (begin.raw != 0)
+                line_to(cubic.from);
+            flatten_freely(cubic, most_steps, line_to);
+        }
+    } else if (segment.kind == Segment::Kind::cubic && pieces != 1) {
+        flatten_freely(segment, pieces, line_to);
+    }
+    line_to(segment.to);
+}
+
+/// How many pieces a segment needs so that chords lie within `flatness` of it.
+///
+/// n pieces lie within 3 d / 4 n^2 of a curve, where d is the longer of |from - 2 c1 + c2| and
+/// |c1 - 2 c2 + to|: a chord of a function f over 1/n is at most max |f''| / 8 n^2 off, and f'' is 6 times
+/// what lies between those two.
+int pieces_for(const Segment& segment);
+
+/// A number of pieces, each about 2^coarseness times as long; 1 at least.
+constexpr int coarser(int pieces, int coarseness) { return ((pieces - 1) >> coarseness) + 1; }
+
+}

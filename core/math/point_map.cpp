@@ -1,0 +1,52 @@
+#include "core/math/point_map.hpp"
+
+#include "core/bytes/work.hpp"
+#include "core/math/held_point.hpp"
+#include "core/math/sum_of_products.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+/// Of |x| and |y| before a shift, and of the shift: their sum need not be held.
+constexpr std::int32_t modest_shift = Fixed::pixels(farthest_held / 2).raw();
+
+constexpr bool is_within(std::int64_t value, std::int32_t limit) { return value > -limit && value < limit; }
+
+}
+
+PointMap::PointMap(const Affine& map) : map_{map}, kind_{Kind::any}
+{
+    if (!is_within(map.x0, modest_shift) || !is_within(map.y0, modest_shift))
+        return;
+    if (map.xx == Fixed::one && map.yy == Fixed::one && map.xy == 0 && map.yx == 0)
+        kind_ = Kind::shift;
+    else if (is_modest_factor(map.xx) && is_modest_factor(map.xy) && is_modest_factor(map.yx) &&
+             is_modest_factor(map.yy))
+        kind_ = Kind::modest;
+}
+
+Point PointMap::shift() const
+{
+    return {Fixed::from_raw(static_cast<std::int32_t>(map_.x0)),
+            Fixed::from_raw(static_cast<std::int32_t>(map_.y0))};
+}
+
+Point PointMap::operator()(Point point) const
+{
+    const std::int32_t x = point.x.raw();
+    const std::int32_t y = point.y.raw();
+    const auto x0 = static_cast<std::int32_t>(map_.x0);
+    const auto y0 = static_cast<std::int32_t>(map_.y0);
+    if (kind_ == Kind::shift && is_within(x, modest_shift) && is_within(y, modest_shift))
+        return {Fixed::from_raw(x + x0), Fixed::from_raw(y + y0)};
+    const bool is_short = kind_ == Kind::modest && is_modest_way(x) && is_modest_way(y);
+    did(is_short ? Work::point : Work::wide_point);
+    if (is_short)
+        return {held(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
+                held(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
+    return map_(point);
+}
+
+}

@@ -1,0 +1,157 @@
+#include "core/bytes/crc32.hpp"
+#include "core/prepared/preparer.hpp"
+#include "core/scene/check/scene_check.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/scene/time_code.hpp"
+#include "core/scene/usual_camera.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t magic = 'K' | 'F' << 8 | 'B' << 16;
+constexpr std::size_t checksum_end = 8; ///< the checksum covers everything behind itself
+
+constexpr std::uint32_t loop_bits = 3;
+constexpr std::uint32_t camera_bit = 1 << 2;
+constexpr std::uint32_t opacity_bit = 1 << 3;
+constexpr std::uint32_t marks_bit = 1 << 4;
+constexpr std::uint32_t bones_bit = 1 << 5;
+constexpr std::uint32_t symbols_bit = 1 << 6;
+constexpr std::uint32_t inputs_bit = 1 << 7;
+
+/// Beyond the format's limit it stays beyond it.
+std::uint32_t read_words(ByteReader& bytes, std::uint32_t max_bytes)
+{
+    return 4 * std::min(bytes.varint(), max_bytes / 4 + 1);
+}
+
+int read_side(ByteReader& bytes)
+{
+    return static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_canvas + 1));
+}
+
+ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
+
+}
+
+// Once a scene: a board that runs from RAM can leave it in flash.
+[[gnu::cold]] Result<SceneView> SceneView::parse(std::span<const std::byte> bytes, const Features& features,
+                                                 std::uint32_t* item)
+{
+    Result<SceneView> scene{std::in_place, Unread{}}; // in its place at once, for a small stack
+    scene->features_ = features;
+    if (const auto error = scene->read(bytes, item))
+        scene.fail(*error);
+    return scene;
+}
+
+/// Why it cannot be played.
+[[gnu::cold]] std::optional<Error> SceneView::read(std::span<const std::byte> bytes, std::uint32_t* item)
+{
+    ByteReader reader{bytes};
+    const std::uint32_t tag = reader.u32();
+    const std::uint32_t checksum = reader.u32();
+    const std::size_t body = reader.varint();
+    if (bytes.size() >= 3 && (tag & 0xFFFFFF) != magic)
+        return Error::bad_magic;
+    if (bytes.size() >= 4 && tag >> 24 != kfb::version)
+        return Error::unsupported_version;
+    if (reader.overrun() || reader.left() < body)
+        return Error::truncated;
+    size_ = bytes.size() - reader.left() + body;
+    Crc32 crc;
+    crc.add(bytes.first(size_).subspan(checksum_end));
+    if (crc.value() != checksum)
+        return Error::bad_checksum;
+    if (!read_sections(reader.take(body)))
+        return Error::bad_scene;
+    if (const auto error = check(item))
+        return error;
+    if (!count_records())
+        return Error::bad_scene;
+    return cost_ == PictureCost::max ? std::optional{Error::too_slow} : std::nullopt;
+}
+
+/// Few scenes have many symbols: only for these it takes 3 KB more of the stack.
+[[gnu::cold]] std::optional<Error> SceneView::check(std::uint32_t* item)
+{
+    constexpr std::size_t few = 12;
+    return symbol_count_ <= few ? check_in_room<few>(item) : check_in_room<kfb::max_symbols>(item);
+}
+
+template <std::size_t symbols>
+[[gnu::cold, gnu::noinline]] std::optional<Error> SceneView::check_in_room(std::uint32_t* item)
+{
+    std::array<ItemTotals, symbols> room{};
+    return check(item, std::span{room}.first(symbol_count_));
+}
+
+[[gnu::cold, gnu::noinline]] std::optional<Error> SceneView::check(std::uint32_t* item,
+                                                                   std::span<ItemTotals> symbols)
+{
+    SceneCheck check{*this, symbols};
+    const bool passes = check.passes();
+    if (item != nullptr)
+        *item = check.item();
+    return passes ? std::nullopt : std::optional{check.error()};
+}
+
+/// What it takes to be laid out. Whether that is no more than the format holds.
+[[gnu::cold, gnu::noinline]] bool SceneView::count_records()
+{
+    Preparer preparer{*this, {}};
+    preparer.run();
+    const SceneRecords nested = records_;
+    records_ = preparer.records();
+    records_.spaces = nested.spaces;
+    records_.levels = nested.levels;
+    const std::uint32_t cost = cost_ + cost_of_records(records_, preparer.keys(), borders_);
+    cost_ = static_cast<std::uint16_t>(std::min(cost, PictureCost::max));
+    return records_.timelines < LiveTrack::no_timeline && records_.tracks <= kfb::max_tracks &&
+           records_.nodes <= kfb::max_nodes;
+}
+
+[[gnu::cold]] bool SceneView::read_sections(ByteReader reader)
+{
+    outline_bytes_ = read_words(reader, kfb::max_outline_bytes);
+    borders_ = std::min(reader.varint(), kfb::max_borders + 1);
+    cache_bytes_ = read_words(reader, kfb::max_cache_bytes);
+    const std::uint32_t head = reader.u8();
+    loop_ = static_cast<Loop>(head & loop_bits);
+    length_ = read_time_code(reader);
+    frame_rate_ = rate_of(reader.varint());
+    canvas_.width = read_side(reader);
+    canvas_.height = read_side(reader);
+    camera_ = (head & camera_bit) != 0 ? static_cast<std::int32_t>(reader.varint()) : usual_camera(canvas_);
+    const std::size_t colours = reader.u8();
+    colour_bytes_ = (head & opacity_bit) != 0 ? 4 : 3;
+    palette_ = reader.take(colours * colour_bytes_).rest();
+    law_count_ = reader.u8();
+    laws_ = reader;
+    for (std::uint32_t pair = 0; pair < law_count_; ++pair)
+        read_law_pair(reader);
+    if ((head & inputs_bit) != 0) {
+        input_count_ = reader.u8();
+        inputs_ = take_block(reader);
+        if (input_count_ == 0)
+            return false; // then the header says that there are none
+    }
+    if ((head & marks_bit) != 0)
+        marks_ = take_block(reader);
+    if ((head & bones_bit) != 0)
+        bones_ = take_block(reader);
+    if ((head & symbols_bit) != 0) {
+        symbol_count_ = reader.u8();
+        symbols_ = take_block(reader);
+    }
+    items_ = take_block(reader);
+    drawings_ = reader.rest();
+    return !reader.overrun();
+}
+
+}

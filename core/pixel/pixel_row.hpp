@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/pixel/dither.hpp"
+#include "core/pixel/pixel_coding.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+
+/// Paints stretches of one row of an area of the panel. All columns are the panel's.
+template <PixelFormat format>
+struct PixelRow {
+    std::byte* first; ///< where the pixel of column `left` begins; aligned to 2 if pixels are 16 bits
+    int left;         ///< a multiple of pixels_in_whole_bytes(format)
+    int y;            ///< the panel's row
+
+    static constexpr std::uint32_t ink(Colour colour) { return Coding::ink(colour); }
+
+    void fill(int x, int count, std::uint32_t ink) { Coding::fill(first, x - left, count, ink); }
+
+    /// Lays ink over the pixels with a coverage of 0 … 255.
+    void blend(int x, int count, std::uint32_t ink, std::uint32_t coverage)
+    {
+        for (int i = x - left; count > 0; ++i, --count)
+            Coding::store(first, i, Coding::mixed(Coding::load(first, i), ink, coverage));
+    }
+
+    /// Makes what was painted since `before` was kept as transparent as `opacity` (0 … 255) says. `before` is
+    /// a copy of the row from `first` on.
+    void fade_from(const std::byte* before, int x, int width, std::uint32_t opacity)
+    {
+        for (int i = x - left; width > 0; ++i, --width)
+            Coding::store(first, i, Coding::mixed(Coding::load(before, i), Coding::load(first, i), opacity));
+    }
+
+private:
+    using Coding = PixelCoding<format>;
+};
+
+/// A pixel knows only whether it is lit. What is laid over it is mixed with black or white, and the result
+/// decides by the threshold at its place.
+template <>
+struct PixelRow<PixelFormat::mono1_dithered> {
+    std::byte* first;
+    int left;
+    int y;
+
+    /// The brightness, 0 … 255.
+    static constexpr std::uint32_t ink(Colour colour) { return brightness(colour); }
+
+    void fill(int x, int count, std::uint32_t ink)
+    {
+        fill_bits(first, x - left, x - left + count, dither.eight(ink, y));
+    }
+
+    void blend(int x, int count, std::uint32_t ink, std::uint32_t coverage)
+    {
+        for (; count > 0; ++x, --count)
+            lay(x, level(first, x), ink, coverage);
+    }
+
+    /// As in the other formats.
+    void fade_from(const std::byte* before, int x, int width, std::uint32_t opacity)
+    {
+        for (; width > 0; ++x, --width)
+            lay(x, level(before, x), level(first, x), opacity);
+    }
+
+private:
+    using Bits = PixelCoding<PixelFormat::mono1>;
+
+    std::uint32_t level(const std::byte* row, int x) const { return Bits::load(row, x - left) * 255; }
+
+    void lay(int x, std::uint32_t under, std::uint32_t over, std::uint32_t coverage)
+    {
+        const bool is_lit = dither.is_lit(blend_channel(under, over, coverage), x, y);
+        Bits::store(first, x - left, is_lit ? 1 : 0);
+    }
+};
+
+}

@@ -1,0 +1,169 @@
+#include "core/pose/item_state.hpp"
+
+#include "core/bytes/work.hpp"
+#include "core/feature_code.hpp"
+#include "core/math/angle.hpp"
+#include "core/math/turning.hpp"
+#include "core/scene/path_view.hpp"
+#include "core/time/hermite.hpp"
+#include "core/time/passage.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kfast {
+namespace {
+
+std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Way way)
+{
+    const std::int32_t value = from + multiply(to - from, way.raw, 16);
+    return static_cast<std::uint8_t>(std::clamp<std::int32_t>(value, 0, 255));
+}
+
+Colour colour_between(Colour from, Colour to, Way way)
+{
+    return {channel_between(from.red, to.red, way), channel_between(from.green, to.green, way),
+            channel_between(from.blue, to.blue, way), channel_between(from.opacity, to.opacity, way)};
+}
+
+/// Rounded to nearest, halves up.
+std::int32_t whole(std::int32_t fine) { return (fine + (1 << (fine_bits - 1))) >> fine_bits; }
+
+std::int64_t within_shift(std::int64_t shift)
+{
+    constexpr std::int64_t furthest = std::int64_t{65536} * Fixed::one;
+    return std::clamp(shift, -furthest, furthest);
+}
+
+/// Where an item is put, by what its tracks come to.
+class Placement {
+public:
+    explicit Placement(const Features& features) : features_{features}
+    {
+        fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits;
+    }
+
+    /// In 1/256 of the unit of the property, which is among those that place an item.
+    std::int32_t& fine(Property property) { return fine_[static_cast<std::size_t>(property)]; }
+    /// Puts the pivot onto the path.
+    void follow(const PathView& path, const PackedDrawing& stroke)
+    {
+        const PathPlace place = features_.paths->place_on(path, stroke, value(Property::along));
+        position_ = place.at - Point{in_pixels(Property::pivot_x), in_pixels(Property::pivot_y)};
+        if (path.turns)
+            turned_ = FineAngle::of(place.direction);
+    }
+    Space space() const;
+
+private:
+    std::int32_t value(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
+    Fixed in_pixels(Property property) const { return fine_pixels(value(property)); }
+    FineAngle angle(Property property) const { return FineAngle::of_fine(value(property)); }
+    Space turn() const;
+
+    const Features& features_;
+    std::array<std::int32_t, static_cast<std::size_t>(Property::along) + 1> fine_{};
+    Point position_;   ///< that a path gives it
+    FineAngle turned_; ///< by a path
+};
+
+Space Placement::space() const
+{
+    const Space turned = turn();
+    const Fixed pivot_x = in_pixels(Property::pivot_x);
+    const Fixed pivot_y = in_pixels(Property::pivot_y);
+    const Space to_pivot{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
+    Space placed = to_pivot.plane == Affine{} ? turned : product(turned, to_pivot, features_);
+    const auto shift = [](std::int64_t from_pivot, Fixed position, Fixed along_path, Fixed pivot) {
+        return within_shift(from_pivot + position.raw() + along_path.raw() + pivot.raw());
+    };
+    placed.plane.x0 = shift(placed.plane.x0, in_pixels(Property::x), position_.x, pivot_x);
+    placed.plane.y0 = shift(placed.plane.y0, in_pixels(Property::y), position_.y, pivot_y);
+    placed.z0 = shift(placed.z0, in_pixels(Property::z), {}, {});
+    return placed;
+}
+
+Space Placement::turn() const
+{
+    const Turning turning{.x = angle(Property::rotation_x),
+                          .y = angle(Property::rotation_y),
+                          .z = angle(Property::rotation) + turned_,
+                          .scale_x = value(Property::scale_x),
+                          .scale_y = value(Property::scale_y)};
+    const bool is_upright = turning.x == FineAngle{} && turning.y == FineAngle{};
+    return is_upright ? upright(turning) : features_.depth->tilted(turning);
+}
+
+/// Apart, so that the stack has the view of the item only where it is wanted.
+[[gnu::noinline]] void follow_path(Placement& placement, const SceneView& scene, const Node& item)
+{
+    const PathView path = item_view(scene, item).path;
+    placement.follow(path, scene.drawing(path.drawing));
+}
+
+}
+
+const LiveTrack* ItemState::track(Property property) const
+{
+    for (const LiveTrack& track : prepared_.tracks(item_))
+        if (track.property == static_cast<std::uint8_t>(property))
+            return &track;
+    return nullptr;
+}
+
+/// In 1/256 of the unit of the property.
+std::int32_t ItemState::fine(Property property) const
+{
+    const LiveTrack* const found = track(property);
+    return found != nullptr ? prepared_.fine_value(scene_, *found)
+                            : value_without_track(property) * (1 << fine_bits);
+}
+
+std::uint32_t ItemState::opacity() const
+{
+    if (item_.track_count == 0)
+        return 255;
+    if (fine(Property::visible) == 0)
+        return 0;
+    return static_cast<std::uint32_t>(std::clamp<std::int32_t>(whole(fine(Property::opacity)), 0, 255));
+}
+
+Space ItemState::placement() const
+{
+    did(Work::placement);
+    Placement placement{scene_.features()};
+    for (const LiveTrack& track : prepared_.tracks(item_)) {
+        if (!places_item(static_cast<Property>(track.property)))
+            break;
+        did(Work::track);
+        placement.fine(static_cast<Property>(track.property)) = prepared_.fine_value(scene_, track);
+    }
+    if (item_.has_path)
+        follow_path(placement, scene_, item_);
+    return placement.space();
+}
+
+Point ItemState::pivot() const
+{
+    return {fine_pixels(fine(Property::pivot_x)), fine_pixels(fine(Property::pivot_y))};
+}
+
+Colour ItemState::colour(Property property, std::uint8_t without_track) const
+{
+    const LiveTrack* const found = track(property);
+    if (found == nullptr)
+        return scene_.colour(without_track);
+    const auto [from, to, way] = prepared_.passage(*found, LawAxis::x);
+    const Colour first = scene_.colour(static_cast<std::size_t>(from));
+    return from == to ? first : colour_between(first, scene_.colour(static_cast<std::size_t>(to)), way);
+}
+
+Fixed ItemState::width() const
+{
+    const LiveTrack* const found = track(Property::width);
+    if (found == nullptr)
+        return Fixed::sixteenths(item_.style.width);
+    return std::max(fine_pixels(prepared_.fine_value(scene_, *found)), Fixed{});
+}
+
+}

@@ -1,0 +1,110 @@
+#include "core/pose/live_scene.hpp"
+
+#include "core/bytes/block_cutter.hpp"
+#include "core/feature_code.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+std::size_t bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(LiveBone); }
+std::size_t node_bytes(const SceneView& scene) { return scene.backbone_nodes() * sizeof(BackboneNode); }
+/// With what may be passed over until they are aligned.
+std::size_t space_bytes(const SceneView& scene)
+{
+    const std::size_t bytes = scene.records().spaces * sizeof(Space);
+    return bytes == 0 ? 0 : bytes + alignof(Space) - 4;
+}
+std::span<Space> spaces_in(std::span<std::byte> memory)
+{
+    if (memory.empty())
+        return {};
+    const std::size_t gap = -reinterpret_cast<std::uintptr_t>(memory.data()) % alignof(Space);
+    const std::span<std::byte> aligned = memory.subspan(gap);
+    return {reinterpret_cast<Space*>(aligned.data()), aligned.size() / sizeof(Space)};
+}
+std::size_t input_bytes(const SceneView& scene) { return scene.input_count() * sizeof(Time); }
+
+static_assert(alignof(LiveBone) <= 4 && alignof(BackboneNode) <= 4);
+
+}
+
+[[gnu::cold]] std::size_t LiveScene::bytes_for(const SceneView& scene)
+{
+    return PreparedScene::bytes_for(scene) + space_bytes(scene) + bone_bytes(scene) + node_bytes(scene) +
+           input_bytes(scene) + LiveDrawings::bytes_for(scene) + LiveTexts::bytes_for(scene);
+}
+
+[[gnu::cold]] LiveScene::LiveScene(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
+    : on_panel_{kfast::on_panel(scene, panel, fit)}
+{
+    BlockCutter cutter{memory};
+    on_panel_.prepared = PreparedScene{scene, cutter.cut(PreparedScene::bytes_for(scene))};
+    on_panel_.spaces = spaces_in(cutter.cut(space_bytes(scene)));
+    on_panel_.bones = cutter.cut_as<LiveBone>(bone_bytes(scene));
+    on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(node_bytes(scene));
+    inputs_ = cutter.cut_as<Time>(input_bytes(scene));
+    put_usual_places(scene.inputs(), inputs_);
+    on_panel_.drawings = {scene, cutter.cut(LiveDrawings::bytes_for(scene))};
+    on_panel_.texts = {scene,
+                       cutter.cut(LiveTexts::bytes_for(scene))}; // last, for it has any number of bytes
+    if (!on_panel_.bones.empty())
+        scene.features().bones->set_up(scene, on_panel_.prepared, on_panel_.bones);
+}
+
+const Dependence& LiveScene::move_to(Time time)
+{
+    on_panel_.prepared.move_to(scene(), {time, inputs_}, std::exchange(told_, 0));
+    return on_panel_.prepared.moved();
+}
+
+void LiveScene::pose_bones()
+{
+    if (!on_panel_.bones.empty())
+        scene().features().bones->pose(scene(), on_panel_.prepared, on_panel_.bones);
+}
+
+Moment LiveScene::pose(Time time)
+{
+    move_to(time);
+    pose_bones();
+    return {time, inputs_};
+}
+
+void LiveScene::set_input(std::uint32_t number, Time place)
+{
+    inputs_[number] = std::clamp(place, Time{}, whole_input);
+}
+
+void LiveScene::set_text(std::uint32_t number, std::string_view text)
+{
+    if (on_panel_.texts.put(scene(), number, text))
+        note_told(number);
+}
+
+bool LiveScene::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
+{
+    LiveDrawing live = drawing(number);
+    live.begin();
+    for (const LiveStroke& stroke : strokes) {
+        live.begin_stroke();
+        if (!std::ranges::all_of(stroke, [&live](LivePoint point) { return live.add(point); })) {
+            live.begin();
+            return false;
+        }
+    }
+    show_next_drawing(number);
+    return true;
+}
+
+void LiveScene::show_next_drawing(std::uint32_t number)
+{
+    if (drawing(number).show())
+        note_told(number);
+}
+
+void LiveScene::note_told(std::uint32_t number) { told_ |= bit_of_input(number); }
+
+}

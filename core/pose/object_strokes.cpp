@@ -1,0 +1,147 @@
+#include "core/pose/object_strokes.hpp"
+
+#include "core/raster/outline/object_outline.hpp"
+
+namespace kfast {
+
+ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const Node& object)
+    : on_panel_{scene}, object_{object}
+{
+    const PreparedScene& prepared = scene.prepared;
+    const LiveTrack& drawing = prepared.key_track(object, KeyValue::drawing);
+    from_.drawing = static_cast<std::uint32_t>(drawing.from);
+    to_.drawing = static_cast<std::uint32_t>(prepared.arrival(object));
+    way_ = prepared.progress(drawing);
+    if (!object.has_more())
+        return;
+    const LiveTrack& more = prepared.key_track(object, KeyValue::more);
+    from_.more = more.from;
+    to_.more = more.to;
+}
+
+std::optional<Affine> ObjectStrokes::rigid_carrier() const
+{
+    if (!on_panel_.prepared.has_one_drawing(object_) || object_.carrier == Carrier::backbones)
+        return std::nullopt;
+    if (object_.carrier == Carrier::none)
+        return Affine{};
+    if (from_.more >= 0) // a skin, of several bones
+        return std::nullopt;
+    return on_panel_.bones[object_.of + SceneView::bone_of(from_.more)].map();
+}
+
+Point ObjectStrokes::first_point() const
+{
+    PackedDrawing drawing = on_panel_.scene.drawing(from_.drawing);
+    if (object_.carrier == Carrier::backbones)
+        drawing = on_panel_.scene.drawing(
+            item_view(on_panel_.scene, object_).object.backbones.keys().next().drawing);
+    if (drawing.strokes() != 0)
+        drawing.next_stroke();
+    return drawing.start();
+}
+
+void ObjectStrokes::trace_drawing(const Affine& placement, ObjectOutline& outline) const
+{
+    did(Work::object);
+    CarriedDrawing drawing{on_panel_.scene.drawing(from_.drawing)};
+    trace_strokes(drawing, placement, outline);
+}
+
+bool ObjectStrokes::is_one_drawing() const
+{
+    return object_.carrier != Carrier::backbones &&
+           (way_.is_at_beginning() || on_panel_.prepared.has_one_drawing(object_));
+}
+
+void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
+{
+    const TweenFeature* const tweens = on_panel_.scene.features().tweens;
+    if (object_.carrier == Carrier::bones || tweens == nullptr)
+        trace(placement, outline);
+    else
+        tweens->trace_kept(*this, cache, placement, outline);
+}
+
+void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
+{
+    const LiveBackbones* const carriers = backbones(&cache); // first, for it may write to the cache
+    const bool is_held =
+        on_panel_.prepared.is_held(on_panel_.scene, on_panel_.prepared.key_track(object_, KeyValue::drawing));
+    const std::uint32_t to = is_held ? from_.drawing : to_.drawing;
+    const auto tween = kept_tween(cache, on_panel_.scene.drawings(), from_.drawing, to);
+    if (!tween || (way_.is_at_beginning() && !tween->is_plain()))
+        return trace(placement, outline);
+    did(Work::object);
+    trace_kept(*tween, way_, carriers, placement, outline);
+}
+
+/// Apart, so that the stack has what they are made of only as long as they are made.
+[[gnu::noinline]] LiveStrokes ObjectStrokes::live_strokes(const Affine& placement) const
+{
+    const SceneView& scene = on_panel_.scene;
+    return {{scene.drawing(from_.drawing).strokes(), scene.drawing(to_.drawing).strokes()},
+            [this](bool is_second) { return carried(is_second ? to_ : from_); },
+            way_,
+            backbones(nullptr),
+            placement};
+}
+
+[[gnu::noinline]] LiveWires ObjectStrokes::live_wires(const Projection& projection) const
+{
+    const auto wires = [](const Shown& shown) {
+        return WireDrawing{shown.drawing, static_cast<std::uint32_t>(shown.more)};
+    };
+    return {on_panel_.scene.drawings(), wires(from_), wires(to_), way_, projection};
+}
+
+CarriedDrawing ObjectStrokes::carried(const Shown& shown) const
+{
+    if (object_.carrier != Carrier::bones)
+        return CarriedDrawing{on_panel_.scene.drawing(shown.drawing)};
+    return on_panel_.scene.features().bones->carried(*this, shown.drawing, shown.more);
+}
+
+CarriedDrawing ObjectStrokes::carried_by_bones(std::uint32_t drawing, std::int32_t skin) const
+{
+    const SceneView& scene = on_panel_.scene;
+    const PackedDrawing own = scene.drawing(drawing);
+    const SkinReader reader = scene.skin(skin);
+    return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
+            on_panel_.bones.subspan(object_.of)};
+}
+
+/// Null if none carry the object.
+const LiveBackbones* ObjectStrokes::backbones(PictureCache* cache) const
+{
+    if (object_.carrier != Carrier::backbones)
+        return nullptr;
+    return &on_panel_.scene.features().backbones->live(*this, cache);
+}
+
+const LiveBackbones& ObjectStrokes::live_backbones(PictureCache* cache) const
+{
+    if (backbones_)
+        return *backbones_;
+    const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
+    const auto from = static_cast<std::uint32_t>(keys.from);
+    const auto to = static_cast<std::uint32_t>(keys.to);
+    const auto both =
+        cache != nullptr ? kept_tween(*cache, on_panel_.scene.drawings(), from, to) : std::nullopt;
+    if (both)
+        backbones_.emplace(on_panel_.backbone_nodes, object_.unit_bits, *both,
+                           on_panel_.prepared.progress(keys));
+    else
+        read_backbones(from, to);
+    return *backbones_;
+}
+
+/// Apart, so that the stack has the readers only where they are wanted.
+[[gnu::noinline]] void ObjectStrokes::read_backbones(std::uint32_t from, std::uint32_t to) const
+{
+    const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
+    backbones_.emplace(on_panel_.backbone_nodes, object_.unit_bits, on_panel_.scene.drawing(from),
+                       on_panel_.scene.drawing(to), on_panel_.prepared.progress(keys));
+}
+
+}

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "core/bytes/picture_cache.hpp"
+#include "core/bytes/work.hpp"
+#include "core/feature_code.hpp"
+#include "core/math/affine.hpp"
+#include "core/math/point.hpp"
+#include "core/pose/carried_drawing.hpp"
+#include "core/pose/live_backbones.hpp"
+#include "core/pose/live_strokes.hpp"
+#include "core/pose/live_wires.hpp"
+#include "core/pose/scene_on_panel.hpp"
+#include "core/prepared/node.hpp"
+#include "core/time/key_interval.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+
+namespace kfast {
+
+class ObjectOutline;
+
+/// What an object's keys and skeletons make of its drawing at one moment.
+class ObjectStrokes {
+public:
+    /// `scene` has been moved to the moment, and its bones posed; both must outlive it.
+    ObjectStrokes(const SceneOnPanel& scene, const Node& object);
+
+    /// What places the drawing of the key before, if that is all that there is, and moves as a whole: a bone,
+    /// or nothing. None if its points move on their own.
+    std::optional<Affine> rigid_carrier() const;
+    /// The drawing of the key before.
+    std::uint32_t drawing() const { return from_.drawing; }
+    /// Adds its strokes, as they were drawn, likewise.
+    [[gnu::cold, gnu::noinline]] void trace_drawing(const Affine& placement, ObjectOutline& outline) const;
+    /// Of the drawing of the key before, or of the backbones that carry it.
+    Point first_point() const;
+    /// Adds the strokes, placed, to `outline`. What drawings without bones come to between two keys is kept
+    /// in `cache` if it finds room; the strokes are the same.
+    void trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
+    /// The same without a cache; LiveStrokes::trace() says what an outline is.
+    template <class Outline>
+    void trace(const Affine& placement, Outline& outline) const
+    {
+        did(Work::object);
+        if (is_one_drawing())
+            return trace_from(placement, outline);
+        if constexpr (!std::same_as<Outline, ObjectOutline>)
+            trace_way(placement, outline);
+        else if (const TweenFeature* const tweens = on_panel_.scene.features().tweens)
+            tweens->trace(*this, placement, outline);
+    }
+
+    /// Likewise of a wire frame: what is seen of its strokes.
+    template <class Outline>
+    [[gnu::cold]] void trace(const Projection& projection, Outline& outline) const
+    {
+        did(Work::object);
+        LiveWires wires = live_wires(projection);
+        wires.trace(outline);
+    }
+
+    // Called for features (core/feature_code.hpp).
+
+    /// On the way to the next key. Apart, for it takes much of the stack.
+    template <class Outline>
+    [[gnu::noinline]] void trace_way(const Affine& placement, Outline& outline) const
+    {
+        LiveStrokes strokes = live_strokes(placement);
+        strokes.trace(outline);
+    }
+    /// The same from the cache, if both drawings find room there.
+    void trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
+    /// A key drawing, carried by a skin.
+    CarriedDrawing carried_by_bones(std::uint32_t drawing, std::int32_t skin) const;
+    /// The backbones that carry the object. Their drawings are kept if there is a cache.
+    const LiveBackbones& live_backbones(PictureCache* cache) const;
+
+private:
+    /// It is all that there is to trace at the moment, as bones may carry it.
+    bool is_one_drawing() const;
+
+    /// What a key shows.
+    struct Shown {
+        std::uint32_t drawing = 0; ///< offset in the section of drawings
+        std::int32_t more = 0;     ///< see Key::more
+    };
+
+    /// Of the key before alone. Apart, for it takes much of the stack.
+    template <class Outline>
+    [[gnu::noinline]] void trace_from(const Affine& placement, Outline& outline) const
+    {
+        CarriedDrawing drawing = carried(from_);
+        trace_strokes(drawing, placement, outline);
+    }
+    LiveStrokes live_strokes(const Affine& placement) const;
+    CarriedDrawing carried(const Shown& shown) const;
+    LiveWires live_wires(const Projection& projection) const;
+    const LiveBackbones* backbones(PictureCache* cache) const;
+    void read_backbones(std::uint32_t from, std::uint32_t to) const;
+
+    const SceneOnPanel& on_panel_;
+    const Node& object_;
+    Shown from_;
+    Shown to_; ///< to which the way leads: not always what the next key shows
+    Progress way_;
+    mutable std::optional<LiveBackbones> backbones_; ///< made when they are first wanted
+};
+
+}

@@ -1,0 +1,78 @@
+#include "core/prepared/key_timeline.hpp"
+
+#include "core/bytes/work.hpp"
+
+namespace kfast {
+
+void KeyTimeline::move_to(Time time, const SceneView& scene)
+{
+    did(Work::timeline);
+    has_other_keys_ = time < begin_ || time >= end_;
+    if (time < begin_)
+        rewind(scene);
+    if (time >= end_)
+        go_on(time, scene);
+    const Progress before = progress_;
+    progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws_at(laws_)) : Progress{};
+    const bool has_come_further = progress_ != before || (moves_with_time_ && is_between_ && time != now_);
+    has_moved_ = has_other_keys_ || has_come_further;
+    now_ = time;
+}
+
+bool KeyTimeline::is_held(const SceneView& scene) const
+{
+    const LawPair laws = scene.laws_at(laws_);
+    return laws.x == VelocityLaw::hold && laws.y == VelocityLaw::hold;
+}
+
+BeatCursor KeyTimeline::beats(const SceneView& scene) const
+{
+    ByteReader bytes = scene.at(beats_);
+    return BeatCursor::take(bytes, {});
+}
+
+/// Those behind the key to which the way leads.
+BeatCursor KeyTimeline::beats_behind(const SceneView& scene) const
+{
+    BeatCursor behind = beats(scene);
+    behind.go_on_behind({.time = end_, .index = to()});
+    return behind;
+}
+
+/// To before the first key.
+void KeyTimeline::rewind(const SceneView& scene)
+{
+    BeatCursor all = beats(scene);
+    const Beat first = all.next();
+    begin_ = always;
+    end_ = first.time;
+    next_laws_ = static_cast<std::uint8_t>(first.laws);
+    from_ = 0;
+    is_between_ = false;
+}
+
+/// To the last key that is not behind `time`: at least one.
+void KeyTimeline::go_on(Time time, const SceneView& scene)
+{
+    BeatCursor behind = beats_behind(scene);
+    std::uint32_t laws = 0;
+    while (time >= end_) {
+        before_ = is_between_ ? begin_ : end_;
+        from_ += is_between_ ? 1 : 0;
+        begin_ = end_;
+        laws = next_laws_;
+        is_between_ = !behind.at_end();
+        const Beat next = is_between_ ? behind.next() : Beat{.time = never};
+        end_ = next.time;
+        next_laws_ = static_cast<std::uint8_t>(next.laws);
+    }
+    laws_ = scene.place_of_laws(laws);
+}
+
+Time KeyTimeline::time_after(const SceneView& scene) const
+{
+    BeatCursor behind = beats_behind(scene);
+    return behind.at_end() ? end_ : behind.next().time;
+}
+
+}

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/scene/beat_cursor.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/key_interval.hpp"
+#include "core/time/passage.hpp"
+#include "core/time/time.hpp"
+
+#include <cstdint>
+#include <limits>
+
+namespace kfast {
+
+/// Key times of a scene, and where among them a moment lies: between which two of them, and how far the way
+/// from the one to the other has come. Each set of key times that the scene stores has one: tracks of an item
+/// and bones of a skeleton share it where the file says so.
+///
+/// It goes on from where it stands: only a moment before the present key makes it begin anew.
+class KeyTimeline {
+public:
+    /// At no moment yet. `beats` is the place in the scene's bytes of at least two key times.
+    KeyTimeline(std::uint32_t beats, Clock clock) : beats_{beats}, clock_{clock} {}
+
+    /// It moves with every moment between two keys, whatever their laws: something follows a smooth curve.
+    void move_with_time() { moves_with_time_ = true; }
+
+    /// To a moment of its clock. `scene` has its key times and laws.
+    void move_to(Time time, const SceneView& scene);
+
+    Clock clock() const { return clock_; }
+    /// All of its key times.
+    BeatCursor beats(const SceneView& scene) const;
+
+    /// What the keys have does not change up to the next of them.
+    bool is_held(const SceneView& scene) const;
+
+    Time now() const { return now_; }
+    /// Neither before the first key nor from the last one on.
+    bool is_between() const { return is_between_; }
+    /// The numbers of both keys: the same one twice where it is not between two.
+    std::uint32_t from() const { return from_; }
+    std::uint32_t to() const { return from_ + (is_between_ ? 1 : 0); }
+    const Progress& progress() const { return progress_; }
+    Way way(LawAxis axis) const { return axis == LawAxis::y ? progress_.y : progress_.x; }
+    /// The times of both keys, of the one before and of the one behind; only between two keys, and the same
+    /// one again where there is none.
+    Time from_time() const { return begin_; }
+    Time to_time() const { return end_; }
+    Time time_before() const { return before_; }
+    Time time_after(const SceneView& scene) const;
+
+    /// Whether the last move led between other keys.
+    bool has_other_keys() const { return has_other_keys_; }
+    /// Whether it did, or the way has come further.
+    bool has_moved() const { return has_moved_; }
+
+private:
+    static constexpr Time never{std::numeric_limits<std::int32_t>::max()};
+    static constexpr Time always{std::numeric_limits<std::int32_t>::min()};
+
+    void rewind(const SceneView& scene);
+    void go_on(Time time, const SceneView& scene);
+    BeatCursor beats_behind(const SceneView& scene) const;
+
+    std::uint32_t beats_;
+    // As long as these are not left, nothing is read.
+    Time begin_ = never;
+    Time end_ = always;
+    Time before_;
+    Time now_;
+    Progress progress_;
+    std::uint32_t from_ = 0;
+    std::uint16_t laws_ = 0;     ///< for the way between the two keys: SceneView::place_of_laws()
+    std::uint8_t next_laws_ = 0; ///< number of the pair for the way that follows
+    Clock clock_;
+    bool is_between_ = false;
+    bool moves_with_time_ = false;
+    bool has_other_keys_ = false;
+    bool has_moved_ = false;
+};
+
+static_assert(sizeof(KeyTimeline) == 40 && alignof(KeyTimeline) == 4);
+
+}

@@ -1,0 +1,60 @@
+// What an OutlineStore keeps from one picture to the next.
+
+#include "core/raster/outline/outline_store.hpp"
+
+#include "core/bytes/work.hpp"
+
+#include <algorithm>
+
+namespace kfast::raster {
+
+void OutlineStore::keep(const Dependence& moved)
+{
+    if (is_full_)
+        return clear(); // some layers are not complete
+    std::byte* kept_end = bytes_ + size_;
+    each_layer([&](LayerOutlines& layer) {
+        if (layer.step == LayerOutlines::no_step || layer.dependence.is_touched_by(moved))
+            return;
+        layer.step = LayerOutlines::no_step;
+        const std::byte* const begin = reinterpret_cast<std::byte*>(&layer) - layer.bytes;
+        const std::byte* const end = begin + bytes_of(layer);
+        kept_end = kept_end == end ? kept_end - (end - begin) : std::copy_backward(begin, end, kept_end);
+    });
+    chains_ = kept_end;
+    begin_picture();
+}
+
+/// Of those that were traced behind the one that was reused last. Null if it is not among the next ones.
+LayerOutlines* OutlineStore::kept_layer(LayerName name) const
+{
+    std::byte* end = kept_;
+    for (int passed = 0; end != kept_end_ && passed != look_ahead; ++passed) {
+        LayerOutlines& layer = layer_below(end);
+        if (layer.has_name(name))
+            return &layer;
+        end -= bytes_of(layer);
+    }
+    return nullptr;
+}
+
+const LayerOutlines* OutlineStore::reuse(LayerName name, std::uint16_t step)
+{
+    LayerOutlines* const layer = kept_layer(name);
+    if (layer == nullptr)
+        return nullptr;
+    const auto taken = static_cast<std::size_t>(bytes_ + size_ - chains_) - waiting_;
+    needed_ = std::max(needed_, std::size_t{taken + sizeof(LayerOutlines) + layer->peak_bytes});
+    is_full_ = is_full_ || needed_ > size_;
+    waiting_ -= bytes_of(*layer);
+    kept_ = reinterpret_cast<std::byte*>(layer + 1) - bytes_of(*layer);
+    layer->step = step;
+    each_chain_of(*layer, [&](Chain& chain) {
+        did(Work::kept_chain);
+        chain.layer = step;
+        rewind(chain);
+    });
+    return layer;
+}
+
+}

@@ -1,0 +1,46 @@
+#include "core/raster/outline/object_outline.hpp"
+
+#include "core/feature_code.hpp"
+
+namespace kfast {
+
+void ObjectOutline::stroke_with(const Pen& pen, const StrokeFeature& strokes)
+{
+    strokes.emplace(stroke_, outlines_, pen, sight_.coarseness());
+}
+
+void ObjectOutline::begin(Point from)
+{
+    if (stroke_)
+        stroke_->begin(sight_(from));
+    else
+        fill_.begin(sight_(from));
+}
+
+void ObjectOutline::add(const Segment& segment)
+{
+    const int pieces = sight_.pieces_of(segment);
+    if (stroke_ || !sight_.is_flat())
+        return flatten(segment, pieces, [this](Point to) { line_to(to); });
+    FillOutline fill = fill_; // most of what is drawn, in registers
+    flatten(segment, pieces, [&fill](Point to) { fill.line_to(to); });
+    fill_ = fill;
+}
+
+void ObjectOutline::end(Point hub, bool is_closed)
+{
+    if (stroke_)
+        stroke_->end(is_closed);
+    else
+        fill_.end(sight_(hub));
+}
+
+void ObjectOutline::line_to(Point to)
+{
+    if (stroke_)
+        stroke_->line_to(sight_(to));
+    else
+        fill_.line_to(sight_(to));
+}
+
+}

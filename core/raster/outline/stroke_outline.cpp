@@ -1,0 +1,314 @@
+#include "core/raster/outline/stroke_outline.hpp"
+
+#include "core/bytes/plain_function.hpp"
+#include "core/bytes/work.hpp"
+#include "core/math/angle.hpp"
+#include "core/math/flatten.hpp"
+#include "core/math/held_point.hpp"
+#include "core/raster/outline/grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+
+namespace kfast {
+namespace {
+
+constexpr std::int32_t shortest_step = Fixed::one / 256;
+
+/// sin(i / 48 of a quarter turn) in Q15.
+constexpr std::array<std::uint16_t, 49> sines{
+    0,     1072,  2143,  3212,  4277,  5338,  6393,  7441,  8481,  9512,  10533, 11543, 12540,
+    13524, 14493, 15447, 16384, 17304, 18205, 19087, 19948, 20788, 21605, 22400, 23170, 23916,
+    24636, 25330, 25997, 26635, 27246, 27827, 28378, 28899, 29389, 29847, 30274, 30668, 31029,
+    31357, 31651, 31912, 32138, 32330, 32488, 32610, 32698, 32750, 32768};
+constexpr int quarter_turn = 48;
+
+std::int32_t sine_q15(int angle)
+{
+    return sines[static_cast<std::size_t>(angle <= quarter_turn ? angle : 2 * quarter_turn - angle)];
+}
+
+std::int32_t cosine_q15(int angle)
+{
+    return angle <= quarter_turn ? sine_q15(quarter_turn - angle) : -sine_q15(angle - quarter_turn);
+}
+
+constexpr std::int32_t arc_flatness = Fixed::one / 24;
+
+/// The widest step in 1/48 quarter turn with which arcs stay within arc_flatness. A chord over the angle a of
+/// a circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
+int arc_step(Fixed half_width, int coarseness)
+{
+    constexpr std::array<std::uint8_t, 10> pieces{1, 2, 3, 4, 6, 8, 12, 16, 24, 48}; // of a quarter turn
+    constexpr std::int32_t radius_of_one = arc_flatness * 16 / 5;                    // 32 / pi^2
+    const std::int32_t radius = half_width.raw() >> 2 * coarseness;
+    std::size_t chosen = 0;
+    while (chosen + 1 < pieces.size() && pieces[chosen] * pieces[chosen] * radius_of_one < radius)
+        ++chosen;
+    return static_cast<int>(quarter_turn / std::uint32_t{pieces[chosen]});
+}
+
+Point scaled(Point vector, std::int32_t factor_q15)
+{
+    return {Fixed::from_raw(multiply_q16(vector.x.raw(), 2 * factor_q15)),
+            Fixed::from_raw(multiply_q16(vector.y.raw(), 2 * factor_q15))};
+}
+
+Fixed held_on_panel(Fixed at)
+{
+    constexpr std::int32_t farthest = Fixed::pixels(farthest_held).raw();
+    return Fixed::from_raw(std::clamp(at.raw(), -farthest, farthest));
+}
+
+/// A quarter turn from the right of a heading, or from the left of its opposite.
+Point turned(Point side) { return {side.y, -side.x}; }
+
+/// Where the lines meet that pass along the ends of two sides.
+Point slight_meeting(Point a, Point b, std::int32_t versine_q30)
+{
+    // 1 / (1 + cos) = 1 / (2 - versine), about (1 + versine / 2) / 2
+    const auto of = [versine = versine_q30 >> 15](Fixed p, Fixed q) {
+        const std::int32_t mean = (p + q).raw() >> 1;
+        return Fixed::from_raw(mean + (mean * versine >> 16));
+    };
+    return {of(a.x, b.x), of(a.y, b.y)};
+}
+
+/// Likewise for any bend; `rest` is 1 + cos, in Q30, 2^21 or more.
+Point meeting(Point a, Point b, std::uint32_t rest)
+{
+    const int zeros = std::countl_zero(rest);
+    const auto factor = static_cast<std::int32_t>((1U << 31) / (rest << zeros >> 16));
+    const auto of = [&](Fixed p, Fixed q) {
+        return Fixed::from_raw(multiply((p + q).raw(), factor, 17 - zeros));
+    };
+    return {of(a.x, b.x), of(a.y, b.y)};
+}
+
+std::int32_t cosine_between(Heading a, Heading b) { return a.x * b.x + a.y * b.y; }
+std::int32_t sine_between(Heading a, Heading b) { return a.x * b.y - a.y * b.x; }
+
+/// 1 + cos of the angle between two headings, in Q30. Near a full turn back the cosine is too coarse; 1 + cos
+/// is half the square of the sum of the vectors.
+std::uint32_t rest_of_turn(Heading a, Heading b, std::int32_t cosine)
+{
+    if (cosine >= 0)
+        return static_cast<std::uint32_t>(one_q30) + static_cast<std::uint32_t>(cosine);
+    const auto x = static_cast<std::uint32_t>(a.x + b.x);
+    const auto y = static_cast<std::uint32_t>(a.y + b.y);
+    return (x * x + y * y) / 2;
+}
+
+}
+
+int most_corners_of_half_turn(Fixed half_width) { return (2 * quarter_turn - 1) / arc_step(half_width, 0); }
+
+/// What two pieces leave between them: where their inner sides end, and how far they turn.
+struct StrokeOutline::Bend {
+    Side inner;
+    Point from;
+    Point to;
+    std::int32_t cosine; ///< Q30, as the next one
+    std::uint32_t rest;  ///< 1 + cosine
+
+    /// Whether the inner sides cross between the ends of both pieces, the shorter of which is `length` long;
+    /// the far halves are left to what the other ends may need. They cross |to - from| / 2 / cos(a/2) before
+    /// the bend, for a turn by a.
+    bool crosses_within(std::uint32_t length, bool is_slight) const
+    {
+        const Point apart = to - from;
+        const std::int32_t gap = rough_length(apart.x.raw(), apart.y.raw());
+        const std::int32_t needed = is_slight ? gap + gap / 8 : 2 * gap;
+        return cosine >= -one_q30 / 2 && static_cast<std::uint32_t>(needed) <= length;
+    }
+};
+
+const StrokeOutline::Code StrokeOutline::code{.begin = plain_function<&StrokeOutline::begin_stroke>,
+                                              .line_to = plain_function<&StrokeOutline::go_to>,
+                                              .end = plain_function<&StrokeOutline::end_stroke>};
+
+void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
+                            const Pen& pen, int coarseness)
+{
+    outline.emplace(outlines, pen, coarseness);
+}
+
+// A single corner on either side will do where a tip is no more than 1/64 px longer than the round of the
+// pen, that is half_width (1 - cos) / 4, and the turn less than 29 degrees: then slight_meeting() is as near.
+StrokeOutline::StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness)
+    : outlines_{outlines}, pen_{pen}, slight_bend_{static_cast<std::int32_t>(
+                                          (1U << 31) / std::max<std::uint32_t>(
+                                                           static_cast<std::uint32_t>(pen.half_width.raw()),
+                                                           Fixed::one / 2)
+                                          << 11)},
+      arc_step_{arc_step(pen.half_width, coarseness)}
+{
+}
+
+void StrokeOutline::begin_stroke(Point at)
+{
+    first_ = last_ = at;
+    has_piece_ = false;
+}
+
+void StrokeOutline::go_to(Point to)
+{
+    const Point step = to - last_;
+    if (std::max(std::abs(step.x.raw()), std::abs(step.y.raw())) < shortest_step)
+        return;
+    const Piece piece = piece_along(step);
+    if (has_piece_) {
+        join(piece);
+    } else {
+        first_piece_ = piece;
+        add(Side::right, last_ + piece.side);
+        add(Side::left, last_ - piece.side);
+    }
+    last_ = to;
+    last_piece_ = piece;
+    has_piece_ = true;
+}
+
+void StrokeOutline::end_stroke(bool is_closed)
+{
+    if (is_closed)
+        line_to(first_);
+    if (!has_piece_) {
+        dot();
+        return;
+    }
+    if (is_closed) {
+        last_ = first_;
+        join(first_piece_);
+        last_piece_ = first_piece_;
+    }
+    add(Side::right, last_ + last_piece_.side);
+    if (!is_closed)
+        cap(last_, last_piece_.side);
+    add(Side::left, last_ - last_piece_.side);
+    outlines_.close();
+    if (is_closed || pen_.cap == Cap::butt)
+        return;
+    add(Side::right, first_ - first_piece_.side);
+    cap(first_, -first_piece_.side);
+    add(Side::right, first_ + first_piece_.side);
+    outlines_.close();
+}
+
+StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
+{
+    did(Work::pen_piece);
+    const auto [heading, length] = stride_along(step);
+    const auto half_width_times = [this](std::int32_t unit) {
+        return Fixed::from_raw(multiply_q16(pen_.half_width.raw(), 2 * unit));
+    };
+    return {heading, length, {half_width_times(-heading.y), half_width_times(heading.x)}};
+}
+
+/// Tips, and sides of strokes at the border of what is held, would lie further out than Fixed can subtract.
+void StrokeOutline::add(Side side, Point at)
+{
+    const raster::Corner corner = raster::corner_at({held_on_panel(at.x), held_on_panel(at.y)});
+    if (side == Side::right)
+        outlines_.add(corner);
+    else
+        outlines_.add_behind(corner);
+}
+
+void StrokeOutline::join(const Piece& after)
+{
+    const Piece& before = last_piece_;
+    const std::int32_t cosine = std::clamp(cosine_between(before.heading, after.heading), -one_q30, one_q30);
+    const std::int32_t sine = sine_between(before.heading, after.heading);
+    if (sine == 0 && cosine > 0)
+        return;
+    const bool turns_right = sine >= 0;
+    const Bend bend{.inner = turns_right ? Side::right : Side::left,
+                    .from = turns_right ? before.side : -before.side,
+                    .to = turns_right ? after.side : -after.side,
+                    .cosine = cosine,
+                    .rest = rest_of_turn(before.heading, after.heading, cosine)};
+    const bool is_slight = cosine >= one_q30 - slight_bend_;
+    const bool sides_meet = bend.crosses_within(std::min(before.length, after.length), is_slight);
+    const bool has_tip = is_slight || has_miter(bend.rest);
+    Point tip;
+    if (is_slight)
+        tip = slight_meeting(bend.from, bend.to, one_q30 - cosine);
+    else if (sides_meet || has_tip)
+        tip = meeting(bend.from, bend.to, bend.rest);
+    did(is_slight ? Work::slight_bend : Work::bend);
+    if (sides_meet)
+        add(bend.inner, last_ + tip);
+    else
+        add_pivot(bend);
+    if (has_tip)
+        add(opposite(bend.inner), last_ - tip);
+    else
+        add_outer(bend);
+}
+
+/// Where the inner sides do not meet, the inner side goes through the corner itself: then every part of the
+/// outline turns the same way, however short the pieces are.
+void StrokeOutline::add_pivot(const Bend& bend)
+{
+    add(bend.inner, last_ + bend.from);
+    add(bend.inner, last_);
+    add(bend.inner, last_ + bend.to);
+}
+
+void StrokeOutline::add_outer(const Bend& bend)
+{
+    const Side outer = opposite(bend.inner);
+    add(outer, last_ - bend.from);
+    if (pen_.join == Join::round)
+        arc(outer, last_, -bend.from, turned(last_piece_.side), bend.cosine);
+    add(outer, last_ - bend.to);
+}
+
+/// A miter is 1 / cos(a/2) half widths long, for a turn by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip stays
+/// where Fixed can hold it: corners are within 16383 px.
+bool StrokeOutline::has_miter(std::uint32_t rest) const
+{
+    if (pen_.join != Join::miter)
+        return false;
+    const auto limit = static_cast<std::uint32_t>(pen_.miter_limit);
+    const auto pixels = static_cast<std::uint32_t>(pen_.half_width.raw() >> 16);
+    return (rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= rest >> 15 << 12;
+}
+
+/// The corners between `from` and the end of a turn, towards `ahead`.
+void StrokeOutline::arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine)
+{
+    for (int angle = arc_step_; angle < 2 * quarter_turn && cosine_q15(angle) * (1 << 15) > cosine;
+         angle += arc_step_)
+        add(side, centre + scaled(from, cosine_q15(angle)) + scaled(ahead, sine_q15(angle)));
+}
+
+/// The corners between the right and the left end of a stroke that ends at `at`.
+void StrokeOutline::cap(Point at, Point side)
+{
+    const Point ahead = turned(side);
+    if (pen_.cap == Cap::round) {
+        arc(Side::right, at, side, ahead, -one_q30);
+    } else if (pen_.cap == Cap::square) {
+        add(Side::right, at + side + ahead);
+        add(Side::right, at - side + ahead);
+    }
+}
+
+/// A stroke without length: a disc or a square, as in SVG.
+void StrokeOutline::dot()
+{
+    if (pen_.cap == Cap::butt)
+        return;
+    for (const Point side : {Point{{}, pen_.half_width}, Point{{}, -pen_.half_width}}) {
+        add(Side::right, first_ + side);
+        cap(first_, side);
+    }
+    outlines_.close();
+}
+
+}

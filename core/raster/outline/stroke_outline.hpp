@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/math/heading.hpp"
+#include "core/pixel/stroke_style.hpp"
+#include "core/raster/outline/outline_store.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace kfast {
+
+/// The tool that draws a stroke.
+struct Pen {
+    Fixed half_width; ///< in panel pixels, at most 4095
+    Cap cap = Cap::butt;
+    Join join = Join::miter;
+    int miter_limit = default_miter_limit; ///< in 1/8 widths, 8 … 255
+};
+
+/// How many corners lie between the ends of half a turn of a pen, at most.
+int most_corners_of_half_turn(Fixed half_width);
+
+/// Turns strokes into contours as they are drawn: nothing is stored but the first and the last piece. Both
+/// sides of a stroke grow at once. The winding number is positive wherever the pen has been: what the contour
+/// goes around is the sum of a rectangle for each piece and a wedge for each join.
+class StrokeOutline {
+public:
+    /// `coarseness` makes the pieces of arcs that often twice as long.
+    StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
+
+    void begin(Point at) { code_->begin(*this, at); }
+    /// Points closer than 1/256 px to the one before are passed over: their direction would be noise.
+    void line_to(Point to) { code_->line_to(*this, to); }
+    /// Ends the stroke with two caps, or joins its end to its beginning.
+    void end(bool is_closed) { code_->end(*this, is_closed); }
+
+private:
+    /// What works on it: linked only with what makes one.
+    struct Code {
+        void (*begin)(StrokeOutline&, Point at);
+        void (*line_to)(StrokeOutline&, Point to);
+        void (*end)(StrokeOutline&, bool is_closed);
+    };
+    static const Code code;
+
+    void begin_stroke(Point at);
+    void go_to(Point to);
+    void end_stroke(bool is_closed);
+
+    enum class Side : std::uint8_t { right, left };
+
+    struct Piece {
+        Heading heading;
+        std::uint32_t length = 0; ///< in 1/65536 px
+        Point side;               ///< half a width to its right
+    };
+
+    struct Bend;
+
+    static constexpr Side opposite(Side side) { return side == Side::right ? Side::left : Side::right; }
+
+    Piece piece_along(Point step) const;
+    void add(Side side, Point at);
+    void join(const Piece& after);
+    void add_pivot(const Bend& bend);
+    void add_outer(const Bend& bend);
+    bool has_miter(std::uint32_t rest) const;
+    void arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine);
+    void cap(Point at, Point side);
+    void dot();
+
+    const Code* code_ = &code;
+    raster::OutlineStore& outlines_;
+    Pen pen_;
+    std::int32_t slight_bend_; ///< 1 - cosine, in Q30
+    int arc_step_;             ///< in 1/48 quarter turn
+    Point first_;
+    Point last_;
+    Piece first_piece_;
+    Piece last_piece_;
+    bool has_piece_ = false;
+};
+
+/// Makes one in its place, for the feature.
+void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
+                            const Pen& pen, int coarseness);
+
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/bytes/bit_reader.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// A moment at which something has a key, on the clock that it goes by, and what governs the way from it to
+/// the next.
+struct Beat {
+    Time time;
+    std::uint32_t laws = 0;  ///< number of the pair of laws
+    std::uint32_t index = 0; ///< how many come before
+};
+
+/// Reads the beats of keys in the order of their times (docs/format.md, "Beats").
+class BeatCursor {
+public:
+    /// No beats.
+    BeatCursor() = default;
+    /// A single beat, at 0.
+    static BeatCursor one();
+    /// Takes `bytes` as far as the beats go; `usual` if they say so. What breaks off or has a form without a
+    /// meaning is past the end of `bytes`.
+    static BeatCursor take(ByteReader& bytes, const BeatCursor& usual);
+
+    bool at_end() const { return index_ == count_; }
+    /// Only when not at the end, and when no time before was beyond the format's limit.
+    Beat next();
+    /// As if `last` had just been read.
+    void go_on_behind(const Beat& last);
+    /// Where take() has found them; null of one().
+    const std::byte* place() const { return place_; }
+    /// Of all of them.
+    std::uint32_t count() const { return count_; }
+    /// What their times count.
+    Clock clock() const { return clock_; }
+
+private:
+    const std::byte* place_ = nullptr;
+    BitReader bits_;
+    std::uint32_t count_ = 0;
+    std::uint32_t index_ = 0;
+    Time time_;
+    std::uint8_t time_bits_ = 0;
+    std::uint8_t time_shift_ = 0;
+    std::uint8_t law_bits_ = 0;
+    Clock clock_;
+};
+
+}

@@ -1,0 +1,64 @@
+#include "core/scene/bone_view.hpp"
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t moved_bits = (1 << bone_quantity_count) - 1;
+constexpr std::uint32_t tip_bit = 1 << 4;
+constexpr std::uint32_t as_written_bit = 1 << 5;
+constexpr std::uint32_t straight_bit = 1 << 6;
+constexpr std::uint32_t whole_pixels_bit = 1 << 7;
+
+/// In 1/16 px; wraps around rather than overflow.
+constexpr std::int32_t sixteenths(std::uint32_t length, bool in_pixels)
+{
+    return static_cast<std::int32_t>(in_pixels ? length << 4 : length);
+}
+
+}
+
+BoneKeys BoneKeys::take(ByteReader& bytes, const BeatCursor& common, std::int32_t set_up)
+{
+    ByteReader ahead = bytes;
+    BoneKeys keys;
+    keys.kind_ = ahead.u8() == 0 ? Kind::common : Kind::own;
+    keys.beats_ = BeatCursor::take(bytes, common);
+    keys.values_ = PackedValues::take(bytes, keys.beats_.count(), set_up);
+    return keys;
+}
+
+BoneSetUp BoneSetUp::take(ByteReader& bytes)
+{
+    BoneSetUp bone;
+    bone.parent = bytes.u8();
+    const std::uint32_t head = bytes.u8();
+    bone.is_at_tip = (head & tip_bit) != 0;
+    bone.turns_as_written = (head & as_written_bit) != 0;
+    bone.moved = head & moved_bits;
+    const bool in_pixels = (head & whole_pixels_bit) != 0;
+    const auto coordinate = [&bytes, in_pixels] {
+        return sixteenths(static_cast<std::uint32_t>(bytes.signed_varint()), in_pixels);
+    };
+    const auto angle = static_cast<std::int32_t>((head & straight_bit) != 0 ? 0 : bytes.u16());
+    const std::int32_t x = coordinate();
+    const std::int32_t y = coordinate();
+    bone.set_up = {angle, x, y, sixteenths(bytes.varint(), in_pixels)};
+    return bone;
+}
+
+BoneView BoneCursor::next()
+{
+    --left_;
+    BoneView bone{BoneSetUp::take(bytes_)};
+    for (std::size_t i = 0; i < bone_quantity_count; ++i)
+        if ((bone.moved & 1U << i) != 0)
+            bone.keys[i] = BoneKeys::take(bytes_, common_, bone.set_up[i]);
+    return bone;
+}
+
+BonesView::BonesView(ByteReader bytes)
+    : count_{bytes.u8()}, common_{BeatCursor::take(bytes, BeatCursor{})}, bones_{bytes}
+{
+}
+
+}

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "core/bytes/byte_reader.hpp"
+#include "core/scene/beat_cursor.hpp"
+#include "core/scene/packed_values.hpp"
+#include "core/scene/track_view.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+
+/// What poses move of a bone, in the frame of its parent; the values are those of the scene format.
+enum class BoneQuantity : std::uint8_t {
+    angle,  ///< clockwise from the parent's direction, in 1/65536 turn
+    x,      ///< of the origin, in 1/16 px
+    y,      ///< of the origin, in 1/16 px
+    length, ///< in 1/16 px
+};
+
+inline constexpr std::size_t bone_quantity_count = 4;
+
+/// What moves one quantity of a bone: nothing, keys of its own, or the common keys with a value for each.
+class BoneKeys {
+public:
+    enum class Kind : std::uint8_t { none, common, own };
+
+    BoneKeys() = default;
+    /// Takes `bytes` as far as the keys go. Values are stored as differences from `set_up`.
+    static BoneKeys take(ByteReader& bytes, const BeatCursor& common, std::int32_t set_up);
+
+    Kind kind() const { return kind_; }
+    /// Also those of Kind::common; not of Kind::none.
+    TrackKeyCursor keys() const { return {beats_, values_}; }
+    /// As they are stored: differences from the bone as set up.
+    PackedValues values() const { return values_.as_stored(); }
+
+private:
+    Kind kind_ = Kind::none;
+    BeatCursor beats_;
+    PackedValues values_;
+};
+
+/// A bone as set up.
+struct BoneSetUp {
+    std::uint32_t parent = 0;      ///< 0 for a root, else the number of an earlier bone, counted from 1
+    bool is_at_tip = false;        ///< the origin moves with the length of the parent
+    bool turns_as_written = false; ///< angles tween as numbers, not by the shortest way
+    std::uint8_t moved = 0;        ///< a bit for each BoneQuantity that has keys
+    std::array<std::int32_t, bone_quantity_count> set_up = {}; ///< by BoneQuantity, in its units
+
+    static BoneSetUp take(ByteReader& bytes);
+
+    std::int32_t at_rest(BoneQuantity quantity) const { return set_up[static_cast<std::size_t>(quantity)]; }
+};
+
+/// A bone, and what moves it; borrows the scene's bytes.
+struct BoneView : BoneSetUp {
+    std::array<BoneKeys, bone_quantity_count> keys = {};
+
+    const BoneKeys& keys_of(BoneQuantity quantity) const { return keys[static_cast<std::size_t>(quantity)]; }
+};
+
+/// Reads the bones of a skeleton, parents before their children.
+class BoneCursor {
+public:
+    BoneCursor(ByteReader bytes, std::uint32_t count, const BeatCursor& common)
+        : bytes_{bytes}, left_{count}, common_{common}
+    {
+    }
+
+    bool at_end() const { return left_ == 0; }
+    /// Only when not at the end.
+    BoneView next();
+    /// What has not been read.
+    const ByteReader& rest() const { return bytes_; }
+
+private:
+    ByteReader bytes_;
+    std::uint32_t left_;
+    BeatCursor common_;
+};
+
+/// A skeleton of bones: one tree or several; borrows the scene's bytes.
+class BonesView {
+public:
+    explicit BonesView(ByteReader bytes);
+
+    std::uint32_t count() const { return count_; }
+    /// At which several quantities have keys; maybe none.
+    BeatCursor common_beats() const { return common_; }
+    BoneCursor bones() const { return {bones_, count_, common_}; }
+
+private:
+    std::uint32_t count_;
+    BeatCursor common_;
+    ByteReader bones_;
+};
+
+/// Reads the skeletons of a scene.
+class BonesCursor {
+public:
+    explicit BonesCursor(ByteReader bytes) : bytes_{bytes} {}
+
+    bool at_end() const { return bytes_.left() == 0; }
+    /// Only when not at the end.
+    BonesView next() { return BonesView{bytes_.take(bytes_.varint())}; }
+    /// Passes the next skeleton without a look at its keys, which may be many; how many bones it has. Only
+    /// when not at the end.
+    std::uint32_t skip() { return bytes_.take(bytes_.varint()).u8(); }
+    bool overrun() const { return bytes_.overrun(); }
+
+private:
+    ByteReader bytes_;
+};
+
+}

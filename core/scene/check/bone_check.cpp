@@ -1,0 +1,116 @@
+#include "core/scene/check/bone_check.hpp"
+
+#include "core/scene/check/key_moment.hpp"
+#include "core/scene/kfb_limits.hpp"
+
+namespace kfast {
+namespace {
+
+ValueRange range_of(BoneQuantity quantity)
+{
+    switch (quantity) {
+    case BoneQuantity::angle:
+        return {-kfb::max_bone_turn, kfb::max_bone_turn};
+    case BoneQuantity::x:
+    case BoneQuantity::y:
+        return {-32768, 32767};
+    case BoneQuantity::length:
+        return {0, 65535};
+    }
+    return {0, 0};
+}
+
+bool is_within(std::int32_t value, ValueRange range) { return value >= range.least && value <= range.most; }
+
+/// Of one skeleton.
+class BoneCheck {
+public:
+    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t numbers, ReadAllowance& allowance)
+        : bones_{bones}, laws_{laws}, numbers_{numbers}, allowance_{allowance}
+    {
+    }
+
+    bool passes() const { return check_common_keys() && check_bones(); }
+
+private:
+    bool is_key(Clock clock, Time before, Time time, std::uint32_t laws) const
+    {
+        return time > before && is_key_moment(clock, time, numbers_) && laws <= laws_;
+    }
+
+    bool check_common_keys() const
+    {
+        BeatCursor beats = bones_.common_beats();
+        if (!allowance_.take(beats.count()))
+            return false;
+        for (Time before{-1}; !beats.at_end();) {
+            const Beat beat = beats.next();
+            if (!is_key(beats.clock(), before, beat.time, beat.laws))
+                return false;
+            before = beat.time;
+        }
+        return true;
+    }
+
+    bool check_bones() const
+    {
+        BoneCursor bones = bones_.bones();
+        for (std::uint32_t number = 0; !bones.at_end(); ++number) {
+            const BoneView bone = bones.next();
+            if (bones.rest().overrun() || bone.parent > number || !check_set_up(bone) || !check_keys(bone))
+                return false;
+        }
+        return bones.rest().left() == 0;
+    }
+
+    static bool check_set_up(const BoneView& bone)
+    {
+        for (std::size_t i = 0; i < bone_quantity_count; ++i)
+            if (!is_within(bone.set_up[i], range_of(static_cast<BoneQuantity>(i))))
+                return false;
+        return bone.at_rest(BoneQuantity::length) != 0;
+    }
+
+    bool check_keys(const BoneView& bone) const
+    {
+        for (std::size_t i = 0; i < bone_quantity_count; ++i)
+            if (bone.keys[i].kind() != BoneKeys::Kind::none &&
+                !check_keys(bone.keys[i].keys(), range_of(static_cast<BoneQuantity>(i))))
+                return false;
+        return true;
+    }
+
+    bool check_keys(TrackKeyCursor keys, ValueRange range) const
+    {
+        if (keys.at_end() || !allowance_.take(keys.beats().count()))
+            return false;
+        for (Time before{-1}; !keys.at_end();) {
+            const TrackKey key = keys.next();
+            if (!is_key(keys.beats().clock(), before, key.time, key.laws) || !is_within(key.value, range))
+                return false;
+            before = key.time;
+        }
+        return true;
+    }
+
+    const BonesView& bones_;
+    std::uint32_t laws_;
+    std::uint32_t numbers_; ///< a bit for each input that is one
+    ReadAllowance& allowance_;
+};
+
+}
+
+bool bones_are_sound(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance)
+{
+    std::uint32_t skeletons = 0;
+    for (BonesCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
+        const BonesView bones = cursor.next();
+        if (cursor.overrun() || bones.count() == 0 ||
+            !BoneCheck{bones, laws, scene.number_inputs(), allowance}.passes())
+            return false;
+    }
+    return skeletons <= kfb::max_bones;
+}
+
+}

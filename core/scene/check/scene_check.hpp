@@ -1,0 +1,128 @@
+#pragma once
+
+#include "core/bytes/result.hpp"
+#include "core/features.hpp"
+#include "core/scene/check/picture_cost.hpp"
+#include "core/scene/check/read_allowance.hpp"
+#include "core/scene/label_view.hpp"
+#include "core/scene/scene_view.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast {
+
+/// Looks for everything that can be wrong within the sections of a scene, and counts what it needs.
+class SceneCheck {
+public:
+    /// `scene` has its header and sections; `symbols` is room for what is found of as many as it has.
+    SceneCheck(SceneView& scene, std::span<ItemTotals> symbols)
+        : scene_{scene}, allowance_{scene.size()}, parts_{scene.length()}, symbols_{symbols}
+    {
+    }
+
+    /// Whether nothing is wrong; then the scene knows what its pictures take.
+    bool passes();
+    /// Why not.
+    Error error() const { return error_; }
+    /// Where, as SceneView::parse() tells it.
+    std::uint32_t item() const { return item_; }
+
+    // Called for features (core/feature_code.hpp).
+
+    /// Of a key whose drawing has been checked, and whose skeleton has so many bones.
+    bool check_skin(const Key& key, std::uint32_t bones);
+    bool check_backbones(const BackbonesView& backbones);
+    /// Of a key whose drawing has been checked.
+    bool check_depths(const Key& key);
+    bool check_path(const ItemView& item);
+    /// Of an item that shows the input `text`.
+    bool check_label(const LabelView& label, const TextInput& text);
+    /// Lines, and no more than the input may have.
+    bool check_usual(const DrawingInput& input);
+
+private:
+    /// A drawing that was checked a short while ago.
+    struct CheckedDrawing {
+        std::uint32_t key = 0; ///< its offset and 1
+        std::uint32_t points = 0;
+    };
+
+    /// What the tracks of an item say.
+    struct Tracks {
+        std::uint32_t seen = SceneParts::all; ///< the parts of the scene in which it may be
+        std::uint8_t count = 0;
+        bool may_be_transparent = false;
+        bool has_order = false;
+        bool is_placed = false;
+    };
+
+    /// Items beside each other, and the tracks of the group that they are in.
+    struct Level {
+        ItemCursor items{ByteReader{{}}};
+        Tracks tracks{};
+        ItemTotals totals{};
+        std::uint32_t count = 0;
+        std::uint16_t ordered = 0; ///< those that have an order
+
+        void add(ItemTotals item, const Tracks& of_item);
+    };
+
+    bool needs(Feature feature);
+    bool may_read(std::uint32_t keys_or_points);
+    bool check_header() const;
+    bool check_laws();
+    bool check_inputs();
+    bool check_clips() const;
+    bool check_events() const;
+    bool check_bones();
+    bool check_symbols();
+    bool check_whole();
+
+    bool check_items(ItemCursor items, std::uint32_t usable_symbols, std::uint32_t depth, ItemTotals& totals);
+    bool check_item(const ItemView& item, Level& level, Tracks& tracks);
+    bool check_content(const ItemView& item, std::uint32_t seen, std::uint32_t usable_symbols,
+                       ItemTotals& own);
+    bool end_list(const Level& level);
+    bool check_leaf(const ItemView& item, std::uint32_t seen);
+    void add_cost(std::uint32_t cost, std::uint32_t seen);
+    bool check_tracks(const ItemView& item, Tracks& tracks);
+    bool check_track(const TrackView& track, const ObjectStyle& style);
+    bool check_value(const TrackView& track, std::int32_t value) const;
+    std::uint32_t seen_by(const TrackView& track) const;
+    bool is_hold(std::uint32_t laws) const { return (holds_[laws / 32] >> laws % 32 & 1U) != 0; }
+
+    bool check_live(const ItemView& item);
+    std::optional<InputView> input_at(std::uint32_t number) const;
+    bool check_object(const ObjectView& object);
+    bool check_style(const ObjectStyle& style);
+    bool check_keys(const ObjectView& object);
+    bool check_drawing(std::uint32_t offset);
+    bool check_points(std::uint32_t offset, CheckedDrawing& checked);
+    bool check_drawings(const ObjectView& object, const Key& key, std::uint32_t bones);
+    bool check_carrier(const ObjectView& object);
+    bool is_moment(Clock clock, Time time) const;
+    bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }
+
+    SceneView& scene_;
+    Error error_ = Error::bad_scene;
+    ReadAllowance allowance_;
+    SceneParts parts_;
+    std::array<std::uint32_t, 8> holds_{}; ///< a bit for each pair of laws that is hold
+    std::span<ItemTotals> symbols_;
+    std::array<CheckedDrawing, 32> checked_{}; ///< where the last bits of their offsets lead
+    // Of the symbol that is looked at, or of the scene.
+    PictureCost cost_;
+    std::uint32_t shown_ = 0; ///< the parts in which it takes more than a thousand for each item
+    // Of the item that is looked at.
+    std::uint32_t items_read_ = 0;
+    std::uint32_t points_ = 0;         ///< of its largest drawing, or of all of its letters
+    std::uint32_t drawing_points_ = 0; ///< of the drawing checked last
+    // Of the item that costs most.
+    std::uint32_t most_ = 0;
+    std::uint32_t item_ = 0xFFFF'FFFF;
+};
+
+}

@@ -1,0 +1,202 @@
+#include "core/scene/item_view.hpp"
+
+#include "core/scene/kfb_limits.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t kind_bits = 3;
+constexpr std::uint32_t tracks_bit = 1 << 2;
+constexpr std::uint32_t filled_bit = 1 << 3;
+constexpr std::uint32_t stroked_bit = 1 << 4;
+constexpr std::uint32_t even_odd_bit = 1 << 5;
+constexpr std::uint32_t arrivals_bit = 1 << 6;
+constexpr std::uint32_t carried_bit = 1 << 7;
+constexpr std::uint32_t beam_bit = 1 << 7; ///< beside the number of tracks
+
+bool is_known(std::uint32_t head, ItemKind kind)
+{
+    const std::uint32_t style_bits = filled_bit | stroked_bit | even_odd_bit;
+    const std::uint32_t key_bits = arrivals_bit | carried_bit;
+    switch (kind) {
+    case ItemKind::object:
+        return true;
+    case ItemKind::group:
+    case ItemKind::use:
+        return (head & (style_bits | key_bits)) == 0;
+    case ItemKind::live:
+        return (head & key_bits) == 0;
+    }
+    return false;
+}
+
+BeamStyle take_beam_style(ByteReader& bytes)
+{
+    BeamStyle style{.parts = static_cast<BeamParts>(bytes.u8())};
+    if (!style.has_hatching())
+        return style;
+    style.spacing = static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_width + 1));
+    style.direction = BinaryAngle::from_raw(static_cast<std::int32_t>(bytes.varint()));
+    return style;
+}
+
+void take_tracks(ByteReader& bytes, ItemView& item)
+{
+    const std::uint32_t head = bytes.u8();
+    const std::uint32_t count = head & ~beam_bit;
+    item.tracks = TrackCursor{bytes, count};
+    item.is_known = item.is_known && head != 0;
+    bool has_path = false;
+    TrackCursor cursor = item.tracks;
+    while (!cursor.at_end())
+        has_path = cursor.next().property == Property::along || has_path;
+    bytes = cursor.rest();
+    if ((head & beam_bit) != 0) {
+        item.is_known = item.is_known && item.is_leaf();
+        item.beam = take_beam_style(bytes);
+    }
+    if (!has_path)
+        return;
+    item.path = PathView::take(bytes);
+    item.is_known = item.is_known && item.path.is_known;
+}
+
+void read_carrier(ByteReader& bytes, ObjectView& object)
+{
+    const std::uint32_t number = bytes.u8();
+    object.carrier = number == 0 ? Carrier::backbones : Carrier::bones;
+    if (number != 0) {
+        object.skeleton = number - 1;
+    } else {
+        object.backbones.unit_bits = bytes.u8();
+        object.backbones.key_bytes = bytes;
+        BackboneKeyCursor{bytes};
+    }
+}
+
+void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
+{
+    style.stroke = static_cast<std::uint8_t>(bytes.u8());
+    style.width = static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_width + 1));
+    const std::uint32_t ends = bytes.u8();
+    style.cap = static_cast<Cap>(ends & 3);
+    style.join = static_cast<Join>(ends >> 2); // with the bits that must be 0: parse() refuses the rest
+    if (style.join == Join::miter)
+        style.miter_limit = static_cast<std::uint8_t>(bytes.u8());
+}
+
+ObjectStyle take_style(ByteReader& bytes, std::uint32_t head)
+{
+    ObjectStyle style;
+    style.is_filled = (head & filled_bit) != 0;
+    style.is_stroked = (head & stroked_bit) != 0;
+    style.fill_rule = (head & even_odd_bit) != 0 ? FillRule::even_odd : FillRule::nonzero;
+    if (style.is_filled)
+        style.fill = static_cast<std::uint8_t>(bytes.u8());
+    if (style.is_stroked)
+        read_stroke_style(bytes, style);
+    return style;
+}
+
+ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
+{
+    ObjectView object;
+    object.has_depths = has_depths;
+    object.style = take_style(bytes, head);
+    object.has_arrivals = (head & arrivals_bit) != 0;
+    if ((head & carried_bit) != 0)
+        read_carrier(bytes, object);
+    object.key_bytes = bytes;
+    object.take_keys(bytes);
+    return object;
+}
+
+/// A wire frame is no more than an object behind it.
+void take_live_kind(ByteReader& bytes, ItemView& item)
+{
+    const std::uint32_t kind = bytes.u8();
+    item.object.has_depths = kind == wire_kind;
+    if (item.object.has_depths)
+        item.kind = ItemKind::object;
+    else
+        item.live.kind = static_cast<LiveKind>(kind);
+}
+
+/// Behind the kind of what is live.
+void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
+{
+    switch (item.live.kind) {
+    case LiveKind::drawing:
+        item.live.input = bytes.u8();
+        item.object.style = take_style(bytes, head);
+        return;
+    case LiveKind::label:
+        item.live.input = bytes.u8();
+        item.object.style = take_style(bytes, head);
+        item.live.label = bytes.take(bytes.varint());
+        return;
+    }
+    item.is_known = false;
+}
+
+}
+
+KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more)
+    : beats_{BeatCursor::take(bytes, BeatCursor::one())},
+      drawings_{PackedValues::take(bytes, beats_.count())}, has_arrivals_{has_arrivals}, has_more_{has_more}
+{
+    if (has_arrivals)
+        arrivals_ = PackedValues::take(bytes, beats_.count());
+    if (has_more)
+        more_ = PackedValues::take(bytes, beats_.count());
+}
+
+Key KeyCursor::at(const Beat& beat) const
+{
+    Key key{.time = beat.time, .laws = beat.laws};
+    key.drawing = static_cast<std::uint32_t>(drawings_[beat.index]);
+    if (has_arrivals_)
+        key.arrival = static_cast<std::uint32_t>(arrivals_[beat.index]);
+    if (has_more_)
+        key.more = more_[beat.index];
+    return key;
+}
+
+/// What places it stands first among its tracks.
+bool ItemView::is_placed() const
+{
+    TrackCursor all = tracks;
+    return !all.at_end() && places_item(all.next().property);
+}
+
+ItemView ItemCursor::next()
+{
+    ItemView item;
+    item.place = bytes_.rest().data();
+    const std::uint32_t head = bytes_.u8();
+    item.kind = static_cast<ItemKind>(head & kind_bits);
+    item.is_known = is_known(head, item.kind);
+    if (item.kind == ItemKind::live)
+        take_live_kind(bytes_, item);
+    if ((head & tracks_bit) != 0)
+        take_tracks(bytes_, item);
+    switch (item.kind) {
+    case ItemKind::object:
+        item.object = take_object(bytes_, head, item.object.has_depths);
+        break;
+    case ItemKind::group:
+        item.items = bytes_.take(bytes_.varint());
+        break;
+    case ItemKind::use:
+        item.symbol = bytes_.u8();
+        break;
+    case ItemKind::live:
+        take_live(bytes_, head, item);
+        break;
+    }
+    return item;
+}
+
+}

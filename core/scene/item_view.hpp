@@ -1,0 +1,150 @@
+#pragma once
+
+#include "core/bytes/byte_reader.hpp"
+#include "core/pixel/beam_style.hpp"
+#include "core/pixel/fill_rule.hpp"
+#include "core/pixel/stroke_style.hpp"
+#include "core/scene/backbone_view.hpp"
+#include "core/scene/beat_cursor.hpp"
+#include "core/scene/packed_values.hpp"
+#include "core/scene/path_view.hpp"
+#include "core/scene/track_view.hpp"
+#include "core/time/key_interval.hpp"
+#include "core/time/time.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// How an object is painted: filled, stroked or both, the stroke over the fill.
+struct ObjectStyle {
+    bool is_filled = false;
+    bool is_stroked = false;
+    FillRule fill_rule = FillRule::nonzero;
+    std::uint8_t fill = 0;   ///< index of the palette
+    std::uint8_t stroke = 0; ///< index of the palette; it and the rest only of what is stroked
+    Cap cap = Cap::butt;
+    Join join = Join::miter;
+    std::uint8_t miter_limit = default_miter_limit; ///< in 1/8 widths
+    int width = 0;                                  ///< in 1/16 px
+};
+
+/// One key of an object, and the way from it to the next.
+struct Key {
+    Time time;
+    std::uint32_t laws = 0;    ///< number of the pair of laws
+    std::uint32_t drawing = 0; ///< offset in the section of drawings
+    std::uint32_t arrival = 0; ///< offset of what the way leads to; only if the object has such drawings
+    /// What belongs to the drawing: if bones carry the object, the skin (see SceneView::skin); of a wire
+    /// frame the offset of a drawing, of the depths.
+    std::int32_t more = 0;
+};
+
+/// Reads the keys of an object in the order of their times.
+class KeyCursor {
+public:
+    /// Takes `bytes` as far as the keys go.
+    KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more);
+
+    bool at_end() const { return beats_.at_end(); }
+    /// Only when not at the end.
+    Key next() { return at(beats_.next()); }
+    /// What has not been read.
+    const BeatCursor& beats() const { return beats_; }
+    const PackedValues& drawings() const { return drawings_; }
+    const PackedValues& arrivals() const { return arrivals_; }
+    const PackedValues& more() const { return more_; }
+    Key at(const Beat& beat) const;
+
+private:
+    BeatCursor beats_;
+    PackedValues drawings_;
+    PackedValues arrivals_;
+    PackedValues more_;
+    bool has_arrivals_;
+    bool has_more_;
+};
+
+/// Looks at no drawing in between.
+inline KeyInterval<Key> interval_at(const KeyCursor& keys, Time time)
+{
+    const auto [from, to] = interval_at(keys.beats(), time);
+    return {keys.at(from), keys.at(to)};
+}
+
+/// What moves the points of an object besides its drawings.
+enum class Carrier : std::uint8_t { none, backbones, bones };
+
+/// What an object is besides its tracks; borrows the scene's bytes.
+struct ObjectView {
+    ObjectStyle style;
+    Carrier carrier = Carrier::none;
+    std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
+    BackbonesView backbones = {}; ///< only if backbones carry it
+    bool has_arrivals = false;    ///< see Key::arrival
+    bool has_depths = false;      ///< it is a wire frame; then nothing carries it
+    ByteReader key_bytes;         ///< begins with the keys
+
+    /// Its keys have Key::more.
+    bool has_more() const { return has_depths || carrier == Carrier::bones; }
+    KeyCursor keys() const
+    {
+        ByteReader bytes = key_bytes;
+        return take_keys(bytes);
+    }
+    /// Takes `bytes`, which begin with the keys, as far as these go.
+    KeyCursor take_keys(ByteReader& bytes) const { return {bytes, has_arrivals, has_more()}; }
+};
+
+enum class ItemKind : std::uint8_t { object, group, use, live };
+
+/// In the place of a LiveKind: the item is an object that is a wire frame.
+inline constexpr std::uint32_t wire_kind = 2;
+
+/// What a live item shows.
+enum class LiveKind : std::uint8_t {
+    drawing, ///< an input of InputType::drawing, in the item's style
+    label,   ///< one of InputType::text, likewise
+};
+
+/// What a live item is besides its tracks and its style.
+struct LiveView {
+    LiveKind kind = LiveKind::drawing;
+    std::uint32_t input = 0; ///< its number in the scene
+    ByteReader label{};      ///< how the text is laid out, for LabelView; only of a label
+};
+
+/// Something that is painted; borrows the scene's bytes.
+struct ItemView {
+    ItemKind kind = ItemKind::object;
+    bool is_known = false;            ///< no bit is set without a meaning
+    const std::byte* place = nullptr; ///< where it begins in the scene's bytes
+    TrackCursor tracks;
+    BeamStyle beam{};         ///< only of an object and a live item
+    PathView path;            ///< only if there is a track of Property::along
+    ObjectView object;        ///< only of an object; the style also of a live item
+    LiveView live{};          ///< only of a live item
+    ByteReader items;         ///< inside; only of a group
+    std::uint32_t symbol = 0; ///< only of a use
+
+    /// Whether it is painted itself, instead of items inside of it.
+    bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
+    /// Whether some track moves, turns or scales it.
+    bool is_placed() const;
+};
+
+/// Reads items that lie beside each other, the lowest first.
+class ItemCursor {
+public:
+    explicit ItemCursor(ByteReader bytes) : bytes_{bytes} {}
+
+    bool at_end() const { return bytes_.left() == 0; }
+    /// Only when not at the end.
+    ItemView next();
+    bool overrun() const { return bytes_.overrun(); }
+
+private:
+    ByteReader bytes_;
+};
+
+}

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "core/scene/kfb_limits.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+
+/// What a track of an item moves; the values are those of the scene format.
+///
+/// An item turns and grows about its pivot, then moves: p' = position + pivot + Rx (Ry (Rz (scale (p -
+/// pivot)))). z points at the viewer. Rz turns x towards y, Rx turns y towards z, Ry turns z towards x (as in
+/// CSS): a rotation about x takes the upper edge away from the viewer, one about y the right edge.
+enum class Property : std::uint8_t {
+    x,          ///< of the position, in 1/16 px
+    y,          ///< of the position, in 1/16 px
+    z,          ///< of the position, in 1/16 px
+    rotation_x, ///< in 1/65536 turn; may be several turns
+    rotation_y, ///< likewise
+    rotation,   ///< about z, clockwise, likewise
+    scale_x,    ///< in 1/4096; negative mirrors
+    scale_y,    ///< in 1/4096; negative mirrors
+    pivot_x,    ///< in 1/16 px
+    pivot_y,    ///< in 1/16 px
+    along,      ///< share of the item's path that the pivot has come, in 1/65536; only of items with a path
+    opacity,    ///< 0 … 255
+    order,      ///< among the items beside it, -32768 … 32767; the lowest is painted first. Does not tween
+    visible,    ///< 0 or 1; does not tween
+    fill,       ///< index of the palette; only of filled objects. Not in smooth tracks, as the two before
+    stroke,     ///< index of the palette; only of stroked objects. Likewise
+    width,      ///< of the stroke, in 1/16 px; only of stroked objects
+};
+
+inline constexpr std::size_t property_count = 17;
+
+/// Whether it says where an item lies, as the first of them do.
+constexpr bool places_item(Property property) { return property <= Property::along; }
+
+inline constexpr std::int32_t scale_one = 4096;   ///< a scale that changes nothing
+inline constexpr std::int32_t path_whole = 65536; ///< the end of a path
+
+/// Whether a track of it may be smooth: its values are amounts.
+constexpr bool may_be_smooth(Property property)
+{
+    return property != Property::order && property != Property::visible && property != Property::fill &&
+           property != Property::stroke;
+}
+
+/// Whether a way goes by the law for y; all others go by that for x.
+constexpr bool goes_by_y(Property property)
+{
+    return property == Property::y || property == Property::scale_y;
+}
+
+/// The value without a track. Of fill, stroke and width it is what the object says, and 0 here.
+constexpr std::int32_t value_without_track(Property property)
+{
+    switch (property) {
+    case Property::scale_x:
+    case Property::scale_y:
+        return scale_one;
+    case Property::opacity:
+        return 255;
+    case Property::visible:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+struct ValueRange {
+    std::int32_t least;
+    std::int32_t most;
+};
+
+/// The values that keys of a track may have; on the way between them, bezier laws may swing beyond.
+constexpr ValueRange value_range(Property property)
+{
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::z:
+    case Property::pivot_x:
+    case Property::pivot_y:
+    case Property::order:
+        return {-32768, 32767};
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+        return {-kfb::max_turn, kfb::max_turn};
+    case Property::scale_x:
+    case Property::scale_y:
+        return {-kfb::max_scale, kfb::max_scale};
+    case Property::along:
+        return {0, path_whole};
+    case Property::opacity:
+    case Property::fill:
+    case Property::stroke:
+        return {0, 255};
+    case Property::visible:
+        return {0, 1};
+    case Property::width:
+        return {0, kfb::max_width};
+    }
+    return {0, 0};
+}
+
+}

@@ -1,0 +1,34 @@
+#include "core/scene/track_view.hpp"
+
+namespace kfast {
+namespace {
+
+constexpr std::uint32_t property_bits = 0x3F;
+constexpr std::uint32_t smooth_bit = 0x40;
+constexpr std::uint32_t fixed_bit = 0x80;
+
+}
+
+TrackKey TrackKeyCursor::at(const Beat& beat) const
+{
+    return {.time = beat.time, .laws = is_smooth_ ? 0 : beat.laws, .value = values_[beat.index]};
+}
+
+TrackView TrackCursor::next()
+{
+    --left_;
+    const std::uint32_t head = bytes_.u8();
+    TrackView track;
+    track.property = static_cast<Property>(head & property_bits);
+    track.is_smooth = (head & smooth_bit) != 0;
+    if ((head & fixed_bit) != 0) {
+        track.is_fixed = true;
+        track.value = bytes_.signed_varint();
+    } else {
+        beats_ = BeatCursor::take(bytes_, beats_);
+        track.keys = {beats_, PackedValues::take(bytes_, beats_.count()), track.is_smooth};
+    }
+    return track;
+}
+
+}

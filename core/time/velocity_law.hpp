@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/math/fixed.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kfast {
+
+/// How the share of the way between two keys follows from the share u of the time.
+struct VelocityLaw {
+    /// The values are those of the scene format.
+    enum class Kind : std::uint8_t {
+        constant,              ///< u
+        accelerate,            ///< 1 - cos(pi u / 2)
+        decelerate,            ///< sin(pi u / 2)
+        accelerate_decelerate, ///< (1 - cos(pi u)) / 2
+        hold,                  ///< 0 before the end, 1 there
+        steps,                 ///< floor(u n) / n, the steps(n) of CSS
+        bezier,                ///< the cubic-bezier(x1, y1, x2, y2) of CSS
+    };
+
+    Kind kind = Kind::constant;
+    std::uint16_t steps = 0; ///< n, only of Kind::steps: 1 … 65535
+    /// The control points, only of Kind::bezier, in Q13: x from 0 to 1, y from -2 to 3.
+    std::int16_t x1 = 0;
+    std::int16_t y1 = 0;
+    std::int16_t x2 = 0;
+    std::int16_t y2 = 0;
+
+    static constexpr std::int16_t control_one = 8192;
+    static constexpr std::int16_t lowest_y = -2 * control_one;
+    static constexpr std::int16_t highest_y = 3 * control_one;
+
+    static const VelocityLaw constant;
+    static const VelocityLaw accelerate;
+    static const VelocityLaw decelerate;
+    static const VelocityLaw accelerate_decelerate;
+    static const VelocityLaw hold;
+    static constexpr VelocityLaw in_steps(std::uint16_t count)
+    {
+        return {.kind = Kind::steps, .steps = count};
+    }
+    static constexpr VelocityLaw bezier(std::int16_t x1, std::int16_t y1, std::int16_t x2, std::int16_t y2)
+    {
+        return {.kind = Kind::bezier, .x1 = x1, .y1 = y1, .x2 = x2, .y2 = y2};
+    }
+
+    friend constexpr bool operator==(const VelocityLaw&, const VelocityLaw&) = default;
+};
+
+inline constexpr VelocityLaw VelocityLaw::constant{};
+inline constexpr VelocityLaw VelocityLaw::accelerate{.kind = Kind::accelerate};
+inline constexpr VelocityLaw VelocityLaw::decelerate{.kind = Kind::decelerate};
+inline constexpr VelocityLaw VelocityLaw::accelerate_decelerate{.kind = Kind::accelerate_decelerate};
+inline constexpr VelocityLaw VelocityLaw::hold{.kind = Kind::hold};
+
+/// Whether the kind is known and the parameters that it has are in their ranges.
+constexpr bool is_valid(const VelocityLaw& law)
+{
+    const auto is_x = [](int x) { return x >= 0 && x <= VelocityLaw::control_one; };
+    const auto is_y = [](int y) { return y >= VelocityLaw::lowest_y && y <= VelocityLaw::highest_y; };
+    switch (law.kind) {
+    case VelocityLaw::Kind::constant:
+    case VelocityLaw::Kind::accelerate:
+    case VelocityLaw::Kind::decelerate:
+    case VelocityLaw::Kind::accelerate_decelerate:
+    case VelocityLaw::Kind::hold:
+        return true;
+    case VelocityLaw::Kind::steps:
+        return law.steps >= 1;
+    case VelocityLaw::Kind::bezier:
+        return is_x(law.x1) && is_y(law.y1) && is_x(law.x2) && is_y(law.y2);
+    }
+    return false;
+}
+
+/// The share of the way at the share `time` of the time; `law` is valid. 0 at 0 and 1 at 1 exactly.
+///
+/// - constant, hold: exact.
+/// - accelerate, decelerate, accelerate-decelerate: rounded once, within 0.51 units of 1/65536 of the exact
+///   value; never fall.
+/// - steps: k/n, rounded to nearest, from the share on that is nearest to k/n. So a step is not missed at a
+///   moment whose share has been rounded down.
+/// - bezier: within 0.6 units of the exact value at a time that is within 0.1 units of `time`, and so within
+///   0.6 + 0.1 times the slope. Never falls where y1 and y2 are in 0 … 1. Leaves 0 … 1 as way_range() says.
+Way progress(const VelocityLaw& law, Share time);
+
+struct WayRange {
+    Way least = {0};       ///< or below
+    Way most = {Way::one}; ///< or above
+};
+
+/// A bound on the way, from -1.5 … 0 to 1 … 2.5. A control point that is d outside of 0 … 1 takes the curve
+/// no further than 3/4 d: the weights of both control points together are 3 s (1 - s).
+constexpr WayRange way_range(const VelocityLaw& law)
+{
+    if (law.kind != VelocityLaw::Kind::bezier)
+        return {};
+    constexpr std::int32_t three_quarters = Way::one / VelocityLaw::control_one * 3 / 4;
+    const std::int32_t below = std::max<std::int32_t>({0, -law.y1, -law.y2});
+    const std::int32_t above =
+        std::max<std::int32_t>({0, law.y1 - VelocityLaw::control_one, law.y2 - VelocityLaw::control_one});
+    return {{-below * three_quarters}, {Way::one + above * three_quarters}};
+}
+
+}

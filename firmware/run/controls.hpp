@@ -1,0 +1,162 @@
+#pragma once
+
+#include "core/playhead.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/scene/scene_view.hpp"
+#include "firmware/chip/microseconds.hpp"
+#include "firmware/run/placed_input.hpp"
+#include "firmware/settings/board_settings.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace kfast {
+
+// Compound requirements would be torn apart.
+// clang-format off
+
+/// Where the state of controls is read.
+template <class T>
+concept TouchedPins = requires(T& pins, Pin pin) {
+    /// Whether the button is closed, or has been since it was last asked about.
+    { pins.pressed(pin) } -> std::same_as<bool>;
+    /// How far the knob is turned: 0 … Controls::full_level.
+    { pins.level(pin) } -> std::same_as<int>;
+};
+
+// clang-format on
+
+/// What the buttons and knobs of a board do to what is played, and what somebody else may ask for: of two
+/// that want different things, the one that moved last has its way. A clip that the scene does not have
+/// stands for the whole scene, and for an input that it does not have nothing is done.
+class Controls {
+public:
+    static constexpr int full_level = 4095;
+    /// A knob that is not touched trembles less than this.
+    static constexpr int tremble = 24;
+    /// What a switch does for so long after it has changed is bouncing.
+    static constexpr Microseconds bounce{20'000};
+
+    /// `clip` is played at first. The bytes of `scene` must outlive the controls.
+    Controls(const BoardSettings& settings, const SceneView& scene, const StoredName& clip);
+    /// With the clip of the settings.
+    Controls(const BoardSettings& settings, const SceneView& scene) : Controls{settings, scene, settings.clip}
+    {
+    }
+
+    /// Another scene was played until now, on the same board: what was touched then has had its way. But an
+    /// input of this scene stands where its control does.
+    void follow(const Controls& before);
+
+    /// What is played at first.
+    Playhead playhead() const { return playhead_of(start_); }
+
+    /// Reads every control and does what it asks.
+    template <TouchedPins Pins>
+    void steer(Playhead& playhead, Pins& pins, Microseconds now)
+    {
+        go_back_when_finished(playhead);
+        obey(playhead);
+        for (Touch& touch : touches_) {
+            if (touch.control.kind == ControlKind::button) {
+                if (has_switched(touch, pins.pressed(touch.control.pin), now))
+                    press_or_release(touch, playhead);
+            } else if (touch.control.kind == ControlKind::knob) {
+                if (is_turned(touch, pins.level(touch.control.pin)))
+                    turn(touch, playhead);
+            }
+        }
+    }
+
+    /// Between two calls of steer(), which may be seconds: reads the buttons that arm, and no others.
+    template <TouchedPins Pins>
+    void watch_arming(Pins& pins, Microseconds now)
+    {
+        for (Touch& touch : touches_) {
+            const Control& control = touch.control;
+            if (control.kind == ControlKind::button && control.action == ControlAction::arm &&
+                has_switched(touch, pins.pressed(control.pin), now) && touch.pressed)
+                wants_arming_ = !wants_arming_;
+        }
+    }
+
+    // What somebody asks for who has no control. It is done by the next steer().
+    void pause() { set_paused(true); }
+    void resume() { set_paused(false); }
+    /// Within ±Playhead::fastest. A button's clip is played as authored all the same.
+    void set_speed(std::int32_t speed);
+    /// Any time of the scene (Playhead::seek). A button's clip ends.
+    void seek(Time time) { sought_ = time; }
+    /// `number` is less than the scene's input_count().
+    void place_input(std::uint32_t number, Time place);
+
+    bool is_paused() const { return paused_; }
+    /// When it is not paused, Q16 of the authored one.
+    std::int32_t speed() const;
+    /// What is played; empty: the whole scene.
+    StoredName clip() const;
+
+    /// Where inputs are to stand that were placed, each once and as it was last placed. Holds until steer()
+    /// or place_input() is called again.
+    std::span<const PlacedInput> inputs() const { return std::span{inputs_}.first(input_count_); }
+    /// Whether the display is to be off.
+    bool wants_rest() const { return wants_rest_; }
+    /// Whether a button to arm was pressed an odd number of times since this was last asked.
+    bool take_arming() { return std::exchange(wants_arming_, false); }
+    /// Of the display, as the settings or a knob have it.
+    std::uint8_t brightness() const { return brightness_; }
+
+private:
+    static constexpr int untouched = -1;
+
+    struct Touch {
+        Control control;
+        std::optional<std::uint32_t> input; ///< of the scene, for which the control is
+        bool pressed = false;
+        bool settled = true;    ///< what the button does counts again
+        Microseconds changed{}; ///< if not settled, when it was last pressed or let go
+        Microseconds asked{};   ///< likewise, when it was last asked about
+        int level = untouched;  ///< of a knob when it last did something
+    };
+
+    Stretch stretch_named(const StoredName& clip) const;
+    Playhead playhead_of(const StoredName& clip) const;
+    static bool has_switched(Touch& touch, bool pressed, Microseconds now);
+    static bool is_turned(Touch& touch, int level);
+    void press_or_release(const Touch& touch, Playhead& playhead);
+    void press(const Touch& touch, Playhead& playhead);
+    void release(const Touch& touch) { place_input(touch, {}); }
+    void set_paused(bool paused);
+    void obey(Playhead& playhead);
+    void turn(const Touch& touch, Playhead& playhead);
+    void play(const StoredName& clip, Playhead& playhead);
+    void place(const Touch& touch, Playhead& playhead);
+    void place_input(const Touch& touch, Time place);
+    void go_back(Playhead& playhead);
+    void go_back_when_finished(Playhead& playhead);
+    void apply_speed(Playhead& playhead) const;
+
+    SceneView scene_;
+    StoredName start_;
+    std::array<Touch, BoardSettings::most_controls> touches_;
+    std::array<PlacedInput, kfb::max_inputs> inputs_;
+    std::size_t input_count_ = 0;                ///< of inputs_
+    std::optional<Playhead> before_;             ///< what was played before a button's clip
+    StoredName clip_;                            ///< of the button that is being played
+    std::int32_t speed_ = Playhead::as_authored; ///< a button's clip is always played as authored
+    bool is_placed_ = false;                     ///< a knob says where playing stands
+    bool end_is_shown_ = false;                  ///< of a button's clip
+    bool paused_ = false;
+    bool is_speed_asked_ = false; ///< by somebody without a control, and not yet obeyed
+    std::optional<Time> sought_;  ///< likewise
+    bool wants_rest_ = false;
+    bool wants_arming_ = false;
+    std::uint8_t brightness_;
+};
+
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Where an input of a scene is to stand.
+struct PlacedInput {
+    std::uint32_t number = 0; ///< less than SceneView::input_count()
+    Time place;               ///< 0 … whole_input
+};
+
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "firmware/chip/microseconds.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// Waits for a display to have shown a picture, which its TE line tells: sending then begins behind the row
+/// that is being shown. A line that stays silent is not wired: no frame waits for it any more, until it is
+/// heard again.
+class TearingWait {
+public:
+    /// Longer than any panel takes for a picture.
+    static constexpr Microseconds patience{40'000};
+
+    /// `edges()` counts the rising edges of the line, `now()` is the time.
+    template <class Edges, class Now>
+    void wait(Edges&& edges, Now&& now)
+    {
+        const std::uint32_t before = edges();
+        if (is_silent_ && before == heard_)
+            return;
+        is_silent_ = false;
+        const Microseconds end = now() + patience;
+        while (edges() == before && !is_silent_)
+            is_silent_ = reached(now(), end);
+        heard_ = edges();
+    }
+
+private:
+    bool is_silent_ = false;
+    std::uint32_t heard_ = 0; ///< edges until the last wait ended
+};
+
+}

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "core/pixel/pixel_format.hpp"
+#include "firmware/settings/board_settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kfast {
+
+/// What one must know of a display controller before anything is sent to it.
+struct ControllerFacts {
+    PanelSettings usual;  ///< the module that most people have
+    Size memory;          ///< pixels that it keeps; a glass lies within
+    bool turns_across;    ///< whether it can turn pictures by quarters; all can turn them by halves
+    PixelFormat format;   ///< of the picture; 16-bit colours are rgb565 or rgb565_be as the bus likes them
+    Size granularity;     ///< places and sizes of areas are multiples of it
+    int window_bytes;     ///< what an area costs on the bus besides its pixels
+    std::uint32_t spi_hz; ///< the fastest clock that the maker allows for writing, bits a second
+    std::uint32_t parallel_hz; ///< likewise, writes a second; 0: no parallel bus is supported
+    std::uint32_t i2c_hz;      ///< likewise; 0: none
+
+    constexpr bool takes(BusKind bus) const
+    {
+        return bus == BusKind::spi ? spi_hz != 0 : bus == BusKind::i2c ? i2c_hz != 0 : parallel_hz != 0;
+    }
+};
+
+/// Column and row with two words each, and the command to write: the controllers that follow MIPI DCS.
+inline constexpr int dcs_window_bytes = 5 + 5 + 1;
+
+/// In the order of Controller. Clocks are the write cycles of the makers' tables: a glass that has run faster
+/// on somebody's desk is not rated for it.
+// The type is written out because g++ 12 keeps in RAM what it has deduced.
+inline constexpr std::array<ControllerFacts, controller_names.size()> controller_facts{
+    ControllerFacts{.usual = {.controller = Controller::st7789, .glass = {240, 240}, .inverted = true},
+                    .memory = {240, 320},
+                    .turns_across = true,
+                    .format = PixelFormat::rgb565,
+                    .granularity = {1, 1},
+                    .window_bytes = dcs_window_bytes,
+                    .spi_hz = 62'500'000,
+                    .parallel_hz = 15'150'000,
+                    .i2c_hz = 0},
+    ControllerFacts{.usual = {.controller = Controller::ili9341, .glass = {240, 320}, .bgr = true},
+                    .memory = {240, 320},
+                    .turns_across = true,
+                    .format = PixelFormat::rgb565,
+                    .granularity = {1, 1},
+                    .window_bytes = dcs_window_bytes,
+                    .spi_hz = 10'000'000,
+                    .parallel_hz = 15'150'000,
+                    .i2c_hz = 0},
+    ControllerFacts{
+        .usual = {.controller = Controller::st7735, .glass = {128, 160}, .column = 2, .row = 1, .bgr = true},
+        .memory = {132, 162},
+        .turns_across = true,
+        .format = PixelFormat::rgb565,
+        .granularity = {1, 1},
+        .window_bytes = dcs_window_bytes,
+        .spi_hz = 15'150'000,
+        .parallel_hz = 15'150'000,
+        .i2c_hz = 0},
+    ControllerFacts{
+        .usual = {.controller = Controller::gc9a01, .glass = {240, 240}, .bgr = true, .inverted = true},
+        .memory = {240, 240},
+        .turns_across = true,
+        .format = PixelFormat::rgb565,
+        .granularity = {1, 1},
+        .window_bytes = dcs_window_bytes,
+        .spi_hz = 100'000'000, // as others tell: the maker's table was not at hand
+        .parallel_hz = 0,
+        .i2c_hz = 0},
+    ControllerFacts{.usual = {.controller = Controller::ssd1306, .glass = {128, 64}},
+                    .memory = {128, 64},
+                    .turns_across = false,
+                    .format = PixelFormat::mono1,
+                    .granularity = {8, 8},
+                    .window_bytes = 6,
+                    .spi_hz = 10'000'000,
+                    .parallel_hz = 0,
+                    .i2c_hz = 400'000},
+    ControllerFacts{.usual = {.controller = Controller::ssd1351, .glass = {128, 128}},
+                    .memory = {128, 128},
+                    .turns_across = true,
+                    .format = PixelFormat::rgb565,
+                    .granularity = {1, 1},
+                    .window_bytes = 7,
+                    .spi_hz = 20'000'000,
+                    .parallel_hz = 0,
+                    .i2c_hz = 0},
+    ControllerFacts{.usual = {.controller = Controller::ssd0323, .glass = {128, 64}},
+                    .memory = {128, 80},
+                    .turns_across = false,
+                    .format = PixelFormat::grey4,
+                    .granularity = {2, 1},
+                    .window_bytes = 6,
+                    .spi_hz = 4'000'000,
+                    .parallel_hz = 0,
+                    .i2c_hz = 0},
+};
+
+constexpr const ControllerFacts& facts_of(Controller controller)
+{
+    return controller_facts[static_cast<std::size_t>(controller)];
+}
+
+static_assert(std::ranges::all_of(controller_facts, [](const ControllerFacts& facts) {
+    return &facts == &facts_of(facts.usual.controller);
+}));
+
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/math/size.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace kfast {
+
+/// The display controllers that firmware/panel/ has drivers for. Stored: a number stays what it is.
+enum class Controller : std::uint8_t { st7789, ili9341, st7735, gc9a01, ssd1306, ssd1351, ssd0323 };
+
+/// In the order of Controller.
+inline constexpr std::array<std::string_view, 7> controller_names{
+    "st7789", "ili9341", "st7735", "gc9a01", "ssd1306", "ssd1351", "ssd0323",
+};
+
+constexpr std::string_view controller_name(Controller controller)
+{
+    return controller_names[static_cast<std::size_t>(controller)];
+}
+
+/// How far the picture is turned on the glass, clockwise, against the way that the controller scans it.
+/// Stored.
+enum class Rotation : std::uint8_t { none, quarter, half, three_quarters };
+
+/// Whether a picture that is turned so lies across the glass: its width is the glass's height.
+constexpr bool lies_across(Rotation rotation)
+{
+    return rotation == Rotation::quarter || rotation == Rotation::three_quarters;
+}
+
+/// One glass on its controller.
+struct PanelSettings {
+    Controller controller = Controller::st7789;
+    Size glass{240, 240}; ///< pixels, not turned
+    /// Where the glass begins in the controller's memory, not turned.
+    int column = 0;
+    int row = 0;
+    Rotation rotation = Rotation::none;
+    bool bgr = false;            ///< the glass has blue where the controller thinks of red
+    bool inverted = false;       ///< the glass shows colours inverted unless the controller inverts them too
+    bool tearing_effect = false; ///< the controller is to tell by its TE line when it has shown a picture
+    std::uint8_t brightness = 255;
+
+    /// Of the picture: the glass as it is turned.
+    constexpr Size size() const { return lies_across(rotation) ? Size{glass.height, glass.width} : glass; }
+
+    friend constexpr bool operator==(const PanelSettings&, const PanelSettings&) = default;
+};
+
+}

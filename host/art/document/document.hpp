@@ -1,0 +1,177 @@
+#pragma once
+
+#include "core/pixel/fill_rule.hpp"
+#include "core/pixel/stroke_style.hpp"
+#include "core/time/clock.hpp"
+#include "host/art/animation/animated.hpp"
+#include "host/art/geometry/drawing.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What the importers make of other programs' files: an animation in doubles, as near to the language of
+/// scenes as these files allow. Coordinates are canvas pixels, y down; times are frames, the scene beginning
+/// at 0; angles are degrees, clockwise; shares and channels of colours are 0 to 1.
+namespace kfast::art {
+
+struct Rgb {
+    double red = 0;
+    double green = 0;
+    double blue = 0;
+    friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+constexpr Rgb mixed(const Rgb& from, const Rgb& to, double share)
+{
+    return {mixed(from.red, to.red, share), mixed(from.green, to.green, share),
+            mixed(from.blue, to.blue, share)};
+}
+
+/// Inside of a drawing.
+struct Fill {
+    Animated<Rgb> colour;
+    Channel opacity = {1};
+    FillRule rule = FillRule::nonzero;
+    friend bool operator==(const Fill&, const Fill&) = default;
+};
+
+/// Along a drawing.
+struct Line {
+    Animated<Rgb> colour;
+    Channel opacity = {1};
+    Channel width = {1};
+    Cap cap = Cap::butt;
+    Join join = Join::miter;
+    double miter_limit = 4; ///< in widths
+    friend bool operator==(const Line&, const Line&) = default;
+};
+
+/// How far a point follows a bone.
+struct BoneShare {
+    std::size_t bone = 0; ///< index into Rig::bones
+    double weight = 0;    ///< above 0; only what they are to each other matters
+    friend bool operator==(const BoneShare&, const BoneShare&) = default;
+};
+
+/// What bones carry a figure.
+struct Skin {
+    std::size_t rig = 0; ///< index into Document::rigs
+    /// For each point of the first drawing, as the scene language counts them: where an outline begins, and
+    /// where its curves end but for the closing point. At most four each, at least one.
+    std::vector<std::vector<BoneShare>> points;
+    bool turns_changes = false; ///< what later drawings change turns with the bones
+    friend bool operator==(const Skin&, const Skin&) = default;
+};
+
+/// Something drawn: has a fill or a line or both, the line over the fill.
+struct Figure {
+    Animated<Drawing> drawing;
+    std::optional<Fill> fill;
+    std::optional<Line> line;
+    std::optional<Skin> skin;
+    bool matches_length = false; ///< where forms differ, points meet by arc length rather than by count
+    friend bool operator==(const Figure&, const Figure&) = default;
+};
+
+struct Node;
+
+/// Nodes that move and fade together.
+struct Group {
+    std::vector<Node> nodes; ///< the first lies lowest
+};
+
+/// A curve to move along.
+struct MotionPath {
+    Drawing path;       ///< one open outline with at least one curve
+    Channel share;      ///< of its length
+    bool turns = false; ///< its direction is added to the rotation about z
+    friend bool operator==(const MotionPath&, const MotionPath&) = default;
+};
+
+/// What a node does to its content: it leans, grows, turns about z, then y, then x, all about its anchor, and
+/// moves so that the anchor is at the position.
+struct Transform {
+    Channel anchor_x = {0};
+    Channel anchor_y = {0};
+    Channel x = {0}; ///< where the anchor goes
+    Channel y = {0};
+    std::optional<MotionPath> path; ///< instead of x and y
+    Channel z = {0};                ///< towards the viewer
+    Channel scale_x = {1};
+    Channel scale_y = {1};
+    Channel rotate = {0}; ///< about z
+    Channel rotate_x = {0};
+    Channel rotate_y = {0};
+    /// Lottie's: the content is turned by the axis, sheared by the tangent of the skew, and turned back.
+    Channel skew = {0};
+    Channel skew_axis = {0};
+    friend bool operator==(const Transform&, const Transform&) = default;
+};
+
+/// From, inclusive, to, exclusive.
+struct Span {
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+    friend bool operator==(const Span&, const Span&) = default;
+};
+
+/// One layer, group or shape of the file.
+struct Node {
+    std::string name; ///< as in the file; may be empty, and need not be unique
+    Transform transform;
+    Channel opacity = {1};                          ///< of the finished picture of all that is inside
+    std::vector<Span> shown = std::vector<Span>(1); ///< when it is seen: rising and apart; none means never
+    /// Not 0: neighbours with the same number are one group, written for each of its members because others
+    /// may lie between them (a parent in Lottie). Their transforms are the same.
+    std::size_t parent_tag = 0;
+    std::variant<Figure, Group> content;
+};
+
+bool operator==(const Node& left, const Node& right);
+inline bool operator==(const Group& left, const Group& right) { return left.nodes == right.nodes; }
+
+/// A bone as set up, where its figures are drawn, and how poses change that: see "Poses" in
+/// docs/scene-language.md.
+struct Bone {
+    std::string name;
+    std::optional<std::size_t> parent; ///< index of an earlier bone
+    scene::Spot from;                  ///< as set up
+    scene::Spot to;                    ///< not `from`
+    Channel turn = {0};                ///< from the direction as set up
+    Channel x = {0};                   ///< of where it begins, from there as set up, in directions as set up
+    Channel y = {0};
+    std::optional<Channel> length; ///< in pixels; as set up without it
+    bool at_tip = false;           ///< its beginning moves with the length of its parent
+};
+
+/// A skeleton, in the coordinates of the figures that it carries.
+struct Rig {
+    std::string name;
+    std::vector<Bone> bones; ///< at least one
+};
+
+/// A named moment, or a stretch of time.
+struct Marker {
+    std::string name;
+    double time = 0;
+    double duration = 0;
+};
+
+struct Document {
+    double width = 0; ///< canvas pixels, above 0
+    double height = 0;
+    double frame_rate = 30; ///< frames per second
+    double frames = 1;      ///< length of the scene
+    Loop loop = Loop::repeat;
+    std::optional<Rgb> background;
+    std::optional<double> camera; ///< distance of the viewer, in pixels; without one, depth is not seen
+    std::vector<Node> nodes;      ///< the first lies lowest
+    std::vector<Rig> rigs;
+    std::vector<Marker> markers;
+};
+
+}

@@ -1,0 +1,219 @@
+#include "host/art/document/extent.hpp"
+
+#include "host/art/animation/ease_part.hpp"
+#include "host/art/document/matrix_at.hpp"
+#include "host/art/geometry/affine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kfast::art {
+namespace {
+
+using scene::Spot;
+
+double greatest(Range range)
+{
+    return range.empty() ? 0 : std::max(std::abs(range.low), std::abs(range.high));
+}
+
+Range sum(Range left, Range right) { return {left.low + right.low, left.high + right.high}; }
+Range difference(Range left, Range right) { return {left.low - right.high, left.high - right.low}; }
+Range widened(Range range, double by) { return {range.low - by, range.high + by}; }
+
+Range product(double factor, Range range)
+{
+    const double one = factor * range.low;
+    const double other = factor * range.high;
+    return {std::min(one, other), std::max(one, other)};
+}
+
+/// How far ways swing beyond their keys, in shares of the way.
+template <typename Value>
+double overshoot_of(const Animated<Value>& animated)
+{
+    double most = 0;
+    for (const auto& key : animated.keys) {
+        const WayRange range = way_range(key.ease);
+        most = std::max({most, -range.low, range.high - 1});
+    }
+    return most;
+}
+
+Extent extent_of(const Drawing& drawing)
+{
+    Extent extent;
+    const auto take = [&](Spot spot) {
+        extent.x.take(spot.x);
+        extent.y.take(spot.y);
+    };
+    for (const scene::Outline& outline : drawing.outlines) {
+        take(outline.from);
+        for (const scene::Curve& curve : outline.curves) {
+            take(curve.to);
+            if (curve.cubic) {
+                take(curve.c1);
+                take(curve.c2);
+            }
+        }
+    }
+    return extent;
+}
+
+/// How far beyond its drawing a figure's line is seen.
+double line_reach(const Line& line)
+{
+    const double widths = line.join == Join::miter ? std::max(line.miter_limit, std::numbers::sqrt2)
+                                                   : std::numbers::sqrt2; // corners of square caps
+    return 0.5 * greatest(line.width) * widths;
+}
+
+/// Bones keep what they carry within the sum of all their lengths and ways.
+double rig_reach(const Rig& rig, const Extent& extent)
+{
+    const Spot root = rig.bones.front().from;
+    double reach = std::max(greatest(difference(extent.x, {root.x, root.x})),
+                            greatest(difference(extent.y, {root.y, root.y})));
+    reach *= std::numbers::sqrt2 * stretch_of(rig);
+    for (const Bone& bone : rig.bones)
+        reach += distance(bone.from, root) * stretch_of(rig) + distance(bone.from, bone.to) +
+                 greatest(bone.x) + greatest(bone.y) + (bone.length ? greatest(*bone.length) : 0);
+    return reach;
+}
+
+bool is_zero(const Channel& channel) { return greatest(channel) == 0; }
+
+bool turns_in_space(const Transform& transform)
+{
+    return !is_zero(transform.rotate_x) || !is_zero(transform.rotate_y);
+}
+
+/// Whether it is one affine map at all times, but for its place.
+bool keeps_form(const Transform& transform)
+{
+    return !turns_in_space(transform) && transform.rotate.is_still() && transform.scale_x.is_still() &&
+           transform.scale_y.is_still() && transform.skew.is_still() && transform.skew_axis.is_still();
+}
+
+Range x_of(const Transform& transform)
+{
+    return transform.path ? extent_of(transform.path->path).x : range_of(transform.x);
+}
+
+Range y_of(const Transform& transform)
+{
+    return transform.path ? extent_of(transform.path->path).y : range_of(transform.y);
+}
+
+}
+
+void Range::take(double value)
+{
+    low = std::min(low, value);
+    high = std::max(high, value);
+}
+
+void Range::take(Range other)
+{
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+}
+
+void Extent::take(const Extent& other)
+{
+    x.take(other.x);
+    y.take(other.y);
+    z.take(other.z);
+}
+
+Range range_of(const Channel& channel)
+{
+    Range range;
+    for (std::size_t i = 0; i < channel.keys.size(); ++i) {
+        range.take(channel.keys[i].value);
+        if (i + 1 == channel.keys.size())
+            break;
+        const WayRange way = way_range(channel.keys[i].ease);
+        range.take(mixed(channel.keys[i].value, channel.keys[i + 1].value, way.low));
+        range.take(mixed(channel.keys[i].value, channel.keys[i + 1].value, way.high));
+    }
+    return range;
+}
+
+double greatest(const Channel& channel) { return greatest(range_of(channel)); }
+
+Extent extent_of(const Figure& figure, std::span<const Rig> rigs)
+{
+    Extent extent;
+    for (const auto& key : figure.drawing.keys)
+        extent.take(extent_of(key.value));
+    if (extent.empty())
+        return extent;
+    const double overshoot = overshoot_of(figure.drawing);
+    double beyond = overshoot * std::max(extent.x.high - extent.x.low, extent.y.high - extent.y.low);
+    if (figure.line)
+        beyond += line_reach(*figure.line);
+    if (figure.skin && figure.skin->rig < rigs.size()) {
+        const Rig& rig = rigs[figure.skin->rig];
+        const double reach = rig_reach(rig, {widened(extent.x, beyond), widened(extent.y, beyond), {}});
+        const Spot root = rig.bones.front().from;
+        return {{root.x - reach, root.x + reach}, {root.y - reach, root.y + reach}, {0, 0}};
+    }
+    return {widened(extent.x, beyond), widened(extent.y, beyond), {0, 0}};
+}
+
+double reach_of(const Extent& content, const Transform& transform)
+{
+    if (content.empty())
+        return 0;
+    const double x = greatest(difference(content.x, range_of(transform.anchor_x)));
+    const double y = greatest(difference(content.y, range_of(transform.anchor_y)));
+    const double z = greatest(content.z);
+    return std::sqrt(x * x + y * y + z * z);
+}
+
+double skew_growth(const Transform& transform)
+{
+    const double degrees = std::min(greatest(transform.skew), steepest_skew);
+    return 1 + std::tan(degrees * std::numbers::pi / 180);
+}
+
+double growth_of(const Transform& transform)
+{
+    constexpr double least = 1e-6;
+    return std::max({least, greatest(transform.scale_x), greatest(transform.scale_y)}) *
+           skew_growth(transform);
+}
+
+double stretch_of(const Rig& rig)
+{
+    double most = 1;
+    for (const Bone& bone : rig.bones)
+        if (bone.length)
+            most = std::max(most, greatest(*bone.length) / std::max(distance(bone.from, bone.to), 1e-6));
+    return most;
+}
+
+Extent placed(const Extent& content, const Transform& transform)
+{
+    if (content.empty())
+        return content;
+    const Range x = x_of(transform);
+    const Range y = y_of(transform);
+    const Range z = range_of(transform.z);
+    if (keeps_form(transform) && transform.skew.value() == 0) {
+        const Range across =
+            product(transform.scale_x.value(), difference(content.x, range_of(transform.anchor_x)));
+        const Range along =
+            product(transform.scale_y.value(), difference(content.y, range_of(transform.anchor_y)));
+        const Affine turn = turned(transform.rotate.value());
+        return {sum(x, sum(product(turn.a, across), product(turn.c, along))),
+                sum(y, sum(product(turn.b, across), product(turn.d, along))), sum(z, content.z)};
+    }
+    const double reach = reach_of(content, transform) * std::max(1.0, growth_of(transform));
+    const double depth = turns_in_space(transform) ? reach : 0;
+    return {widened(x, reach), widened(y, reach), widened(sum(z, content.z), depth)};
+}
+
+}

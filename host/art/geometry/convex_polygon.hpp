@@ -1,0 +1,45 @@
+#pragma once
+
+#include "host/art/geometry/drawing.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kfast::art {
+
+/// Cuts what is filled. Its sides count as inside, 1/1000 px broad.
+class ConvexPolygon {
+public:
+    /// Nothing if the drawing is not one outline of lines alone, which turn one way all round.
+    static std::optional<ConvexPolygon> of(const Drawing& drawing);
+
+    const std::vector<scene::Spot>& corners() const { return corners_; }
+
+    /// Whether all that is at most so far away from the points is inside; whether all of it, and what lies
+    /// between the points, is outside. False if that is not known.
+    bool contains(std::span<const scene::Spot> points, double distance) const;
+    bool misses(std::span<const scene::Spot> points, double distance) const;
+
+    /// What a filled drawing has inside, by either rule of filling. Curves are divided where they cross the
+    /// polygon; what was outside runs along its sides.
+    Drawing cut(const Drawing& drawing) const;
+
+private:
+    /// Of a line, the side that is kept.
+    struct Side {
+        scene::Spot on;
+        scene::Spot inward; ///< of length 1
+
+        double depth(scene::Spot spot) const;
+    };
+    class Cut;
+
+    explicit ConvexPolygon(std::vector<scene::Spot> corners);
+    static std::optional<scene::Outline> cut(const scene::Outline& outline, const Side& side);
+
+    std::vector<scene::Spot> corners_;
+    std::vector<Side> sides_;
+};
+
+}

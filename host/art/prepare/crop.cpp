@@ -1,0 +1,145 @@
+#include "host/art/animation/ease_part.hpp"
+#include "host/art/document/every_animation.hpp"
+#include "host/art/prepare/prepare.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace kfast::art {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// Drawings of different form are tweened by the player alone: only the ends of such a way are known.
+template <typename Value>
+bool can_divide(const Value&, const Value&)
+{
+    return true;
+}
+bool can_divide(const Drawing& from, const Drawing& to) { return same_form(from, to); }
+
+/// Cuts animations to a stretch of time, from 0 on.
+class Crop {
+public:
+    explicit Crop(double frames) : frames_{frames} {}
+
+    template <typename Value>
+    void operator()(Animated<Value>& animated)
+    {
+        const auto& keys = animated.keys;
+        if (keys.front().time >= 0 && keys.back().time <= frames_)
+            return;
+        std::vector<Key<Value>> kept;
+        for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+            keep_way(keys[i], keys[i + 1], kept);
+        if (kept.empty())
+            kept.push_back({0, animated.at(0), {}});
+        else
+            keep_end(animated, kept);
+        animated.keys = std::move(kept);
+    }
+
+    /// Whether a way began before 0 that could not be divided: it begins at 0 now.
+    bool shortened() const { return shortened_; }
+
+private:
+    template <typename Value>
+    void keep_way(const Key<Value>& key, const Key<Value>& next, std::vector<Key<Value>>& kept)
+    {
+        if (next.time <= 0 || key.time >= frames_)
+            return;
+        const double begin = std::max(0.0, key.time);
+        if (!can_divide(key.value, next.value)) {
+            shortened_ = shortened_ || (key.time < 0 && key.ease.kind != EaseKind::hold);
+            kept.push_back({begin, key.value, key.ease});
+            return;
+        }
+        const double span = next.time - key.time;
+        const double share_from = (begin - key.time) / span;
+        const double share_to = std::min(1.0, (frames_ - key.time) / span);
+        if (!(share_from < share_to))
+            return;
+        for (const EasePart& part : ease_parts(key.ease, share_from, share_to)) {
+            const double time = part.from <= share_from ? begin : key.time + part.from * span;
+            if (kept.empty() || time > kept.back().time)
+                kept.push_back({time, mixed(key.value, next.value, part.way_from), part.ease});
+        }
+    }
+
+    template <typename Value>
+    void keep_end(const Animated<Value>& animated, std::vector<Key<Value>>& kept)
+    {
+        const auto& keys = animated.keys;
+        const auto after = std::ranges::find_if(keys, [&](const auto& key) { return key.time >= frames_; });
+        if (after == keys.end())
+            kept.push_back(keys.back());
+        else if (after->time == frames_ || !can_divide(std::prev(after)->value, after->value))
+            kept.push_back(*after);
+        else
+            kept.push_back({frames_, animated.at(frames_), {}});
+    }
+
+    double frames_;
+    bool shortened_ = false;
+};
+
+/// What is seen all through the scene is so without bounds.
+std::vector<Span> cropped(const std::vector<Span>& shown, const Document& document)
+{
+    std::vector<Span> kept;
+    for (const Span& span : shown) {
+        // A scene that repeats never shows the moment of its end.
+        const bool ends_behind =
+            span.to > document.frames || (span.to == document.frames && document.loop == Loop::repeat);
+        const bool begins_behind =
+            span.from > document.frames || (span.from == document.frames && document.loop == Loop::repeat);
+        if (span.to > 0 && !begins_behind)
+            kept.push_back({span.from > 0 ? span.from : -endless, ends_behind ? endless : span.to});
+    }
+    return kept;
+}
+
+void crop(Node& node, const std::string& place, const Document& document, Losses& losses)
+{
+    Crop cut{document.frames};
+    node.shown = cropped(node.shown, document);
+    cut(node.opacity);
+    every_animation(node.transform, cut);
+    if (auto* figure = std::get_if<Figure>(&node.content))
+        every_animation(*figure, cut);
+    if (cut.shortened())
+        losses.add({"a drawing on its way, before the scene begins, to one of other form", place, 0,
+                    "the way begins at 0"});
+}
+
+std::vector<Marker> cropped(std::vector<Marker> markers, double frames, Losses& losses)
+{
+    std::vector<Marker> kept;
+    for (Marker& marker : markers) {
+        const double end = std::min(marker.time + marker.duration, frames);
+        const double begin = std::max(marker.time, 0.0);
+        if (begin > frames || end < 0) {
+            losses.add({"marker " + marker.name, "", marker.time,
+                        "nothing: it lies outside of the time that is played"});
+            continue;
+        }
+        kept.push_back({std::move(marker.name), begin, end - begin});
+    }
+    return kept;
+}
+
+}
+
+void crop(Document& document, Losses& losses)
+{
+    every_node(document.nodes,
+               [&](Node& node, const std::string& place) { crop(node, place, document, losses); });
+    Crop cut{document.frames};
+    for (Rig& rig : document.rigs)
+        for (Bone& bone : rig.bones)
+            every_animation(bone, cut);
+    document.markers = cropped(std::move(document.markers), document.frames, losses);
+}
+
+}

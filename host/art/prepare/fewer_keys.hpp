@@ -1,0 +1,43 @@
+#pragma once
+
+#include "host/art/animation/animated.hpp"
+#include "host/art/document/document.hpp"
+#include "host/art/prepare/corner_arms.hpp"
+
+#include <vector>
+
+namespace kfast::art {
+
+/// The eases that simplification brings into a document: few, for the scene has a table of limited length.
+class NewEases {
+public:
+    static constexpr std::size_t most = 64;
+    static constexpr std::size_t most_fits = 20'000; ///< each takes about a tenth of a millisecond
+
+    /// Whether another fit may be tried.
+    bool take_fit() { return fits_ < most_fits && ++fits_ > 0; }
+    bool add(const Ease& ease);
+
+private:
+    std::vector<Ease> list_;
+    std::size_t fits_ = 0;
+};
+
+/// Leaves out keys, and gives ways between others a new ease, as long as the value is never further than
+/// `tolerance` from what it was, as distance() measures it. Keys that stay keep time and value.
+void leave_out_keys(Channel& channel, double tolerance, NewEases& eases);
+void leave_out_keys(Animated<Rgb>& colour, double tolerance, NewEases& eases);
+/// Keys next to those of another form stay.
+void leave_out_keys(Animated<Drawing>& drawing, double tolerance, NewEases& eases);
+
+/// What a line along a drawing shows of its directions.
+struct LineEdge {
+    std::vector<CornerArm> arms; ///< of the drawing's keys
+    double half_width = 0;
+    double tolerance = 0; ///< how far it may move, on top of points
+};
+
+/// Likewise, and corners and ends of a line move by no more than its edge says.
+void leave_out_keys(Animated<Drawing>& drawing, double tolerance, const LineEdge& edge, NewEases& eases);
+
+}

@@ -1,0 +1,328 @@
+#include "host/art/prepare/prepare.hpp"
+
+#include "host/art/budget.hpp"
+#include "host/art/document/depth_growth.hpp"
+#include "host/art/document/every_animation.hpp"
+#include "host/art/document/extent.hpp"
+#include "host/art/document/value_distance.hpp"
+#include "host/art/geometry/curve_length.hpp"
+#include "host/art/prepare/corner_arms.hpp"
+#include "host/art/prepare/fewer_keys.hpp"
+#include "host/art/prepare/merged_curves.hpp"
+#include "host/art/prepare/tween_turn.hpp"
+#include "host/art/prepare/unseen.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <map>
+#include <numbers>
+
+// How the tolerance is shared, so that all that is done to something seen moves it by no more than that:
+// half of it belongs to the drawing, half to the transforms around it, where as many channels as move it on
+// its way to the canvas, its own and those of all groups around it, have equal parts. A drawing that no
+// channel moves has all. Of the share of a drawing with several keys, five eighths go into making them equal
+// and leaving them out, the rest into merging its curves; a still one has all for that.
+//
+// A part is turned into a tolerance of the channel by how far what it moves can be from the anchor, and by
+// how much the groups around enlarge it at most; perspective included.
+namespace kfast::art {
+namespace {
+
+/// Of opacities, which are stored in 1/255, and of which some lie over each other.
+constexpr double opacity_tolerance = 0.25 / 255;
+constexpr double colour_tolerance = 0.5 / 255;
+/// Of what bones do: nothing but what rounding made.
+constexpr double bone_tolerance = 1e-9;
+
+int moves(const Channel& channel)
+{
+    const Range range = range_of(channel);
+    return range.low < range.high ? 1 : 0;
+}
+
+int moving_channels(const Transform& transform)
+{
+    int count = transform.path ? moves(transform.path->share) : moves(transform.x) + moves(transform.y);
+    for (const Channel* channel :
+         {&transform.anchor_x, &transform.anchor_y, &transform.z, &transform.scale_x, &transform.scale_y,
+          &transform.rotate, &transform.rotate_x, &transform.rotate_y})
+        count += moves(*channel);
+    return count;
+}
+
+/// What has to be known of a node before it is changed.
+struct Measured {
+    Extent content;   ///< in its own coordinates
+    int channels = 0; ///< that move something in it: the most on one way, its own included
+    std::vector<Measured> inner;
+};
+
+std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const Rig> rigs, int depth);
+
+Measured measured(const Node& node, std::span<const Rig> rigs, int depth)
+{
+    Measured result;
+    if (const auto* figure = std::get_if<Figure>(&node.content)) {
+        result.content = extent_of(*figure, rigs);
+        result.channels = figure->line ? moves(figure->line->width) : 0;
+    } else {
+        const auto& nodes = std::get<Group>(node.content).nodes;
+        result.inner = measured(nodes, rigs, depth + 1);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            result.content.take(placed(result.inner[i].content, nodes[i].transform));
+            result.channels = std::max(result.channels, result.inner[i].channels);
+        }
+    }
+    result.channels += moving_channels(node.transform);
+    return result;
+}
+
+/// Nodes with the same tag have the same transform, and keep it only if they are measured together.
+void join_tagged(const std::vector<Node>& nodes, std::vector<Measured>& list)
+{
+    std::map<std::size_t, Measured> joined;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Measured& all = joined[nodes[i].parent_tag];
+        all.content.take(list[i].content);
+        all.channels = std::max(all.channels, list[i].channels);
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].parent_tag == 0)
+            continue;
+        list[i].content = joined[nodes[i].parent_tag].content;
+        list[i].channels = joined[nodes[i].parent_tag].channels;
+    }
+}
+
+std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const Rig> rigs, int depth)
+{
+    Budget::check_depth(depth);
+    std::vector<Measured> list;
+    list.reserve(nodes.size());
+    for (const Node& node : nodes)
+        list.push_back(measured(node, rigs, depth));
+    join_tagged(nodes, list);
+    return list;
+}
+
+/// What is around a node.
+struct Around {
+    double growth = 1; ///< what is a pixel of it is at most so many on the canvas
+    int channels = 0;  ///< that move it
+};
+
+/// Keys that are nearly equal become so: what stands still or comes again is stored once.
+void make_equal(Animated<Drawing>& drawing, double tolerance)
+{
+    auto& keys = drawing.keys;
+    const double in_keys = tolerance / tween_growth(tweens_of(drawing));
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        for (const std::size_t other : {i - 1, std::size_t{0}})
+            if (same_form(keys[i].value, keys[other].value) &&
+                distance(keys[i].value, keys[other].value) <= in_keys) {
+                keys[i].value = keys[other].value;
+                break;
+            }
+}
+
+bool has_corners(const std::optional<Line>& line)
+{
+    return line && (line->join != Join::round || line->cap != Cap::round);
+}
+
+/// Not too short.
+double way_length(const MotionPath& path)
+{
+    constexpr double slack = 1.01;
+    double length = 1e-6;
+    for (const scene::Outline& outline : path.path.outlines)
+        length += slack * outline_length(outline);
+    return length;
+}
+
+class Simplification {
+public:
+    Simplification(const Document& document, double tolerance)
+        : tolerance_{tolerance}, rigs_{document.rigs}, deep_{has_depth(document)}
+    {
+    }
+
+    void simplify(std::vector<Node>& nodes, const std::vector<Measured>& list, const Around& around)
+    {
+        Tagged tagged;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            simplify(nodes[i], list[i], around, tagged);
+    }
+
+    void simplify(Bone& bone)
+    {
+        every_animation(bone, [&](Channel& channel) { leave_out_keys(channel, bone_tolerance, eases_); });
+    }
+
+private:
+    /// A simplified transform, and by how much it makes things larger.
+    struct Placing {
+        Transform transform;
+        double growth;
+    };
+    using Tagged = std::map<std::size_t, Placing>;
+
+    void simplify(Node& node, const Measured& of, const Around& around, Tagged& tagged)
+    {
+        const int channels = around.channels + of.channels;
+        const double share = channels > 0 ? tolerance_ / 2 / channels : 0;
+        const int moving = around.channels + moving_channels(node.transform);
+        const double growth = around.growth * place(node, of.content, share / around.growth, tagged);
+        leave_out_keys(node.opacity, opacity_tolerance, eases_);
+        if (auto* group = std::get_if<Group>(&node.content))
+            simplify(group->nodes, of.inner, {growth, moving});
+        else
+            simplify(std::get<Figure>(node.content), share / growth,
+                     (channels > 0 ? tolerance_ / 2 : tolerance_) / growth);
+    }
+
+    double place(Node& node, const Extent& content, double share, Tagged& tagged)
+    {
+        if (const auto done = tagged.find(node.parent_tag); done != tagged.end()) {
+            node.transform = done->second.transform;
+            return done->second.growth;
+        }
+        const double growth = simplify(node.transform, content, share);
+        if (node.parent_tag != 0)
+            tagged.insert({node.parent_tag, {node.transform, growth}});
+        return growth;
+    }
+
+    /// `share` is in pixels around the node. Returns by how much the transform makes things larger.
+    double simplify(Transform& transform, const Extent& content, double share)
+    {
+        const double before = growth_of(transform);
+        // What is inside may have moved by its own share of the tolerance.
+        const double reach = std::max(1.0, reach_of(content, transform) + tolerance_ / before);
+        const double scale = share / (reach * skew_growth(transform));
+        const double growth = std::max(before + scale * skew_growth(transform), deep_ ? 1.0 : 0.0);
+        const double degrees = share / (reach * growth) * 180 / std::numbers::pi;
+        const auto leave_out = [&](std::initializer_list<Channel*> channels, double tolerance) {
+            for (Channel* channel : channels)
+                leave_out_keys(*channel, tolerance, eases_);
+        };
+        leave_out({&transform.x, &transform.y, &transform.z}, share);
+        leave_out({&transform.anchor_x, &transform.anchor_y}, share / growth);
+        leave_out({&transform.scale_x, &transform.scale_y}, scale);
+        leave_out({&transform.rotate, &transform.rotate_x, &transform.rotate_y}, degrees);
+        leave_out({&transform.skew, &transform.skew_axis}, 0);
+        if (transform.path)
+            leave_out({&transform.path->share}, share / way_length(*transform.path));
+        return growth;
+    }
+
+    /// In the figure's own pixels: of one of its channels, and of its drawing.
+    void simplify(Figure& figure, double share, double drawing_share)
+    {
+        if (figure.fill)
+            simplify(*figure.fill);
+        if (figure.line)
+            simplify(*figure.line, share);
+        if (figure.skin && figure.skin->rig < rigs_.size())
+            drawing_share /= stretch_of(rigs_[figure.skin->rig]);
+        simplify_drawing(figure, drawing_share);
+    }
+
+    /// Each stretch of keys of one form by itself; where the player tweens from one form to another, what it
+    /// does depends on their segments, and these stay.
+    void simplify_drawing(Figure& figure, double share)
+    {
+        auto keys = std::move(figure.drawing.keys);
+        std::vector<Key<Drawing>> done;
+        for (auto begin = keys.begin(); begin != keys.end();) {
+            const auto end = std::find_if(
+                begin, keys.end(), [&](const auto& key) { return !same_form(begin->value, key.value); });
+            const bool jumps_in = begin == keys.begin() || std::prev(begin)->ease.kind == EaseKind::hold;
+            const bool jumps_out = end == keys.end() || std::prev(end)->ease.kind == EaseKind::hold;
+            figure.drawing.keys.assign(begin, end);
+            simplify_stretch(figure, share, jumps_in && jumps_out);
+            std::ranges::move(figure.drawing.keys, std::back_inserter(done));
+            begin = end;
+        }
+        figure.drawing.keys = std::move(done);
+    }
+
+    void simplify_stretch(Figure& figure, double share, bool may_merge)
+    {
+        auto& keys = figure.drawing.keys;
+        const bool is_still = figure.drawing.is_still();
+        const double begin = keys.front().time;
+        const double end = keys.back().time;
+        const Ease leaving = keys.back().ease;
+        if (!is_still)
+            simplify_keys(figure, share * keys_share);
+        // Other forms before and behind it begin when they did.
+        if (keys.front().time > begin)
+            keys.insert(keys.begin(), {begin, keys.front().value, {}});
+        if (keys.back().time < end && leaving.kind != EaseKind::hold)
+            keys.push_back({end, keys.back().value, {}});
+        keys.back().ease = leaving;
+        if (may_merge)
+            merge_curves(figure, is_still ? share : share * (1 - keys_share));
+    }
+
+    static constexpr double keys_share = 5.0 / 8;
+
+    /// A tenth is for making keys equal. Where a line shows directions, half of the rest is for these.
+    void simplify_keys(Figure& figure, double share)
+    {
+        constexpr double equal_share = 0.1;
+        constexpr double point_share = (1 - equal_share) / 2;
+        Animated<Drawing>& drawing = figure.drawing;
+        if (!has_corners(figure.line)) {
+            make_equal(drawing, share * equal_share);
+            return leave_out_keys(drawing, share * (1 - equal_share), eases_);
+        }
+        const double half_width = greatest(figure.line->width) / 2;
+        make_equal(drawing,
+                   share * equal_share / corner_motion(corner_arms(figure), tweens_of(drawing), half_width));
+        leave_out_keys(drawing, share * point_share, {corner_arms(figure), half_width, share * point_share},
+                       eases_);
+    }
+
+    template <typename Ink>
+    void simplify_ink(Ink& ink)
+    {
+        leave_out_keys(ink.colour, colour_tolerance, eases_);
+        leave_out_keys(ink.opacity, opacity_tolerance, eases_);
+    }
+
+    void simplify(Fill& fill) { simplify_ink(fill); }
+
+    void simplify(Line& line, double share)
+    {
+        simplify_ink(line);
+        // An edge moves by half of what the width changes, a tip or the corner of a cap further.
+        const double longest = std::max(line.miter_limit, std::numbers::sqrt2);
+        leave_out_keys(line.width, 2 * share / longest, eases_);
+    }
+
+    double tolerance_;
+    std::span<const Rig> rigs_;
+    bool deep_;
+    NewEases eases_;
+};
+
+}
+
+void simplify(Document& document, double tolerance)
+{
+    drop_unseen(document);
+    const auto list = measured(document.nodes, document.rigs, 0);
+    Extent all;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        all.take(placed(list[i].content, document.nodes[i].transform));
+    Simplification simplification{document, tolerance};
+    simplification.simplify(document.nodes, list, {perspective_growth(document, all), 0});
+    for (Rig& rig : document.rigs)
+        for (Bone& bone : rig.bones)
+            simplification.simplify(bone);
+}
+
+}

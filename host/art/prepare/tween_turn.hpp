@@ -1,0 +1,49 @@
+#pragma once
+
+#include "host/art/animation/animated.hpp"
+#include "host/art/geometry/drawing.hpp"
+#include "host/scene/outline.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kfast::art {
+
+/// The shares of the way that a tween between two neighbouring keys comes to.
+struct TweenRange {
+    std::size_t from = 0; ///< index of its first key
+    std::size_t to = 0;
+    double low = 0;
+    double high = 0;
+};
+
+/// All tweens of an animation; of what is still, one that stays at its key.
+std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing);
+
+/// What an error of 1 in all keys may become between them: above 1 only where eases swing beyond keys.
+double tween_growth(std::span<const TweenRange> tweens);
+
+/// A vector on a straight way.
+struct TweenedVector {
+    scene::Spot begin;
+    scene::Spot way;
+    scene::Spot end() const { return begin + way; }
+};
+
+/// The greatest angle in radians, never too small, between two vectors on the stretch from `low` to `high` of
+/// their ways. A half turn where one of them may vanish alone or they may be opposed.
+double greatest_turn(const TweenedVector& left, const TweenedVector& right, double low, double high);
+
+/// The least length, never too great, of a vector on that stretch.
+double shortest(const TweenedVector& vector, double low, double high);
+
+/// The greatest angle in radians, never too small, between two vectors that are tweened: `left` and `right`
+/// have one of each for every key. A half turn where one of them may vanish or they may be opposed.
+double greatest_turn(std::span<const scene::Spot> left, std::span<const scene::Spot> right,
+                     std::span<const TweenRange> tweens);
+
+/// The least length, never too great, of a vector that is tweened.
+double shortest(std::span<const scene::Spot> vectors, std::span<const TweenRange> tweens);
+
+}

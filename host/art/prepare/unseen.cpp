@@ -1,0 +1,79 @@
+#include "host/art/prepare/unseen.hpp"
+
+#include "host/art/budget.hpp"
+#include "host/art/document/extent.hpp"
+
+#include <algorithm>
+
+namespace kfast::art {
+namespace {
+
+bool is_zero(const Channel& channel) { return greatest(channel) == 0; }
+
+bool is_point(const scene::Outline& outline)
+{
+    const auto is_there = [&](scene::Spot spot) { return distance(spot, outline.from) < 1e-9; };
+    return std::ranges::all_of(outline.curves, [&](const scene::Curve& curve) {
+        return is_there(curve.to) && (!curve.cubic || (is_there(curve.c1) && is_there(curve.c2)));
+    });
+}
+
+bool shows_dots(const Figure& figure) { return figure.line && figure.line->cap != Cap::butt; }
+
+void drop_points(Figure& figure)
+{
+    auto& keys = figure.drawing.keys;
+    const bool one_form =
+        std::ranges::all_of(keys, [&](const auto& key) { return same_form(keys.front().value, key.value); });
+    if (!one_form || figure.skin || shows_dots(figure))
+        return;
+    for (std::size_t i = keys.front().value.outlines.size(); i-- > 0;) {
+        if (!std::ranges::all_of(keys, [&](const auto& key) { return is_point(key.value.outlines[i]); }))
+            continue;
+        for (auto& key : keys)
+            key.value.outlines.erase(key.value.outlines.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+void drop_transparent(Figure& figure)
+{
+    if (figure.fill && is_zero(figure.fill->opacity))
+        figure.fill.reset();
+    if (figure.line && (is_zero(figure.line->opacity) || is_zero(figure.line->width)))
+        figure.line.reset();
+}
+
+bool draws(const Figure& figure)
+{
+    return (figure.fill || figure.line) && std::ranges::any_of(figure.drawing.keys, [](const auto& key) {
+               return !key.value.outlines.empty();
+           });
+}
+
+void drop_unseen(std::vector<Node>& nodes, int depth);
+
+bool is_seen(Node& node, int depth)
+{
+    if (node.shown.empty() || is_zero(node.opacity))
+        return false;
+    if (auto* figure = std::get_if<Figure>(&node.content)) {
+        drop_transparent(*figure);
+        drop_points(*figure);
+        return draws(*figure);
+    }
+    auto& inner = std::get<Group>(node.content).nodes;
+    drop_unseen(inner, depth + 1);
+    return !inner.empty();
+}
+
+void drop_unseen(std::vector<Node>& nodes, int depth)
+{
+    Budget::check_depth(depth);
+    std::erase_if(nodes, [&](Node& node) { return !is_seen(node, depth); });
+}
+
+}
+
+void drop_unseen(Document& document) { drop_unseen(document.nodes, 0); }
+
+}

@@ -1,0 +1,136 @@
+#include "host/commands/help/vocabulary_json.hpp"
+
+#include "host/commands/text/json_text.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using scene::NodeForm;
+using scene::NodeWords;
+using scene::PropertyWords;
+using scene::ValueKind;
+
+/// Whole numbers without a point.
+Json number_of(double number)
+{
+    if (std::trunc(number) == number)
+        return static_cast<std::int64_t>(number);
+    return number;
+}
+
+void add_kind(Json& json, const ValueKind& kind)
+{
+    json["type"] = type_name(kind.type);
+    if (std::isfinite(kind.range.low))
+        json["least"] = number_of(kind.range.low);
+    if (std::isfinite(kind.range.high))
+        json["most"] = number_of(kind.range.high);
+    if (!kind.unit.empty())
+        json["unit"] = kind.unit;
+    if (!kind.words.empty())
+        json["words"] = std::vector<std::string_view>(kind.words.begin(), kind.words.end());
+}
+
+Json json_of(const PropertyWords& property)
+{
+    Json json{{"name", property.name}};
+    add_kind(json, property.kind);
+    if (property.required)
+        json["required"] = true;
+    if (!property.needs.empty())
+        json["needs"] = property.needs;
+    return json;
+}
+
+Json json_of(std::span<const PropertyWords> properties)
+{
+    Json list = Json::array();
+    for (const PropertyWords& property : properties)
+        list.push_back(json_of(property));
+    return list;
+}
+
+Json values_of(const NodeWords& node)
+{
+    Json kinds = Json::array();
+    for (const ValueKind& kind : node.values) {
+        Json json;
+        add_kind(json, kind);
+        kinds.push_back(std::move(json));
+    }
+    const bool is_endless = node.form.most_values == NodeForm::any_number;
+    return {{"least", node.form.least_values},
+            {"most", is_endless ? Json() : Json(node.form.most_values)},
+            {"kinds", std::move(kinds)}};
+}
+
+Json json_of(const NodeWords& node, const scene::Vocabulary& words)
+{
+    Json json{{"id", node.id}, {"name", node.form.name}};
+    if (node.takes_any_name)
+        json["any_name"] = true;
+    json["usage"] = node.form.usage;
+    json["inside_of"] = holders(words, node.id);
+    json["values"] = values_of(node);
+    json["properties"] = json_of(node.properties);
+    json["nodes"] = node.inside;
+    return json;
+}
+
+}
+
+std::string_view type_name(scene::ValueType type)
+{
+    using scene::ValueType;
+    switch (type) {
+    case ValueType::none:
+        break;
+    case ValueType::number:
+        return "number";
+    case ValueType::whole_number:
+        return "whole number";
+    case ValueType::time:
+        return "time";
+    case ValueType::moment:
+        return "moment";
+    case ValueType::colour:
+        return "colour";
+    case ValueType::name:
+        return "name";
+    case ValueType::text:
+        return "text";
+    case ValueType::word:
+        return "word";
+    case ValueType::truth:
+        return "truth";
+    case ValueType::law:
+        return "law";
+    case ValueType::spot:
+        return "place";
+    case ValueType::path:
+        return "path";
+    case ValueType::font:
+        return "font";
+    }
+    return "";
+}
+
+std::string vocabulary_json(const scene::Vocabulary& words)
+{
+    Json nodes = Json::array();
+    for (const NodeWords& node : words.nodes)
+        nodes.push_back(json_of(node, words));
+    return json_text({{"outermost", words.outermost},
+                      {"nodes", std::move(nodes)},
+                      {"quantities", json_of(words.quantities)},
+                      {"laws", words.laws},
+                      {"colours", words.colours},
+                      {"fonts", words.fonts}});
+}
+
+}

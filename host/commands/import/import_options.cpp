@@ -1,0 +1,70 @@
+#include "host/commands/import/import_options.hpp"
+
+#include "host/commands/options/number_range.hpp"
+#include "host/commands/options/option_groups.hpp"
+#include "host/commands/text/size_text.hpp"
+#include "host/import/canvas_size.hpp"
+#include "host/scene/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace kfast {
+namespace {
+
+constexpr double widest_tolerance = 64;
+
+Size canvas_size(const std::string& text)
+{
+    const Size size = read_size("--canvas", text);
+    if (std::max(size.width, size.height) > importing::longest_side)
+        throw CLI::ValidationError("--canvas", "'" + text + "' is too large: a canvas has sides of at most " +
+                                                   std::to_string(importing::longest_side) + " pixels");
+    return size;
+}
+
+Colour background(const std::string& text)
+{
+    const std::optional<Colour> colour = scene::Palette{}.find(text);
+    if (!colour)
+        throw CLI::ValidationError("--background", '\'' + text +
+                                                       "' is no colour: take a name like white or navy, or "
+                                                       "red, green and blue like \"#ff8000\"");
+    if (colour->opacity != 255)
+        throw CLI::ValidationError("--background", "the background cannot be transparent");
+    return *colour;
+}
+
+}
+
+void declare_import_options(CLI::App& app, ImportChoice& choice)
+{
+    importing::Options& options = choice.options;
+    const std::array only_for_imports{
+        app.add_option("--tolerance", options.tolerance,
+                       "How far simplification may move anything, in pixels of the canvas (default: 1/32)")
+            ->type_name("PX")
+            ->check(number_within(0, widest_tolerance)),
+        app.add_option_function<std::string>(
+               "--canvas", [&options](const std::string& text) { options.size = canvas_size(text); },
+               "Scale it so that its canvas just lies within this (default: as it is)")
+            ->type_name("WxH"),
+        app.add_option_function<std::string>(
+               "--background", [&options](const std::string& text) { options.background = background(text); },
+               "Behind a file that says nothing of its background (default: white for SVG, otherwise black)")
+            ->type_name("COLOR"),
+        app.add_option("--animation", options.animation,
+                       "Which one of a .lottie file that has several (default: the one it begins with)")
+            ->type_name("ID")};
+    for (CLI::Option* option : only_for_imports)
+        option->group(option_group::imports)->each([&choice, name = option->get_name()](const std::string&) {
+            choice.only_for_imports = name;
+        });
+    app.add_flag_callback(
+           "--strict", [&choice] { choice.on_loss = OnLoss::refuse; },
+           "Refuse a file of which something is not carried over")
+        ->group(option_group::imports);
+}
+
+}

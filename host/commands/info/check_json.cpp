@@ -1,0 +1,85 @@
+#include "host/commands/info/check_json.hpp"
+
+#include "host/commands/text/json_text.hpp"
+#include "host/text/utf8.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json place_of(std::string_view text, std::size_t offset)
+{
+    const LineColumn at = line_column(text, offset);
+    return {{"line", at.line}, {"column", at.column}};
+}
+
+/// How editors count that speak the Language Server Protocol: lines and UTF-16 code units from 0.
+Json position_of(std::string_view text, std::size_t offset)
+{
+    offset = std::min(offset, text.size());
+    const std::string_view line = line_at(text, offset);
+    const auto begin = static_cast<std::size_t>(line.data() - text.data());
+    std::size_t units = 0;
+    for (std::size_t at = begin; at < offset;) {
+        const CodePoint point = code_point_at(text, at);
+        units += point.value > 0xFFFF ? 2 : 1;
+        at += point.length;
+    }
+    return {{"line", line_column(text, offset).line - 1}, {"character", units}};
+}
+
+Json json_of(const Diagnostic& diagnostic, std::string_view text)
+{
+    const std::size_t begin = std::min(diagnostic.place.offset, text.size());
+    const std::size_t end = std::min(begin + diagnostic.place.length, text.size());
+    return {{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
+            {"message", diagnostic.message},
+            {"remedy", diagnostic.remedy},
+            {"begin", place_of(text, begin)},
+            {"end", place_of(text, end)},
+            {"range", {{"start", position_of(text, begin)}, {"end", position_of(text, end)}}},
+            {"bytes", {{"offset", begin}, {"length", end - begin}}}};
+}
+
+Json json_of(const art::Loss& loss)
+{
+    return {{"feature", loss.feature},
+            {"layer", loss.layer},
+            {"frame", loss.time ? Json(*loss.time) : Json{}},
+            {"instead", loss.instead}};
+}
+
+Json json_of(const CheckedFile& file)
+{
+    Json diagnostics = Json::array();
+    for (const Diagnostic& diagnostic : file.diagnostics.sorted())
+        diagnostics.push_back(json_of(diagnostic, file.text));
+    Json losses = Json::array();
+    for (const art::Loss& loss : file.losses.list())
+        losses.push_back(json_of(loss));
+    return {{"file", file.name},
+            {"good", file.is_good()},
+            {"summary", file.summary},
+            {"failure", file.failure},
+            {"diagnostics", std::move(diagnostics)},
+            {"losses", std::move(losses)},
+            {"further_losses", file.losses.beyond()}};
+}
+
+}
+
+std::string check_json(std::span<const CheckedFile> files)
+{
+    Json list = Json::array();
+    for (const CheckedFile& file : files)
+        list.push_back(json_of(file));
+    return json_text({{"files", std::move(list)}});
+}
+
+}

@@ -1,0 +1,16 @@
+#include "host/commands/inputs/input_values.hpp"
+
+namespace kfast {
+
+InputValues chosen_values(const InputOptions& inputs, const DrawingOptions& drawings, const SceneView& scene)
+{
+    return {chosen_inputs(inputs, scene), chosen_drawings(drawings, scene)};
+}
+
+void put_values(const InputValues& values, const SceneView& scene, ToldInputs& told)
+{
+    put_inputs(values.values, scene, told);
+    put_drawings(values.drawings, scene, told);
+}
+
+}

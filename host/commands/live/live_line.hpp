@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/scene/glyph_set.hpp"
+#include "core/scene/input_view.hpp"
+#include "host/link/live_values.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+
+/// An input that live values may be told to.
+struct LiveInput {
+    std::string name;
+    InputType type = InputType::number;
+    std::int32_t least = 0;              ///< of a number, in 1/1000
+    std::int32_t most = 0;               ///< likewise; of a text, characters
+    std::optional<GlyphSet> glyphs = {}; ///< of a text, in the bytes of the scene, if they are known
+
+    InputView view() const { return {.name = name, .least = least, .most = most, .usual = least}; }
+    /// As far as devices tell.
+    bool is_like(const LiveInput& other) const
+    {
+        return name == other.name && type == other.type && least == other.least && most == other.most;
+    }
+};
+
+/// What a line of live values says (docs/devices.md): `gaze 0.5 "left lid" 1 label "12:45"`, or
+/// `plot 10,20 30,40 / 50,60`. Nothing for an empty line and for a comment. `number` counts from 1. Throws
+/// Failure that names the line.
+LiveValues read_live_line(std::string_view line, std::size_t number, std::span<const LiveInput> inputs);
+
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/player.hpp"
+#include "host/commands/inputs/drawing_options.hpp"
+#include "host/commands/inputs/input_options.hpp"
+#include "host/commands/render/screen_options.hpp"
+#include "host/compile/scene_file.hpp"
+#include "host/picture/frame_source.hpp"
+#include "host/picture/panel_choice.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+namespace kfast {
+
+/// What a scene is drawn on, as chosen by --size, --scaling, --format, --panel and --beam, and what its
+/// inputs are set to.
+struct PictureOptions {
+    std::optional<Size> size; ///< none: the canvas of the scene
+    Fit fit = Fit::contain;
+    std::optional<PixelFormat> format = {}; ///< none: rgb565
+    const PanelChoice* panel = nullptr;     ///< instead of size, fit and format: it is driven as on a board
+    ScreenOptions screen = {};              ///< with a beam instead of fit, format and panel
+    InputOptions inputs = {};
+    DrawingOptions drawings = {};
+};
+
+/// Adds these options to `app`, but not --beam. `options` must outlive its parsing.
+void declare_picture_options(CLI::App& app, PictureOptions& options);
+
+/// Adds all of them, for whoever looks at the pictures.
+void declare_seen_options(CLI::App& app, PictureOptions& options);
+
+/// Adds --panel only. `panel` must outlive the parsing.
+CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
+
+/// Adds --size and --panel only.
+void declare_size_options(CLI::App& app, PictureOptions& options);
+
+Size panel_size(const PictureOptions& options, const SceneView& scene);
+/// Of the pictures that open_source() makes.
+Size shown_size(const PictureOptions& options, const SceneView& scene);
+/// The same display with another size: of a known panel, its pixels alone are left.
+PictureOptions drawn_at(PictureOptions options, Size size);
+
+/// Tells what is chosen. Throws as chosen_values() and put_values().
+void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);
+
+/// Its inputs stand as usual. `scene` must outlive the source.
+std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene);
+/// With the inputs as chosen. Likewise.
+std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene);
+
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/scene/glyph_set.hpp"
+
+#include <string>
+
+namespace kfast {
+
+/// Characters as glyphs= of an input takes them: "%0-9:". The space, which is always one of them, is left
+/// out.
+std::string glyph_text(const GlyphSet& glyphs);
+
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "host/commands/text/status_line.hpp"
+#include "host/program/tell_work.hpp"
+
+#include <chrono>
+#include <string>
+
+namespace kfast {
+
+/// How far something long has come, at the end of a terminal: from the second on that it takes.
+class WorkBar {
+public:
+    /// To standard error. `what` stands in front: "drawing".
+    explicit WorkBar(std::string what) : what_{std::move(what)} {}
+
+    void tell(std::size_t done, std::size_t total);
+    /// The bar must outlive it.
+    TellWork teller()
+    {
+        return [this](std::size_t done, std::size_t total) { tell(done, total); };
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string what_;
+    StatusLine line_;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point drawn_ = begin_;
+};
+
+}

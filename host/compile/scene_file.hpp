@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/scene/scene_view.hpp"
+#include "host/art/losses.hpp"
+#include "host/compiler/compile.hpp"
+#include "host/import/options.hpp"
+#include "host/text/reporter.hpp"
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kfast {
+
+/// A scene read from disk. `view` looks into `bytes`, hence no copies.
+struct SceneFile {
+    SceneFile(std::vector<std::byte> compiled, SceneView checked) : bytes{std::move(compiled)}, view{checked}
+    {
+    }
+    SceneFile(SceneFile&&) = default;
+    SceneFile(const SceneFile&) = delete;
+
+    std::vector<std::byte> bytes; ///< a .kfb
+    SceneView view;
+    bool was_text = false;               ///< compiled just now, rather than read as a .kfb
+    std::size_t warnings = 0;            ///< of the compiler
+    art::Losses losses;                  ///< of a file of another program
+    std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
+    std::vector<Place> item_places;      ///< likewise, in `text`; of a file of another program none
+    StoredNames other_names;             ///< of symbols, skeletons and bones; only of a text
+    std::string text;                    ///< of a scene text
+    std::vector<std::filesystem::path> fonts; ///< files that a text names
+};
+
+/// What becomes of things that a scene cannot have, in a file of another program.
+enum class OnLoss {
+    warn,   ///< a line tells how many they are
+    report, ///< nothing is said: whoever loads the scene tells what they are
+    refuse, ///< Failure, which tells what they are
+};
+
+/// How a file of another program is loaded; scenes of kfast are what they are.
+struct ImportChoice {
+    importing::Options options = {};
+    OnLoss on_loss = OnLoss::warn;
+    /// The option that was used for `options`, if any was: scenes of kfast are refused, and told so.
+    std::string only_for_imports = {};
+};
+
+/// Reads a compiled scene (known by its first bytes, "KFB"), reads and compiles a scene text, or imports a
+/// file of another program, whatever the file's name. What the compiler finds is printed to `out`, as
+/// report() does. Throws Failure when the file cannot be read, is empty or larger than 16 MB (a scene text: 4
+/// MB), or is no valid scene.
+SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choice = {},
+                     std::ostream& out = std::cerr);
+
+/// The same of what stands in a file, or would stand there: `path` is its name, and fonts lie beside it. What
+/// the compiler finds is told to `reporter`, and only that an import lost something is printed to `out`.
+SceneFile scene_of(const std::filesystem::path& path, std::string content, const ImportChoice& choice,
+                   const Reporter& reporter, std::ostream& out = std::cerr);
+
+}

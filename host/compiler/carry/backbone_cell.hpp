@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/pose/live_backbones.hpp"
+#include "host/scene/outline.hpp"
+
+#include <optional>
+
+namespace kfast {
+
+using scene::Spot;
+
+Spot in_pixels(Point point);
+
+/// Where a point is in a cell, in shares of it: along the backbone, and away from it.
+struct CellPlace {
+    double along = 0;
+    double across = 0;
+};
+
+/// What lies between two nodes of a backbone and their outline points on one side.
+///
+/// Only operations that every machine rounds alike are used, so that a scene compiles to the same bytes
+/// everywhere.
+class BackboneCell {
+public:
+    /// `side` is left or right. Along the backbone, the cell reaches from `first` to `last`: 0 … 1, further
+    /// where it is the first or the last one.
+    BackboneCell(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side, double first,
+                 double last);
+
+    Spot spot_at(CellPlace place) const;
+    /// Where `spot` is, if that is within what the cell reaches to: the backbone on one hand, and as far as
+    /// the format goes on the other.
+    std::optional<CellPlace> place_of(Spot spot) const;
+    /// Of the points of the quadrilateral, the nearest to `spot`.
+    CellPlace nearest(Spot spot) const;
+    /// False for sure where `spot` is not inside of the box around the quadrilateral.
+    bool may_contain(Spot spot) const;
+
+private:
+    std::optional<CellPlace> place_at(Spot from_corner, double across) const;
+
+    Spot corner_; ///< the first node
+    Spot along_;  ///< from there to the next node
+    Spot across_; ///< from there to the outline
+    Spot twist_;  ///< how the latter changes along the cell
+    Spot low_;    ///< of the box around the quadrilateral
+    Spot high_;
+    double first_;
+    double last_;
+};
+
+/// In the quadrilateral itself.
+bool is_inside(CellPlace place);
+
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "host/compiler/carry/backbone_cells.hpp"
+#include "host/compiler/match/match_by_count.hpp"
+#include "host/scene/model.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace kfast {
+
+/// As scene::Segment, before rounding.
+struct RelativeSegment {
+    bool cubic = false;
+    RelativePoint c1;
+    RelativePoint c2;
+    RelativePoint to;
+};
+
+struct RelativeStroke {
+    RelativePoint from;
+    std::vector<RelativeSegment> segments;
+};
+
+using RelativeDrawing = std::vector<RelativeStroke>;
+
+/// Where the cells move no point: as `drawing` is when they are as given. A point in cells of several
+/// backbones goes with the one that has most of its stroke, a control point with that of its vertex.
+RelativeDrawing relative_drawing(const SegmentDrawing& drawing, const BackboneCells& cells);
+
+/// Where a stroke goes through its vertices.
+std::vector<Spot> spots_of(const std::vector<Segment>& stroke);
+
+/// The finest unit that all points of `drawings` can be stored in, as the format has it: 2^bits sixteenths
+/// stand for a segment.
+std::uint32_t unit_bits_of(std::span<const RelativeDrawing> drawings);
+
+/// Rounds every point once.
+scene::Drawing rounded(const RelativeDrawing& drawing, std::uint32_t unit_bits);
+
+}

@@ -1,0 +1,187 @@
+#include "host/compiler/limits/measured_moments.hpp"
+
+#include "core/time/clock.hpp"
+#include "host/walk/every_item.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+
+namespace kfast {
+namespace {
+
+constexpr std::int32_t most_even_moments = 4000;
+constexpr std::int32_t moments_of_frame = 4;
+constexpr int input_combinations = 1500;
+/// Of all pictures together, in the unit of SceneView::cost(): some one and a half seconds of a computer.
+constexpr std::size_t most_cost = 3U << 21;
+
+/// Collects moments of one clock, which goes from 0 to `length`.
+class ClockMoments {
+public:
+    ClockMoments(Clock clock, Time length) : clock_{clock}, length_{length} {}
+
+    void add_evenly(std::int32_t step)
+    {
+        for (std::int32_t ticks = 0; ticks < length_.ticks; ticks += step)
+            moments_.push_back({ticks});
+        moments_.push_back(length_);
+    }
+
+    void add_keys(const ItemView& item)
+    {
+        for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
+            const TrackView track = tracks.next();
+            if (!track.is_fixed)
+                add_keys(track.keys);
+        }
+        if (item.kind != ItemKind::object)
+            return;
+        add_keys(item.object.keys());
+        if (item.object.carrier == Carrier::backbones)
+            add_keys(item.object.backbones.keys());
+    }
+
+    std::vector<Time> sorted()
+    {
+        std::ranges::sort(moments_);
+        moments_.erase(std::unique(moments_.begin(), moments_.end()), moments_.end());
+        return std::move(moments_);
+    }
+
+private:
+    template <class Cursor>
+    void add_keys(Cursor keys)
+    {
+        if (keys.beats().clock() == clock_)
+            while (!keys.at_end())
+                add_change(keys.next().time);
+    }
+
+    void add_change(Time time)
+    {
+        for (const std::int32_t ticks : {time.ticks - 1, time.ticks})
+            if (ticks >= 0 && ticks < length_.ticks)
+                moments_.push_back({ticks});
+    }
+
+    Clock clock_;
+    Time length_;
+    std::vector<Time> moments_;
+};
+
+std::vector<Time> moments_of(const SceneView& scene, Clock clock, Time length, std::int32_t step)
+{
+    ClockMoments moments{clock, length};
+    moments.add_evenly(step);
+    every_item(scene, [&moments](const ItemView& item) { moments.add_keys(item); });
+    return moments.sorted();
+}
+
+std::vector<Time> times_of(const SceneView& scene)
+{
+    const Time length = scene.length();
+    return moments_of(scene, {}, length,
+                      std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / most_even_moments));
+}
+
+/// Where the inputs of a scene may stand.
+class InputPlaces {
+public:
+    explicit InputPlaces(const SceneView& scene) : usual_(scene.input_count())
+    {
+        put_usual_places(scene.inputs(), usual_);
+        for (std::uint32_t i = 0; i < usual_.size(); ++i)
+            telling_.push_back((scene.number_inputs() & bit_of_input(i)) != 0
+                                   ? moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
+                                                whole_input.ticks / even_places)
+                                   : std::vector<Time>{usual_[i]});
+    }
+
+    const std::vector<Time>& usual() const { return usual_; }
+    /// Of one input, in order: even ones, those of its keys, and the tick before.
+    std::size_t telling_count(std::size_t input) const
+    {
+        return std::min(telling_[input].size(), most_telling);
+    }
+    Time telling(std::size_t input, std::size_t index) const
+    {
+        const std::vector<Time>& places = telling_[input];
+        return places[index * places.size() / telling_count(input)];
+    }
+
+    /// Mostly an end, as a button puts it; the same ones every time.
+    Time any(std::size_t input)
+    {
+        const auto choice = random_() % 8;
+        if (choice < 4)
+            return choice % 2 == 0 ? Time{} : whole_input;
+        if (choice < 7)
+            return telling_[input][random_() % telling_[input].size()];
+        return usual_[input];
+    }
+
+    std::uint32_t random() { return static_cast<std::uint32_t>(random_()); }
+
+private:
+    static constexpr std::int32_t even_places = 32;
+    static constexpr std::size_t most_telling = 256;
+
+    std::vector<Time> usual_;
+    std::vector<std::vector<Time>> telling_;
+    std::mt19937 random_{1};
+};
+
+/// Each input alone, then all of them at once, at any time.
+void add_with_inputs(const std::vector<Time>& times, InputPlaces& places,
+                     std::vector<MeasuredMoment>& moments)
+{
+    const auto any_time = [&] { return times[places.random() % times.size()]; };
+    const std::size_t inputs = places.usual().size();
+    for (std::size_t input = 0; input < inputs; ++input)
+        for (std::size_t i = 0; i < places.telling_count(input); ++i) {
+            moments.push_back({any_time(), places.usual()});
+            moments.back().inputs[input] = places.telling(input, i);
+        }
+    for (const Time end : {Time{}, whole_input})
+        for (const Time time : {times.front(), times[times.size() / 2]})
+            moments.push_back({time, std::vector<Time>(inputs, end)});
+    for (int i = 0; i < input_combinations; ++i) {
+        moments.push_back({any_time(), {}});
+        for (std::size_t input = 0; input < inputs; ++input)
+            moments.back().inputs.push_back(places.any(input));
+    }
+}
+
+}
+
+std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
+{
+    const std::vector<Time> times = times_of(scene);
+    InputPlaces places{scene};
+    std::vector<MeasuredMoment> moments;
+    moments.reserve(times.size());
+    for (const Time time : times)
+        moments.push_back({time, places.usual()});
+    if (scene.number_inputs() != 0)
+        add_with_inputs(times, places, moments);
+    return moments;
+}
+
+std::size_t affordable_pictures(const SceneView& scene)
+{
+    return most_cost / std::max<std::uint32_t>(scene.cost(), 1);
+}
+
+void thin_out(std::vector<MeasuredMoment>& moments, std::size_t count)
+{
+    const std::size_t left = std::max<std::size_t>(count, 2);
+    if (moments.size() <= left)
+        return;
+    std::vector<MeasuredMoment> spread;
+    for (std::size_t i = 0; i < left; ++i)
+        spread.push_back(std::move(moments[i * (moments.size() - 1) / (left - 1)]));
+    moments = std::move(spread);
+}
+
+}

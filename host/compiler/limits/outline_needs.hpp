@@ -1,0 +1,27 @@
+#pragma once
+
+#include "host/compiler/write/header.hpp"
+#include "host/program/tell_work.hpp"
+#include "host/scene/model.hpp"
+#include "host/text/diagnostic.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace kfast {
+
+/// What the outlines of any one picture of `scene` need on any panel, at most kfb::max_outline_bytes and
+/// kfb::max_borders. `file` is the scene compiled, sound but for these figures in its header. If a picture
+/// finds no room with the coarsest curves either, that is an error at the largest object, and nothing is
+/// returned.
+///
+/// Found by playing the scene (host/compiler/limits/measured_moments.hpp), with the worst that live drawings
+/// may be told (host/compiler/limits/live_outlines.hpp), and adding an eighth: a moment between two of these
+/// may halve a few curves once more. A player whose picture finds no room all the same draws it with coarser
+/// curves. That is most of the work of compiling, and `tell` is told of it.
+std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
+                                          Diagnostics& diagnostics, const TellWork& tell = tell_nobody);
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "host/compiler/match/measured_stroke.hpp"
+
+namespace kfast {
+
+/// Two strokes, begun where they correspond.
+struct AlignedStrokes {
+    MeasuredStroke a;
+    MeasuredStroke b;
+    /// What to add to the positions on `b` to have them where they fit `a` best. Not 0 where two vertices
+    /// near that place became the start.
+    double offset = 0;
+};
+
+enum class Reversal { forbidden, allowed };
+
+/// Moves the start of a closed stroke to where the strokes, each with its centre of gravity in the origin,
+/// have the smallest sum of squared distances between points at equal shares of their lengths; of `b`, if
+/// both are closed. The start is a vertex where a vertex of the other is near, otherwise a new point. Where
+/// it is allowed and fits better, the stroke whose start may move changes its direction. Open strokes stay as
+/// they are. Both have a segment.
+AlignedStrokes aligned(const MeasuredStroke& a, const MeasuredStroke& b, Reversal reversal);
+
+/// As aligned(), for a part of a broken stroke, which begins where it was broken.
+AlignedStrokes aligned_to_part(const MeasuredStroke& part, const MeasuredStroke& partner);
+
+}

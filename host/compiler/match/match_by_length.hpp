@@ -1,0 +1,24 @@
+#pragma once
+
+#include "host/scene/model.hpp"
+
+#include <optional>
+
+namespace kfast {
+
+/// Two drawings for one way between keys: where it departs and where it arrives. Segments may have no extent,
+/// which those of a scene do not.
+struct MatchedDrawings {
+    scene::Drawing from;
+    scene::Drawing to;
+};
+
+/// Drawings that look like `a` and `b` to within 1/16 px and that equalization (core/pose/equalize.hpp) pairs
+/// without adding points: they have the points that correspond by arc length, and closed strokes begin where
+/// they fit each other best (docs/design.md, "Points by length"). Single points and drawings whose partner is
+/// empty stay as they are: equalization repeats them.
+///
+/// None if either would have more than kfb::max_drawing_points.
+std::optional<MatchedDrawings> match_by_length(const scene::Drawing& a, const scene::Drawing& b);
+
+}

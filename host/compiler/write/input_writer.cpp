@@ -1,0 +1,75 @@
+#include "host/compiler/write/input_writer.hpp"
+
+#include "host/compiler/write/name_writer.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace kfast {
+namespace {
+
+/// Characters that follow each other, from glyph and character on.
+using Stretch = std::pair<std::size_t, char32_t>;
+
+std::vector<Stretch> stretches_of(const std::u32string& glyphs)
+{
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < glyphs.size(); ++i)
+        if (i == 0 || glyphs[i] != glyphs[i - 1] + 1)
+            stretches.emplace_back(i, glyphs[i]);
+    return stretches;
+}
+
+void write_glyphs(const std::u32string& glyphs, ByteWriter& bytes)
+{
+    const std::vector<Stretch> stretches = stretches_of(glyphs);
+    bytes.u8(static_cast<std::uint32_t>(glyphs.size()));
+    bytes.u8(static_cast<std::uint32_t>(stretches.size()));
+    for (const auto& [glyph, character] : stretches)
+        bytes.u32(static_cast<std::uint32_t>(glyph) | std::uint32_t{character} << 8);
+}
+
+void write_text(const scene::TextInput& text, ByteWriter& bytes)
+{
+    bytes.u8(text.most);
+    write_glyphs(text.glyphs, bytes);
+    bytes.u8(static_cast<std::uint32_t>(text.usual.size()));
+    for (const char32_t character : text.usual)
+        bytes.u8(static_cast<std::uint32_t>(text.glyphs.find(character)));
+}
+
+void write_number(const scene::Input& input, ByteWriter& bytes)
+{
+    for (const std::int32_t value : {input.least, input.most, input.usual})
+        bytes.signed_varint(value);
+}
+
+void write_drawing(const scene::DrawingInput& drawing, DrawingPool& drawings, ByteWriter& bytes)
+{
+    bytes.varint(static_cast<std::uint32_t>(drawing.strokes));
+    bytes.varint(static_cast<std::uint32_t>(drawing.points));
+    bytes.varint(static_cast<std::uint32_t>(drawings.offset_of(drawing.usual)));
+}
+
+}
+
+void write_inputs(const std::vector<scene::Input>& inputs, DrawingPool& drawings, ByteWriter& bytes)
+{
+    for (const scene::Input& input : inputs) {
+        bytes.u8(static_cast<std::uint32_t>(input.type));
+        write_name(input.name, bytes);
+        switch (input.type) {
+        case InputType::number:
+            write_number(input, bytes);
+            break;
+        case InputType::text:
+            write_text(input.text, bytes);
+            break;
+        case InputType::drawing:
+            write_drawing(input.drawing, drawings, bytes);
+            break;
+        }
+    }
+}
+
+}

@@ -1,0 +1,94 @@
+#include "host/compiler/write/key_writer.hpp"
+
+#include "core/scene/kfb_limits.hpp"
+#include "host/compiler/carry/carried_ways.hpp"
+#include "host/compiler/match/match_by_length.hpp"
+#include "host/compiler/pack/beat_writer.hpp"
+#include "host/compiler/pack/value_writer.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+/// The drawings at both ends of the way from `key` to `next`.
+MatchedDrawings ends_of_way(const scene::Key& key, const scene::Key& next, Diagnostics& diagnostics)
+{
+    MatchedDrawings as_drawn{key.drawing, next.drawing};
+    if (key.match == scene::Match::count)
+        return as_drawn;
+    if (const auto matched = match_by_length(key.drawing, next.drawing))
+        return *matched;
+    diagnostics.error(key.place,
+                      "to match the next key by length takes more than " +
+                          std::to_string(kfb::max_drawing_points) + " points, as many as a drawing holds",
+                      "draw both with fewer points, or use match=count");
+    return as_drawn;
+}
+
+/// As they are without backbones.
+std::vector<KeyWay> drawn_ways(const scene::Object& object, Diagnostics& diagnostics)
+{
+    std::vector<KeyWay> ways;
+    for (std::size_t i = 0; i < object.keys.size(); ++i) {
+        const scene::Key& key = object.keys[i];
+        const bool leads_on = i + 1 < object.keys.size();
+        KeyWay way{.time = key.time, .laws = leads_on ? key.laws : LawPair{}, .ends = {}, .place = key.place};
+        way.ends = leads_on ? ends_of_way(key, object.keys[i + 1], diagnostics)
+                            : MatchedDrawings{key.drawing, key.drawing};
+        ways.push_back(std::move(way));
+    }
+    return ways;
+}
+
+}
+
+bool has_arrivals(const scene::Object& object)
+{
+    if (!object.backbone_keys.empty())
+        return object.keys.size() > 1;
+    return std::any_of(object.keys.begin(), object.keys.end() - 1,
+                       [](const scene::Key& key) { return key.match == scene::Match::length; });
+}
+
+KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics)
+{
+    std::vector<KeyWay> drawn = drawn_ways(object, diagnostics);
+    if (!object.backbone_keys.empty())
+        return carried_ways(object, drawn, diagnostics);
+    return {.ways = std::move(drawn)};
+}
+
+PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
+                       Diagnostics& diagnostics)
+{
+    const bool with_arrivals = has_arrivals(object);
+    const KeyWays ways = key_ways(object, diagnostics);
+    Beats beats;
+    std::vector<std::int32_t> from;
+    std::vector<std::int32_t> to;
+    std::vector<std::int32_t> depths;
+    for (const KeyWay& way : ways.ways) {
+        beats.push_back({way.time, laws.number_of(way.laws, way.place)});
+        from.push_back(drawings.offset_of(way.ends.from));
+        if (with_arrivals)
+            to.push_back(drawings.offset_of(way.ends.to));
+    }
+    for (const scene::Key& key : object.keys) {
+        if (!object.has_depths)
+            break;
+        depths.push_back(drawings.offset_of(key.depths));
+    }
+    ByteWriter bytes;
+    write_beats({beats, object.clock}, one_beat, bytes);
+    write_values(from, bytes);
+    if (with_arrivals)
+        write_values(to, bytes);
+    if (object.has_depths)
+        write_values(depths, bytes);
+    return {bytes.bytes(), ways.unit_bits};
+}
+
+}

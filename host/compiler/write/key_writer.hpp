@@ -1,0 +1,33 @@
+#pragma once
+
+#include "host/compiler/carry/key_way.hpp"
+#include "host/compiler/pack/drawing_pool.hpp"
+#include "host/compiler/pack/law_table.hpp"
+#include "host/scene/model.hpp"
+#include "host/text/diagnostic.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kfast {
+
+/// The keys of one object as the format has them.
+struct PackedKeys {
+    std::vector<std::byte> bytes;
+    std::uint32_t unit_bits = 0; ///< see KeyWays
+};
+
+/// Whether ways from a key of `object` to the next are written with both of their ends: all of them, if one
+/// matches by length, or if backbones carry them.
+bool has_arrivals(const scene::Object& object);
+
+/// The keys of `object` and the ways between them, as they are stored. Says what packed_keys() says.
+KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics);
+
+/// The keys of `object`. A way that takes more points than a drawing
+/// holds is an error at its key, points that backbones do not reach are a warning there.
+PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
+                       Diagnostics& diagnostics);
+
+}

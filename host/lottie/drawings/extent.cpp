@@ -1,0 +1,195 @@
+#include "host/lottie/drawings/extent.hpp"
+
+#include "host/art/document/matrix_at.hpp"
+
+#include <cmath>
+
+namespace kfast::lottie {
+namespace {
+
+using art::Affine;
+using scene::Spot;
+
+constexpr double breadth = 0.01;
+
+bool is_shown(const art::Node& node, double time)
+{
+    return std::ranges::any_of(node.shown,
+                               [&](const art::Span& span) { return span.from <= time && time < span.to; });
+}
+
+double growth(const Affine& matrix) { return std::sqrt(std::abs(matrix.determinant())); }
+
+void include(Box& box, const art::Figure& figure, double time, const Affine& matrix)
+{
+    Box drawn;
+    for (const scene::Outline& outline : figure.drawing.at(time).outlines) {
+        drawn.include(matrix.of(outline.from));
+        for (const scene::Curve& curve : outline.curves) {
+            if (curve.cubic) {
+                drawn.include(matrix.of(curve.c1));
+                drawn.include(matrix.of(curve.c2));
+            }
+            drawn.include(matrix.of(curve.to));
+        }
+    }
+    if (!(drawn.left <= drawn.right))
+        return;
+    const double half = figure.line ? figure.line->width.at(time) * growth(matrix) / 2 : 0;
+    box.include({drawn.left - half, drawn.top - half});
+    box.include({drawn.right + half, drawn.bottom + half});
+}
+
+std::vector<Spot> flattened(const scene::Outline& outline)
+{
+    constexpr int chords = 16;
+    std::vector<Spot> spots{outline.from};
+    for (const scene::Curve& curve : outline.curves) {
+        const Spot from = spots.back();
+        for (int i = 1; i <= (curve.cubic ? chords : 1); ++i) {
+            const double t = curve.cubic ? static_cast<double>(i) / chords : 1;
+            const double rest = 1 - t;
+            spots.push_back(curve.cubic ? rest * rest * rest * from + 3 * rest * rest * t * curve.c1 +
+                                              3 * rest * t * t * curve.c2 + t * t * t * curve.to
+                                        : curve.to);
+        }
+    }
+    return spots;
+}
+
+bool is_inside(std::span<const Spot> polygon, Spot spot)
+{
+    bool inside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Spot a = polygon[i];
+        const Spot b = polygon[(i + 1) % polygon.size()];
+        if ((a.y > spot.y) != (b.y > spot.y) && spot.x < a.x + (spot.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool cross_each_other(Spot a, Spot b, Spot c, Spot d)
+{
+    const auto side = [](Spot from, Spot to, Spot spot) { return cross(to - from, spot - from) > 0; };
+    return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
+}
+
+bool meet(std::span<const Spot> one, std::span<const Spot> other)
+{
+    for (std::size_t i = 0; i < one.size(); ++i)
+        for (std::size_t k = 0; k < other.size(); ++k)
+            if (cross_each_other(one[i], one[(i + 1) % one.size()], other[k], other[(k + 1) % other.size()]))
+                return true;
+    return false;
+}
+
+/// Corners come nearer to the middle, so that outlines which are equal do not meet.
+std::vector<Spot> shrunk(std::span<const Spot> polygon)
+{
+    Spot middle;
+    for (const Spot corner : polygon)
+        middle = middle + 1.0 / static_cast<double>(polygon.size()) * corner;
+    std::vector<Spot> result;
+    for (const Spot corner : polygon) {
+        const double away = distance(middle, corner);
+        result.push_back(away > breadth ? corner + breadth / away * (middle - corner) : middle);
+    }
+    return result;
+}
+
+}
+
+void Box::include(Spot spot)
+{
+    left = std::min(left, spot.x);
+    top = std::min(top, spot.y);
+    right = std::max(right, spot.x);
+    bottom = std::max(bottom, spot.y);
+}
+
+bool Box::lies_within(const Box& other) const
+{
+    return empty() || (left >= other.left - breadth && top >= other.top - breadth &&
+                       right <= other.right + breadth && bottom <= other.bottom + breadth);
+}
+
+bool Box::touches(const Box& other) const
+{
+    return !empty() && !other.empty() && left < other.right && other.left < right && top < other.bottom &&
+           other.top < bottom;
+}
+
+std::vector<Spot> Box::corners() const
+{
+    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
+Box box_at(std::span<const art::Node> nodes, double time, const Affine& matrix)
+{
+    Box box;
+    for (const art::Node& node : nodes) {
+        if (!is_shown(node, time))
+            continue;
+        const Affine inner = matrix * matrix_at(node.transform, time);
+        if (const auto* group = std::get_if<art::Group>(&node.content)) {
+            const Box of_group = box_at(group->nodes, time, inner);
+            if (of_group.left <= of_group.right) {
+                box.include({of_group.left, of_group.top});
+                box.include({of_group.right, of_group.bottom});
+            }
+        } else {
+            include(box, std::get<art::Figure>(node.content), time, inner);
+        }
+    }
+    return box;
+}
+
+bool contains(const art::Drawing& drawing, std::span<const Spot> polygon)
+{
+    if (drawing.outlines.size() != 1)
+        return false;
+    const std::vector<Spot> outline = flattened(drawing.outlines.front());
+    const std::vector<Spot> inner = shrunk(polygon);
+    return std::ranges::all_of(inner, [&](Spot corner) { return is_inside(outline, corner); }) &&
+           !meet(outline, inner);
+}
+
+std::size_t weight(const art::Transform& transform)
+{
+    // The place on a path is found by measuring it again and again.
+    constexpr std::size_t measurements = 64;
+    return transform.path ? 1 + measurements * transform.path->path.outlines.front().curves.size() : 1;
+}
+
+std::size_t weight(std::span<const art::Node> nodes)
+{
+    std::size_t total = 0;
+    for (const art::Node& node : nodes) {
+        total += weight(node.transform);
+        if (const auto* group = std::get_if<art::Group>(&node.content))
+            total += weight(group->nodes);
+        else
+            for (const scene::Outline& outline :
+                 std::get<art::Figure>(node.content).drawing.keys.front().value.outlines)
+                total += outline.curves.size();
+    }
+    return total;
+}
+
+std::vector<double> sample_times(const art::Span& span, std::size_t weight, art::Budget& budget)
+{
+    constexpr double most_evaluated = 1e6;
+    constexpr double most_samples = 120;
+    const double length = span.to - span.from;
+    const double affordable = std::clamp(most_evaluated / static_cast<double>(weight + 1), 2.0, most_samples);
+    const double count = std::max(1.0, std::min(std::ceil(length), affordable));
+    budget.take_computed_points(weight * static_cast<std::size_t>(count + 1));
+    std::vector<double> times;
+    for (double i = 0; i < count; ++i)
+        times.push_back(span.from + i * length / count);
+    times.push_back(span.to - std::min(0.001, length / 2));
+    return times;
+}
+
+}

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "host/lottie/layers/composition.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kfast::lottie {
+
+enum class LayerKind : int {
+    precomposition = 0,
+    solid = 1,
+    image = 2,
+    null = 3,
+    shapes = 4,
+    text = 5,
+    audio = 6,
+    video = 9,
+    guide = 11,
+    adjustment = 12,
+    camera = 13,
+    light = 14,
+};
+
+LayerKind kind_of(const Json& layer);
+
+/// As in the file; empty if it has none, or one that is no text.
+std::string given_name(const Json& layer);
+/// As in the file, or "layer 3" by its number.
+std::string name_of(const Json& layer, std::size_t index);
+
+/// When it is seen, in frames of the scene; from infinity to infinity if that is all of `seen`.
+art::Span span_of(const Json& layer, const LayerTime& time, const art::Span& seen);
+
+/// A layer on its way into the scene.
+struct Layer {
+    const Json& json;
+    const Reading& reading;
+    const Around& around; ///< its own transform and those outside of it
+    art::Span seen;       ///< from and to a frame
+};
+
+/// What it draws in its own coordinates, before masks; reports what it cannot draw.
+std::vector<art::Node> read_content(const Layer& layer, Animation& animation);
+
+/// Of a solid, in its own coordinates.
+art::Drawing solid_drawing(const Json& solid);
+/// Nothing if "sc" is no colour, such as "#ff8000".
+std::optional<art::Rgb> solid_colour(const Json& solid);
+
+}

@@ -1,0 +1,249 @@
+#include "host/lottie/layers/window.hpp"
+
+#include "host/art/document/matrix_at.hpp"
+#include "host/art/geometry/convex_polygon.hpp"
+#include "host/lottie/drawings/carried.hpp"
+#include "host/lottie/drawings/coverage.hpp"
+#include "host/lottie/shapes/transform.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace kfast::lottie {
+namespace {
+
+using art::Affine;
+using art::ConvexPolygon;
+using art::Drawing;
+using scene::Spot;
+
+/// The transforms around a figure, the outermost first.
+using Way = std::vector<art::Transform>;
+
+bool is_upright_rectangle(const ConvexPolygon& polygon)
+{
+    const std::vector<Spot>& corners = polygon.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Spot side = corners[(i + 1) % corners.size()] - corners[i];
+        if (side.x != 0 && side.y != 0)
+            return false;
+    }
+    return corners.size() == 4;
+}
+
+/// At all times: between two upright rectangles there are only such.
+bool is_convex(const art::Animated<Drawing>& drawing)
+{
+    return std::ranges::all_of(drawing.keys, [&](const auto& key) {
+        const auto polygon = ConvexPolygon::of(key.value);
+        return polygon && (drawing.is_still() || is_upright_rectangle(*polygon));
+    });
+}
+
+Affine matrix_of(const Way& way, double time)
+{
+    Affine matrix;
+    for (const art::Transform& transform : way)
+        matrix = matrix * art::matrix_at(transform, time);
+    return matrix;
+}
+
+Drawing mapped(const Affine& affine, Drawing drawing)
+{
+    for (scene::Outline& outline : drawing.outlines)
+        outline = affine.of(outline);
+    return drawing;
+}
+
+std::vector<Spot> points_of(const Drawing& drawing)
+{
+    std::vector<Spot> points;
+    for (const scene::Outline& outline : drawing.outlines) {
+        points.push_back(outline.from);
+        for (const scene::Curve& curve : outline.curves) {
+            if (curve.cubic)
+                points.insert(points.end(), {curve.c1, curve.c2});
+            points.push_back(curve.to);
+        }
+    }
+    return points;
+}
+
+Drawing cut_by(const Drawing& polygon, const Drawing& drawing)
+{
+    const auto convex = ConvexPolygon::of(polygon);
+    return convex ? convex->cut(drawing) : Drawing{};
+}
+
+/// Whether figures are cut whose part inside changes, so that it is baked.
+enum class Moving { cut, stays };
+
+class Cutter {
+public:
+    Cutter(const Window& window, Moving moving, const art::Span& seen, art::Budget& budget)
+        : window_{window}, moving_{moving}, seen_{seen}, budget_{budget}
+    {
+    }
+
+    void cut(std::vector<art::Node>& nodes)
+    {
+        std::erase_if(nodes, [&](art::Node& node) { return !leaves_something(node); });
+    }
+
+    bool is_all_cut() const { return is_all_cut_; }
+    /// Whether moving figures take so much that the scene is better off without cutting them.
+    bool is_too_much() const { return is_too_much_; }
+
+private:
+    bool leaves_something(art::Node& node)
+    {
+        if (steady_value(node.opacity) == 0.0)
+            return false;
+        way_.push_back(node.transform);
+        bool something = true;
+        if (auto* group = std::get_if<art::Group>(&node.content)) {
+            cut(group->nodes);
+            something = !group->nodes.empty();
+        } else {
+            something = cut(std::get<art::Figure>(node.content));
+        }
+        way_.pop_back();
+        return something;
+    }
+
+    /// Whether something of it is left.
+    bool cut(art::Figure& figure)
+    {
+        const Coverage coverage = coverage_of(figure);
+        if (coverage != Coverage::part)
+            return coverage == Coverage::all;
+        const bool is_polygon = !window_.is_convex && is_convex(figure.drawing);
+        const bool can_be_cut =
+            !figure.line && (window_.is_convex || is_polygon) && std::ranges::all_of(way_, is_flat);
+        MovingDrawing part = within(figure.drawing);
+        if (!can_be_cut || !is_affordable(part)) {
+            is_all_cut_ = false;
+            return true;
+        }
+        if (is_polygon)
+            figure.fill->rule = window_.rule;
+        figure.drawing = keys_of(part, budget_);
+        count_points(figure.drawing);
+        return std::ranges::any_of(figure.drawing.keys,
+                                   [](const auto& key) { return !key.value.outlines.empty(); });
+    }
+
+    /// How much of the figure is inside; the same at all times, or part.
+    Coverage coverage_of(const art::Figure& figure) const
+    {
+        std::optional<Coverage> all_along;
+        const double cost = window_.drawing.cost + moving(figure.drawing).cost;
+        for (const double time : sample_times(seen_, static_cast<std::size_t>(cost) + way_.size(), budget_)) {
+            const Coverage now = coverage_at(figure, time);
+            if (now == Coverage::part || (all_along && *all_along != now))
+                return Coverage::part;
+            all_along = now;
+        }
+        return all_along.value_or(Coverage::all);
+    }
+
+    Coverage coverage_at(const art::Figure& figure, double time) const
+    {
+        const Affine matrix = matrix_of(way_, time);
+        const std::vector<Spot> points = points_of(mapped(matrix, figure.drawing.at(time)));
+        const double growth = std::sqrt(std::abs(matrix.determinant()));
+        const double half = figure.line ? figure.line->width.at(time) * growth / 2 : 0;
+        const Drawing window = window_.drawing.at(time);
+        if (const auto polygon = ConvexPolygon::of(window)) {
+            if (polygon->misses(points, half))
+                return Coverage::nothing;
+            return polygon->contains(points, half) ? Coverage::all : Coverage::part;
+        }
+        Box box;
+        for (const Spot point : points) {
+            box.include(point - Spot{half, half});
+            box.include(point + Spot{half, half});
+        }
+        return lottie::coverage_of(box, window);
+    }
+
+    MovingDrawing within(const art::Animated<Drawing>& drawing) const
+    {
+        MovingDrawing part = moving(drawing);
+        for (const art::Transform& transform : way_)
+            part.moments.add(moments_of(transform));
+        part.moments.add(window_.drawing.moments);
+        part.changes_form = true;
+        part.cost += window_.drawing.cost + static_cast<double>(way_.size());
+        part.cost *= cost_of_cutting;
+        part.at = [at = std::move(part.at), window = window_.drawing.at, convex = window_.is_convex,
+                   way = std::make_shared<const Way>(way_)](double time) -> Drawing {
+            const auto back = matrix_of(*way, time).inverse();
+            if (!back)
+                return {};
+            const Drawing hole = mapped(*back, window(time));
+            return convex ? cut_by(hole, at(time)) : cut_by(at(time), hole);
+        };
+        return part;
+    }
+
+    /// What finding the keys may take, and leave for what comes after.
+    bool is_affordable(const MovingDrawing& drawing)
+    {
+        constexpr double looks_per_frame = 40;
+        constexpr double most_computed = 1 << 23;
+        if (drawing.moments.empty())
+            return true;
+        if (moving_ == Moving::stays || is_too_much_)
+            return false;
+        const double frames = drawing.moments.list().rbegin()->first - drawing.moments.list().begin()->first;
+        computed_ += drawing.cost * looks_per_frame * frames;
+        is_too_much_ = computed_ > most_computed ||
+                       budget_.computed_points_left() < art::Budget::most_computed_points / 4 * 3;
+        return !is_too_much_;
+    }
+
+    void count_points(const art::Animated<Drawing>& drawing)
+    {
+        constexpr std::size_t most_points = 1 << 15;
+        if (!drawing.is_still())
+            for (const auto& key : drawing.keys)
+                points_ += points_of(key.value).size();
+        is_too_much_ = is_too_much_ || points_ > most_points;
+    }
+
+    static constexpr double cost_of_cutting = 8;
+
+    const Window& window_;
+    const Moving moving_;
+    const art::Span& seen_;
+    art::Budget& budget_;
+    Way way_;
+    double computed_ = 0;
+    std::size_t points_ = 0;
+    bool is_all_cut_ = true;
+    bool is_too_much_ = false;
+};
+
+}
+
+Window window_of(const art::Animated<Drawing>& drawing)
+{
+    return {.drawing = moving(drawing), .is_convex = is_convex(drawing)};
+}
+
+bool cut_to(const Window& window, std::vector<art::Node>& nodes, const art::Span& seen, art::Budget& budget)
+{
+    const std::vector<art::Node> whole = nodes;
+    Cutter cutter{window, Moving::cut, seen, budget};
+    cutter.cut(nodes);
+    if (!cutter.is_too_much())
+        return cutter.is_all_cut();
+    nodes = whole;
+    Cutter{window, Moving::stays, seen, budget}.cut(nodes);
+    return false;
+}
+
+}

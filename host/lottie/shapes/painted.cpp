@@ -1,0 +1,212 @@
+#include "host/lottie/drawings/carried.hpp"
+#include "host/lottie/shapes/shape_tree.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace kfast::lottie {
+namespace {
+
+using art::Node;
+
+/// A path, and the groups that carry it within the list of a style, the innermost first.
+struct CarriedPath {
+    const PathItem* path = nullptr;
+    std::vector<const GroupItem*> groups;
+};
+
+void collect(const ShapeItem& item, std::vector<CarriedPath>& paths)
+{
+    if (const auto* path = std::get_if<PathItem>(&item.content))
+        paths.push_back({path, {}});
+    const auto* group = std::get_if<GroupItem>(&item.content);
+    if (!group)
+        return;
+    const std::size_t before = paths.size();
+    for (const ShapeItem& inner : group->items)
+        collect(inner, paths);
+    for (std::size_t i = before; i < paths.size(); ++i)
+        paths[i].groups.push_back(group);
+}
+
+bool keeps_widths(const art::Transform& transform)
+{
+    const auto is_one = [](const art::Channel& scale) { return scale.is_still() && scale.value() == 1; };
+    return is_one(transform.scale_x) && is_one(transform.scale_y) && transform.skew.is_still() &&
+           transform.skew.value() == 0;
+}
+
+/// Whether a figure may lie in the groups of its paths instead of carrying their moves in its points.
+bool can_lie_in_groups(const std::vector<CarriedPath>& paths, bool has_line)
+{
+    const auto& groups = paths.front().groups;
+    return !std::ranges::all_of(groups, [](const GroupItem* group) { return is_still(group->transform); }) &&
+           std::ranges::all_of(paths, [&](const CarriedPath& path) { return path.groups == groups; }) &&
+           (!has_line || std::ranges::all_of(
+                             groups, [](const GroupItem* group) { return keeps_widths(group->transform); }));
+}
+
+bool is_empty(const art::Animated<art::Drawing>& drawing)
+{
+    return std::ranges::all_of(drawing.keys, [](const auto& key) { return key.value.outlines.empty(); });
+}
+
+bool does_nothing(const Node& node)
+{
+    return node.transform == art::Transform{} && node.opacity == art::Channel{1} &&
+           node.shown == std::vector<art::Span>{{}};
+}
+
+/// A group of one figure is that figure.
+Node flattened(Node group)
+{
+    auto& nodes = std::get<art::Group>(group.content).nodes;
+    if (nodes.size() != 1 || !does_nothing(nodes.front()))
+        return group;
+    Node inner = std::move(nodes.front());
+    if (group.name.empty())
+        group.name = std::move(inner.name);
+    group.content = std::move(inner.content);
+    return group;
+}
+
+/// Names of paths say more than those of styles.
+const std::string& name_of(const StyleItem& style, const std::vector<CarriedPath>& paths)
+{
+    const std::string& path = paths.front().path->name;
+    return path.empty() || (paths.size() > 1 && !style.name.empty()) ? style.name : path;
+}
+
+Node within(const GroupItem& group, std::vector<Node> nodes)
+{
+    Node node;
+    node.name = group.name;
+    node.transform = group.transform;
+    node.shown = group.shown;
+    node.content = art::Group{std::move(nodes)};
+    return flattened(std::move(node));
+}
+
+/// Of a line, the fill that lies below it and is painted of the same paths.
+const StyleItem* fill_below(const StyleItem& style, const ShapeItem& next)
+{
+    const auto* below = std::get_if<StyleItem>(&next.content);
+    return style.line && style.dashes.lengths.empty() && below && below->fill ? below : nullptr;
+}
+
+class Painter {
+public:
+    explicit Painter(const Reading& reading) : reading_{reading} {}
+
+    std::vector<Node> paint(const std::vector<ShapeItem>& items) const
+    {
+        std::vector<Node> nodes;
+        std::vector<CarriedPath> paths;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const auto* style = std::get_if<StyleItem>(&items[i].content);
+            if (!style) {
+                add_group(items[i], nodes);
+                collect(items[i], paths);
+                continue;
+            }
+            const StyleItem* const below = i + 1 < items.size() ? fill_below(*style, items[i + 1]) : nullptr;
+            add_figure(*style, below, paths, nodes);
+            i += below ? 1 : 0;
+        }
+        std::ranges::reverse(nodes);
+        return nodes;
+    }
+
+private:
+    void add_group(const ShapeItem& item, std::vector<Node>& nodes) const
+    {
+        const auto* group = std::get_if<GroupItem>(&item.content);
+        if (!group)
+            return;
+        Reading reading{reading_};
+        if (!group->name.empty())
+            reading.layer += " / " + group->name;
+        std::vector<Node> inner = Painter{reading}.paint(group->items);
+        if (inner.empty())
+            return;
+        Node node = within(*group, std::move(inner));
+        node.opacity = group->opacity;
+        nodes.push_back(std::move(node));
+    }
+
+    void add_figure(const StyleItem& style, const StyleItem* below, const std::vector<CarriedPath>& paths,
+                    std::vector<Node>& nodes) const
+    {
+        if (paths.empty())
+            return;
+        reading_.budget.take_node();
+        art::Figure figure;
+        figure.fill = below ? below->fill : style.fill;
+        figure.line = style.line;
+        const bool in_groups = can_lie_in_groups(paths, figure.line.has_value());
+        figure.drawing = keys_of(drawing_of(style, paths, in_groups), reading_.budget);
+        if (is_empty(figure.drawing))
+            return;
+        Node node;
+        node.name = name_of(style, paths);
+        node.content = std::move(figure);
+        if (in_groups)
+            for (const GroupItem* group : paths.front().groups)
+                node = within(*group, {std::move(node)});
+        nodes.push_back(std::move(node));
+    }
+
+    MovingDrawing drawing_of(const StyleItem& style, const std::vector<CarriedPath>& paths,
+                             bool in_groups) const
+    {
+        const bool is_cut = !style.dashes.lengths.empty();
+        std::vector<MovingDrawing> drawings;
+        for (const CarriedPath& path : paths) {
+            MovingDrawing drawing = path.path->plain && !is_cut ? *path.path->plain : path.path->drawing;
+            if (!in_groups)
+                for (const GroupItem* group : path.groups)
+                    drawing = while_shown(carried(std::move(drawing), group->transform), group->shown);
+            reading_.budget.take_computed_points(drawing.moments.list().size() + 1);
+            drawings.push_back(std::move(drawing));
+        }
+        MovingDrawing all = together(std::move(drawings));
+        return is_cut ? dashed_or_reported(std::move(all), style.dashes) : all;
+    }
+
+    MovingDrawing dashed_or_reported(MovingDrawing line, const Dashes& dashes) const
+    {
+        DashedDrawing result = dashed(std::move(line), dashes);
+        if (result.dashing == Dashing::stand_still)
+            reading_.losses.add({"more than " + std::to_string(most_moving_dashes) + " moving dashes",
+                                 reading_.layer, std::nullopt, "dashes that stand still"});
+        if (result.dashing == Dashing::none)
+            reading_.losses.add({"too many dashes", reading_.layer, std::nullopt, "a whole line"});
+        return std::move(result.drawing);
+    }
+
+    const Reading& reading_;
+};
+
+}
+
+std::vector<PathItem*> paths_of(std::vector<ShapeItem>& items)
+{
+    std::vector<PathItem*> paths;
+    for (ShapeItem& item : items)
+        if (auto* path = std::get_if<PathItem>(&item.content)) {
+            paths.push_back(path);
+        } else if (auto* group = std::get_if<GroupItem>(&item.content)) {
+            const auto inner = paths_of(group->items);
+            paths.insert(paths.end(), inner.begin(), inner.end());
+        }
+    return paths;
+}
+
+std::vector<art::Node> painted(const std::vector<ShapeItem>& items, const Reading& reading)
+{
+    return Painter{reading}.paint(items);
+}
+
+}

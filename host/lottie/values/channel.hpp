@@ -1,0 +1,35 @@
+#pragma once
+
+#include "host/art/animation/animated.hpp"
+#include "host/art/budget.hpp"
+#include "host/art/document/document.hpp"
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+
+namespace kfast::lottie {
+
+using Json = nlohmann::json;
+
+/// Turns the times of a layer, or of a precomposition, into frames of the scene: start and stretch.
+struct LayerTime {
+    double start = 0;
+    double stretch = 1; ///< not 0
+    double scene_frame(double frame) const { return start + stretch * frame; }
+};
+
+/// A property (an object with "k") as a number over time: of its component `index`, if it has several. With
+/// eases that differ from one component to the next, each takes its own. A negative stretch turns the keys
+/// round. `factor` multiplies the values (percent: 0.01). A property that is missing is `usual`; one of
+/// another kind throws Failure.
+art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double usual, double factor,
+                          const LayerTime& time, art::Budget& budget);
+
+art::Animated<art::Rgb> read_colour(const Json& owner, const char* name, const LayerTime& time,
+                                    art::Budget& budget);
+
+/// A property "ks" of a path: "v", "i", "o", "c".
+art::Animated<art::Drawing> read_path(const Json& owner, const char* name, const LayerTime& time,
+                                      art::Budget& budget);
+
+}

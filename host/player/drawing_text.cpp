@@ -1,0 +1,64 @@
+#include "host/player/drawing_text.hpp"
+
+#include "host/text/glyph.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace kfast {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+constexpr double farthest = 2047; ///< px
+
+std::string_view next_word(std::string_view& text)
+{
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    const std::string_view word =
+        text.starts_with('/') ? text.substr(0, 1) : text.substr(0, text.find_first_of(" \t\r\n/"));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+std::optional<std::int16_t> read_coordinate(std::string_view text)
+{
+    double pixels = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
+    const bool is_whole = error == std::errc{} && rest == text.data() + text.size();
+    if (!is_whole || !(std::abs(pixels) <= farthest))
+        return std::nullopt;
+    return static_cast<std::int16_t>(std::lround(pixels * 16));
+}
+
+std::optional<LivePoint> read_point(std::string_view word)
+{
+    const std::size_t comma = word.find(',');
+    if (comma == std::string_view::npos)
+        return std::nullopt;
+    const auto x = read_coordinate(word.substr(0, comma));
+    const auto y = read_coordinate(word.substr(comma + 1));
+    return x && y ? std::optional{LivePoint{*x, *y}} : std::nullopt;
+}
+
+}
+
+std::variant<ToldDrawing, std::string> read_drawing(std::string_view text)
+{
+    ToldDrawing drawing(1);
+    for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
+        if (word == "/") {
+            drawing.emplace_back();
+            continue;
+        }
+        const auto point = read_point(word);
+        if (!point)
+            return in_quotes(word) + " is no point: write it like 10,20.5, each within -2047 and 2047";
+        drawing.back().push_back(*point);
+    }
+    std::erase_if(drawing, [](const std::vector<LivePoint>& stroke) { return stroke.empty(); });
+    return drawing;
+}
+
+}

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "host/fit/target.hpp"
+#include "host/preview/board/told_player.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// What goes over the bus for one picture.
+struct SentAreas {
+    std::vector<Rect> areas;
+    std::size_t bytes = 0; ///< of pixels, and of the commands for areas
+
+    /// "2 areas, 1312 bytes, 4 % of the panel", rounded to nearest, but no less than 1 % if there are some.
+    std::string text(Size panel) const;
+};
+
+/// Draws a scene as a board does, and tells what it sends to its panel.
+class BoardChanges final : public ToldPlayer {
+public:
+    /// `scene`'s bytes must outlive it. `board` has a panel. If its bands are less than the rows that the
+    /// panel takes together, they are taken to be as large.
+    BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit);
+
+    /// For the picture at a moment, after the one that was asked for before; if that is the same moment and
+    /// nothing differs, what was told then. The first one comes after the picture a frame earlier; at the
+    /// beginning of the scene nothing is shown before it.
+    const SentAreas& show(Time moment);
+
+private:
+    SentAreas sent_for(Time moment);
+
+    fit::Display display_;
+    std::vector<std::byte> band_;
+    std::optional<Time> shown_;
+    SentAreas sent_;
+};
+
+/// How long a board takes for the pictures of a scene, each after the one that was asked for before.
+class BoardPace {
+public:
+    /// `scene`'s bytes must outlive it; `board` has a panel.
+    BoardPace(const SceneView& scene, const fit::Target& board, Fit fit);
+
+    /// To set what the scene takes from outside.
+    ToldInputs& inputs() { return changes_; }
+    double seconds_for(Time moment);
+
+private:
+    fit::Target board_;
+    BoardChanges changes_;
+};
+
+}

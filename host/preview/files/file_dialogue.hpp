@@ -1,0 +1,33 @@
+#pragma once
+
+#include "host/preview/files/file_chooser.hpp"
+
+#include <string>
+#include <sys/types.h>
+
+namespace kfast {
+
+/// Asks in the file dialogue of the desktop, zenity or kdialog, whichever is found in PATH first. It is a
+/// program of its own, which ends with this.
+class FileDialogue final : public FileChooser {
+public:
+    FileDialogue() = default;
+    ~FileDialogue() override;
+    FileDialogue(const FileDialogue&) = delete;
+    FileDialogue& operator=(const FileDialogue&) = delete;
+
+    void ask(const std::filesystem::path& folder) override;
+    bool is_asking() const override { return process_ != 0; }
+    std::optional<std::filesystem::path> take_answer() override;
+
+private:
+    void start(const std::filesystem::path& program, const std::filesystem::path& folder);
+    bool has_ended();
+
+    pid_t process_ = 0; ///< 0: none
+    int answer_ = -1;   ///< what it writes, to be read without waiting
+    std::string text_;  ///< as far as it was read
+    std::string program_;
+};
+
+}

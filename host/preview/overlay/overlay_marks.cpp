@@ -1,0 +1,125 @@
+#include "host/preview/overlay/overlay_marks.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+/// Of the points' bounding box.
+PanelSpot middle_of(const std::vector<PanelSpot>& spots)
+{
+    PanelSpot least = spots.front();
+    PanelSpot most = spots.front();
+    for (const PanelSpot& spot : spots) {
+        least = {std::min(least.x, spot.x), std::min(least.y, spot.y)};
+        most = {std::max(most.x, spot.x), std::max(most.y, spot.y)};
+    }
+    return {(least.x + most.x) / 2, (least.y + most.y) / 2};
+}
+
+}
+
+void OverlayMarks::add_bones(const SeenLeaf& leaf)
+{
+    if (leaf.item.kind != ItemKind::object)
+        return;
+    if (leaf.item.object.carrier == Carrier::bones)
+        add_bones(leaf.item.object.skeleton, leaf.space);
+    for (const SeenBackbone& backbone : seen_backbones(scene_, leaf)) {
+        add_lines(backbone.nodes, MarkKind::backbone);
+        add_lines(backbone.left, MarkKind::outline);
+        add_lines(backbone.right, MarkKind::outline);
+        for (const Point node : backbone.nodes)
+            add_dot(node, MarkKind::backbone);
+    }
+}
+
+void OverlayMarks::add_other_bones()
+{
+    std::uint32_t skeleton = 0;
+    for (BonesCursor all = stage_.scene.skeletons(); !all.at_end(); ++skeleton) {
+        all.skip();
+        if (!carriers_.contains(skeleton))
+            add_bones(skeleton, scene_.on_panel().canvas);
+    }
+}
+
+void OverlayMarks::add_bones(std::uint32_t skeleton, const Space& space)
+{
+    carriers_.insert(skeleton);
+    const std::vector<SeenBone> bones = seen_bones(scene_, skeleton, space);
+    const auto& [origin, tip] = bones.front(); // a skeleton has at least one
+    if (!skeletons_.emplace(skeleton, origin.x, origin.y, tip.x, tip.y).second)
+        return;
+    for (const SeenBone& bone : bones) {
+        add_line(bone.origin, bone.tip, MarkKind::bone);
+        add_dot(bone.origin, MarkKind::bone);
+    }
+}
+
+void OverlayMarks::add_outline(const std::vector<SeenStroke>& strokes)
+{
+    for (const SeenStroke& stroke : strokes)
+        add_lines(stroke.line, MarkKind::outline);
+}
+
+void OverlayMarks::add_numbers(const SeenLeaf& leaf)
+{
+    const std::vector<SeenStroke> strokes = matched_strokes(scene_, leaf);
+    add_outline(strokes);
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        add_number(strokes[i], i + 1);
+    for (const SeenStroke& stroke : strokes)
+        add_points(stroke);
+}
+
+void OverlayMarks::add_number(const SeenStroke& stroke, std::size_t number)
+{
+    std::vector<PanelSpot> spots;
+    for (const Point point : stroke.points)
+        spots.push_back(stage_.spot(point));
+    if (!add_label(middle_of(spots), number, MarkKind::stroke))
+        add_label(spots.front(), number, MarkKind::stroke);
+}
+
+void OverlayMarks::add_points(const SeenStroke& stroke)
+{
+    for (const auto& [from, to] : stroke.controls)
+        add_line(from, to, MarkKind::control);
+    std::size_t number = 0;
+    for (const Point point : stroke.points) {
+        add_dot(point, MarkKind::point);
+        add_label(stage_.spot(point), ++number, MarkKind::point);
+    }
+}
+
+void OverlayMarks::add_lines(const std::vector<Point>& points, MarkKind kind)
+{
+    for (std::size_t i = 1; i < points.size(); ++i)
+        add_line(points[i - 1], points[i], kind);
+}
+
+void OverlayMarks::add_line(Point from, Point to, MarkKind kind)
+{
+    if (overlay_.lines.size() < most_lines)
+        overlay_.lines.push_back({stage_.spot(from), stage_.spot(to), kind});
+}
+
+void OverlayMarks::add_dot(Point at, MarkKind kind)
+{
+    if (overlay_.dots.size() < most_dots)
+        overlay_.dots.push_back({stage_.spot(at), kind});
+}
+
+bool OverlayMarks::add_label(PanelSpot at, std::size_t number, MarkKind kind)
+{
+    std::string text = std::to_string(number);
+    const bool has_room = places_.take(at, text);
+    if (has_room)
+        overlay_.labels.push_back({at, std::move(text), kind});
+    return has_room;
+}
+
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "host/preview/overlay/label_places.hpp"
+#include "host/preview/overlay/overlay.hpp"
+#include "host/preview/overlay/posed_scene.hpp"
+#include "host/preview/overlay/seen_bones.hpp"
+#include "host/preview/overlay/seen_strokes.hpp"
+#include "host/preview/overlay/stage.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace kfast {
+
+/// Puts what is seen of a scene into an overlay, leaf by leaf. No more lines and dots than a person could
+/// tell apart: what is beyond is left out.
+class OverlayMarks {
+public:
+    static constexpr std::size_t most_lines = 20'000;
+    static constexpr std::size_t most_dots = 4'000;
+
+    OverlayMarks(const Stage& stage, const PosedScene& scene, double scale, Overlay& overlay)
+        : stage_{stage}, scene_{scene}, places_{scale}, overlay_{overlay}
+    {
+    }
+
+    /// The bones or backbones that carry it; a skeleton that carries several leaves in one place once.
+    void add_bones(const SeenLeaf& leaf);
+    /// Skeletons that carried no leaf yet, as they lie on the canvas.
+    void add_other_bones();
+    void add_outline(const SeenLeaf& leaf) { add_outline(seen_strokes(scene_, leaf)); }
+    /// The outline, the points and their numbers, the control points and the numbers of strokes. Numbers
+    /// begin with 1.
+    void add_numbers(const SeenLeaf& leaf);
+
+private:
+    void add_bones(std::uint32_t skeleton, const Space& space);
+    void add_outline(const std::vector<SeenStroke>& strokes);
+    void add_points(const SeenStroke& stroke);
+    void add_number(const SeenStroke& stroke, std::size_t number);
+    void add_line(Point from, Point to, MarkKind kind);
+    void add_lines(const std::vector<Point>& points, MarkKind kind);
+    void add_dot(Point at, MarkKind kind);
+    bool add_label(PanelSpot at, std::size_t number, MarkKind kind);
+
+    const Stage& stage_;
+    const PosedScene& scene_;
+    LabelPlaces places_;
+    Overlay& overlay_;
+    std::set<std::tuple<std::uint32_t, Fixed, Fixed, Fixed, Fixed>>
+        skeletons_;                    ///< drawn, by their first bones
+    std::set<std::uint32_t> carriers_; ///< drawn anywhere
+};
+
+}

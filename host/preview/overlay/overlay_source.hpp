@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/time/time.hpp"
+#include "host/picture/told_inputs.hpp"
+#include "host/preview/controls/view_options.hpp"
+#include "host/preview/overlay/overlay.hpp"
+#include "host/preview/overlay/stage.hpp"
+#include "host/preview/playback/item_facts.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace kfast {
+
+/// Makes what is drawn over the pictures of one scene. Its inputs are to be told as those of the FrameSource
+/// that makes the pictures.
+class OverlaySource final : public ToldInputs {
+public:
+    /// `stage.scene`'s bytes must outlive the source.
+    explicit OverlaySource(const Stage& stage);
+    ~OverlaySource() override;
+
+    /// What `view` asks for, over the picture at a moment of the timeline; of an item that is selected also
+    /// its outline. Labels that would lie on each other are left out: in a window a pixel of the panel is
+    /// `scale` pixels wide. Valid until the next call.
+    ///
+    /// Changed areas are what a board would send after the picture that was asked for before, at first after
+    /// the one a frame earlier; they stay when the same moment is asked for again.
+    const Overlay& show(Time moment, const ViewOptions& view, double scale = 2);
+    /// The topmost item that paints at a place of the panel, by its place in SceneFile::item_names; a leaf,
+    /// for groups and uses paint nothing themselves. On a beam's screen, the one whose outline is nearest, if
+    /// it is near.
+    std::optional<std::size_t> item_at(Time moment, PanelSpot spot);
+
+    /// What an item is at a moment, by its place in SceneFile::item_names; of one that there is not nothing.
+    ItemFacts facts(Time moment, std::size_t item);
+
+    void set_input(std::uint32_t number, Time place) override;
+    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override;
+    void set_text(std::uint32_t number, std::string_view text) override;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+    Overlay overlay_;
+};
+
+}

@@ -1,0 +1,215 @@
+#include "host/preview/overlay/seen_strokes.hpp"
+
+#include "core/math/flatten.hpp"
+#include "core/math/sight.hpp"
+#include "core/pose/label_trace.hpp"
+#include "core/pose/live_drawing_trace.hpp"
+#include "core/pose/live_strokes.hpp"
+#include "core/pose/live_wires.hpp"
+#include "core/pose/object_strokes.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+/// Keeps what is traced, as it is seen.
+class StrokeList {
+public:
+    explicit StrokeList(const Projection* projection) : sight_{projection, 0} {}
+
+    void begin(Point from)
+    {
+        strokes_.emplace_back();
+        stroke().points.push_back(sight_(from));
+        stroke().line.push_back(sight_(from));
+    }
+
+    void add(const Segment& segment)
+    {
+        const Point to = sight_(segment.to);
+        if (segment.kind == Segment::Kind::cubic) {
+            stroke().controls.push_back({sight_(segment.from), sight_(segment.c1)});
+            stroke().controls.push_back({to, sight_(segment.c2)});
+        }
+        stroke().points.push_back(to);
+        flatten(segment, sight_.pieces_of(segment),
+                [this](Point at) { stroke().line.push_back(sight_(at)); });
+    }
+
+    void end(Point /*hub*/, bool is_closed)
+    {
+        stroke().is_closed = is_closed;
+        if (is_closed && stroke().points.size() > 1)
+            stroke().points.pop_back();
+    }
+
+    std::vector<SeenStroke> take() { return std::move(strokes_); }
+
+private:
+    SeenStroke& stroke() { return strokes_.back(); }
+
+    Sight sight_;
+    std::vector<SeenStroke> strokes_;
+};
+
+/// The way on which an object stands at a key of its, if that leads anywhere.
+struct KeyWay {
+    Key from;
+    std::uint32_t arrival = 0;
+    Key to;
+    Progress progress; ///< at one of its ends, but not so that one of the keys would be all
+};
+
+std::optional<KeyWay> way_at_key(const ObjectView& object, Time time)
+{
+    constexpr Way hardly{1};
+    constexpr Way almost{Way::one - 1};
+    std::optional<KeyWay> before;
+    KeyCursor keys = object.keys();
+    Key from = keys.next();
+    while (!keys.at_end()) {
+        const Key to = keys.next();
+        const std::uint32_t arrival = object.has_arrivals ? from.arrival : to.drawing;
+        if (time < to.time)
+            return KeyWay{from, arrival, to, {hardly, hardly}};
+        before = KeyWay{from, arrival, to, {almost, almost}};
+        from = to;
+    }
+    return before;
+}
+
+/// The strokes of an object on its way from one drawing to another, in pairs also where it stands at a key.
+class MatchedObject {
+public:
+    MatchedObject(const SceneOnPanel& on_panel, const SeenLeaf& leaf, const KeyWay& way)
+        : on_panel_{on_panel}, object_{leaf.item.object}, moment_{leaf.moment}, way_{way}
+    {
+    }
+
+    void trace(const Affine& placement, StrokeList& strokes) const
+    {
+        std::optional<LiveBackbones> backbones;
+        if (object_.carrier == Carrier::backbones)
+            backbones = live_backbones();
+        const auto drawing = [this](bool is_second) {
+            return is_second ? carried(way_.arrival, way_.to.more)
+                             : carried(way_.from.drawing, way_.from.more);
+        };
+        const SceneView& scene = on_panel_.scene;
+        LiveStrokes{{scene.drawing(way_.from.drawing).strokes(), scene.drawing(way_.arrival).strokes()},
+                    drawing,
+                    way_.progress,
+                    backbones ? &*backbones : nullptr,
+                    placement}
+            .trace(strokes);
+    }
+
+    void trace(const Projection& projection, StrokeList& strokes) const
+    {
+        const auto wires = [](const Key& key) {
+            return WireDrawing{key.drawing, static_cast<std::uint32_t>(key.more)};
+        };
+        LiveWires{on_panel_.scene.drawings(), wires(way_.from), wires(way_.to), way_.progress, projection}
+            .trace(strokes);
+    }
+
+private:
+    CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const
+    {
+        const SceneView& scene = on_panel_.scene;
+        const PackedDrawing own = scene.drawing(drawing);
+        if (object_.carrier != Carrier::bones)
+            return CarriedDrawing{own};
+        const SkinReader reader = scene.skin(skin);
+        return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
+                on_panel_.bones.subspan(scene.first_bone(object_.skeleton))};
+    }
+
+    LiveBackbones live_backbones() const
+    {
+        const SceneView& scene = on_panel_.scene;
+        const BackboneKeyCursor keys = object_.backbones.keys();
+        const Time time = moment_.at(keys.beats().clock());
+        const auto [from, to] = interval_at(keys, time);
+        return {on_panel_.backbone_nodes, object_.backbones.unit_bits, scene.drawing(from.drawing),
+                scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
+    }
+
+    const SceneOnPanel& on_panel_;
+    const ObjectView& object_;
+    const Moment& moment_;
+    const KeyWay& way_;
+};
+
+/// Whether it is seen as one of its keys has it.
+bool stands_at_key(const SceneView& scene, const ObjectView& object, const Moment& moment)
+{
+    const KeyCursor keys = object.keys();
+    const Time time = moment.at(keys.beats().clock());
+    const auto [from, to] = interval_at(keys, time);
+    return progress_between(from.time, to.time, time, scene.laws(from.laws)).is_at_beginning();
+}
+
+void trace_live(const SceneOnPanel& on_panel, const LiveView& live, const Affine& placement,
+                StrokeList& strokes)
+{
+    const SceneView& scene = on_panel.scene;
+    switch (live.kind) {
+    case LiveKind::drawing:
+        return trace_live_strokes(on_panel.drawings.of(scene, live.input), placement, strokes);
+    case LiveKind::label:
+        return LabelTrace{LabelView::of(live.label), on_panel.texts.glyphs(scene, live.input),
+                          scene.drawings()}
+            .trace(placement, strokes);
+    }
+}
+
+/// What traces an object also does so with a placement, or in perspective.
+template <class TracedObject>
+std::vector<SeenStroke> strokes_of(const SceneOnPanel& on_panel, const SeenLeaf& leaf,
+                                   const TracedObject& object)
+{
+    const Projection projection{leaf.space, on_panel.camera};
+    if (leaf.item.object.has_depths) { // points come as they are seen
+        StrokeList strokes{nullptr};
+        object.trace(projection, strokes);
+        return strokes.take();
+    }
+    const bool is_flat = leaf.space.is_flat();
+    StrokeList strokes{is_flat ? nullptr : &projection};
+    object.trace(is_flat ? leaf.space.plane : Affine{}, strokes);
+    return strokes.take();
+}
+
+std::vector<SeenStroke> live_strokes(const SceneOnPanel& on_panel, const SeenLeaf& leaf)
+{
+    const Projection projection{leaf.space, on_panel.camera};
+    const bool is_flat = leaf.space.is_flat();
+    StrokeList strokes{is_flat ? nullptr : &projection};
+    trace_live(on_panel, leaf.item.live, is_flat ? leaf.space.plane : Affine{}, strokes);
+    return strokes.take();
+}
+
+}
+
+std::vector<SeenStroke> seen_strokes(const PosedScene& scene, const SeenLeaf& leaf)
+{
+    const SceneOnPanel& on_panel = scene.on_panel();
+    if (leaf.item.kind != ItemKind::object)
+        return live_strokes(on_panel, leaf);
+    return strokes_of(on_panel, leaf, ObjectStrokes{on_panel, leaf.node});
+}
+
+std::vector<SeenStroke> matched_strokes(const PosedScene& scene, const SeenLeaf& leaf)
+{
+    const SceneOnPanel& on_panel = scene.on_panel();
+    const ObjectView& object = leaf.item.object;
+    if (leaf.item.kind != ItemKind::object || !stands_at_key(on_panel.scene, object, leaf.moment))
+        return seen_strokes(scene, leaf);
+    const auto way = way_at_key(object, leaf.moment.at(object.keys().beats().clock()));
+    return way ? strokes_of(on_panel, leaf, MatchedObject{on_panel, leaf, *way}) : seen_strokes(scene, leaf);
+}
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "host/preview/controls/help_pages.hpp"
+#include "host/preview/painter/painter.hpp"
+
+#include <span>
+#include <string>
+
+namespace kfast {
+
+/// How large a page of help there is room for.
+Size help_cells(Rect room);
+/// It over the middle of `room`.
+void draw_help(Painter& painter, Rect room, const HelpPage& page);
+
+/// What went wrong, at the upper edge of `room`: long lines are wrapped, and lines for which there is no
+/// room left out, which "…" tells. Returns what it covers.
+Rect draw_errors(Painter& painter, Rect room, std::span<const std::string> lines);
+
+/// In the middle of the lower edge of `room`, in as many lines as it takes; with a bar that is filled to a
+/// share from 0 to 1.
+void draw_notice(Painter& painter, Rect room, const std::string& text);
+void draw_progress(Painter& painter, Rect room, const std::string& text, double share);
+
+}

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/pose/scene_on_panel.hpp"
+#include "core/scene/item_view.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/moment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// One key of a quantity, in the words of the scene language.
+struct QuantityKey {
+    Time time;
+    std::string value = {}; ///< empty of drawings, backbones and bones
+    std::string law = {};   ///< of the way to the next key; empty where there is none and where values jump
+
+    friend bool operator==(const QuantityKey&, const QuantityKey&) = default;
+};
+
+/// What keys move of an item: its drawings ("shape"), "backbones" or "bones" that carry it, or a property.
+/// Where scale-x and scale-y are the same, they are one, "scale".
+struct Quantity {
+    std::string name;
+    Clock clock = {};
+    std::vector<QuantityKey> keys = {}; ///< in order, at least one
+};
+
+std::vector<Quantity> quantities_of(const SceneView& scene, const ItemView& item);
+
+/// The two keys around a moment of their clock; null where there is none on that side. At a key it is the one
+/// before.
+struct KeysAround {
+    const QuantityKey* before = nullptr;
+    const QuantityKey* after = nullptr;
+};
+
+KeysAround keys_around(const Quantity& quantity, Time moment);
+
+/// A property of an item at a moment: "rotate", "30".
+struct ItemValue {
+    std::string name;
+    std::string value;
+    bool has_keys = false; ///< more than one of them
+};
+
+/// An item at a moment, for somebody who looks at it.
+struct ItemFacts {
+    struct Way {
+        std::string name;  ///< of a quantity, "y"; of one that goes by an input "y by gaze"
+        std::string begin; ///< the key before: "10: 40, accelerate"; empty if there is none
+        std::string end;   ///< the key after, in the same way
+    };
+    /// Place, size, direction and opacity, what an object is painted with, and whatever else has a track.
+    std::vector<ItemValue> values;
+    std::vector<Way> ways; ///< of all quantities with more than one key
+};
+
+/// `on_panel` has been moved to the moment.
+ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment);
+
+}

@@ -1,0 +1,36 @@
+#include "host/preview/playback/programme.hpp"
+
+#include "host/preview/playback/key_times.hpp"
+
+#include <utility>
+
+namespace kfast {
+
+namespace {
+
+std::vector<InputKnob> inputs_of(const SceneView& scene)
+{
+    std::vector<InputKnob> knobs;
+    std::uint32_t number = 0;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
+        InputView input = inputs.next();
+        const std::string name{std::exchange(input.name, {})};
+        if (input.type != InputType::drawing)
+            knobs.push_back({name, number, input, input.usual});
+    }
+    return knobs;
+}
+
+}
+
+Programme programme_of(const SceneView& scene)
+{
+    std::vector<Part> parts{{"", stretch_of(scene)}};
+    for (ClipCursor clips = scene.clips(); !clips.at_end();) {
+        const ClipView clip = clips.next();
+        parts.push_back({std::string{clip.name}, stretch_of(clip)});
+    }
+    return {scene.frame_rate(), std::move(parts), key_times(scene), scene.events(), inputs_of(scene)};
+}
+
+}

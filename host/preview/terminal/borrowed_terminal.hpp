@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/math/size.hpp"
+#include "host/picture/picture.hpp"
+#include "host/preview/terminal/keyboard.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+
+/// The terminal that standard output is, to draw pictures on: its cursor is hidden while this lives. Signals
+/// that end or stop the program are only remembered, so that the terminal can be left as it was before they
+/// do. One at a time. Throws Failure when the terminal cannot be written.
+class BorrowedTerminal {
+public:
+    explicit BorrowedTerminal(Keyboard& keyboard);
+    /// Gives the terminal and the keyboard back, and raises the signal that ends the program, if one came.
+    ~BorrowedTerminal();
+    BorrowedTerminal(const BorrowedTerminal&) = delete;
+    BorrowedTerminal& operator=(const BorrowedTerminal&) = delete;
+
+    /// Whether a signal came that ends the program.
+    bool is_to_end() const;
+    /// Stops the program if that was asked for (Ctrl-Z), with the terminal given back, until its shell lets
+    /// it go on. True if it did: what stands on the terminal then is others'.
+    bool stop_if_asked();
+
+    /// Gives it back while `use`, which throws nothing, runs another program in it.
+    void suspend_for(const std::function<void()>& use);
+
+private:
+    void take();
+    void give_back();
+
+    Keyboard& keyboard_;
+};
+
+/// How many characters the terminal that standard output is has; 80x24 where it does not say.
+Size terminal_size();
+
+/// The picture as text, as large as fits the terminal that standard output is with two lines below it.
+std::string terminal_picture(const Picture& picture);
+
+/// Back over so many lines, to draw others in their place. Where the terminal had another size when they were
+/// drawn, they may have been wrapped anew: then it clears all.
+std::string way_back(std::ptrdiff_t lines, Size before, Size now);
+
+/// Whether standard output is a terminal that pictures can be drawn on one above the other.
+bool can_play_in_terminal();
+
+/// All of `text` to standard output. Throws Failure.
+void write_to_terminal(std::string_view text);
+
+}

@@ -1,0 +1,102 @@
+#include "host/preview/viewer/scene_layers.hpp"
+
+#include "host/preview/board/previewed_board.hpp"
+
+#include <algorithm>
+
+namespace kfast {
+namespace {
+
+bool are_equal(const std::vector<InputKnob>& a, const std::vector<InputKnob>& b)
+{
+    return std::ranges::equal(a, b, [](const InputKnob& one, const InputKnob& other) {
+        return one.value == other.value && one.text == other.text;
+    });
+}
+
+}
+
+SceneLayers::SceneLayers(OpenedScene& scene)
+    : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{stage()},
+      skin_{scene.scene.view.colour(0)}
+{
+    if (scene.tell_drawings)
+        scene.tell_drawings(overlays_);
+}
+
+const Overlay& SceneLayers::overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale)
+{
+    tell_inputs(overlays_, playback);
+    return overlays_.show(playback.time(), view, scale);
+}
+
+std::optional<std::size_t> SceneLayers::item_at(const PreviewPlayback& playback, PanelSpot spot)
+{
+    tell_inputs(overlays_, playback);
+    return overlays_.item_at(playback.time(), spot);
+}
+
+ItemFacts SceneLayers::facts(const PreviewPlayback& playback, std::size_t item)
+{
+    tell_inputs(overlays_, playback);
+    return overlays_.facts(playback.time(), item);
+}
+
+std::vector<Time> SceneLayers::skin_keys(Stretch played, std::optional<std::size_t> selected) const
+{
+    std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.programme.keys;
+    std::erase_if(keys, [&](Time key) { return key < played.begin || key > played.end; });
+    return keys;
+}
+
+const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected)
+{
+    if (!are_equal(skin_inputs_, playback.inputs()) || skin_reveals_travel_ != playback.reveals_travel()) {
+        skin_.forget();
+        skin_inputs_ = playback.inputs();
+        skin_reveals_travel_ = playback.reveals_travel();
+    }
+    tell(*scene_.source, playback);
+    return skin_.show(*scene_.source, playback.time(), skin_keys(playback.stretch(), selected));
+}
+
+std::optional<std::span<const FitLine>> SceneLayers::fit_report()
+{
+    if (fit_ == nullptr)
+        fit_ = std::make_unique<FitCheck>(scene_.scene.bytes, scene_.scene.item_names, board(), scene_.fit);
+    return fit_->lines();
+}
+
+fit::Target SceneLayers::board() const
+{
+    return scene_.board ? *scene_.board : previewed_board({scene_.panel});
+}
+
+double SceneLayers::board_seconds(const PreviewPlayback& playback, Time moment)
+{
+    if (pace_ == nullptr) {
+        pace_ = std::make_unique<BoardPace>(scene_.scene.view, board(), scene_.fit);
+        if (scene_.tell_drawings)
+            scene_.tell_drawings(pace_->inputs());
+    }
+    tell_inputs(pace_->inputs(), playback);
+    return pace_->seconds_for(moment);
+}
+
+const TimeTable& SceneLayers::table(const std::set<std::size_t>& unfolded)
+{
+    if (unfolded.empty())
+        return table_;
+    if (unfolded != unfolded_) {
+        unfolded_table_ = with_quantities(table_, unfolded);
+        unfolded_ = unfolded;
+    }
+    return unfolded_table_;
+}
+
+Stage SceneLayers::stage() const
+{
+    return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.board};
+}
+
+}

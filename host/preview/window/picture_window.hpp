@@ -1,0 +1,46 @@
+#pragma once
+
+#include "host/preview/controls/preview_key.hpp"
+#include "host/preview/painter/painter.hpp"
+#include "host/preview/window/pointer_event.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// A window of the desktop, which can be resized. Its contents come from a Painter, and it tells what its
+/// user does.
+class PictureWindow {
+public:
+    /// `size` is what is wanted; it gets smaller where the screen is. Null where there can be no window:
+    /// no_window() says why. Throws Failure if a window cannot be opened all the same.
+    static std::unique_ptr<PictureWindow> open(const std::string& title, Size size);
+    /// Whether open() is not null.
+    static bool can_open();
+    /// Why it is null, as a part of a sentence.
+    static const char* no_window();
+    virtual ~PictureWindow() = default;
+
+    virtual void set_title(const std::string& title) = 0;
+    /// Calls `paint` once for all of the window, which is at least 1 pixel wide and high.
+    virtual void draw(const std::function<void(Painter&)>& paint) = 0;
+
+    struct Events {
+        bool any = false; ///< the window is to be drawn anew
+        bool is_closed = false;
+        std::vector<PreviewKey> keys;
+        std::vector<PointerEvent> pointer;
+        std::vector<std::filesystem::path> dropped; ///< files
+    };
+    /// What happened since the last call; waits for something, but not longer than `milliseconds`.
+    virtual Events take_events(int milliseconds) = 0;
+
+protected:
+    PictureWindow() = default;
+};
+
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "host/preview/panes/side_panel.hpp"
+#include "host/preview/viewer/viewer.hpp"
+
+namespace kfast {
+
+/// What the side of the window tells of a scene: its file and display, what is selected, the inputs and, if
+/// it is wanted, the fit report. `scale` is how many pixels of the window a pixel of the panel takes.
+SidePanel side_contents(Viewer& viewer, double scale);
+
+}

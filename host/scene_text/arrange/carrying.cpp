@@ -1,0 +1,141 @@
+#include "host/scene_text/arrange/carrying.hpp"
+
+#include "host/art/document/matrix_at.hpp"
+#include "host/scene_text/arrange/placement.hpp"
+#include "host/scene_text/values/sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kfast::scene_text {
+namespace {
+
+using art::Affine;
+using art::Channel;
+using art::Figure;
+using art::Group;
+using art::Node;
+using art::Transform;
+
+bool is_move(const Affine& affine)
+{
+    return affine.a == 1 && affine.b == 0 && affine.c == 0 && affine.d == 1;
+}
+
+bool is_upright(const Placement& placement) { return !placement.turns(); }
+
+/// Whether x and y can be mixed with each other.
+bool has_simple_place(const Transform& transform)
+{
+    return transform.path || transform.x.is_still() || transform.y.is_still() ||
+           go_alike(transform.x, transform.y);
+}
+
+bool never_turns(const Transform& transform) { return transform.rotate == Channel{0} && !leans(transform); }
+
+bool turns_with_path(const Transform& transform) { return transform.path && transform.path->turns; }
+
+bool can_take(const Affine& affine, const Transform& transform)
+{
+    if (is_move(affine))
+        return true;
+    const auto placement = placement_of(affine);
+    if (!placement || !lies_flat(transform) || affine.determinant() == 0)
+        return false;
+    if (turns_with_path(transform) &&
+        !(placement->is_even() && placement->scale_x > 0 && placement->scale_y > 0))
+        return false;
+    if (placement->is_even() && !placement->is_mirrored())
+        return is_upright(*placement) || has_simple_place(transform);
+    if (leans(transform))
+        return false;
+    if (placement->is_even())
+        return is_upright(*placement) || has_simple_place(transform);
+    return is_upright(*placement) && never_turns(transform) && !transform.path;
+}
+
+/// Both of a place at once, which go alike or of which one stands still.
+void move_place(const Affine& affine, Transform& transform)
+{
+    const Channel x = transform.x;
+    const Channel y = transform.y;
+    const auto mixed_from = [&](double of_x, double of_y, double offset) {
+        if (of_y == 0)
+            return shifted(scaled(x, of_x), offset);
+        if (of_x == 0)
+            return shifted(scaled(y, of_y), offset);
+        return shifted(sum(scaled(x, of_x), scaled(y, of_y)), offset);
+    };
+    transform.x = mixed_from(affine.a, affine.c, affine.e);
+    transform.y = mixed_from(affine.b, affine.d, affine.f);
+}
+
+void take(const Affine& affine, Transform& transform)
+{
+    if (transform.path)
+        for (scene::Outline& outline : transform.path->path.outlines)
+            outline = affine.of(outline);
+    else
+        move_place(affine, transform);
+    if (is_move(affine))
+        return;
+    const Placement placement = *placement_of(affine);
+    if (!turns_with_path(transform))
+        transform.rotate =
+            shifted(scaled(transform.rotate, placement.is_mirrored() ? -1 : 1), placement.rotate);
+    transform.scale_x = scaled(transform.scale_x, placement.scale_x);
+    transform.scale_y = scaled(transform.scale_y, placement.scale_y);
+}
+
+bool can_take(const Affine& affine, const Figure& figure)
+{
+    return !figure.skin && (!figure.line || affine.determinant() != 0);
+}
+
+void take(const Affine& affine, Figure& figure)
+{
+    for (auto& key : figure.drawing.keys)
+        for (scene::Outline& outline : key.value.outlines)
+            outline = affine.of(outline);
+    if (figure.line)
+        figure.line->width = scaled(figure.line->width, growth_of(affine));
+}
+
+}
+
+bool content_can_take(const Affine& affine, const Node& node)
+{
+    if (const auto* const figure = std::get_if<Figure>(&node.content))
+        return can_take(affine, *figure);
+    const auto can = [&](const Node& inner) { return can_take(affine, inner); };
+    return std::ranges::all_of(std::get<Group>(node.content).nodes, can);
+}
+
+void content_takes(const Affine& affine, Node& node)
+{
+    if (auto* const figure = std::get_if<Figure>(&node.content))
+        return take(affine, *figure);
+    for (Node& inner : std::get<Group>(node.content).nodes)
+        take(affine, inner);
+}
+
+bool can_take(const Affine& affine, const Node& node)
+{
+    if (is_identity(node.transform) && content_can_take(affine, node))
+        return true;
+    if (!is_still(node.transform))
+        return can_take(affine, node.transform);
+    return placement_of(affine * matrix_at(node.transform, 0)).has_value();
+}
+
+void take(const Affine& affine, Node& node)
+{
+    if (is_identity(node.transform) && content_can_take(affine, node))
+        content_takes(affine, node);
+    else if (!is_still(node.transform))
+        take(affine, node.transform);
+    else
+        node.transform = transform_of(*placement_of(affine * matrix_at(node.transform, 0)));
+}
+
+}

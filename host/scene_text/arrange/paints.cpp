@@ -1,0 +1,100 @@
+#include "host/scene_text/arrange/paints.hpp"
+
+#include "host/scene_text/values/paint_keys.hpp"
+#include "host/scene_text/values/sums.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace kfast::scene_text {
+namespace {
+
+using art::Channel;
+using art::Figure;
+using art::Group;
+using art::Node;
+
+/// A key of an object has one law for both colours.
+bool have_laws_in_common(const Figure& figure, std::int32_t length)
+{
+    const auto fills = paint_keys(*figure.fill, length);
+    const auto lines = paint_keys(*figure.line, length);
+    std::map<std::int32_t, std::string> laws;
+    for (std::size_t i = 0; i + 1 < fills.size(); ++i)
+        laws[fills[i].ticks] = fills[i].law;
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+        if (const auto law = laws.find(lines[i].ticks); law != laws.end() && law->second != lines[i].law)
+            return false;
+    return true;
+}
+
+bool needs_two(const Figure& figure, std::int32_t length)
+{
+    return figure.fill && figure.line &&
+           (!figure.fill->opacity.is_still() || !figure.line->opacity.is_still() ||
+            !have_laws_in_common(figure, length));
+}
+
+/// Has the content alone.
+Node part_of(Figure figure, const std::string& name)
+{
+    return {.name = name,
+            .transform = {},
+            .opacity = {1},
+            .shown = std::vector{art::Span{}},
+            .parent_tag = 0,
+            .content = std::move(figure)};
+}
+
+void make_two(Node& node)
+{
+    Figure fill = std::get<Figure>(node.content);
+    Figure line = fill;
+    fill.line.reset();
+    line.fill.reset();
+    const std::string line_name = node.name.empty() ? std::string{} : node.name + "-line";
+    std::vector<Node> parts;
+    parts.push_back(part_of(std::move(fill), node.name));
+    parts.push_back(part_of(std::move(line), line_name));
+    node.content = Group{std::move(parts)};
+}
+
+/// Of the only paint.
+Channel& opacity_of(Figure& figure) { return figure.fill ? figure.fill->opacity : figure.line->opacity; }
+
+void move_opacity(Node& node)
+{
+    const Channel opacity = std::exchange(opacity_of(std::get<Figure>(node.content)), Channel{1});
+    if (has_product(node.opacity, opacity)) {
+        node.opacity = product(node.opacity, opacity);
+        return;
+    }
+    Node part = part_of(std::move(std::get<Figure>(node.content)), node.name);
+    part.opacity = opacity;
+    std::vector<Node> parts;
+    parts.push_back(std::move(part));
+    node.content = Group{std::move(parts)};
+}
+
+void part_paints_of(Node& node, std::int32_t length)
+{
+    if (auto* const figure = std::get_if<Figure>(&node.content); figure != nullptr) {
+        if (needs_two(*figure, length))
+            make_two(node);
+        else if (!(figure->fill && figure->line) && !opacity_of(*figure).is_still())
+            move_opacity(node);
+    }
+    if (auto* const group = std::get_if<Group>(&node.content))
+        part_paints(group->nodes, length);
+}
+
+}
+
+void part_paints(std::vector<Node>& nodes, std::int32_t length)
+{
+    for (Node& node : nodes)
+        part_paints_of(node, length);
+}
+
+}

@@ -1,0 +1,87 @@
+#include "host/scene_text/arrange/unseen.hpp"
+
+#include "host/scene_text/values/grid.hpp"
+#include "host/scene_text/values/visible_keys.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace kfast::scene_text {
+namespace {
+
+using art::Channel;
+using art::Figure;
+using art::Group;
+using art::Node;
+
+bool is_always_zero(const Channel& channel, const Grid& grid)
+{
+    return std::ranges::all_of(channel.keys, [&](const auto& key) { return on_grid(key.value, grid) <= 0; });
+}
+
+bool draws(const Figure& figure)
+{
+    const auto is_drawn = [](const auto& key) { return !key.value.outlines.empty(); };
+    return (figure.fill || figure.line) && std::ranges::any_of(figure.drawing.keys, is_drawn);
+}
+
+bool is_shown(const Node& node, std::int32_t length)
+{
+    const auto keys = visible_keys(node.shown, length);
+    return std::ranges::any_of(keys, [](const auto& key) { return key.value; });
+}
+
+bool is_seen(Node& node, std::int32_t length)
+{
+    if (is_always_zero(node.opacity, opacities) || !is_shown(node, length))
+        return false;
+    if (auto* const group = std::get_if<Group>(&node.content)) {
+        drop_unseen(group->nodes, length);
+        return !group->nodes.empty();
+    }
+    auto& figure = std::get<Figure>(node.content);
+    if (figure.fill && is_always_zero(figure.fill->opacity, opacities))
+        figure.fill.reset();
+    if (figure.line &&
+        (is_always_zero(figure.line->opacity, opacities) || is_always_zero(figure.line->width, widths)))
+        figure.line.reset();
+    return draws(figure);
+}
+
+bool is_plain(const Node& node)
+{
+    return node.opacity == Channel{1} && node.shown == std::vector{art::Span{}};
+}
+
+bool are_parts(const Node& node, const Node& next)
+{
+    return node.parent_tag != 0 && node.parent_tag == next.parent_tag && is_plain(node) && is_plain(next) &&
+           node.transform == next.transform && std::holds_alternative<Group>(node.content) &&
+           std::holds_alternative<Group>(next.content);
+}
+
+}
+
+void drop_unseen(std::vector<Node>& nodes, std::int32_t length)
+{
+    std::erase_if(nodes, [length](Node& node) { return !is_seen(node, length); });
+}
+
+void join_parts(std::vector<Node>& nodes)
+{
+    std::vector<Node> joined;
+    for (Node& node : nodes) {
+        if (joined.empty() || !are_parts(joined.back(), node)) {
+            joined.push_back(std::move(node));
+            continue;
+        }
+        auto& into = std::get<Group>(joined.back().content).nodes;
+        std::ranges::move(std::get<Group>(node.content).nodes, std::back_inserter(into));
+    }
+    nodes = std::move(joined);
+    for (Node& node : nodes)
+        if (auto* const group = std::get_if<Group>(&node.content))
+            join_parts(group->nodes);
+}
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/art/document/document.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene_text/values/reach.hpp"
+#include "host/scene_text/values/writing.hpp"
+
+#include <vector>
+
+namespace kfast::scene_text {
+
+/// Gives skeletons and their bones names.
+std::vector<RigNames> rig_names(const std::vector<art::Rig>& rigs);
+
+/// A node `bones` for each of the skeletons that carry something of the document's nodes. Takes their
+/// coordinates into `reach`; what is beyond the numbers of scenes is held there, which is a loss.
+std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing, Reach& reach);
+
+}

@@ -1,0 +1,167 @@
+#include "host/scene_text/drawings/form_nodes.hpp"
+
+#include "host/art/geometry/shape_form.hpp"
+#include "host/scene_text/drawings/shape_text.hpp"
+#include "host/scene_text/values/grid.hpp"
+#include "host/scene_text/values/nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace kfast::scene_text {
+namespace {
+
+using art::ShapeForm;
+
+/// Of the numbers of shapes: more than these never are needed.
+constexpr int most_decimals = 5;
+
+/// A number that has few decimals already.
+kdl::Value plain(double value)
+{
+    std::array<char, 40> digits;
+    for (int decimals = 0; decimals <= most_decimals; ++decimals) {
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                       std::chars_format::fixed, decimals);
+        double read = 0;
+        std::from_chars(digits.data(), end.ptr, read);
+        if (std::abs(read - value) > 1e-9 && decimals < most_decimals)
+            continue;
+        kdl::Value number;
+        number.data = kdl::Number{read == 0 ? "0" : std::string{digits.data(), end.ptr}, read};
+        return number;
+    }
+    return {};
+}
+
+kdl::Value coordinate(double value) { return number(on_grid(value, coordinates), coordinates); }
+
+kdl::Node with_spots(std::string_view name, const std::vector<scene::Spot>& spots)
+{
+    kdl::Node node = named_node(name);
+    for (const scene::Spot spot : spots) {
+        node.arguments.push_back(coordinate(spot.x));
+        node.arguments.push_back(coordinate(spot.y));
+    }
+    return node;
+}
+
+struct FormNode {
+    const scene::Outline& outline;
+
+    kdl::Node operator()(const art::PathForm&) const { return named_node("path", text(path_data(outline))); }
+    kdl::Node operator()(const art::CircleForm& circle) const
+    {
+        kdl::Node node = named_node("circle", plain(circle.centre.x), plain(circle.centre.y));
+        set(node, "r", plain(circle.radius));
+        return node;
+    }
+    kdl::Node operator()(const art::EllipseForm& ellipse) const
+    {
+        kdl::Node node = named_node("ellipse", plain(ellipse.centre.x), plain(ellipse.centre.y));
+        set(node, "rx", plain(ellipse.radius_x));
+        set(node, "ry", plain(ellipse.radius_y));
+        return node;
+    }
+    kdl::Node operator()(const art::RectForm& rect) const
+    {
+        kdl::Node node = named_node("rect", plain(rect.upper_left.x), plain(rect.upper_left.y),
+                                    plain(rect.width), plain(rect.height));
+        if (rect.corner != 0)
+            set(node, "corner", plain(rect.corner));
+        return node;
+    }
+    kdl::Node operator()(const art::PolygonForm& polygon) const
+    {
+        return with_spots("polygon", polygon.spots);
+    }
+    kdl::Node operator()(const art::LineForm& line) const { return with_spots("line", line.spots); }
+};
+
+bool is_long(const art::ShapeForm& form)
+{
+    constexpr std::size_t most_spots = 12;
+    if (const auto* const polygon = std::get_if<art::PolygonForm>(&form))
+        return polygon->spots.size() > most_spots;
+    const auto* const line = std::get_if<art::LineForm>(&form);
+    return line != nullptr && line->spots.size() > most_spots;
+}
+
+/// Lists of many places are easier to read in the lines of a path.
+ShapeForm form_of(const scene::Outline& outline)
+{
+    ShapeForm form = art::shape_form(outline);
+    return is_long(form) ? ShapeForm{} : form;
+}
+
+using Forms = std::vector<ShapeForm>;
+
+/// A rectangle with sharp corners is a polygon, too.
+bool is_sharp(const ShapeForm& form)
+{
+    const auto* const rect = std::get_if<art::RectForm>(&form);
+    return std::holds_alternative<art::PolygonForm>(form) || (rect != nullptr && rect->corner == 0);
+}
+
+ShapeForm polygon_of(const scene::Outline& outline)
+{
+    art::PolygonForm polygon{{outline.from}};
+    for (const scene::Curve& curve : outline.curves)
+        polygon.spots.push_back(curve.to);
+    if (polygon.spots.back().x == outline.from.x && polygon.spots.back().y == outline.from.y)
+        polygon.spots.pop_back();
+    return polygon;
+}
+
+/// Where drawings have other kinds at one place, all have polygons there, or else paths.
+void agree(std::vector<Forms>& forms, std::span<const art::Drawing* const> drawings)
+{
+    std::size_t places = 0;
+    for (const Forms& own : forms)
+        places = std::max(places, own.size());
+    for (std::size_t i = 0; i < places; ++i) {
+        std::set<std::size_t> kinds;
+        bool all_sharp = true;
+        for (const Forms& own : forms)
+            if (i < own.size()) {
+                kinds.insert(own[i].index());
+                all_sharp = all_sharp && is_sharp(own[i]);
+            }
+        for (std::size_t drawing = 0; kinds.size() > 1 && drawing < forms.size(); ++drawing)
+            if (i < forms[drawing].size())
+                forms[drawing][i] =
+                    all_sharp ? polygon_of(drawings[drawing]->outlines[i]) : ShapeForm{art::PathForm{}};
+    }
+}
+
+std::vector<kdl::Node> nodes_of(const art::Drawing& drawing, const Forms& forms)
+{
+    std::vector<kdl::Node> nodes;
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        nodes.push_back(std::visit(FormNode{drawing.outlines[i]}, forms[i]));
+    if (nodes.empty())
+        nodes.push_back(named_node("empty"));
+    return nodes;
+}
+
+}
+
+std::vector<std::vector<kdl::Node>> shapes_of(std::span<const art::Drawing* const> drawings)
+{
+    std::vector<Forms> forms;
+    for (const art::Drawing* drawing : drawings) {
+        Forms& own = forms.emplace_back();
+        for (const scene::Outline& outline : drawing->outlines)
+            own.push_back(form_of(outline));
+    }
+    agree(forms, drawings);
+    std::vector<std::vector<kdl::Node>> shapes;
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        shapes.push_back(nodes_of(*drawings[i], forms[i]));
+    return shapes;
+}
+
+}

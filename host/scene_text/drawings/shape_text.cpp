@@ -1,0 +1,94 @@
+#include "host/scene_text/drawings/shape_text.hpp"
+
+#include "host/scene_text/values/grid.hpp"
+
+#include <utility>
+
+namespace kfast::scene_text {
+namespace {
+
+using scene::Curve;
+using scene::Outline;
+using scene::Spot;
+
+constexpr std::size_t widest_data = 96;
+
+Spot snapped(Spot spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
+
+Outline snapped(const Outline& outline)
+{
+    Outline result{snapped(outline.from), {}, outline.closed};
+    result.curves.reserve(outline.curves.size());
+    for (const Curve& curve : outline.curves)
+        result.curves.push_back(curve.cubic
+                                    ? scene::cubic_to(snapped(curve.c1), snapped(curve.c2), snapped(curve.to))
+                                    : scene::line_to(snapped(curve.to)));
+    return result;
+}
+
+bool equal(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
+
+class PathData {
+public:
+    void add(char command) { append(std::string{command}); }
+
+    void add(char command, std::initializer_list<Spot> spots)
+    {
+        std::string words{command};
+        for (const Spot spot : spots)
+            for (const double coordinate : {spot.x, spot.y})
+                words += ' ' + decimal(on_grid(coordinate, coordinates), coordinates);
+        append(words);
+    }
+
+    std::string take() { return std::move(data_); }
+
+private:
+    void append(const std::string& words)
+    {
+        if (!data_.empty() && data_.size() - line_ + 1 + words.size() > widest_data) {
+            data_ += '\n';
+            line_ = data_.size();
+        } else if (!data_.empty()) {
+            data_ += ' ';
+        }
+        data_ += words;
+    }
+
+    std::string data_;
+    std::size_t line_ = 0; ///< where the last line begins
+};
+
+/// The command that closes a path draws a line as well.
+bool closes_by_itself(const Outline& outline, const Curve& curve)
+{
+    return outline.closed && !curve.cubic && &curve == &outline.curves.back() && outline.curves.size() > 1 &&
+           equal(curve.to, outline.from);
+}
+
+}
+
+art::Drawing on_grid(const art::Drawing& drawing)
+{
+    art::Drawing result;
+    result.outlines.reserve(drawing.outlines.size());
+    for (const Outline& outline : drawing.outlines)
+        result.outlines.push_back(snapped(outline));
+    return result;
+}
+
+std::string path_data(const Outline& outline)
+{
+    PathData data;
+    data.add('M', {outline.from});
+    for (const Curve& curve : outline.curves)
+        if (curve.cubic)
+            data.add('C', {curve.c1, curve.c2, curve.to});
+        else if (!closes_by_itself(outline, curve))
+            data.add('L', {curve.to});
+    if (outline.closed || outline.curves.empty())
+        data.add('Z');
+    return data.take();
+}
+
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "host/art/geometry/drawing.hpp"
+
+#include <span>
+
+namespace kfast::scene_text {
+
+/// The compiler leaves out segments that have no length, and takes an outline for closed that ends where it
+/// begins. Lets all drawings keep their segments, so that they tween point by point: such points are moved by
+/// 1/16 px or, where several lie in one place, by that from each other, along what is drawn there. All
+/// coordinates are multiples of 1/16 px. Gaps that close in some drawings get a line in all of one form.
+void keep_segments(std::span<art::Drawing* const> drawings);
+
+/// Lets outlines that are not closed end beside where they begin.
+void keep_open(art::Drawing& drawing);
+
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "host/art/document/document.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene_text/values/writing.hpp"
+
+namespace kfast::scene_text {
+
+/// The node `object` of a node that is a figure.
+kdl::Node object_node(const art::Node& node, Writing& writing);
+
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "host/art/document/document.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kfast::scene_text {
+
+/// What coordinates of a scene may come to, in pixels; leaves room for rounding, and for points that are
+/// moved beside others.
+inline constexpr double widest_reach = 2040;
+
+/// The greatest coordinates of an animation: of places, paths, drawings and bones, in pixels.
+struct Reach {
+    double left_alone = 0; ///< as they are without groups that do nothing but make their content larger
+    double in_groups = 0;  ///< as they are with them; beyond 2047, they are held there
+};
+
+/// How far a bone may begin from where it is set up, for scenes to hold its way from its parent.
+inline double room_of(const art::Rig& rig, const art::Bone& bone)
+{
+    const scene::Spot around = bone.parent ? rig.bones[*bone.parent].from : scene::Spot{};
+    const scene::Spot offset = bone.from - around;
+    return std::max(2047 - std::max(std::abs(offset.x), std::abs(offset.y)), 0.0);
+}
+
+/// Of bones, as set up and as moved.
+inline double reach_of(const art::Rig& rig)
+{
+    double reach = 0;
+    const auto take = [&reach](double coordinate) { reach = std::max(reach, std::abs(coordinate)); };
+    for (const art::Bone& bone : rig.bones) {
+        for (const double coordinate : {bone.from.x, bone.from.y, bone.to.x, bone.to.y})
+            take(coordinate);
+        for (const art::Channel* const channel : {&bone.x, &bone.y})
+            for (const auto& key : channel->keys)
+                take(key.value);
+    }
+    return reach;
+}
+
+}

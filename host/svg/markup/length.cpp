@@ -1,0 +1,118 @@
+#include "host/svg/markup/length.hpp"
+
+#include "host/scene/path_scanner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kfast::svg {
+namespace {
+
+struct Unit {
+    std::string_view name;
+    double pixels;
+};
+
+/// As CSS has them, at 96 px to the inch.
+constexpr std::array<Unit, 8> units{{{"", 1},
+                                     {"px", 1},
+                                     {"in", 96},
+                                     {"cm", 96 / 2.54},
+                                     {"mm", 96 / 25.4},
+                                     {"Q", 96 / 101.6},
+                                     {"pt", 96.0 / 72},
+                                     {"pc", 16}}};
+
+struct Quantity {
+    double value;
+    std::string_view unit;
+};
+
+std::optional<Quantity> quantity(std::string_view text)
+{
+    text = trimmed(text);
+    scene::PathScanner scanner{text};
+    const auto value = scanner.number();
+    if (!value)
+        return std::nullopt;
+    return Quantity{*value, text.substr(scanner.offset())};
+}
+
+double whole(Axis axis, const Measure& measure)
+{
+    switch (axis) {
+    case Axis::x:
+        return measure.width;
+    case Axis::y:
+        return measure.height;
+    case Axis::diagonal:
+        break;
+    }
+    return std::sqrt((measure.width * measure.width + measure.height * measure.height) / 2);
+}
+
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view space = " \t\r\n\f";
+    const std::size_t begin = text.find_first_not_of(space);
+    if (begin == text.npos)
+        return {};
+    return text.substr(begin, text.find_last_not_of(space) + 1 - begin);
+}
+
+std::optional<double> length(std::string_view text, Axis axis, const Measure& measure)
+{
+    const auto found = quantity(text);
+    if (!found)
+        return std::nullopt;
+    if (found->unit == "%")
+        return found->value / 100 * whole(axis, measure);
+    if (found->unit == "em")
+        return found->value * measure.font_size;
+    if (found->unit == "rem")
+        return found->value * measure.root_font_size;
+    if (found->unit == "ex" || found->unit == "ch")
+        return found->value * measure.font_size / 2;
+    const auto unit = std::ranges::find(units, found->unit, &Unit::name);
+    if (unit == units.end())
+        return std::nullopt;
+    return found->value * unit->pixels;
+}
+
+std::optional<double> number(std::string_view text)
+{
+    const auto found = quantity(text);
+    return found && found->unit.empty() ? std::optional{found->value} : std::nullopt;
+}
+
+std::optional<double> share(std::string_view text)
+{
+    const auto found = quantity(text);
+    if (found && found->unit == "%")
+        return found->value / 100;
+    return number(text);
+}
+
+std::vector<double> numbers(std::string_view text)
+{
+    std::string_view rest;
+    return numbers(text, rest);
+}
+
+std::vector<double> numbers(std::string_view text, std::string_view& rest)
+{
+    scene::PathScanner scanner{text};
+    std::vector<double> result;
+    scanner.skip_space();
+    while (const auto value = scanner.number()) {
+        result.push_back(*value);
+        scanner.skip_separator();
+    }
+    rest = text.substr(scanner.offset());
+    return result;
+}
+
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "host/art/geometry/affine.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace kfast::svg {
+
+/// A list of transforms of SVG or CSS: "translate(10 20) rotate(30)", "scaleX(2) rotate(0.5turn)". Nothing
+/// where one of them is none of the plane, or is not written as it should be.
+std::optional<art::Affine> transform_list(std::string_view text);
+
+}

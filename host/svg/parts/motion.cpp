@@ -1,0 +1,123 @@
+#include "host/svg/parts/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kfast::svg {
+namespace {
+
+using art::Affine;
+using scene::Spot;
+
+constexpr double nearly_nothing = 1e-7;
+
+std::vector<Spot> spots_of(const art::Drawing& drawing)
+{
+    std::vector<Spot> spots;
+    for (const scene::Outline& outline : drawing.outlines) {
+        spots.push_back(outline.from);
+        for (const scene::Curve& curve : outline.curves) {
+            if (curve.cubic)
+                spots.insert(spots.end(), {curve.c1, curve.c2});
+            spots.push_back(curve.to);
+        }
+    }
+    return spots;
+}
+
+Spot mean(const std::vector<Spot>& spots)
+{
+    Spot sum;
+    for (const Spot spot : spots)
+        sum = sum + spot;
+    return (1 / static_cast<double>(spots.size())) * sum;
+}
+
+/// The least squares of the point that all affines leave where it is: (A - I) p + t = 0 for each of them.
+std::optional<Spot> fixed_point(std::span<const Affine> affines)
+{
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    Spot right;
+    for (const Affine& m : affines) {
+        const Spot first{m.a - 1, m.b};
+        const Spot second{m.c, m.d - 1};
+        const Spot moved{m.e, m.f};
+        xx += scene::dot(first, first);
+        xy += scene::dot(first, second);
+        yy += scene::dot(second, second);
+        right = right - Spot{scene::dot(first, moved), scene::dot(second, moved)};
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > nearly_nothing * nearly_nothing))
+        return std::nullopt;
+    return Spot{(right.x * yy - right.y * xy) / determinant, (right.y * xx - right.x * xy) / determinant};
+}
+
+}
+
+std::optional<Move> move_of(const Affine& m)
+{
+    const double scale_x = std::sqrt(m.a * m.a + m.b * m.b);
+    const double other = std::sqrt(m.c * m.c + m.d * m.d);
+    if (scale_x < nearly_nothing && other < nearly_nothing)
+        return Move{0, 0, 0, {m.e, m.f}};
+    if (scale_x < nearly_nothing || std::abs(m.a * m.c + m.b * m.d) > 1e-5 * scale_x * other)
+        return std::nullopt;
+    return Move{
+        scale_x, m.determinant() / scale_x, std::atan2(m.b, m.a) * 180 / std::numbers::pi, {m.e, m.f}};
+}
+
+Spot pivot_of(std::span<const Affine> affines, const Box& box)
+{
+    const auto fixed = fixed_point(affines);
+    const Spot margin = 0.5 * (box.most - box.least);
+    const bool near = fixed && fixed->x >= box.least.x - margin.x && fixed->x <= box.most.x + margin.x &&
+                      fixed->y >= box.least.y - margin.y && fixed->y <= box.most.y + margin.y;
+    return near ? *fixed : box.centre();
+}
+
+/// As complex numbers the affine is a z + b; a is the least squares of it.
+std::optional<Affine> similarity(const art::Drawing& from, const art::Drawing& to, double tolerance)
+{
+    if (!art::same_form(from, to))
+        return std::nullopt;
+    const auto before = spots_of(from);
+    const auto after = spots_of(to);
+    if (before.empty() || before.size() != after.size())
+        return std::nullopt;
+    const Spot middle = mean(before);
+    const Spot new_middle = mean(after);
+    double extent = 0;
+    Spot turn;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const Spot one = before[i] - middle;
+        const Spot other = after[i] - new_middle;
+        extent += scene::dot(one, one);
+        turn = turn + Spot{scene::dot(one, other), scene::cross(one, other)};
+    }
+    turn = extent > 0 ? (1 / extent) * turn : Spot{1, 0};
+    const Affine result = art::moved(new_middle.x, new_middle.y) *
+                          Affine{turn.x, turn.y, -turn.y, turn.x, 0, 0} * art::moved(-middle.x, -middle.y);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        if (!(scene::distance(result.of(before[i]), after[i]) <= tolerance))
+            return std::nullopt;
+    return result;
+}
+
+bool is_even(const Affine& m)
+{
+    const double size = m.a * m.a + m.b * m.b + m.c * m.c + m.d * m.d;
+    return size - 2 * std::abs(m.determinant()) <= 1e-4 * size; // (s1 - s2)^2 of the two growths
+}
+
+bool is_near(const Affine& left, const Affine& right)
+{
+    const auto near = [](double one, double other) { return std::abs(one - other) <= 1e-6; };
+    return near(left.a, right.a) && near(left.b, right.b) && near(left.c, right.c) && near(left.d, right.d) &&
+           near(left.e, right.e) && near(left.f, right.f);
+}
+
+}

@@ -1,0 +1,128 @@
+#include "host/svg/poses/layer_keys.hpp"
+
+#include "host/program/failure.hpp"
+#include "host/svg/markup/svg_text.hpp"
+#include "host/svg/poses/layer_time.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kfast::svg {
+namespace {
+
+// What does not change is there once for each layer.
+constexpr std::size_t most_layers = 500;
+constexpr std::size_t most_copies = std::size_t{1} << 18;
+
+/// Inkscape's label; of other programs, the id.
+std::string layer_name(pugi::xml_node element)
+{
+    const auto label = element.attribute("inkscape:label");
+    return label ? label.value() : element.attribute("id").value();
+}
+
+std::vector<KeyLayer> timed_layers(pugi::xml_node root, double frame_rate)
+{
+    std::vector<KeyLayer> layers;
+    for (const pugi::xml_node child : root.children()) {
+        if (element_name(child) != "g")
+            continue;
+        const std::string name = layer_name(child);
+        if (const auto time = layer_time(name, frame_rate))
+            layers.push_back({child, name, *time});
+    }
+    std::ranges::stable_sort(layers, {}, &KeyLayer::time);
+    return layers;
+}
+
+/// Ids are unique in a text, so that those of a copied layer differ from the ones it was copied from.
+void forget_ids(Part& part)
+{
+    part.id.clear();
+    for (Part& inner : part.parts)
+        forget_ids(inner);
+}
+
+std::size_t count_of(const Part& part)
+{
+    std::size_t count = 1;
+    for (const Part& inner : part.parts)
+        count += count_of(inner);
+    return count;
+}
+
+const KeyLayer* layer_of(const Part& part, const std::vector<KeyLayer>& layers)
+{
+    const auto found = std::ranges::find_if(layers, [&](const KeyLayer& layer) {
+        return part.is_group && (part.label.empty() ? part.id : part.label) == layer.name;
+    });
+    return found == layers.end() ? nullptr : &*found;
+}
+
+}
+
+std::vector<KeyLayer> key_layers(pugi::xml_node root, const KeyOptions& options)
+{
+    if (options.layers == LayerKeys::never)
+        return {};
+    auto layers = timed_layers(root, options.frame_rate);
+    if (layers.size() < 2) {
+        if (options.layers == LayerKeys::always)
+            throw Failure(
+                "no two layers are named by a frame: name them \"0\", \"12\", \"frame 24\" or \"0.5s\"");
+        return {};
+    }
+    if (layers.size() > most_layers)
+        throw Failure("more than " + std::to_string(most_layers) +
+                      " layers are named by a frame: take some of them out");
+    const auto same = std::ranges::adjacent_find(layers, {}, &KeyLayer::time);
+    if (same != layers.end())
+        throw Failure("the layers \"" + same->name + "\" and \"" + std::next(same)->name +
+                      "\" are named by the same frame: rename one of them");
+    return layers;
+}
+
+std::vector<Pose> poses_of(const Part& root, const std::vector<KeyLayer>& layers, const KeyOptions& options)
+{
+    std::vector<const KeyLayer*> layer_of_part;
+    std::size_t shared = 0;
+    for (const Part& part : root.parts) {
+        layer_of_part.push_back(layer_of(part, layers));
+        shared += layer_of_part.back() == nullptr ? count_of(part) : 0;
+    }
+    if (shared * layers.size() > most_copies)
+        throw Failure("there are too many shapes outside of the " + std::to_string(layers.size()) +
+                      " layers that are named by frames: take some of them out");
+    Part empty = root;
+    empty.parts.clear();
+    std::vector<Pose> poses;
+    for (const KeyLayer& layer : layers) {
+        Pose pose{layer.time, options.ease, empty};
+        Part key;
+        key.is_group = true;
+        key.kind = "g";
+        std::size_t place = root.parts.size();
+        for (std::size_t i = 0; i < root.parts.size(); ++i) {
+            const Part& part = root.parts[i];
+            const KeyLayer* const of_layer = layer_of_part[i];
+            if (of_layer == nullptr) {
+                pose.root.parts.push_back(part);
+                continue;
+            }
+            place = std::min(place, pose.root.parts.size());
+            if (of_layer == &layer)
+                key = part;
+        }
+        forget_ids(key);
+        key.label.clear();
+        key.name.clear();
+        pose.root.parts.insert(pose.root.parts.begin() + static_cast<std::ptrdiff_t>(place), std::move(key));
+        poses.push_back(std::move(pose));
+    }
+    return poses;
+}
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "host/svg/poses/key_options.hpp"
+#include "host/svg/poses/pose_nodes.hpp"
+
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+namespace kfast::svg {
+
+/// A layer that is a key drawing.
+struct KeyLayer {
+    pugi::xml_node element;
+    std::string name;
+    double time = 0; ///< in frames
+};
+
+/// The outermost layers of a drawing that are named by a frame, in the order of their times; none where these
+/// are fewer than two, or not asked for. Throws Failure when they are asked for and too few, or have the same
+/// time.
+std::vector<KeyLayer> key_layers(pugi::xml_node root, const KeyOptions& options);
+
+/// The drawing at the time of each of these layers: with it, without the others, and with all else that there
+/// is. It lies where the lowest of them lies.
+std::vector<Pose> poses_of(const Part& root, const std::vector<KeyLayer>& layers, const KeyOptions& options);
+
+}

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "host/art/budget.hpp"
+#include "host/art/document/document.hpp"
+#include "host/svg/parts/part.hpp"
+#include "host/svg/poses/keyed.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace kfast::svg {
+
+/// One part in one pose.
+struct Moment {
+    Instant instant;
+    const Part* part = nullptr; ///< null: it is not there
+    art::Affine fold;           ///< of what is around it: to pixels, or to the node around it
+    std::size_t pose = 0;       ///< index
+};
+
+/// The same part in one pose after the other; there is at least one with it.
+using Moments = std::vector<Moment>;
+
+const Part& first_part(const Moments& moments);
+
+/// Those that have the part.
+Moments present(const Moments& moments);
+
+std::vector<Instant> instants(const Moments& moments);
+
+/// Of what all have, a value each.
+template <typename Get>
+auto values_of(const Moments& moments, const Get& get)
+{
+    std::vector<std::decay_t<decltype(get(*moments.front().part))>> values;
+    for (const Moment& moment : moments)
+        values.push_back(get(*moment.part));
+    return values;
+}
+
+/// When the part is seen: from its moment on, until the next one without it.
+std::vector<art::Span> spans(const Moments& moments);
+
+/// From the part's own coordinates to those that its moment's fold leads to; of what is not there, any.
+std::vector<art::Affine> ways(const Moments& moments);
+
+/// How a part moves from where it is at first.
+struct Motion {
+    art::Affine at_rest;                 ///< its way at one of the moments: goes into its points
+    std::vector<art::Affine> from_there; ///< for each moment with it
+    scene::Spot pivot;
+};
+
+/// Nothing where it stays, or leans, so that no node can do the same.
+std::optional<Motion> motion_of(const Moments& moments);
+
+/// Likewise of something that lies in a box at rest, by what takes it from there to each moment.
+std::optional<Motion> motion_of(const art::Affine& at_rest, std::vector<art::Affine> from_there,
+                                const Box& box);
+
+/// Of a node, with the moments that have it. Rotations go the shortest way.
+art::Transform transform_of(const Motion& motion, const Moments& moments, art::Budget& budget);
+
+}

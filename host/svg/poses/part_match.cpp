@@ -1,0 +1,150 @@
+#include "host/svg/poses/part_match.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace kfast::svg {
+namespace {
+
+constexpr std::array<std::string_view, 30> made_up_stems{
+    "",       "circle",  "clip", "clippath", "ellipse", "fill",    "frame",    "g",    "group",     "id",
+    "image",  "layer",   "line", "mask",     "path",    "polygon", "polyline", "rect", "rectangle", "shape",
+    "stroke", "surface", "svg",  "svgid",    "switch",  "symbol",  "union",    "use",  "vector",    "xmlid"};
+
+const std::string& author_name(const Part& part)
+{
+    static const std::string none;
+    if (!part.label.empty())
+        return part.label;
+    return is_made_up(part.id) ? none : part.id;
+}
+
+/// By their order alone: not what an author has given different names.
+bool may_be_same(const Part& left, const Part& right)
+{
+    const std::string& one = author_name(left);
+    const std::string& other = author_name(right);
+    return left.kind == right.kind && left.is_group == right.is_group &&
+           (one.empty() || other.empty() || one == other);
+}
+
+/// Takes in one drawing after the other.
+class Matcher {
+public:
+    explicit Matcher(std::size_t drawings) : drawings_{drawings} {}
+
+    void add(std::size_t drawing, const Part& group)
+    {
+        drawing_ = drawing;
+        std::vector<std::size_t> lanes(group.parts.size(), none); ///< of each part
+        by_name(group, lanes, &Part::id);
+        by_name(group, lanes, &Part::label);
+        by_order(group, lanes);
+        put_in_new(group, lanes);
+        if (result_.reordered == 0 && !std::ranges::is_sorted(lanes))
+            result_.reordered = drawing;
+    }
+
+    PartMatch take() { return std::move(result_); }
+
+private:
+    static constexpr auto none = static_cast<std::size_t>(-1);
+
+    /// Of the last drawing that has it.
+    static const Part& latest(const PartLane& lane)
+    {
+        return **std::ranges::find_if(lane.rbegin(), lane.rend(),
+                                      [](const Part* part) { return part != nullptr; });
+    }
+
+    bool is_free(std::size_t lane) const { return result_.lanes[lane][drawing_] == nullptr; }
+
+    void put(const Part& part, std::size_t lane, std::size_t& place)
+    {
+        result_.lanes[lane][drawing_] = &part;
+        place = lane;
+    }
+
+    void by_name(const Part& group, std::vector<std::size_t>& lanes, std::string Part::*name)
+    {
+        std::map<std::string_view, std::size_t> named;
+        for (std::size_t lane = 0; lane < result_.lanes.size(); ++lane)
+            if (const Part& part = latest(result_.lanes[lane]); is_free(lane) && !(part.*name).empty())
+                named.emplace(part.*name, lane);
+        for (std::size_t i = 0; i < group.parts.size(); ++i) {
+            const Part& part = group.parts[i];
+            const auto found = named.find(part.*name);
+            if (lanes[i] == none && found != named.end() && is_free(found->second) &&
+                latest(result_.lanes[found->second]).is_group == part.is_group)
+                put(part, found->second, lanes[i]);
+        }
+    }
+
+    void by_order(const Part& group, std::vector<std::size_t>& lanes)
+    {
+        constexpr std::size_t most_tries = 256; // of many unlike ones in a row
+        std::vector<std::size_t> free;
+        for (std::size_t lane = 0; lane < result_.lanes.size(); ++lane)
+            if (is_free(lane))
+                free.push_back(lane);
+        for (std::size_t i = 0; i < group.parts.size() && !free.empty(); ++i) {
+            if (lanes[i] != none)
+                continue;
+            const auto end = free.begin() + static_cast<std::ptrdiff_t>(std::min(free.size(), most_tries));
+            const auto found = std::find_if(free.begin(), end, [&](std::size_t lane) {
+                return may_be_same(latest(result_.lanes[lane]), group.parts[i]);
+            });
+            if (found == end)
+                continue;
+            put(group.parts[i], *found, lanes[i]);
+            free.erase(found);
+        }
+    }
+
+    /// Above what each of them lies on in its own drawing.
+    void put_in_new(const Part& group, std::vector<std::size_t>& lanes)
+    {
+        std::size_t place = 0;
+        for (std::size_t i = 0; i < group.parts.size(); ++i) {
+            if (lanes[i] == none) {
+                for (std::size_t& lane : lanes)
+                    lane += lane != none && lane >= place ? 1 : 0;
+                result_.lanes.insert(result_.lanes.begin() + static_cast<std::ptrdiff_t>(place),
+                                     PartLane(drawings_));
+                put(group.parts[i], place, lanes[i]);
+            }
+            place = lanes[i] + 1;
+        }
+    }
+
+    std::size_t drawings_;
+    std::size_t drawing_ = 0;
+    PartMatch result_;
+};
+
+}
+
+bool is_made_up(std::string_view id)
+{
+    const std::size_t end = id.find_last_not_of("0123456789-_. ");
+    std::string stem{id.substr(0, end == id.npos ? 0 : end + 1)};
+    std::ranges::transform(stem, stem.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    });
+    std::erase_if(stem, [](char letter) { return letter >= '0' && letter <= '9'; });
+    return std::ranges::find(made_up_stems, stem) != made_up_stems.end();
+}
+
+PartMatch matched(std::span<const Part* const> groups)
+{
+    Matcher matcher{groups.size()};
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (groups[i] != nullptr)
+            matcher.add(i, *groups[i]);
+    return matcher.take();
+}
+
+}

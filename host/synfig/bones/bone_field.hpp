@@ -1,0 +1,47 @@
+#pragma once
+
+#include "host/synfig/bones/bone_pair.hpp"
+#include "host/synfig/reading/layer.hpp"
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace kfast::synfig {
+
+/// The bones of a skeleton deformation, and how far each of them carries a place. Synfig's law: the share of
+/// a bone is how deep the place lies in its shape (a circle about each end, and what is between them,
+/// somewhat enlarged), divided by the square of the distance from the bone itself; each bone carries its
+/// surroundings so that its ends at rest come to lie on those of the pose, as large as it has become.
+class BoneField {
+public:
+    explicit BoneField(const Layer& layer);
+
+    std::size_t size() const { return rests_.size(); }
+    const std::vector<Bone>& rests() const { return rests_; }
+    /// In units of the file, y up.
+    std::vector<BonePair> pairs_at(double frame) const;
+    /// Of a place in pixels, at rest; bones that do not reach it have none.
+    std::vector<art::BoneShare> shares(Spot place) const;
+    /// Whether the shape of a bone contains a place in pixels.
+    bool covers(Spot place) const;
+    std::size_t nearest(Spot place) const;
+    /// What a bone does to what it carries, in pixels.
+    art::Affine carrying(std::size_t bone, double frame) const;
+    /// A place in no bone stays.
+    Spot deformed(Spot place, double frame) const;
+    /// Whether all bones are as long as at rest, at all times, and rest at all times.
+    bool keeps_lengths() const;
+    /// Times that show what the bones do: their waypoints, and some between.
+    std::vector<double> samples() const;
+
+private:
+    Spot in_units(Spot place) const;
+
+    const Layer& layer_;
+    std::vector<Bone> rests_; ///< in units of the file
+    double margin_ = 0;       ///< by how much shapes are enlarged, in units
+    mutable std::map<double, std::vector<art::Affine>> carryings_;
+};
+
+}

@@ -1,0 +1,122 @@
+#include "host/synfig/bones/divided_drawing.hpp"
+
+#include <utility>
+
+namespace kfast::synfig {
+namespace {
+
+using scene::Curve;
+using scene::Outline;
+using scene::Spot;
+
+constexpr int deepest = 4;
+
+Spot mixed(Spot from, Spot to, double share) { return from + share * (to - from); }
+
+Curve as_cubic(Spot from, const Curve& curve)
+{
+    return curve.cubic
+               ? curve
+               : scene::cubic_to(mixed(from, curve.to, 1.0 / 3), mixed(from, curve.to, 2.0 / 3), curve.to);
+}
+
+std::pair<Curve, Curve> halves(Spot from, const Curve& curve, double share)
+{
+    const Spot first = mixed(from, curve.c1, share);
+    const Spot middle = mixed(curve.c1, curve.c2, share);
+    const Spot last = mixed(curve.c2, curve.to, share);
+    const Spot before = mixed(first, middle, share);
+    const Spot behind = mixed(middle, last, share);
+    const Spot spot = mixed(before, behind, share);
+    return {scene::cubic_to(first, before, spot), scene::cubic_to(behind, last, curve.to)};
+}
+
+void divide(const Curve& curve, Spot from, double begin, double end, int depth, double tolerance,
+            const std::function<double(const Curve&, Spot)>& error, std::vector<double>& shares)
+{
+    if (depth == deepest || error(curve, from) <= tolerance)
+        return;
+    const auto [first, second] = halves(from, curve, 0.5);
+    const double middle = (begin + end) / 2;
+    divide(first, from, begin, middle, depth + 1, tolerance, error, shares);
+    shares.push_back(middle);
+    divide(second, first.to, middle, end, depth + 1, tolerance, error, shares);
+}
+
+void add_divided(std::vector<Curve>& curves, Spot from, const Curve& curve, const std::vector<double>& shares)
+{
+    if (shares.empty()) {
+        curves.push_back(curve);
+        return;
+    }
+    Curve rest = as_cubic(from, curve);
+    double begin = 0;
+    for (const double share : shares) {
+        const auto [first, second] = halves(from, rest, (share - begin) / (1 - begin));
+        curves.push_back(first);
+        from = first.to;
+        rest = second;
+        begin = share;
+    }
+    curves.push_back(rest);
+}
+
+bool ends_at_beginning(const Outline& outline)
+{
+    return outline.closed && outline.curves.size() > 1 &&
+           scene::distance(outline.curves.back().to, outline.from) < 1e-9;
+}
+
+}
+
+Spot spot_on(const Curve& cubic, Spot from, double share)
+{
+    const double rest = 1 - share;
+    return rest * rest * rest * from + 3 * rest * rest * share * cubic.c1 +
+           3 * rest * share * share * cubic.c2 + share * share * share * cubic.to;
+}
+
+Division division(const art::Drawing& drawing, double tolerance,
+                  const std::function<double(const Curve&, Spot)>& error)
+{
+    Division result;
+    for (const Outline& outline : drawing.outlines) {
+        auto& own = result.emplace_back();
+        Spot from = outline.from;
+        for (const Curve& curve : outline.curves) {
+            divide(as_cubic(from, curve), from, 0, 1, 0, tolerance, error, own.emplace_back());
+            from = curve.to;
+        }
+    }
+    return result;
+}
+
+art::Drawing divided(const art::Drawing& drawing, const Division& division)
+{
+    art::Drawing result;
+    for (std::size_t i = 0; i < drawing.outlines.size(); ++i) {
+        const Outline& outline = drawing.outlines[i];
+        result.outlines.push_back({outline.from, {}, outline.closed});
+        Outline& own = result.outlines.back();
+        Spot from = outline.from;
+        for (std::size_t n = 0; n < outline.curves.size(); ++n) {
+            add_divided(own.curves, from, outline.curves[n], division[i][n]);
+            from = outline.curves[n].to;
+        }
+    }
+    return result;
+}
+
+std::vector<Spot> points_of(const art::Drawing& drawing)
+{
+    std::vector<Spot> points;
+    for (const Outline& outline : drawing.outlines) {
+        points.push_back(outline.from);
+        const std::size_t count = outline.curves.size() - (ends_at_beginning(outline) ? 1 : 0);
+        for (std::size_t i = 0; i < count; ++i)
+            points.push_back(outline.curves[i].to);
+    }
+    return points;
+}
+
+}

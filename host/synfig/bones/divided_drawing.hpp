@@ -1,0 +1,26 @@
+#pragma once
+
+#include "host/art/geometry/drawing.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace kfast::synfig {
+
+/// At which shares each curve is divided, outline by outline, curve by curve. Lines that are divided become
+/// curves.
+using Division = std::vector<std::vector<std::vector<double>>>;
+
+/// Halves curves until `error`, of a cubic and where it begins, is within the tolerance, at most 16 to 1.
+Division division(const art::Drawing& drawing, double tolerance,
+                  const std::function<double(const scene::Curve&, scene::Spot)>& error);
+
+/// The same picture with more points. The drawing has the form of the one that was looked at.
+art::Drawing divided(const art::Drawing& drawing, const Division& division);
+
+scene::Spot spot_on(const scene::Curve& cubic, scene::Spot from, double share);
+
+/// As skins count them: where outlines begin, and where their curves end, but for the closing point.
+std::vector<scene::Spot> points_of(const art::Drawing& drawing);
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "host/synfig/bones/bone_pair.hpp"
+#include "host/synfig/reading/layer.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kfast::synfig {
+
+/// What a skeleton is made of: always as many pairs, and the same bone at rest in each.
+struct PosedBones {
+    std::string name;
+    std::function<std::vector<BonePair>(double)> pairs_at; ///< by frames, in units of the file
+    std::vector<double> bends;                             ///< frames at which bones begin to go another way
+};
+
+/// A skeleton in pixels: set up as the bones rest, posed as they go.
+struct PosedRig {
+    art::Rig rig;
+    std::vector<std::size_t> place; ///< of each pair: its index in the rig
+};
+
+PosedRig posed_rig(const PosedBones& bones, const Reading& reading);
+
+}

@@ -1,0 +1,134 @@
+#include "host/synfig/evaluation/evaluator.hpp"
+
+#include "host/synfig/evaluation/arithmetic_values.hpp"
+#include "host/synfig/evaluation/bone_values.hpp"
+#include "host/synfig/evaluation/composite_values.hpp"
+#include "host/synfig/evaluation/list_values.hpp"
+#include "host/synfig/evaluation/spline_values.hpp"
+#include "host/synfig/evaluation/time_values.hpp"
+#include "host/synfig/values/waypoint_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <variant>
+
+namespace kfast::synfig {
+namespace {
+
+constexpr int deepest = 400;
+constexpr std::size_t most_steps = 30'000'000;
+
+// Formulas reach any number; what no canvas needs is cut off, so that all further arithmetic stays finite.
+constexpr double largest = 1e12;
+
+double bounded(double value) { return std::isnan(value) ? 0 : std::clamp(value, -largest, largest); }
+
+Value bounded(Value value)
+{
+    if (double* number = std::get_if<double>(&value.held))
+        *number = bounded(*number);
+    else if (Spot* spot = std::get_if<Spot>(&value.held))
+        *spot = {bounded(spot->x), bounded(spot->y)};
+    else if (Colour* colour = std::get_if<Colour>(&value.held))
+        *colour = {bounded(colour->red), bounded(colour->green), bounded(colour->blue),
+                   bounded(colour->alpha)};
+    return value;
+}
+
+Value constant(Evaluator&, const ValueNode& node, double) { return node.constant; }
+
+Value animated(Evaluator& evaluator, const ValueNode& node, double time)
+{
+    const auto& points = node.waypoints;
+    const auto next = std::ranges::upper_bound(points, time, {}, &Waypoint::time);
+    if (next == points.begin() || points.size() == 1)
+        return evaluator.at(*points.front().value, time);
+    const Waypoint& from = *std::prev(next);
+    if (next == points.end())
+        return evaluator.at(*from.value, time);
+    const bool plain = from.value->kind == "constant" && next->value->kind == "constant";
+    Value here = evaluator.at(*from.value, time);
+    if (!goes_smoothly(here) || from.after == Interpolation::constant ||
+        next->before == Interpolation::constant)
+        return here;
+    Value result;
+    if (plain) {
+        result = value_on_way(points, static_cast<std::size_t>(std::prev(next) - points.begin()), time);
+    } else {
+        const double share = warped_share(from, *next, (time - from.time) / (next->time - from.time));
+        result = sum(here, product(difference(evaluator.at(*next->value, time), here), share));
+    }
+    return node.type == "integer" ? rounded(result) : result;
+}
+
+}
+
+Evaluator::Law Evaluator::law_of(std::string_view kind)
+{
+    static const std::map<std::string_view, Law> laws = [] {
+        std::map<std::string_view, Law> all{{"constant", constant}, {"animated", animated}};
+        for (const auto& family :
+             {arithmetic_laws(), composite_laws(), time_laws(), spline_laws(), bone_laws(), list_laws()})
+            all.insert(family.begin(), family.end());
+        return all;
+    }();
+    const auto found = laws.find(kind);
+    return found == laws.end() ? nullptr : found->second;
+}
+
+bool Evaluator::knows(std::string_view kind)
+{
+    return law_of(kind) && kind != "random" && kind != "duplicate";
+}
+
+Value Evaluator::at(const ValueNode& node, double time)
+{
+    if (++steps_ > most_steps)
+        file_.fail(node.place,
+                   "working out the values of this file takes too long: make it shorter or simpler");
+    if (node.kind == "constant")
+        return node.constant;
+    const Law law = law_of(node.kind);
+    if (!law)
+        return {};
+    if (++depth_ > deepest)
+        file_.fail(node.place, "this value depends on itself, or on too many others one after the other");
+    Value value = bounded(law(*this, node, time));
+    --depth_;
+    return value;
+}
+
+Bone Evaluator::bone(const std::string& guid, double time)
+{
+    const ValueNodePtr node = guid.empty() ? nullptr : reader_.bone(guid);
+    if (!node)
+        return {};
+    for (const std::string& kind : node->unknown)
+        losses_.add({"value <" + kind + "> of a bone", "", {}, instead_of_value});
+    return at(*node, time).as<Bone>();
+}
+
+Value Evaluator::link(const ValueNode& node, std::string_view name, double time)
+{
+    const ValueNode* linked = node.link(name);
+    return linked ? at(*linked, time) : Value{};
+}
+
+double Evaluator::number(const ValueNode& node, std::string_view name, double time, double usual)
+{
+    return link(node, name, time).number(usual);
+}
+
+bool Evaluator::truth(const ValueNode& node, std::string_view name, double time, bool usual)
+{
+    return link(node, name, time).truth(usual);
+}
+
+Spot Evaluator::spot(const ValueNode& node, std::string_view name, double time)
+{
+    return link(node, name, time).as<Spot>();
+}
+
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "host/art/losses.hpp"
+#include "host/synfig/evaluation/value_reader.hpp"
+#include "host/synfig/values/value_node.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kfast::synfig {
+
+/// What there is of value nodes that Evaluator does not know.
+inline constexpr const char* instead_of_value = "nothing, as if it was 0, or what it starts from";
+
+/// Works out what values are at a time, in seconds.
+class Evaluator {
+public:
+    Evaluator(ValueReader& reader, const XmlFile& file, art::Losses& losses)
+        : reader_{reader}, file_{file}, losses_{losses}
+    {
+    }
+
+    /// False for value nodes that are worth nothing, or only what they would be without their own doing:
+    /// whoever has such is to tell.
+    static bool knows(std::string_view kind);
+    /// Throws Failure when that takes too many steps. Numbers, places and colours are finite.
+    Value at(const ValueNode& node, double time);
+    /// The bone of that name at that time; none: the root, where the canvas begins.
+    Bone bone(const std::string& guid, double time);
+
+    // What value nodes are made of; for those that stand in other files.
+    Value link(const ValueNode& node, std::string_view name, double time);
+    double number(const ValueNode& node, std::string_view name, double time, double usual = 0);
+    bool truth(const ValueNode& node, std::string_view name, double time, bool usual = false);
+    Spot spot(const ValueNode& node, std::string_view name, double time);
+
+private:
+    using Law = Value (*)(Evaluator&, const ValueNode&, double);
+    static Law law_of(std::string_view kind);
+
+    ValueReader& reader_;
+    const XmlFile& file_;
+    art::Losses& losses_;
+    int depth_ = 0;
+    std::size_t steps_ = 0;
+};
+
+}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "host/synfig/evaluation/value_law.hpp"
+
+namespace kfast::synfig {
+
+/// Of places, directions and widths along splines.
+ValueLaws spline_laws();
+
+}

@@ -1,0 +1,202 @@
+#include "host/synfig/layers/blending.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace kfast::synfig {
+namespace {
+
+// As files number them.
+constexpr int composite = 0;
+constexpr int straight = 1;
+constexpr int behind = 12;
+constexpr int straight_onto = 21;
+
+template <typename Law>
+Colour by_channels(const Colour& below, const Colour& above, Law law)
+{
+    return {law(below.red, above.red), law(below.green, above.green), law(below.blue, above.blue),
+            below.alpha};
+}
+
+/// One colour laid onto the other where law() says which, as far as it is opaque.
+template <typename Law>
+Colour laid_on(const Colour& below, const Colour& above, double amount, Law law)
+{
+    const double share = amount * above.alpha;
+    return by_channels(below, above,
+                       [&](double under, double over) { return under + share * (law(under, over) - under); });
+}
+
+Colour onto(const Colour& below, const Colour& above, double amount)
+{
+    return laid_on(below, above, amount, [](double, double over) { return over; });
+}
+
+Colour brighten(const Colour& below, const Colour& above, double amount)
+{
+    const double share = amount * above.alpha;
+    return by_channels(below, above,
+                       [&](double under, double over) { return std::max(under, over * share); });
+}
+
+Colour darken(const Colour& below, const Colour& above, double amount)
+{
+    const double share = amount * above.alpha;
+    return by_channels(below, above,
+                       [&](double under, double over) { return std::min(under, (over - 1) * share + 1); });
+}
+
+Colour add(const Colour& below, const Colour& above, double amount)
+{
+    const double share = amount * above.alpha;
+    return by_channels(below, above, [&](double under, double over) { return under + over * share; });
+}
+
+Colour subtract(const Colour& below, const Colour& above, double amount)
+{
+    return add(below, above, -amount);
+}
+
+Colour multiply(const Colour& below, const Colour& above, double amount)
+{
+    return laid_on(below, above, amount, [](double under, double over) { return under * over; });
+}
+
+Colour divide(const Colour& below, const Colour& above, double amount)
+{
+    constexpr double least = 1e-6;
+    return laid_on(below, above, amount, [](double under, double over) { return under / (over + least); });
+}
+
+Colour screen(const Colour& below, const Colour& above, double amount)
+{
+    return laid_on(below, above, amount,
+                   [](double under, double over) { return 1 - (1 - under) * (1 - over); });
+}
+
+Colour hard_light(const Colour& below, const Colour& above, double amount)
+{
+    return laid_on(below, above, amount, [](double under, double over) {
+        return over > 0.5 ? 1 - (2 - 2 * over) * (1 - under) : 2 * over * under;
+    });
+}
+
+Colour difference_of(const Colour& below, const Colour& above, double amount)
+{
+    const double share = amount * above.alpha;
+    return by_channels(below, above,
+                       [&](double under, double over) { return std::abs(under - over * share); });
+}
+
+Colour overlay(const Colour& below, const Colour& above, double amount)
+{
+    return laid_on(below, above, amount, [](double under, double over) {
+        return under * (1 - (1 - under) * (1 - over)) + (1 - under) * under * over;
+    });
+}
+
+struct Method {
+    const char* name;
+    Tinting tinting = nullptr;
+    /// A tint of what overlaps is the same as that of all together.
+    bool is_exact = false;
+};
+
+const std::map<int, Method>& methods()
+{
+    static const std::map<int, Method> all{{straight, {"straight"}},
+                                           {2, {"brighten", brighten}},
+                                           {3, {"darken", darken}},
+                                           {4, {"add", add}},
+                                           {5, {"subtract", subtract}},
+                                           {6, {"multiply", multiply, true}},
+                                           {7, {"divide", divide}},
+                                           {8, {"colour"}},
+                                           {9, {"hue"}},
+                                           {10, {"saturation"}},
+                                           {11, {"luminance"}},
+                                           {13, {"onto", onto, true}},
+                                           {14, {"alpha brighten"}},
+                                           {15, {"alpha darken"}},
+                                           {16, {"screen", screen, true}},
+                                           {17, {"hard light", hard_light}},
+                                           {18, {"difference", difference_of}},
+                                           {19, {"alpha over"}},
+                                           {20, {"overlay", overlay}},
+                                           {straight_onto, {"straight onto", onto}},
+                                           {22, {"add composite", add}},
+                                           {23, {"alpha intersection"}}};
+    return all;
+}
+
+int method_of(const Layer& layer) { return layer.whole("blend_method", 0, composite); }
+
+/// Such layers take away from what lies below, and show nothing of their own.
+bool erases(int method) { return method == 14 || method == 15 || method == 19 || method == 23; }
+
+/// Such layers are drawn where nothing lies below, too.
+bool stands_alone(int method) { return method == straight || method == 22; }
+
+std::string feature(int method)
+{
+    const auto found = methods().find(method);
+    return "blend method " +
+           (found == methods().end() ? std::to_string(method) : '"' + std::string{found->second.name} + '"');
+}
+
+bool is_opaque(const Layer& layer)
+{
+    return layer.number("amount", 0, 1) >= 1 && layer.bends({"amount"}).empty();
+}
+
+Blending blending_everywhere(const Layer& layer, int method)
+{
+    const auto found = methods().find(method);
+    if (found != methods().end() && found->second.tinting) {
+        if (!found->second.is_exact)
+            layer.lose(feature(method), "changes the colour of each layer below by itself");
+        return Blending::tinting;
+    }
+    layer.lose(feature(method), "the layer is left out");
+    return Blending::left_out;
+}
+
+}
+
+Blending blending_of(const Layer& layer, Extent extent, bool lies_lowest)
+{
+    const int method = method_of(layer);
+    if (method == composite)
+        return Blending::normal;
+    if (method == behind)
+        return Blending::behind;
+    if (lies_lowest && methods().contains(method))
+        return stands_alone(method) ? Blending::normal : Blending::left_out;
+    if (method == straight && is_opaque(layer))
+        return Blending::replacing;
+    if (extent == Extent::everywhere)
+        return blending_everywhere(layer, method);
+    if (method == straight_onto && is_opaque(layer)) {
+        layer.lose(feature(method), "painted instead of what lies below, even beyond it");
+        return Blending::replacing;
+    }
+    // Beyond what lies below it there is nothing of an inverted shape but all of the canvas.
+    const bool left_out = erases(method) || layer.truth("invert", 0, false);
+    layer.lose(feature(method), left_out ? "the layer is left out" : "painted over what lies below");
+    return left_out ? Blending::left_out : Blending::normal;
+}
+
+bool is_composite(const Layer& layer) { return method_of(layer) == composite; }
+
+bool takes_away(const Layer& layer) { return erases(method_of(layer)); }
+
+Tinting tinting_of(const Layer& layer)
+{
+    const auto found = methods().find(method_of(layer));
+    return found == methods().end() ? nullptr : found->second.tinting;
+}
+
+}

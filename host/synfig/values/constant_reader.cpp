@@ -1,0 +1,159 @@
+#include "host/synfig/values/constant_reader.hpp"
+
+#include "host/synfig/values/time_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace kfast::synfig {
+namespace {
+
+constexpr double most_number = 1e9;
+
+}
+
+bool ConstantReader::knows(std::string_view kind)
+{
+    static constexpr std::string_view kinds[] = {
+        "real",           "integer",  "angle",       "time",      "bool",           "vector",
+        "color",          "string",   "bline_point", "list",      "transformation", "width_point",
+        "bone_valuenode", "gradient", "segment",     "dash_item", "canvas",         "nil"};
+    return std::ranges::find(kinds, kind) != std::end(kinds);
+}
+
+bool ConstantReader::is_true(pugi::xml_attribute attribute)
+{
+    const std::string_view text = attribute.value();
+    return text == "true" || text == "1" || text == "TRUE" || text == "True";
+}
+
+Value ConstantReader::read(pugi::xml_node element) const
+{
+    const std::string_view kind = element.name();
+    if (kind == "bool")
+        return {is_true(element.attribute("value"))};
+    if (kind == "real" || kind == "angle")
+        return {number(element, "value", 0)};
+    if (kind == "integer")
+        return {integer(element)};
+    if (kind == "time")
+        return {time(element, "value")};
+    if (kind == "string")
+        return {std::string{element.text().get()}};
+    if (kind == "vector")
+        return {Spot{number_inside(element.child("x"), 0), number_inside(element.child("y"), 0)}};
+    if (kind == "color")
+        return {Colour{number_inside(element.child("r"), 0), number_inside(element.child("g"), 0),
+                       number_inside(element.child("b"), 0), number_inside(element.child("a"), 1)}};
+    if (kind == "bline_point")
+        return {spline_point(element)};
+    if (kind == "width_point")
+        return {width_point(element)};
+    if (kind == "transformation")
+        return {placement(element)};
+    if (kind == "bone_valuenode")
+        return {BoneName{element.attribute("guid").value()}};
+    if (kind == "gradient")
+        return {gradient(element)};
+    if (kind == "list")
+        return list(element);
+    return {};
+}
+
+Gradient ConstantReader::gradient(pugi::xml_node element) const
+{
+    Gradient gradient;
+    for (const pugi::xml_node child : element.children("color"))
+        gradient.stops.push_back({std::clamp(number(child, "pos", 0), 0.0, 1.0), read(child).as<Colour>()});
+    std::ranges::stable_sort(gradient.stops, {}, &GradientStop::position);
+    return gradient;
+}
+
+Value ConstantReader::list(pugi::xml_node element) const
+{
+    List all{{}, is_true(element.attribute("loop"))};
+    for (const pugi::xml_node child : element.children())
+        if (child.type() == pugi::node_element && knows(child.name()))
+            all.entries.push_back(read(child));
+    return {std::move(all)};
+}
+
+SplinePoint ConstantReader::spline_point(pugi::xml_node element) const
+{
+    SplinePoint point;
+    const auto spot = [&](const char* name) {
+        return read(XmlFile::first_element(element.child(name))).as<Spot>();
+    };
+    const auto real = [&](const char* name, double usual) {
+        return read(XmlFile::first_element(element.child(name))).number(usual);
+    };
+    point.vertex = spot(element.child("vertex") ? "vertex" : "point");
+    point.arriving = spot("t1");
+    point.split_radius = point.split_angle = static_cast<bool>(element.child("t2"));
+    point.second = point.split_angle ? spot("t2") : point.arriving;
+    point.width = real("width", 1);
+    point.origin = real("origin", 0.5);
+    return point;
+}
+
+WidthPoint ConstantReader::width_point(pugi::xml_node element) const
+{
+    const auto real = [&](const char* name, double usual) {
+        return read(XmlFile::first_element(element.child(name))).number(usual);
+    };
+    return {real("position", 0), real("width", 1), side_of(real("side_before", 0)),
+            side_of(real("side_after", 0))};
+}
+
+Placement ConstantReader::placement(pugi::xml_node element) const
+{
+    const auto inner = [&](const char* name) { return read(XmlFile::first_element(element.child(name))); };
+    return {inner("offset").as<Spot>(), inner("angle").number(), inner("skew_angle").number(),
+            inner("scale").as<Spot>({1, 1})};
+}
+
+double ConstantReader::number(pugi::xml_node element, const char* attribute, double usual) const
+{
+    const auto found = element.attribute(attribute);
+    return found ? number_of(found.value(), element) : usual;
+}
+
+/// Seeds of noise are as large as 32 bits go; nothing else is.
+double ConstantReader::integer(pugi::xml_node element) const
+{
+    const std::string_view text = element.attribute("value").value();
+    std::int64_t value = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size())
+        return number(element, "value", 0);
+    return std::clamp(static_cast<double>(value), -most_number, most_number);
+}
+
+double ConstantReader::number_inside(pugi::xml_node element, double usual) const
+{
+    return element ? number_of(element.text().get(), element) : usual;
+}
+
+double ConstantReader::number_of(std::string_view text, pugi::xml_node element) const
+{
+    const std::string_view digits = text.substr(std::min(text.find_first_not_of(" \t\r\n+"), text.size()));
+    double value = 0;
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (parsed.ec != std::errc{} || !(std::abs(value) <= most_number))
+        file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no number below a billion");
+    return value;
+}
+
+double ConstantReader::time(pugi::xml_node element, const char* attribute) const
+{
+    const std::string_view text = element.attribute(attribute).value();
+    const auto found = time_of(text, frame_rate_);
+    if (!found)
+        file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no time, such as \"1s 12f\"");
+    return std::clamp(*found, begin_of_time, end_of_time);
+}
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "host/synfig/values/value.hpp"
+#include "host/synfig/values/xml_file.hpp"
+
+#include <string_view>
+
+namespace kfast::synfig {
+
+/// Reads what is written out: plain values, and the attributes of others. Throws Failure where they are
+/// damaged.
+class ConstantReader {
+public:
+    ConstantReader(const XmlFile& file, double frame_rate) : file_{file}, frame_rate_{frame_rate} {}
+
+    /// Whether plain values stand behind that name.
+    static bool knows(std::string_view kind);
+    static bool is_true(pugi::xml_attribute attribute);
+
+    /// Of the element of a value; nothing if its kind has none that is used.
+    Value read(pugi::xml_node element) const;
+    double number(pugi::xml_node element, const char* attribute, double usual) const;
+    /// In seconds.
+    double time(pugi::xml_node element, const char* attribute) const;
+
+private:
+    Value list(pugi::xml_node element) const;
+    Gradient gradient(pugi::xml_node element) const;
+    SplinePoint spline_point(pugi::xml_node element) const;
+    WidthPoint width_point(pugi::xml_node element) const;
+    Placement placement(pugi::xml_node element) const;
+    double integer(pugi::xml_node element) const;
+    double number_inside(pugi::xml_node element, double usual) const;
+    double number_of(std::string_view text, pugi::xml_node element) const;
+
+    const XmlFile& file_;
+    double frame_rate_;
+};
+
+}

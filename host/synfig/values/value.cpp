@@ -1,0 +1,108 @@
+#include "host/synfig/values/value.hpp"
+
+#include "host/art/geometry/degree.hpp"
+
+#include <cmath>
+#include <type_traits>
+
+namespace kfast::synfig {
+namespace {
+
+Spot directed(double length, Spot along)
+{
+    const double own = std::sqrt(scene::dot(along, along));
+    return own == 0 ? Spot{length, 0} : length / own * along;
+}
+
+double length_of(Spot spot) { return std::sqrt(scene::dot(spot, spot)); }
+double degrees_of(Spot spot) { return std::atan2(spot.y, spot.x) / art::degree; }
+
+double combined(double left, double right, double factor) { return left + factor * right; }
+Spot combined(Spot left, Spot right, double factor) { return left + factor * right; }
+Colour combined(const Colour& left, const Colour& right, double factor)
+{
+    return {left.red + factor * right.red, left.green + factor * right.green, left.blue + factor * right.blue,
+            left.alpha + factor * right.alpha};
+}
+
+/// left + factor * right
+Value combined(const Value& left, const Value& right, double factor)
+{
+    return std::visit(
+        [&](const auto& held) -> Value {
+            using Held = std::decay_t<decltype(held)>;
+            if constexpr (std::is_same_v<Held, double> || std::is_same_v<Held, Spot> ||
+                          std::is_same_v<Held, Colour>)
+                return {combined(held, right.as<Held>(), factor)};
+            else
+                return left;
+        },
+        left.held);
+}
+
+}
+
+Spot SplinePoint::leaving() const
+{
+    if (!split_radius && !split_angle)
+        return arriving;
+    if (split_radius && split_angle)
+        return second;
+    if (split_radius)
+        return length_of(arriving) < 1e-8 ? second : directed(length_of(second), arriving);
+    return directed(length_of(arriving), second);
+}
+
+art::Affine Placement::matrix() const
+{
+    const double first = angle * art::degree;
+    const double other = (angle + skew + 90) * art::degree;
+    return {scale.x * std::cos(first),
+            scale.x * std::sin(first),
+            scale.y * std::cos(other),
+            scale.y * std::sin(other),
+            offset.x,
+            offset.y};
+}
+
+Placement Placement::of(const art::Affine& matrix)
+{
+    const Spot along{matrix.a, matrix.b};
+    const Spot across{matrix.c, matrix.d};
+    const double angle = degrees_of(along);
+    return {{matrix.e, matrix.f},
+            angle,
+            std::remainder(degrees_of(across) - angle - 90, 360),
+            {length_of(along), length_of(across)}};
+}
+
+Spot Bone::to() const { return from() + directed(length * stretch, {matrix.a, matrix.b}); }
+
+art::Affine Bone::carrying() const { return matrix * art::grown(stretch, 1); }
+
+double Value::number(double usual) const
+{
+    if (const bool* found = std::get_if<bool>(&held))
+        return *found ? 1 : 0;
+    return as<double>(usual);
+}
+
+bool Value::truth(bool usual) const
+{
+    if (const double* found = std::get_if<double>(&held))
+        return *found != 0;
+    return as<bool>(usual);
+}
+
+Side side_of(double number)
+{
+    return number >= 0 && number <= static_cast<double>(Side::inner_peak)
+               ? static_cast<Side>(static_cast<int>(number))
+               : Side::flat;
+}
+
+Value sum(const Value& left, const Value& right) { return combined(left, right, 1); }
+Value difference(const Value& left, const Value& right) { return combined(left, right, -1); }
+Value product(const Value& value, double factor) { return combined(value, value, factor - 1); }
+
+}

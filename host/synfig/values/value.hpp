@@ -1,0 +1,108 @@
+#pragma once
+
+#include "host/art/geometry/affine.hpp"
+#include "host/scene/outline.hpp"
+#include "host/synfig/values/gradient.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace kfast::synfig {
+
+using scene::Spot;
+
+/// A point of a spline. The way to the next point leaves along leaving() and arrives along its `arriving`,
+/// both three times as long as the arms of a Bézier curve.
+struct SplinePoint {
+    Spot vertex;
+    double width = 1;
+    double origin = 0.5; ///< where between its neighbours it appears and disappears
+    bool split_radius = false;
+    bool split_angle = false;
+    Spot arriving;
+    Spot second; ///< what of it counts, `split_radius` and `split_angle` say
+
+    Spot leaving() const;
+};
+
+/// How a line goes on beside a width point.
+enum class Side { interpolate, round, square, peak, flat, inner_round, inner_peak };
+
+/// Of an outline: how wide it is at a share of its length, and how it ends there on either side.
+struct WidthPoint {
+    double position = 0;
+    double width = 1;
+    Side before = Side::interpolate;
+    Side after = Side::interpolate;
+};
+
+/// What a group does to its content, and what some values are moved by: grows and leans, turns, moves.
+struct Placement {
+    Spot offset;
+    double angle = 0; ///< degrees, counter-clockwise
+    double skew = 0;  ///< degrees that the second axis is turned away from being square to the first
+    Spot scale{1, 1};
+
+    art::Affine matrix() const;
+    static Placement of(const art::Affine& matrix);
+};
+
+/// A bone at a moment, in the coordinates of its canvas, y up.
+struct Bone {
+    std::string name;
+    std::string guid;
+    std::string parent; ///< guid, or empty
+    art::Affine matrix; ///< from its own coordinates, without its own stretch
+    double angle = 0;   ///< degrees, of itself and all it hangs on
+    double stretch = 1; ///< of itself, not of what hangs on it
+    double length = 1;
+    double width = 0.1;     ///< how far it reaches to either side where it begins
+    double tip_width = 0.1; ///< and where it ends
+    double depth = 0;
+
+    Spot from() const { return {matrix.e, matrix.f}; }
+    Spot to() const;
+    /// What points do that are linked to the bone.
+    art::Affine carrying() const;
+};
+
+/// Names a bone of the file.
+struct BoneName {
+    std::string guid;
+};
+
+struct Value;
+
+struct List {
+    std::vector<Value> entries;
+    bool loop = false;
+};
+
+/// What a value node is at a moment. Numbers are reals, integers, angles in degrees, and times in seconds.
+struct Value {
+    std::variant<std::monostate, bool, double, Spot, Colour, Gradient, std::string, SplinePoint, WidthPoint,
+                 Placement, Bone, BoneName, List>
+        held;
+
+    /// What is held, or a default where something else is.
+    template <typename Held>
+    Held as(Held usual = {}) const
+    {
+        const Held* found = std::get_if<Held>(&held);
+        return found ? *found : std::move(usual);
+    }
+    double number(double usual = 0) const;
+    bool truth(bool usual = false) const;
+};
+
+/// As files number them; Side::flat for numbers that are none.
+Side side_of(double number);
+
+/// Of numbers, places and colours; of other values the first.
+Value sum(const Value& left, const Value& right);
+Value difference(const Value& left, const Value& right);
+Value product(const Value& value, double factor);
+
+}

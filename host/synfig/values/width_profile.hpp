@@ -1,0 +1,11 @@
+#pragma once
+
+#include "host/synfig/values/value.hpp"
+
+namespace kfast::synfig {
+
+/// Of a list of width points, sorted or not: the width in between, straight from one to the next; `usual`
+/// where there is none.
+double width_at(const List& points, double position, double usual);
+
+}

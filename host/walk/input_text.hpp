@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/scene/scene_view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kfast {
+
+/// The text that the input has until another is told, in UTF-8.
+std::string usual_text(const TextInput& input);
+
+/// As many of one character as the input may have, in UTF-8.
+std::string full_text(const TextInput& input, std::uint32_t glyph);
+
+/// How many points each glyph of a text has, in all labels that show the input `number` together, those of a
+/// symbol counted once.
+std::vector<std::size_t> glyph_points(const SceneView& scene, std::uint32_t number, const TextInput& input);
+
+}

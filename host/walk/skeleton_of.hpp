@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/scene/scene_view.hpp"
+
+#include <cstdint>
+
+namespace kfast {
+
+/// The skeleton of this number, which objects name that it carries.
+inline BonesView skeleton_of(const SceneView& scene, std::uint32_t number)
+{
+    BonesCursor skeletons = scene.skeletons();
+    for (; number > 0; --number)
+        skeletons.skip();
+    return skeletons.next();
+}
+
+}

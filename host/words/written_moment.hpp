@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/scene/scene_view.hpp"
+
+namespace kfast {
+
+/// The input that `clock` is.
+InputView input_of(const SceneView& scene, Clock clock);
+
+/// A moment of keys as an author writes it: in frames, or in the values of the input that they go by.
+double written_moment(const SceneView& scene, Clock clock, Time moment);
+
+}

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/time/hermite.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace kfast::test {
+
+/// The smooth curve through keys in the order of their times, of which there is at least one: slope
+/// (v[i + 1] - v[i - 1]) / (t[i + 1] - t[i - 1]) at an inner key, 0 at both ends, held outside.
+class ExactHermite {
+public:
+    explicit ExactHermite(std::vector<KeyTime> keys) : keys_{std::move(keys)} {}
+
+    double at(Time time) const
+    {
+        if (time <= keys_.front().time)
+            return keys_.front().value;
+        std::size_t next = 1;
+        while (next < keys_.size() && keys_[next].time <= time)
+            ++next;
+        if (next == keys_.size())
+            return keys_.back().value;
+        const KeyTime& from = keys_[next - 1];
+        const KeyTime& to = keys_[next];
+        const double way = double(to.time.ticks) - from.time.ticks;
+        const double u = (double(time.ticks) - from.time.ticks) / way;
+        return (1 + 2 * u) * (1 - u) * (1 - u) * from.value + u * (1 - u) * (1 - u) * way * slope(next - 1) +
+               u * u * (3 - 2 * u) * to.value + u * u * (u - 1) * way * slope(next);
+    }
+
+private:
+    double slope(std::size_t key) const
+    {
+        if (key == 0 || key + 1 == keys_.size())
+            return 0;
+        const KeyTime& before = keys_[key - 1];
+        const KeyTime& after = keys_[key + 1];
+        return (double(after.value) - before.value) / (double(after.time.ticks) - before.time.ticks);
+    }
+
+    std::vector<KeyTime> keys_;
+};
+
+}
