@@ -2,10 +2,10 @@
 
 #include "host/beam/field_share.hpp"
 #include "host/kdl/parser.hpp"
-#include "host/scene/part_rule.hpp"
-#include "host/scene/property_rule.hpp"
-#include "host/scene/quantity_reader.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/schema/part_rule.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/schema/quantity_reader.hpp"
+#include "host/schema/value_reader.hpp"
 
 #include <array>
 #include <bit>
@@ -16,7 +16,7 @@
 namespace kfast {
 namespace {
 
-using scene::assign, scene::PropertyRule, scene::Range, scene::Reading, scene::Word;
+using schema::assign, schema::PropertyRule, schema::Range, schema::Report, schema::Word;
 
 constexpr Range rates{1000, 1e6};
 constexpr Range steps{0.001, 100};
@@ -33,72 +33,72 @@ constexpr std::array brightness_words{
     Word<BeamBrightness>{"speed", BeamBrightness::by_speed},
 };
 
-bool read_rate(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_rate(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    const auto rate = read_quantity(value, scene::frequency, rates, reading);
+    const auto rate = read_quantity(value, schema::frequency, rates, report);
     if (rate)
         beam.rate = static_cast<std::uint32_t>(std::lround(*rate));
     return rate.has_value();
 }
 
 template <std::uint16_t BeamProfile::*step>
-bool read_step(const kdl::Value& value, Range range, BeamProfile& beam, Reading& reading)
+bool read_step(const kdl::Value& value, Range range, BeamProfile& beam, Report& report)
 {
-    const auto percent = read_number(value, range, reading);
+    const auto percent = read_number(value, range, report);
     if (percent)
         beam.*step = field_step(*percent);
     return percent.has_value();
 }
 
-bool read_lit_step(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_lit_step(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return read_step<&BeamProfile::lit_step>(value, steps, beam, reading);
+    return read_step<&BeamProfile::lit_step>(value, steps, beam, report);
 }
 
-bool read_travel_step(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_travel_step(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return read_step<&BeamProfile::travel_step>(value, steps_or_none, beam, reading);
+    return read_step<&BeamProfile::travel_step>(value, steps_or_none, beam, report);
 }
 
 template <std::uint8_t BeamProfile::*wait>
-bool read_wait(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_wait(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return assign(read_whole_number(value, waits, reading), beam.*wait);
+    return assign(read_whole_number(value, waits, report), beam.*wait);
 }
 
-bool read_least_refresh(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_least_refresh(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return assign(read_whole_number(value, refreshes, reading), beam.least_refresh);
+    return assign(read_whole_number(value, refreshes, report), beam.least_refresh);
 }
 
-bool read_resolution(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_resolution(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    const auto resolution = read_whole_number(value, resolutions, reading);
+    const auto resolution = read_whole_number(value, resolutions, report);
     if (!resolution)
         return false;
     beam.resolution = static_cast<std::uint16_t>(*resolution);
     return std::has_single_bit(beam.resolution) ||
-           reading.report.error(value.place, "a resolution is a power of two",
-                                "write 64, 128, 256, 512, 1024, 2048 or 4096");
+           report.error(value.place, "a resolution is a power of two",
+                        "write 64, 128, 256, 512, 1024, 2048 or 4096");
 }
 
-bool read_brightness(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_brightness(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return assign(read_word(value, brightness_words, reading), beam.brightness);
+    return assign(read_word(value, brightness_words, report), beam.brightness);
 }
 
 template <std::int16_t FieldPoint::*axis>
-bool read_park(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_park(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    const auto percent = read_number(value, places, reading);
+    const auto percent = read_number(value, places, report);
     if (percent)
         beam.park.*axis = field_place(*percent);
     return percent.has_value();
 }
 
-bool read_laser(const kdl::Value& value, BeamProfile& beam, Reading& reading)
+bool read_laser(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return assign(read_flag(value, reading), beam.is_laser);
+    return assign(read_flag(value, report), beam.is_laser);
 }
 
 constexpr std::array rules{
@@ -118,35 +118,35 @@ constexpr std::array rules{
     PropertyRule<BeamProfile>{"laser", read_laser},
 };
 
-const ProfileChoice* named_profile(const kdl::Value& value, Reading& reading)
+const ProfileChoice* named_profile(const kdl::Value& value, Report& report)
 {
-    const auto name = read_text(value, reading);
+    const auto name = read_text(value, report);
     if (!name)
         return nullptr;
     const ProfileChoice* const choice = profile_named(*name);
     if (choice == nullptr)
-        report_unknown_word(value, *name, profile_names(), reading);
+        report_unknown_word(value, *name, profile_names(), report);
     return choice;
 }
 
-bool has_time_to_draw(const kdl::Node& node, const BeamProfile& beam, Reading& reading)
+bool has_time_to_draw(const kdl::Node& node, const BeamProfile& beam, Report& report)
 {
     if (beam.rate / beam.least_refresh >= fewest_points)
         return true;
-    return reading.report.error(scene::property_place(node, "least-refresh"),
-                                "at this rate a picture would have fewer than " +
-                                    std::to_string(fewest_points) + " points",
-                                "let least-refresh be at most " + std::to_string(beam.rate / fewest_points));
+    return report.error(schema::property_place(node, "least-refresh"),
+                        "at this rate a picture would have fewer than " + std::to_string(fewest_points) +
+                            " points",
+                        "let least-refresh be at most " + std::to_string(beam.rate / fewest_points));
 }
 
 }
 
-std::optional<BeamProfile> read_beam(const kdl::Node& node, Reading& reading)
+std::optional<BeamProfile> read_beam(const kdl::Node& node, Report& report)
 {
-    const ProfileChoice* const base = named_profile(node.arguments.front(), reading);
+    const ProfileChoice* const base = named_profile(node.arguments.front(), report);
     BeamProfile beam = base != nullptr ? base->profile : BeamProfile{};
-    if (!read_properties(node, rules, beam, reading) || base == nullptr ||
-        !has_time_to_draw(node, beam, reading))
+    if (!read_properties(node, rules, beam, report) || base == nullptr ||
+        !has_time_to_draw(node, beam, report))
         return std::nullopt;
     return beam;
 }
@@ -156,11 +156,11 @@ std::optional<ChosenBeam> read_beam_text(const SourceText& source, Diagnostics& 
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors())
         return std::nullopt;
-    Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
-    const kdl::Node* const node = only_node(document, beam_form, "a description of a beam", reading);
-    if (node == nullptr || !fits(*node, beam_form, reading))
+    Report report{source, diagnostics};
+    const kdl::Node* const node = only_node(document, beam_form, "a description of a beam", report);
+    if (node == nullptr || !fits(*node, beam_form, report))
         return std::nullopt;
-    const auto profile = read_beam(*node, reading);
+    const auto profile = read_beam(*node, report);
     if (!profile)
         return std::nullopt;
     return ChosenBeam{*profile, profile_named(*node->arguments.front().string())->name};

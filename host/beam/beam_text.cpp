@@ -2,8 +2,8 @@
 
 #include "host/beam/field_share.hpp"
 #include "host/beam/profile_choice.hpp"
-#include "host/scene/quantity_reader.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/schema/quantity_reader.hpp"
+#include "host/schema/value_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,14 +13,14 @@ namespace {
 
 std::string step_text(std::uint16_t step)
 {
-    return scene::shortest_text(step / units_per_percent,
-                                [step](double percent) { return field_step(percent) == step; });
+    return schema::shortest_text(step / units_per_percent,
+                                 [step](double percent) { return field_step(percent) == step; });
 }
 
 std::string place_text(std::int16_t place)
 {
-    return scene::shortest_text(place / units_per_percent,
-                                [place](double percent) { return field_place(percent) == place; });
+    return schema::shortest_text(place / units_per_percent,
+                                 [place](double percent) { return field_place(percent) == place; });
 }
 
 std::string brightness_text(BeamBrightness brightness)
@@ -41,7 +41,7 @@ constexpr std::size_t property_count = 14;
 std::array<std::string, property_count> property_texts(const BeamProfile& beam)
 {
     return {
-        "rate=" + scene::quantity_text(beam.rate, scene::frequency),
+        "rate=" + schema::quantity_text(beam.rate, schema::frequency),
         "lit-step=" + step_text(beam.lit_step),
         "travel-step=" + step_text(beam.travel_step),
         "corner-dwell=" + std::to_string(beam.corner_dwell),

@@ -8,7 +8,7 @@
 #include "host/import/loss_list.hpp"
 #include "host/program/failure.hpp"
 #include "host/program/slow_scene.hpp"
-#include "host/scene/font_files.hpp"
+#include "host/scene/font/font_files.hpp"
 #include "host/text/counted.hpp"
 #include "host/text/reported_diagnostics.hpp"
 #include "host/text/utf16.hpp"

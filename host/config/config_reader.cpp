@@ -9,9 +9,9 @@
 #include "host/config/pins_reader.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/kdl/parser.hpp"
-#include "host/scene/part_rule.hpp"
-#include "host/scene/property_rule.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/schema/part_rule.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/schema/value_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@
 namespace kfast::config {
 namespace {
 
-using scene::NodeForm, scene::PartRule, scene::Reading, scene::Times, scene::Word;
+using schema::NodeForm, schema::PartRule, schema::Report, schema::Times, schema::Word;
 
 constexpr std::array part_rules{
     PartRule<Draft>{
@@ -56,7 +56,7 @@ Place pin_place(PinUser user, const Draft& draft)
 {
     if (user.is_control())
         return draft.control_nodes[user.control()]->arguments.front().place;
-    return scene::property_place(*draft.pins, pin_role_names[static_cast<std::size_t>(user.role())]);
+    return schema::property_place(*draft.pins, pin_role_names[static_cast<std::size_t>(user.role())]);
 }
 
 Place action_place(PinUser user, const Draft& draft)
@@ -68,7 +68,7 @@ Place glass_place(const kdl::Node& panel)
 {
     const kdl::Value& value = panel.arguments.front();
     return panel.arguments.size() == 1 ? value.place
-                                       : scene::span(panel.arguments[1].place, panel.arguments.back().place);
+                                       : schema::span(panel.arguments[1].place, panel.arguments.back().place);
 }
 
 Place place_of(const SettingsMistake& mistake, const Draft& draft)
@@ -80,12 +80,12 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
     case SettingsFault::glass_ragged:
         return glass_place(*draft.panel);
     case SettingsFault::rotation_not_done:
-        return scene::property_place(*draft.panel, "rotation");
+        return schema::property_place(*draft.panel, "rotation");
     case SettingsFault::clock_too_fast:
     case SettingsFault::clock_too_slow:
-        return scene::property_place(*draft.bus, "clock");
+        return schema::property_place(*draft.bus, "clock");
     case SettingsFault::address_reserved:
-        return scene::property_place(*draft.bus, "address");
+        return schema::property_place(*draft.bus, "address");
     case SettingsFault::pin_missing:
     case SettingsFault::pin_not_on_board:
     case SettingsFault::pin_shared:
@@ -100,37 +100,37 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
     case SettingsFault::beam_beyond_limits:
         return draft.beam->name_place;
     case SettingsFault::beam_too_fast:
-        return scene::property_place(*draft.beam, "rate");
+        return schema::property_place(*draft.beam, "rate");
     }
     return {};
 }
 
-void check_rules(const Draft& draft, Reading& reading)
+void check_rules(const Draft& draft, Report& report)
 {
     const std::vector<SettingsMistake> found = mistakes(draft.settings);
     for (const SettingsMistake& mistake : found) {
         const Finding finding = text_of(mistake, draft.settings);
-        reading.report.error(place_of(mistake, draft), finding.message, finding.remedy);
+        report.error(place_of(mistake, draft), finding.message, finding.remedy);
     }
     if (const auto finding = clock_warning(draft.settings); finding && found.empty())
-        reading.report.warning(scene::property_place(*draft.bus, "clock"), finding->message, finding->remedy);
+        report.warning(schema::property_place(*draft.bus, "clock"), finding->message, finding->remedy);
 }
 
-void read_chip(const kdl::Value& name, Reading& reading)
+void read_chip(const kdl::Value& name, Report& report)
 {
     if (const auto other = name.string() == nullptr ? std::nullopt : fit::other_board_text(*name.string()))
-        reading.report.error(name.place, *other, "settings are for board pico");
+        report.error(name.place, *other, "settings are for board pico");
     else
-        read_word(name, chips, reading);
+        read_word(name, chips, report);
 }
 
-void read_board(const kdl::Node& node, Draft& draft, Reading& reading)
+void read_board(const kdl::Node& node, Draft& draft, Report& report)
 {
-    if (!fits(node, board_form, reading) || !refuse_properties(node, reading))
+    if (!fits(node, board_form, report) || !refuse_properties(node, report))
         return;
-    read_chip(node.arguments.front(), reading);
-    read_parts(node, part_rules, draft, reading);
-    check_display(node, draft, reading);
+    read_chip(node.arguments.front(), report);
+    read_parts(node, part_rules, draft, report);
+    check_display(node, draft, report);
 }
 
 }
@@ -140,13 +140,13 @@ std::optional<BoardSettings> read_config(const SourceText& source, Diagnostics& 
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors())
         return std::nullopt;
-    Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
+    Report report{source, diagnostics};
     Draft draft;
-    if (const kdl::Node* const node = only_node(document, board_form, "a text of settings", reading))
-        read_board(*node, draft, reading);
+    if (const kdl::Node* const node = only_node(document, board_form, "a text of settings", report))
+        read_board(*node, draft, report);
     if (!diagnostics.has_errors()) {
         complete(draft);
-        check_rules(draft, reading);
+        check_rules(draft, report);
     }
     return diagnostics.has_errors() ? std::nullopt : std::optional{draft.settings};
 }

@@ -4,8 +4,8 @@
 #include "host/config/mistake_text.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/kdl/canonical.hpp"
-#include "host/scene/quantity_reader.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/schema/quantity_reader.hpp"
+#include "host/schema/value_reader.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace kfast::config {
 namespace {
 
-using scene::frequency, scene::quantity_text;
+using schema::frequency, schema::quantity_text;
 
 constexpr std::string_view line = "\n    ";
 constexpr std::string_view note = "\n    // ";
@@ -25,8 +25,8 @@ std::string flag_text(bool flag) { return flag ? "#true" : "#false"; }
 std::string brightness_text(std::uint8_t brightness)
 {
     constexpr double full = 255;
-    return scene::shortest_text(brightness / full,
-                                [=](double share) { return std::lround(share * full) == brightness; });
+    return schema::shortest_text(brightness / full,
+                                 [=](double share) { return std::lround(share * full) == brightness; });
 }
 
 std::string panel_text(const BoardSettings& settings)

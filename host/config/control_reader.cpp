@@ -1,8 +1,8 @@
 #include "host/config/control_reader.hpp"
 
 #include "host/config/pins_reader.hpp"
-#include "host/scene/property_rule.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/schema/value_reader.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
@@ -13,25 +13,25 @@
 namespace kfast::config {
 namespace {
 
-using scene::Reading;
+using schema::Report;
 
 /// `what` is named: a clip or an input.
-bool read_stored_name(const kdl::Value& value, std::string_view what, StoredName& stored, Reading& reading)
+bool read_stored_name(const kdl::Value& value, std::string_view what, StoredName& stored, Report& report)
 {
-    const auto name = read_name(value, reading);
+    const auto name = read_name(value, report);
     if (!name)
         return false;
     if (name->size() > longest_stored_name)
-        return reading.report.error(value.place,
-                                    "a board holds names of " + std::string{what} + "s up to " +
-                                        std::to_string(longest_stored_name) + " bytes",
-                                    "give the " + std::string{what} + " a shorter name in the scene");
+        return report.error(value.place,
+                            "a board holds names of " + std::string{what} + "s up to " +
+                                std::to_string(longest_stored_name) + " bytes",
+                            "give the " + std::string{what} + " a shorter name in the scene");
     stored = StoredName{*name};
     return true;
 }
 
 /// What a control of this kind does not do, or nobody.
-void report_unknown_action(const kdl::Value& value, std::string_view name, ControlKind kind, Reading& reading)
+void report_unknown_action(const kdl::Value& value, std::string_view name, ControlKind kind, Report& report)
 {
     std::vector<std::string_view> known;
     for (std::size_t i = 0; i < control_action_names.size(); ++i)
@@ -39,54 +39,53 @@ void report_unknown_action(const kdl::Value& value, std::string_view name, Contr
             known.push_back(control_action_names[i]);
     const bool is_of_others = std::ranges::find(control_action_names, name) != control_action_names.end();
     if (is_of_others)
-        reading.report.error(value.place,
-                             std::string{name} + " is not for a " +
-                                 (kind == ControlKind::knob ? "knob" : "button"),
-                             suggestion({}, known));
+        report.error(value.place,
+                     std::string{name} + " is not for a " + (kind == ControlKind::knob ? "knob" : "button"),
+                     suggestion({}, known));
     else
-        report_unknown_word(value, name, known, reading);
+        report_unknown_word(value, name, known, report);
 }
 
-std::optional<ControlAction> read_action(const kdl::Value& value, ControlKind kind, Reading& reading)
+std::optional<ControlAction> read_action(const kdl::Value& value, ControlKind kind, Report& report)
 {
-    const auto name = read_text(value, reading);
+    const auto name = read_text(value, report);
     if (!name)
         return std::nullopt;
     const auto place = std::ranges::find(control_action_names, *name);
     const auto action = static_cast<ControlAction>(place - control_action_names.begin());
     if (place != control_action_names.end() && is_for(action, kind))
         return action;
-    report_unknown_action(value, *name, kind, reading);
+    report_unknown_action(value, *name, kind, report);
     return std::nullopt;
 }
 
-bool read_name_of(const kdl::Node& node, Control& control, Reading& reading)
+bool read_name_of(const kdl::Node& node, Control& control, Report& report)
 {
     if (node.arguments.size() < 3)
         return true;
     if (has_name(control.action))
         return read_stored_name(node.arguments[2], has_input(control.action) ? "input" : "clip", control.name,
-                                reading);
-    return reading.report.error(node.arguments[2].place,
-                                *node.arguments[1].string() + " is for no clip or input", "remove it");
+                                report);
+    return report.error(node.arguments[2].place, *node.arguments[1].string() + " is for no clip or input",
+                        "remove it");
 }
 
-bool has_room(const kdl::Node& node, const Draft& draft, Reading& reading)
+bool has_room(const kdl::Node& node, const Draft& draft, Report& report)
 {
     return draft.controls < BoardSettings::most_controls ||
-           reading.report.error(node.name_place,
-                                "a board has at most " + std::to_string(BoardSettings::most_controls) +
-                                    " buttons and knobs",
-                                "remove this one");
+           report.error(node.name_place,
+                        "a board has at most " + std::to_string(BoardSettings::most_controls) +
+                            " buttons and knobs",
+                        "remove this one");
 }
 
-bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Reading& reading)
+bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Report& report)
 {
     Control control{.kind = kind, .action = ControlAction::play, .pin = no_pin, .name = {}};
-    const bool has_pin = scene::assign(read_pin(node.arguments[0], reading), control.pin);
-    const bool has_action = scene::assign(read_action(node.arguments[1], kind, reading), control.action);
-    if (!refuse_properties(node, reading) || !has_room(node, draft, reading) || !has_pin || !has_action ||
-        !read_name_of(node, control, reading))
+    const bool has_pin = schema::assign(read_pin(node.arguments[0], report), control.pin);
+    const bool has_action = schema::assign(read_action(node.arguments[1], kind, report), control.action);
+    if (!refuse_properties(node, report) || !has_room(node, draft, report) || !has_pin || !has_action ||
+        !read_name_of(node, control, report))
         return false;
     draft.control_nodes[draft.controls] = &node;
     draft.settings.controls[draft.controls++] = control;
@@ -95,20 +94,20 @@ bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Reading
 
 }
 
-bool read_clip(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+bool read_clip(const kdl::Node& node, Draft& draft, schema::Report& report)
 {
-    return refuse_properties(node, reading) &&
-           read_stored_name(node.arguments.front(), "clip", draft.settings.clip, reading);
+    return refuse_properties(node, report) &&
+           read_stored_name(node.arguments.front(), "clip", draft.settings.clip, report);
 }
 
-bool read_button(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+bool read_button(const kdl::Node& node, Draft& draft, schema::Report& report)
 {
-    return read_control(node, ControlKind::button, draft, reading);
+    return read_control(node, ControlKind::button, draft, report);
 }
 
-bool read_knob(const kdl::Node& node, Draft& draft, scene::Reading& reading)
+bool read_knob(const kdl::Node& node, Draft& draft, schema::Report& report)
 {
-    return read_control(node, ControlKind::knob, draft, reading);
+    return read_control(node, ControlKind::knob, draft, report);
 }
 
 }

@@ -2,7 +2,7 @@
 
 #include "host/config/pin_list.hpp"
 #include "host/config/setting_words.hpp"
-#include "host/scene/quantity_reader.hpp"
+#include "host/schema/quantity_reader.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -10,7 +10,7 @@
 namespace kfast::config {
 namespace {
 
-using scene::frequency, scene::quantity_text;
+using schema::frequency, schema::quantity_text;
 
 constexpr std::uint8_t last_address = 0x77;
 

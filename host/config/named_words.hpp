@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/scene/value_reader.hpp"
+#include "host/schema/value_reader.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,9 +10,9 @@ namespace kfast::config {
 
 /// The names of enumerators, in their order, as words of a text.
 template <class E, std::size_t count>
-constexpr std::array<scene::Word<E>, count> named_words(const std::array<std::string_view, count>& names)
+constexpr std::array<schema::Word<E>, count> named_words(const std::array<std::string_view, count>& names)
 {
-    std::array<scene::Word<E>, count> words{};
+    std::array<schema::Word<E>, count> words{};
     for (std::size_t i = 0; i < count; ++i)
         words[i] = {names[i], static_cast<E>(i)};
     return words;

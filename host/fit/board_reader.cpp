@@ -4,10 +4,10 @@
 #include "host/fit/display_reader.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/kdl/parser.hpp"
-#include "host/scene/node_form.hpp"
-#include "host/scene/part_rule.hpp"
-#include "host/scene/property_rule.hpp"
-#include "host/scene/quantity_reader.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/part_rule.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/schema/quantity_reader.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 namespace kfast::fit {
 namespace {
 
-using scene::assign, scene::frequency, scene::memory_size, scene::NodeForm, scene::PartRule,
-    scene::PropertyRule, scene::Range, scene::Reading, scene::Times, scene::Word;
+using schema::assign, schema::frequency, schema::memory_size, schema::NodeForm, schema::PartRule,
+    schema::PropertyRule, schema::Range, schema::Report, schema::Times, schema::Word;
 
 constexpr Range clocks{1e6, 2e9};
 constexpr Range bus_clocks{1e3, 1e9};
@@ -43,47 +43,47 @@ constexpr std::array bus_words{
     Word<BusKind>{"dac", BusKind::dac},
 };
 
-bool read_bytes(const kdl::Value& value, Range range, std::size_t& bytes, Reading& reading)
+bool read_bytes(const kdl::Value& value, Range range, std::size_t& bytes, Report& report)
 {
-    const auto quantity = read_quantity(value, memory_size, range, reading);
+    const auto quantity = read_quantity(value, memory_size, range, report);
     if (quantity)
         bytes = static_cast<std::size_t>(*quantity);
     return quantity.has_value();
 }
 
-bool read_clock(const kdl::Value& value, Target& target, Reading& reading)
+bool read_clock(const kdl::Value& value, Target& target, Report& report)
 {
-    return assign(read_quantity(value, frequency, clocks, reading), target.clock);
+    return assign(read_quantity(value, frequency, clocks, report), target.clock);
 }
 
-bool read_cycles(const kdl::Value& value, Target& target, Reading& reading)
+bool read_cycles(const kdl::Value& value, Target& target, Report& report)
 {
-    return assign(read_number(value, cycles, reading), target.cycles);
+    return assign(read_number(value, cycles, report), target.cycles);
 }
 
-bool read_flash(const kdl::Value& value, Target& target, Reading& reading)
+bool read_flash(const kdl::Value& value, Target& target, Report& report)
 {
-    return read_bytes(value, memories, target.flash, reading);
+    return read_bytes(value, memories, target.flash, report);
 }
 
-bool read_ram(const kdl::Value& value, Target& target, Reading& reading)
+bool read_ram(const kdl::Value& value, Target& target, Report& report)
 {
-    return read_bytes(value, memories, target.ram, reading);
+    return read_bytes(value, memories, target.ram, report);
 }
 
-bool read_bus_clock(const kdl::Value& value, Target& target, Reading& reading)
+bool read_bus_clock(const kdl::Value& value, Target& target, Report& report)
 {
-    return assign(read_quantity(value, frequency, bus_clocks, reading), target.bus.clock);
+    return assign(read_quantity(value, frequency, bus_clocks, report), target.bus.clock);
 }
 
-bool read_reserved_flash(const kdl::Value& value, Reserved& part, Reading& reading)
+bool read_reserved_flash(const kdl::Value& value, Reserved& part, Report& report)
 {
-    return read_bytes(value, reserves, part.flash, reading);
+    return read_bytes(value, reserves, part.flash, report);
 }
 
-bool read_reserved_ram(const kdl::Value& value, Reserved& part, Reading& reading)
+bool read_reserved_ram(const kdl::Value& value, Reserved& part, Report& report)
 {
-    return read_bytes(value, reserves, part.ram, reading);
+    return read_bytes(value, reserves, part.ram, report);
 }
 
 constexpr std::array core_rules{
@@ -100,61 +100,61 @@ constexpr std::array reserved_rules{
     PropertyRule<Reserved>{"ram", read_reserved_ram},
 };
 
-bool read_core(const kdl::Node& node, Target& target, Reading& reading)
+bool read_core(const kdl::Node& node, Target& target, Report& report)
 {
     const kdl::Value& name = node.arguments.front();
-    const bool has_clock = read_properties(node, core_rules, target, reading);
+    const bool has_clock = read_properties(node, core_rules, target, report);
     if (const auto remedy = name.string() == nullptr ? std::nullopt : other_core_text(*name.string()))
-        return reading.report.error(name.place, "unknown core " + in_quotes(*name.string()), *remedy);
-    if (!assign(read_word(name, processor_words, reading), target.processor))
+        return report.error(name.place, "unknown core " + in_quotes(*name.string()), *remedy);
+    if (!assign(read_word(name, processor_words, report), target.processor))
         return false;
     target.processor_name = *name.string();
     return has_clock;
 }
 
-bool read_memory(const kdl::Node& node, Target& target, Reading& reading)
+bool read_memory(const kdl::Node& node, Target& target, Report& report)
 {
-    return read_properties(node, memory_rules, target, reading);
+    return read_properties(node, memory_rules, target, report);
 }
 
-bool read_bus(const kdl::Node& node, Target& target, Reading& reading)
+bool read_bus(const kdl::Node& node, Target& target, Report& report)
 {
-    const bool has_clock = read_properties(node, bus_rules, target, reading);
-    return assign(read_word(node.arguments.front(), bus_words, reading), target.bus.kind) && has_clock;
+    const bool has_clock = read_properties(node, bus_rules, target, report);
+    return assign(read_word(node.arguments.front(), bus_words, report), target.bus.kind) && has_clock;
 }
 
-bool read_panel(const kdl::Node& node, Target& target, Reading& reading)
+bool read_panel(const kdl::Node& node, Target& target, Report& report)
 {
-    return assign(read_display(node, reading), target.display);
+    return assign(read_display(node, report), target.display);
 }
 
-bool read_board_beam(const kdl::Node& node, Target& target, Reading& reading)
+bool read_board_beam(const kdl::Node& node, Target& target, Report& report)
 {
-    target.beam = read_beam(node, reading);
+    target.beam = read_beam(node, report);
     return target.beam.has_value();
 }
 
-bool read_bands(const kdl::Node& node, Target& target, Reading& reading)
+bool read_bands(const kdl::Node& node, Target& target, Report& report)
 {
-    return refuse_properties(node, reading) &&
-           read_bytes(node.arguments.front(), bands, target.band_bytes, reading);
+    return refuse_properties(node, report) &&
+           read_bytes(node.arguments.front(), bands, target.band_bytes, report);
 }
 
-bool read_reserved(const kdl::Node& node, Target& target, Reading& reading)
+bool read_reserved(const kdl::Node& node, Target& target, Report& report)
 {
     Reserved part;
-    if (!node.arguments.empty() && !assign(read_name(node.arguments.front(), reading), part.name))
+    if (!node.arguments.empty() && !assign(read_name(node.arguments.front(), report), part.name))
         return false;
-    if (!read_properties(node, reserved_rules, part, reading))
+    if (!read_properties(node, reserved_rules, part, report))
         return false;
     target.reserved.push_back(std::move(part));
     return true;
 }
 
-bool read_features(const kdl::Node& node, Target& target, Reading& reading)
+bool read_features(const kdl::Node& node, Target& target, Report& report)
 {
-    return refuse_properties(node, reading) &&
-           assign(read_word(node.arguments.front(), feature_words, reading), target.has_every_feature);
+    return refuse_properties(node, report) &&
+           assign(read_word(node.arguments.front(), feature_words, report), target.has_every_feature);
 }
 
 constexpr NodeForm panel_form{"panel", "panel st7789", 0, 3};
@@ -180,28 +180,27 @@ bool has_part(const kdl::Node& node, std::string_view name)
 }
 
 /// A panel, or a beam that a converter leads.
-void require_display(const kdl::Node& node, const Target& target, Reading& reading)
+void require_display(const kdl::Node& node, const Target& target, Report& report)
 {
     const bool has_beam = has_part(node, beam_form.name);
     if (!has_beam)
-        require_part(panel_form, node, reading);
+        require_part(panel_form, node, report);
     else if (has_part(node, panel_form.name))
-        reading.report.error(node.name_place, "this board has both a panel and a beam",
-                             "leave one of them out");
+        report.error(node.name_place, "this board has both a panel and a beam", "leave one of them out");
     if (target.bus.clock != 0 && has_beam != (target.bus.kind == BusKind::dac))
-        reading.report.error(node.name_place,
-                             has_beam ? "a beam needs the bus of a converter" : "this bus has no panel",
-                             has_beam ? "bus dac clock=(MHz)20" : "beam scope");
+        report.error(node.name_place,
+                     has_beam ? "a beam needs the bus of a converter" : "this bus has no panel",
+                     has_beam ? "bus dac clock=(MHz)20" : "beam scope");
 }
 
-void read_board(const kdl::Node& node, Target& target, Reading& reading)
+void read_board(const kdl::Node& node, Target& target, Report& report)
 {
-    if (!fits(node, board_form, reading) || !refuse_properties(node, reading))
+    if (!fits(node, board_form, report) || !refuse_properties(node, report))
         return;
-    if (const auto name = read_name(node.arguments.front(), reading))
+    if (const auto name = read_name(node.arguments.front(), report))
         target.name = *name;
-    read_parts(node, part_rules, target, reading);
-    require_display(node, target, reading);
+    read_parts(node, part_rules, target, report);
+    require_display(node, target, report);
 }
 
 }
@@ -216,10 +215,10 @@ std::optional<Target> read_board(const SourceText& source, Diagnostics& diagnost
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors())
         return std::nullopt;
-    Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
+    Report report{source, diagnostics};
     Target target;
-    if (const kdl::Node* const node = only_node(document, board_form, "a description of a board", reading))
-        read_board(*node, target, reading);
+    if (const kdl::Node* const node = only_node(document, board_form, "a description of a board", report))
+        read_board(*node, target, report);
     if (diagnostics.has_errors())
         return std::nullopt;
     return target;

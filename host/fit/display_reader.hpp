@@ -2,7 +2,7 @@
 
 #include "host/fit/display.hpp"
 #include "host/kdl/document.hpp"
-#include "host/scene/reading.hpp"
+#include "host/schema/report.hpp"
 
 #include <optional>
 
@@ -10,6 +10,6 @@ namespace kfast::fit {
 
 /// `panel st7789`, `panel st7789 240 320` or `panel 240 240 format=rgb565`. Reports what is wrong and then
 /// returns nothing.
-std::optional<Display> read_display(const kdl::Node& node, scene::Reading& reading);
+std::optional<Display> read_display(const kdl::Node& node, schema::Report& report);
 
 }

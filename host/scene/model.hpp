@@ -12,7 +12,8 @@
 #include "core/time/clock.hpp"
 #include "core/time/law_pair.hpp"
 #include "core/time/time.hpp"
-#include "host/scene/spot.hpp"
+#include "host/geometry/drawing.hpp"
+#include "host/geometry/outline.hpp"
 #include "host/text/source.hpp"
 
 #include <array>
@@ -26,59 +27,10 @@
 /// A scene as it is written, with every number already rounded to what the binary stores.
 namespace kfast::scene {
 
-/// Canvas pixels in 1/16.
-struct Point {
-    std::int16_t x = 0;
-    std::int16_t y = 0;
-    friend bool operator==(Point, Point) = default;
-};
-
-/// From the point before it to `to`; c1 and c2 are the control points of a cubic Bézier (0, 0 in a line).
-struct Segment {
-    bool cubic = false;
-    Point c1;
-    Point c2;
-    Point to;
-    friend bool operator==(const Segment&, const Segment&) = default;
-};
-
-/// Closed when its first and last point coincide. A single point has no segments; no segment has all of its
-/// points in one place.
-struct Stroke {
-    Point from;
-    std::vector<Segment> segments;
-    friend bool operator==(const Stroke&, const Stroke&) = default;
-};
-
-/// May be empty: the object is not seen.
-struct Drawing {
-    std::vector<Stroke> strokes;
-    friend bool operator==(const Drawing&, const Drawing&) = default;
-};
-
-/// As the format counts them: one where a stroke begins and one for each of its segments.
-inline std::size_t point_count(const Drawing& drawing)
-{
-    std::size_t points = drawing.strokes.size();
-    for (const Stroke& stroke : drawing.strokes)
-        points += stroke.segments.size();
-    return points;
-}
-
 /// Which points of a drawing meet which of the next, where their numbers differ.
 enum class Match : std::uint8_t {
     count,  ///< added points are spread evenly over the segments (core/pose/equalize.hpp)
     length, ///< added points are placed by arc length, closed strokes begin where it fits best
-};
-
-/// What lies between two directions from the centre of an ellipse whose axes lie along x and y. Degrees, from
-/// three o'clock, clockwise on the screen; where `to` is less than `from` it runs the other way round.
-struct Sector {
-    Spot centre;
-    double radius_x = 0; ///< pixels
-    double radius_y = 0;
-    double from = 0;
-    double to = 0;
 };
 
 /// A stroke of a drawing that is written as an arc or a pie.

@@ -1,29 +1,36 @@
 #include "host/scene/scene_reader.hpp"
 
-#include "host/scene/bones_reader.hpp"
-#include "host/scene/canvas_reader.hpp"
-#include "host/scene/clip_reader.hpp"
-#include "host/scene/event_reader.hpp"
-#include "host/scene/group_reader.hpp"
-#include "host/scene/input_reader.hpp"
-#include "host/scene/item_reader.hpp"
-#include "host/scene/limits.hpp"
-#include "host/scene/name_table.hpp"
-#include "host/scene/node_form.hpp"
-#include "host/scene/node_words.hpp"
-#include "host/scene/object_reader.hpp"
-#include "host/scene/palette_reader.hpp"
-#include "host/scene/property_rule.hpp"
-#include "host/scene/reading.hpp"
-#include "host/scene/symbol_reader.hpp"
-#include "host/scene/symbol_use.hpp"
-#include "host/scene/synonyms.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/context/limits.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/items/group_reader.hpp"
+#include "host/scene/items/input_reader.hpp"
+#include "host/scene/items/item_reader.hpp"
+#include "host/scene/items/object_properties.hpp"
+#include "host/scene/items/object_reader.hpp"
+#include "host/scene/items/symbol_reader.hpp"
+#include "host/scene/items/symbol_use.hpp"
+#include "host/scene/shapes/shape_reader.hpp"
+#include "host/scene/shapes/wire_reader.hpp"
+#include "host/scene/skeleton/bones_reader.hpp"
+#include "host/scene/values/canvas_reader.hpp"
+#include "host/scene/values/clip_reader.hpp"
+#include "host/scene/values/event_reader.hpp"
+#include "host/scene/values/palette_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/name_table.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
+#include "host/words/synonyms.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace kfast::scene {
 namespace {
@@ -46,24 +53,24 @@ struct Parts {
 };
 
 template <const kdl::Node* Parts::*part>
-void take_single(Parts& parts, const kdl::Node& node, Reading& reading)
+void take_single(Parts& parts, const kdl::Node& node, SceneContext& context)
 {
     if (parts.*part == nullptr)
         parts.*part = &node;
     else
-        reading.report.error(node.name_place, "there is a " + node.name + " already, on " +
-                                                  reading.report.line((parts.*part)->name_place));
+        context.report.error(node.name_place, "there is a " + node.name + " already, on " +
+                                                  context.report.line((parts.*part)->name_place));
 }
 
 template <std::vector<const kdl::Node*> Parts::*list>
-void take_each(Parts& parts, const kdl::Node& node, Reading&)
+void take_each(Parts& parts, const kdl::Node& node, SceneContext&)
 {
     (parts.*list).push_back(&node);
 }
 
 struct PartRule {
     std::string_view name;
-    void (*take)(Parts& parts, const kdl::Node& node, Reading& reading);
+    void (*take)(Parts& parts, const kdl::Node& node, SceneContext& context);
 };
 
 constexpr std::array part_rules{
@@ -75,105 +82,126 @@ constexpr std::array part_rules{
     PartRule{input_name, take_each<&Parts::inputs>},
 };
 
-void take_part(Parts& parts, const kdl::Node& node, Reading& reading)
+void take_part(Parts& parts, const kdl::Node& node, SceneContext& context)
 {
     const auto rule = std::ranges::find(part_rules, node.name, &PartRule::name);
     if (rule != part_rules.end())
-        return rule->take(parts, node, reading);
-    reading.report.error(node.name_place, "a scene has no node " + in_quotes(node.name),
+        return rule->take(parts, node, context);
+    context.report.error(node.name_place, "a scene has no node " + in_quotes(node.name),
                          word_remedy(node.name, word_names<part_rules>));
 }
 
-Parts sort_out(const kdl::Document& document, Reading& reading)
+Parts sort_out(const kdl::Document& document, SceneContext& context)
 {
     Parts parts;
     for (const kdl::Node& node : document.nodes)
-        if (!reading.report.full())
-            take_part(parts, node, reading);
+        if (!context.report.full())
+            take_part(parts, node, context);
     return parts;
 }
 
 /// Whether this program can know what the rest means.
-bool read_version(const kdl::Node& node, Reading& reading)
+bool read_version(const kdl::Node& node, SceneContext& context)
 {
-    if (!fits(node, version_form, reading) || !refuse_properties(node, reading))
+    if (!fits(node, version_form, context.report) || !refuse_properties(node, context.report))
         return true;
     const kdl::Value& value = node.arguments.front();
-    const auto version = read_whole_number(value, {1, 1e9}, reading);
+    const auto version = read_whole_number(value, {1, 1e9}, context.report);
     if (!version || *version == language_version)
         return true;
-    return reading.report.error(value.place, "this scene needs a newer kfast",
+    return context.report.error(value.place, "this scene needs a newer kfast",
                                 "this one reads version " + std::to_string(language_version) +
                                     " of the scene language");
 }
 
-bool read_version(const kdl::Document& document, Reading& reading)
+bool read_version(const kdl::Document& document, SceneContext& context)
 {
     if (!document.nodes.empty() && document.nodes.front().name == version_form.name)
-        return read_version(document.nodes.front(), reading);
+        return read_version(document.nodes.front(), context);
     const Place place = document.nodes.empty() ? Place{} : document.nodes.front().name_place;
-    reading.report.error(place, "a scene begins with the version of its language",
+    context.report.error(place, "a scene begins with the version of its language",
                          "write \"kfast 1\" in front of everything else");
     return true;
 }
 
-void read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene, Reading& reading)
+/// What of an object stands at one of its shapes, which is a common mistake.
+std::string_view property_of_object(const kdl::Node& node, const kdl::Property& property)
+{
+    static const auto names = [] {
+        std::vector<std::string_view> list;
+        std::ranges::transform(object_property_words(), std::back_inserter(list), &PropertyWords::name);
+        return list;
+    }();
+    return is_shape(node.name) || is_wire(node.name) ? meaning_among(names, property.name)
+                                                     : std::string_view{};
+}
+
+std::string hint_of_object(const kdl::Node& node, const kdl::Property& property,
+                           std::span<const std::string_view> known)
+{
+    const std::string_view of_object = property_of_object(node, property);
+    if (of_object.empty() || !meaning_among(known, property.name).empty())
+        return {};
+    return "objects have it: object NAME " + std::string{of_object} + "=…";
+}
+
+void read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene, SceneContext& context)
 {
     if (parts.canvas != nullptr)
-        return read_canvas(*parts.canvas, scene, reading);
+        return read_canvas(*parts.canvas, scene, context);
     const Place place = document.nodes.empty() ? Place{} : document.nodes.front().name_place;
-    reading.report.error(place, "this scene has no canvas", "add \"canvas 240 240\"");
+    context.report.error(place, "this scene has no canvas", "add \"canvas 240 240\"");
 }
 
-void read_inputs(const Parts& parts, Reading& reading)
+void read_inputs(const Parts& parts, SceneContext& context)
 {
     for (const kdl::Node* node : parts.inputs)
-        if (!reading.report.full())
-            add_input(*node, reading);
+        if (!context.report.full())
+            add_input(*node, context);
 }
 
-void take_inputs(Scene& scene, Reading& reading)
+void take_inputs(Scene& scene, SceneContext& context)
 {
-    warn_of_unused_inputs(reading);
-    for (InputEntry& entry : reading.inputs.entries)
+    warn_of_unused_inputs(context);
+    for (InputEntry& entry : context.inputs.entries)
         scene.inputs.push_back(std::move(entry.input));
 }
 
-void read_skeletons(const Parts& parts, Reading& reading)
+void read_skeletons(const Parts& parts, SceneContext& context)
 {
     for (const kdl::Node* node : parts.skeletons)
-        if (!reading.report.full())
-            add_skeleton(*node, reading);
+        if (!context.report.full())
+            add_skeleton(*node, context);
 }
 
-void take_skeletons(Scene& scene, Reading& reading)
+void take_skeletons(Scene& scene, SceneContext& context)
 {
-    warn_of_unused_skeletons(reading);
-    for (Skeleton& skeleton : reading.skeletons.entries)
+    warn_of_unused_skeletons(context);
+    for (Skeleton& skeleton : context.skeletons.entries)
         scene.bones.push_back(std::move(skeleton.bones));
 }
 
-void read_items(const Parts& parts, Scene& scene, Reading& reading)
+void read_items(const Parts& parts, Scene& scene, SceneContext& context)
 {
     for (const kdl::Node* node : parts.symbols)
-        if (!reading.report.full())
-            add_symbol(*node, reading);
+        if (!context.report.full())
+            add_symbol(*node, context);
     for (const kdl::Node* node : parts.items)
-        if (!reading.report.full())
-            read_item(*node, 0, scene.items, reading);
-    refuse_crowded_order(scene.items, reading);
+        if (!context.report.full())
+            read_item(*node, 0, scene.items, context);
+    refuse_crowded_order(scene.items, context);
 }
 
-void read_marks(const Parts& parts, Scene& scene, Reading& reading)
+void read_marks(const Parts& parts, Scene& scene, SceneContext& context)
 {
     NameTable clip_names;
     for (const kdl::Node* node : parts.clips)
-        if (!reading.report.full())
-            if (auto clip = read_clip(*node, scene.length, clip_names, reading))
+        if (!context.report.full())
+            if (auto clip = read_clip(*node, scene.length, clip_names, context))
                 scene.clips.push_back(std::move(*clip));
     for (const kdl::Node* node : parts.events)
-        if (!reading.report.full())
-            if (auto event = read_event(*node, scene, reading))
+        if (!context.report.full())
+            if (auto event = read_event(*node, scene, context))
                 scene.events.push_back(std::move(*event));
     std::ranges::stable_sort(scene.events, {}, &Event::time);
 }
@@ -183,26 +211,27 @@ void read_marks(const Parts& parts, Scene& scene, Reading& reading)
 std::optional<Scene> read_scene(const kdl::Document& document, const SourceText& source,
                                 Diagnostics& diagnostics)
 {
-    Reading reading{.report = {source, diagnostics}, .palette = {}, .fonts = FontShelf{source.folder}};
-    if (!read_version(document, reading))
+    SceneContext context{
+        .report = {source, diagnostics, hint_of_object}, .palette = {}, .fonts = FontShelf{source.folder}};
+    if (!read_version(document, context))
         return std::nullopt;
-    const Parts parts = sort_out(document, reading);
+    const Parts parts = sort_out(document, context);
     if (parts.palette != nullptr)
-        read_palette(*parts.palette, reading);
+        read_palette(*parts.palette, context);
     Scene scene;
-    read_canvas(document, parts, scene, reading);
-    read_inputs(parts, reading);
-    read_skeletons(parts, reading);
-    read_items(parts, scene, reading);
-    scene.length = reading.length.value_or(std::max(reading.last_key, Time::frame(1)));
-    read_marks(parts, scene, reading);
-    scene.palette = reading.palette.used();
+    read_canvas(document, parts, scene, context);
+    read_inputs(parts, context);
+    read_skeletons(parts, context);
+    read_items(parts, scene, context);
+    scene.length = context.length.value_or(std::max(context.last_key, Time::frame(1)));
+    read_marks(parts, scene, context);
+    scene.palette = context.palette.used();
     // Behind all that asks what has been read: what they hold is not part of the scene.
-    check_unused_symbols(reading);
-    take_inputs(scene, reading);
-    take_skeletons(scene, reading);
+    check_unused_symbols(context);
+    take_inputs(scene, context);
+    take_skeletons(scene, context);
     if (!diagnostics.has_errors())
-        move_symbols(scene, reading);
+        move_symbols(scene, context);
     if (diagnostics.has_errors())
         return std::nullopt;
     return scene;

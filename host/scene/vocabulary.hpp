@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/scene/node_words.hpp"
+#include "host/schema/node_words.hpp"
 
 #include <string_view>
 #include <vector>
@@ -10,11 +10,11 @@ namespace kfast::scene {
 /// All that a scene may be written with, out of the very tables that its readers go by.
 struct Vocabulary {
     std::vector<std::string_view> outermost; ///< ids of the nodes on the outermost level
-    std::vector<NodeWords> nodes;
-    std::vector<PropertyWords> quantities; ///< what a `track` may move
-    std::vector<std::string_view> laws;    ///< as they are written: "hold", "steps(n)"
-    std::vector<std::string_view> colours; ///< that are known without a palette
-    std::vector<std::string_view> fonts;   ///< that are part of the program
+    std::vector<schema::NodeWords> nodes;
+    std::vector<schema::PropertyWords> quantities; ///< what a `track` may move
+    std::vector<std::string_view> laws;            ///< as they are written: "hold", "steps(n)"
+    std::vector<std::string_view> colours;         ///< that are known without a palette
+    std::vector<std::string_view> fonts;           ///< that are part of the program
 };
 
 Vocabulary vocabulary();

@@ -3,7 +3,7 @@
 #include "host/art/prepare/prepare.hpp"
 #include "host/kdl/readable.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/scene_text/arrange/arrange.hpp"
 #include "host/scene_text/arrange/camera.hpp"
 #include "host/scene_text/bones/rig_text.hpp"

@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-FONT = pathlib.Path(__file__).resolve().parents[2] / "firmware" / "small_font.hpp"
+FONT = pathlib.Path(__file__).resolve().parents[2] / "firmware/run/small_font.hpp"
 WHITE = (255, 255, 255)
 LETTER_WIDTH, LETTER_HEIGHT, ADVANCE = 3, 5, 4
 MOST_LETTERS = 60

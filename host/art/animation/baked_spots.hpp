@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/art/animation/animated.hpp"
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 
 #include <cstddef>
 #include <functional>

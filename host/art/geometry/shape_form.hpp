@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 
 #include <variant>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "host/art/animation/animated.hpp"
 #include "host/art/geometry/drawing.hpp"
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 
 #include <cstddef>
 #include <span>

@@ -3,7 +3,7 @@
 #include "core/playhead.hpp"
 #include "host/commands/text/json_text.hpp"
 #include "host/link/on_each.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/in_frames.hpp"
 

@@ -3,7 +3,7 @@
 #include "firmware/version.hpp"
 #include "host/commands/help/vocabulary_json.hpp"
 #include "host/program/exit_status.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 
 #include <cmath>
 #include <set>
@@ -174,9 +174,9 @@ void add_pages(const CommandWords& command, std::vector<ManPage>& pages)
         add_pages(inner, pages);
 }
 
-std::string range_text(const scene::ValueKind& kind)
+std::string range_text(const schema::ValueKind& kind)
 {
-    if (kind.type == scene::ValueType::word) {
+    if (kind.type == schema::ValueType::word) {
         std::string text;
         for (const std::string_view word : kind.words)
             text.append(text.empty() ? "" : ", ").append(word);
@@ -188,7 +188,7 @@ std::string range_text(const scene::ValueKind& kind)
     return kind.unit.empty() ? text : text + ' ' + std::string{kind.unit};
 }
 
-std::string text_of(const scene::NodeWords& node, const scene::Vocabulary& words)
+std::string text_of(const schema::NodeWords& node, const scene::Vocabulary& words)
 {
     std::string text = "Stands in";
     for (const std::string_view id : holders(words, node.id))
@@ -198,7 +198,7 @@ std::string text_of(const scene::NodeWords& node, const scene::Vocabulary& words
     if (node.properties.empty())
         return text;
     text += ".RS\n";
-    for (const scene::PropertyWords& property : node.properties)
+    for (const schema::PropertyWords& property : node.properties)
         text += ".PP\n" + bold(property.name) + ": " + plain(range_text(property.kind)) +
                 (property.required ? " (needed)" : "") + '\n';
     return text + ".RE\n";
@@ -211,7 +211,7 @@ ManPage scene_page(const scene::Vocabulary& words)
         ".SH DESCRIPTION\nA scene is a KDL 2.0 document, a file that ends with " + bold(".kfast") +
         ". These are its nodes and their properties. What they mean is told in docs/scene\\-language.md.\n"
         ".SH NODES\n";
-    for (const scene::NodeWords& node : words.nodes)
+    for (const schema::NodeWords& node : words.nodes)
         text += term(bold(node.form.usage), text_of(node, words));
     const auto list = [&text](const char* title, const std::vector<std::string_view>& entries) {
         text += std::string{".SH "} + title + '\n';

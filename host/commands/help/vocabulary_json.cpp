@@ -10,10 +10,10 @@ namespace kfast {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using scene::NodeForm;
-using scene::NodeWords;
-using scene::PropertyWords;
-using scene::ValueKind;
+using schema::NodeForm;
+using schema::NodeWords;
+using schema::PropertyWords;
+using schema::ValueKind;
 
 /// Whole numbers without a point.
 Json number_of(double number)
@@ -84,9 +84,9 @@ Json json_of(const NodeWords& node, const scene::Vocabulary& words)
 
 }
 
-std::string_view type_name(scene::ValueType type)
+std::string_view type_name(schema::ValueType type)
 {
-    using scene::ValueType;
+    using schema::ValueType;
     switch (type) {
     case ValueType::none:
         break;

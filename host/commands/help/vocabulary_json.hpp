@@ -8,7 +8,7 @@
 namespace kfast {
 
 /// "whole number", "colour": what a value is called in the schemas.
-std::string_view type_name(scene::ValueType type);
+std::string_view type_name(schema::ValueType type);
 
 /// For tools: an object whose form docs/editors.md describes.
 std::string vocabulary_json(const scene::Vocabulary& words);

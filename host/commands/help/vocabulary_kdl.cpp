@@ -1,7 +1,7 @@
 #include "host/commands/help/vocabulary_kdl.hpp"
 
 #include "host/kdl/canonical.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 namespace kfast {
 namespace {
 
-using scene::NodeForm;
-using scene::NodeWords;
-using scene::PropertyWords;
-using scene::ValueKind;
-using scene::ValueType;
+using schema::NodeForm;
+using schema::NodeWords;
+using schema::PropertyWords;
+using schema::ValueKind;
+using schema::ValueType;
 
 std::string string_of(std::string_view text) { return '"' + std::string{text} + '"'; }
 

@@ -1,7 +1,7 @@
 #include "host/commands/help/vocabulary_markdown.hpp"
 
 #include "host/commands/help/vocabulary_json.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@
 namespace kfast {
 namespace {
 
-using scene::NodeWords;
-using scene::PropertyWords;
-using scene::ValueKind;
-using scene::ValueType;
+using schema::NodeWords;
+using schema::PropertyWords;
+using schema::ValueKind;
+using schema::ValueType;
 
 std::string code(std::string_view text) { return '`' + std::string{text} + '`'; }
 

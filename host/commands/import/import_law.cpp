@@ -1,7 +1,7 @@
 #include "host/commands/import/import_law.hpp"
 
-#include "host/scene/law_reader.hpp"
-#include "host/scene/reading.hpp"
+#include "host/scene/values/law_reader.hpp"
+#include "host/schema/report.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -12,10 +12,9 @@ VelocityLaw read_law(const std::string& option, const std::string& text)
 {
     const SourceText source{.name = option, .text = text};
     Diagnostics diagnostics;
-    scene::Reading reading{
-        .report = {source, diagnostics}, .palette = {}, .fonts = scene::FontShelf{std::nullopt}};
+    schema::Report report{source, diagnostics};
     const kdl::Value value{.type = {}, .data = text, .place = {0, text.size()}, .text_offset = 0};
-    if (const auto law = scene::read_law(value, reading))
+    if (const auto law = scene::read_law(value, report))
         return *law;
     const Diagnostic first = diagnostics.sorted().front();
     throw CLI::ValidationError(option, first.message + (first.remedy.empty() ? "" : ": " + first.remedy));

@@ -4,7 +4,7 @@
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/text/size_text.hpp"
 #include "host/import/canvas_size.hpp"
-#include "host/scene/palette.hpp"
+#include "host/scene/context/palette.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "host/commands/inputs/input_value.hpp"
 
 #include "host/commands/text/glyph_text.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 #include "host/text/glyph.hpp"
 
 #include <charconv>

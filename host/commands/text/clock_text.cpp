@@ -1,6 +1,6 @@
 #include "host/commands/text/clock_text.hpp"
 
-#include "host/scene/quantity_reader.hpp"
+#include "host/schema/quantity_reader.hpp"
 #include "host/text/glyph.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,8 +23,8 @@ std::uint32_t read_clock(const std::string& option, const std::string& text)
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
     const auto unit =
-        std::ranges::find(scene::frequency_units, std::string_view{rest, end}, &scene::QuantityUnit::name);
-    const double hz = unit == scene::frequency_units.end() ? 0 : number * unit->factor;
+        std::ranges::find(schema::frequency_units, std::string_view{rest, end}, &schema::QuantityUnit::name);
+    const double hz = unit == schema::frequency_units.end() ? 0 : number * unit->factor;
     if (error != std::errc{} || !(hz >= 1 && hz <= fastest_clock))
         throw CLI::ValidationError(option, "'" + visible(text) +
                                                "' is no clock: write it like 40MHz, 400kHz or 9600Hz");
@@ -33,7 +33,7 @@ std::uint32_t read_clock(const std::string& option, const std::string& text)
 
 std::string clock_text(std::uint32_t hz)
 {
-    const auto unit = std::ranges::find_if(scene::frequency_units.rbegin(), scene::frequency_units.rend(),
+    const auto unit = std::ranges::find_if(schema::frequency_units.rbegin(), schema::frequency_units.rend(),
                                            [hz](const auto& row) { return hz >= row.factor; });
     std::ostringstream text;
     text << hz / unit->factor << ' ' << unit->name;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/live_backbones.hpp"
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 
 #include <optional>
 

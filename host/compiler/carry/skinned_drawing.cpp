@@ -4,7 +4,7 @@
 #include "core/pose/equalize.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/match/model_reader.hpp"
-#include "host/scene/binding.hpp"
+#include "host/scene/skeleton/binding.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include "core/scene/item_path.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/limits/outline_meter.hpp"
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 #include "host/walk/outline_items.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 
 /// A segment of a stroke before rounding, with its length: what is divided by length.
 ///

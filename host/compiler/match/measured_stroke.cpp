@@ -1,6 +1,6 @@
 #include "host/compiler/match/measured_stroke.hpp"
 
-#include "host/scene/coordinate.hpp"
+#include "host/geometry/coordinate.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "host/lottie/layers/precomposition.hpp"
 
+#include "host/geometry/shape.hpp"
 #include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/window.hpp"
 #include "host/lottie/values/time_remap.hpp"
-#include "host/scene/shape.hpp"
 #include "host/text/glyph.hpp"
 
 #include <algorithm>

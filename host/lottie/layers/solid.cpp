@@ -1,5 +1,5 @@
+#include "host/geometry/shape.hpp"
 #include "host/lottie/layers/layer.hpp"
-#include "host/scene/shape.hpp"
 
 #include <charconv>
 

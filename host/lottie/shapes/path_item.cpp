@@ -2,11 +2,11 @@
 
 #include "host/art/animation/baked_drawing.hpp"
 #include "host/art/document/matrix_at.hpp"
+#include "host/geometry/shape.hpp"
 #include "host/lottie/drawings/carried.hpp"
 #include "host/lottie/drawings/polystar.hpp"
 #include "host/lottie/shapes/transform.hpp"
 #include "host/lottie/values/member.hpp"
-#include "host/scene/shape.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/scene_text/arrange/depth.hpp"
 
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/scene_text/arrange/baking.hpp"
 #include "host/scene_text/arrange/placement.hpp"
 #include "host/scene_text/arrange/spans.hpp"

@@ -1,7 +1,7 @@
 #include "host/scene_text/bones/rig_text.hpp"
 
 #include "host/program/failure.hpp"
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/scene_text/bones/bone_keys.hpp"
 #include "host/scene_text/bones/pose_text.hpp"
 #include "host/scene_text/values/grid.hpp"

@@ -1,6 +1,6 @@
 #include "host/scene_text/bones/skin_text.hpp"
 
-#include "host/scene/binding.hpp"
+#include "host/scene/skeleton/binding.hpp"
 #include "host/scene_text/values/grid.hpp"
 #include "host/scene_text/values/nodes.hpp"
 

@@ -1,9 +1,9 @@
 #include "host/scene_text/drawings/drawing_keys.hpp"
 
 #include "host/program/failure.hpp"
-#include "host/scene/default_pivot.hpp"
-#include "host/scene/item_values.hpp"
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
+#include "host/scene/values/default_pivot.hpp"
+#include "host/scene/values/item_values.hpp"
 #include "host/scene_text/drawings/shape_text.hpp"
 #include "host/scene_text/drawings/steady_form.hpp"
 

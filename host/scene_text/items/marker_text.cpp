@@ -1,6 +1,6 @@
 #include "host/scene_text/items/marker_text.hpp"
 
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/scene_text/values/grid.hpp"
 #include "host/scene_text/values/names.hpp"
 #include "host/scene_text/values/nodes.hpp"

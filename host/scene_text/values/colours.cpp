@@ -1,7 +1,7 @@
 #include "host/scene_text/values/colours.hpp"
 
-#include "host/scene/limits.hpp"
-#include "host/scene/palette.hpp"
+#include "host/scene/context/limits.hpp"
+#include "host/scene/context/palette.hpp"
 #include "host/scene_text/values/nodes.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "host/scene_text/values/stored_keys.hpp"
 
 #include "host/program/failure.hpp"
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
 
 #include <iterator>
 

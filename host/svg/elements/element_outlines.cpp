@@ -1,9 +1,9 @@
 #include "host/svg/elements/element_outlines.hpp"
 
-#include "host/scene/arc.hpp"
-#include "host/scene/limits.hpp"
-#include "host/scene/shape.hpp"
-#include "host/scene/svg_path.hpp"
+#include "host/geometry/arc.hpp"
+#include "host/geometry/shape.hpp"
+#include "host/geometry/svg_path.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/svg/markup/reported_length.hpp"
 #include "host/svg/markup/shortened.hpp"
 #include "host/svg/markup/svg_text.hpp"

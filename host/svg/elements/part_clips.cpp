@@ -1,4 +1,4 @@
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "host/svg/elements/part_reader.hpp"
 #include "host/svg/elements/transform_origin.hpp"
 #include "host/svg/markup/svg_text.hpp"

@@ -1,7 +1,7 @@
 #include "host/svg/elements/part_reader.hpp"
 
+#include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/shape.hpp"
 #include "host/svg/elements/condition.hpp"
 #include "host/svg/elements/element_outlines.hpp"
 #include "host/svg/elements/pen_reader.hpp"

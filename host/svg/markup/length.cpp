@@ -1,6 +1,6 @@
 #include "host/svg/markup/length.hpp"
 
-#include "host/scene/path_scanner.hpp"
+#include "host/geometry/path_scanner.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/svg/markup/transform_list.hpp"
 
-#include "host/scene/path_scanner.hpp"
+#include "host/geometry/path_scanner.hpp"
 #include "host/svg/markup/length.hpp"
 
 #include <algorithm>

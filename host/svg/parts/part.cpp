@@ -1,7 +1,7 @@
 #include "host/svg/parts/part.hpp"
 
 #include "host/art/geometry/curve_length.hpp"
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 
 #include <algorithm>
 #include <cmath>

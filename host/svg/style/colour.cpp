@@ -1,7 +1,7 @@
 #include "host/svg/style/colour.hpp"
 
-#include "host/scene/palette.hpp"
-#include "host/scene/path_scanner.hpp"
+#include "host/geometry/path_scanner.hpp"
+#include "host/scene/context/palette.hpp"
 #include "host/svg/markup/length.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "host/synfig/bones/linked_skin.hpp"
 
-#include "host/scene/limits.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/synfig/bones/posed_rig.hpp"
 #include "host/synfig/evaluation/value_bends.hpp"
 

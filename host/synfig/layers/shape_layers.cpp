@@ -1,6 +1,6 @@
 #include "host/synfig/layers/shape_layers.hpp"
 
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "host/synfig/bones/linked_skin.hpp"
 #include "host/synfig/layers/cover_layers.hpp"
 

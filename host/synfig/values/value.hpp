@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/art/geometry/affine.hpp"
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 #include "host/synfig/values/gradient.hpp"
 
 #include <string>

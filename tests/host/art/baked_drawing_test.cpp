@@ -1,8 +1,8 @@
 #include "host/art/animation/baked_drawing.hpp"
 
 #include "host/art/geometry/affine.hpp"
+#include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/shape.hpp"
 
 #include <algorithm>
 #include <cmath>

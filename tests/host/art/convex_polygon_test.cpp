@@ -1,5 +1,5 @@
 #include "host/art/geometry/convex_polygon.hpp"
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 
 #include <array>
 #include <cmath>

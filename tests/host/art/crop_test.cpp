@@ -1,7 +1,7 @@
 #include "host/art/animation/ease_part.hpp"
 #include "host/art/prepare/prepare.hpp"
+#include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/shape.hpp"
 #include "tests/host/art/random_document.hpp"
 
 #include <cmath>

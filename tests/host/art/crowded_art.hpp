@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "tests/host/art/random_document.hpp"
 
 #include <cmath>

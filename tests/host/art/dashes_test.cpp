@@ -1,6 +1,6 @@
 #include "host/art/geometry/dashes.hpp"
+#include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/shape.hpp"
 
 #include <array>
 #include <cmath>

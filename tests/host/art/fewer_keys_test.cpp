@@ -3,7 +3,7 @@
 #include "host/art/animation/ease_part.hpp"
 #include "host/art/animation/fitted_ease.hpp"
 #include "host/art/document/value_distance.hpp"
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "tests/host/art/random_document.hpp"
 #include "tests/rounds.hpp"
 

@@ -1,7 +1,7 @@
 #include "host/art/prepare/merged_curves.hpp"
 
 #include "host/art/geometry/cubic_piece.hpp"
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "tests/host/art/art_parts.hpp"
 #include "tests/host/art/drawn_distance.hpp"
 #include "tests/host/art/random_document.hpp"

@@ -1,5 +1,5 @@
 #include "host/art/prepare/prepare.hpp"
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "host/art/geometry/shape_form.hpp"
 
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 #include "host/art/prepare/prepare.hpp"
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "tests/host/art/art_parts.hpp"
 #include "tests/host/art/random_document.hpp"
 #include "tests/rounds.hpp"

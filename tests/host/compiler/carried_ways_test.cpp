@@ -4,7 +4,7 @@
 #include "host/compiler/carry/backbone_timeline.hpp"
 #include "host/compiler/compile.hpp"
 #include "host/compiler/write/key_writer.hpp"
-#include "host/scene/outline.hpp"
+#include "host/geometry/outline.hpp"
 #include "tests/host/compiler/backbone_parts.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 

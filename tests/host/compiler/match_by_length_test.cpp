@@ -3,8 +3,8 @@
 #include "core/pose/equalize.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/match/model_reader.hpp"
-#include "host/scene/shape.hpp"
-#include "host/scene/svg_path.hpp"
+#include "host/geometry/shape.hpp"
+#include "host/geometry/svg_path.hpp"
 #include "tests/host/compiler/matched_drawings.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "core/math/segment.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
-#include "host/scene/bone_frames.hpp"
+#include "host/scene/skeleton/bone_frames.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "tests/host/compiler/random_skin.hpp"
 
-#include "host/scene/binding.hpp"
+#include "host/scene/skeleton/binding.hpp"
 
 namespace kfast::test {
 namespace {

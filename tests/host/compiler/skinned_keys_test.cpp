@@ -1,6 +1,6 @@
 #include "core/pose/carried_drawing.hpp"
 #include "core/time/key_interval.hpp"
-#include "host/scene/bone_frames.hpp"
+#include "host/scene/skeleton/bone_frames.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/host/compiler/posed_drawing.hpp"

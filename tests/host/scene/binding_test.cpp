@@ -1,4 +1,4 @@
-#include "host/scene/binding.hpp"
+#include "host/scene/skeleton/binding.hpp"
 
 #include <doctest/doctest.h>
 

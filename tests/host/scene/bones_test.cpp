@@ -1,4 +1,4 @@
-#include "host/scene/bone_frames.hpp"
+#include "host/scene/skeleton/bone_frames.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>

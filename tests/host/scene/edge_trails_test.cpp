@@ -1,4 +1,4 @@
-#include "host/scene/edge_trails.hpp"
+#include "host/geometry/edge_trails.hpp"
 
 #include "tests/rounds.hpp"
 

@@ -1,9 +1,9 @@
-#include "host/scene/hershey_font.hpp"
+#include "host/scene/font/hershey_font.hpp"
 
 #include "core/bytes/crc32.hpp"
 #include "host/fonts/dejavu_faces.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/hershey_faces.hpp"
+#include "host/scene/font/hershey_faces.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/scene/law_reader.hpp"
+#include "host/scene/values/law_reader.hpp"
 
 #include "tests/host/scene/scene_text.hpp"
 

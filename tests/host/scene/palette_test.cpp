@@ -1,4 +1,4 @@
-#include "host/scene/palette.hpp"
+#include "host/scene/context/palette.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "host/scene/bone_frames.hpp"
-#include "host/scene/reach_reader.hpp"
+#include "host/scene/skeleton/bone_frames.hpp"
+#include "host/scene/skeleton/reach_reader.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "host/scene/synonyms.hpp"
+#include "host/words/synonyms.hpp"
 
 #include "host/scene/vocabulary.hpp"
 #include "tests/host/scene/scene_text.hpp"
@@ -77,29 +77,29 @@ TEST_CASE("what there is not is said with the page that has another way")
     CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
     CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));
     CHECK(refers_to_absent(read_on_canvas("state idle { }").findings, "states"));
-    CHECK(scene::remedy_of_absent("circle") == "");
+    CHECK(remedy_of_absent("circle") == "");
 }
 
 TEST_CASE("each word of another program stands once with each meaning, as it is looked up")
 {
     std::set<std::pair<std::string_view, std::string_view>> rows;
-    for (const scene::Synonym& row : scene::synonyms()) {
+    for (const Synonym& row : synonyms()) {
         CAPTURE(row.word);
         CAPTURE(row.meaning);
         CHECK(rows.emplace(row.word, row.meaning).second);
         CHECK(row.word != row.meaning);
-        CHECK(scene::meaning_among(std::array{row.meaning}, row.word) == row.meaning);
+        CHECK(meaning_among(std::array{row.meaning}, row.word) == row.meaning);
     }
 }
 
 TEST_CASE("no word that a node has is one of another program there")
 {
     const auto words = scene::vocabulary();
-    for (const scene::NodeWords& node : words.nodes) {
+    for (const schema::NodeWords& node : words.nodes) {
         std::set<std::string_view> names;
-        for (const scene::PropertyWords& property : node.properties)
+        for (const schema::PropertyWords& property : node.properties)
             names.insert(property.name);
-        for (const scene::Synonym& row : scene::synonyms()) {
+        for (const Synonym& row : synonyms()) {
             CAPTURE(node.id);
             CAPTURE(row.word);
             CAPTURE(row.meaning);
@@ -110,10 +110,9 @@ TEST_CASE("no word that a node has is one of another program there")
 
 TEST_CASE("other words have a suggestion")
 {
-    CHECK(scene::word_remedy("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
+    CHECK(word_remedy("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
           "did you mean \"circle\"?");
-    CHECK(scene::word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) ==
-          "allowed: rect");
+    CHECK(word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) == "allowed: rect");
 }
 
 }

@@ -1,4 +1,4 @@
-#include "host/scene/value_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
 #include "host/scene/vocabulary.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
@@ -14,10 +14,10 @@
 namespace kfast::test {
 namespace {
 
-using scene::NodeWords;
-using scene::PropertyWords;
-using scene::ValueKind;
-using scene::ValueType;
+using schema::NodeWords;
+using schema::PropertyWords;
+using schema::ValueKind;
+using schema::ValueType;
 
 const scene::Vocabulary& words()
 {

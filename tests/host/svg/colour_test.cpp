@@ -1,4 +1,4 @@
-#include "host/scene/colour_names.hpp"
+#include "host/scene/context/colour_names.hpp"
 #include "host/svg/style/colour.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 

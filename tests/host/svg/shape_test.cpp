@@ -1,4 +1,4 @@
-#include "host/scene/shape.hpp"
+#include "host/geometry/shape.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 
 #include <doctest/doctest.h>

@@ -1,0 +1,106 @@
+#include "host/geometry/arc.hpp"
+
+#include "host/geometry/unit_circle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace kfast::scene {
+namespace {
+
+/// Lengths outside of these count as 0 and as `longest`: on a canvas they make no difference, and within
+/// them no square or quotient of the formulas leaves the range of double.
+constexpr double shortest = 1e-9;
+constexpr double longest = 1e9;
+
+double usable_radius(double radius) { return std::min(std::abs(radius), longest); }
+
+Spot turned(Spot spot, double cosine, double sine)
+{
+    return {cosine * spot.x - sine * spot.y, sine * spot.x + cosine * spot.y};
+}
+
+/// An arc in the terms of its ellipse (SVG 2, appendix B.2, gives the formulas and their names).
+class Ellipse {
+public:
+    explicit Ellipse(const Arc& arc)
+        : cosine_{std::cos(arc.rotation * std::numbers::pi / 180)},
+          sine_{std::sin(arc.rotation * std::numbers::pi / 180)}, radii_{usable_radius(arc.radius_x),
+                                                                         usable_radius(arc.radius_y)}
+    {
+        const Spot half = turned(0.5 * (arc.from - arc.to), cosine_, -sine_);
+        const double stretch = std::hypot(half.x / radii_.x, half.y / radii_.y);
+        radii_ = std::max(1.0, stretch) * radii_;
+        const Spot centre = centre_from_chord({half.x / radii_.x, half.y / radii_.y}, arc.large != arc.sweep);
+        start_ = std::atan2(half.y / radii_.y - centre.y, half.x / radii_.x - centre.x);
+        const double end = std::atan2(-half.y / radii_.y - centre.y, -half.x / radii_.x - centre.x);
+        extent_ = signed_extent(end - start_, arc.sweep);
+        centre_ =
+            turned({centre.x * radii_.x, centre.y * radii_.y}, cosine_, sine_) + 0.5 * (arc.from + arc.to);
+    }
+
+    std::vector<Curve> curves() const
+    {
+        const int count = arc_pieces(std::abs(extent_) / (std::numbers::pi / 2));
+        std::vector<Curve> curves;
+        curves.reserve(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i)
+            curves.push_back(piece(start_ + extent_ * i / count, extent_ / count));
+        return curves;
+    }
+
+private:
+    /// On the unit circle, with the chord from `half` to -half.
+    static Spot centre_from_chord(Spot half, bool clockwise_of_chord)
+    {
+        const double square = half.x * half.x + half.y * half.y;
+        const double away = std::sqrt(std::max(0.0, 1 / square - 1));
+        const Spot centre{away * half.y, -away * half.x};
+        return clockwise_of_chord ? centre : -1.0 * centre;
+    }
+
+    static double signed_extent(double difference, bool sweep)
+    {
+        if (sweep && difference < 0)
+            return difference + 2 * std::numbers::pi;
+        if (!sweep && difference > 0)
+            return difference - 2 * std::numbers::pi;
+        return difference;
+    }
+
+    Curve piece(double angle, double extent) const
+    {
+        const double end = angle + extent;
+        const Curve unit =
+            unit_arc({std::cos(angle), std::sin(angle)}, {std::cos(end), std::sin(end)}, extent);
+        return cubic_to(on_canvas(unit.c1), on_canvas(unit.c2), on_canvas(unit.to));
+    }
+
+    Spot on_canvas(Spot unit) const
+    {
+        return centre_ + turned({radii_.x * unit.x, radii_.y * unit.y}, cosine_, sine_);
+    }
+
+    double cosine_;
+    double sine_;
+    Spot radii_;
+    Spot centre_;
+    double start_ = 0;
+    double extent_ = 0;
+};
+
+}
+
+std::vector<Curve> curves_of(const Arc& arc)
+{
+    const Spot chord = arc.to - arc.from;
+    if (std::min({std::abs(arc.radius_x), std::abs(arc.radius_y), std::hypot(chord.x, chord.y)}) < shortest)
+        return {line_to(arc.to)};
+    std::vector<Curve> curves = Ellipse{arc}.curves();
+    curves.back().to = arc.to;
+    return curves;
+}
+
+}

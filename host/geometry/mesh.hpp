@@ -1,0 +1,22 @@
+#pragma once
+
+#include "host/geometry/edge_trails.hpp"
+#include "host/geometry/wire.hpp"
+
+#include <vector>
+
+namespace kfast::scene {
+
+/// Corners and the edges between them.
+struct Mesh {
+    std::vector<SpaceSpot> vertices;
+    std::vector<Edge> edges; ///< between these; the same one may stand several times
+};
+
+/// The twelve edges of a box. `corner` is the one with the least x, y and z.
+Mesh cuboid(const SpaceSpot& corner, double width, double height, double depth);
+
+/// All edges, each once, in as few wires as there can be.
+std::vector<Wire> wires_of(const Mesh& mesh);
+
+}

@@ -1,0 +1,34 @@
+#include "host/geometry/star.hpp"
+
+#include "host/geometry/shape.hpp"
+#include "host/geometry/unit_circle.hpp"
+
+#include <vector>
+
+namespace kfast::scene {
+namespace {
+
+constexpr double twelve_o_clock = -90;
+
+}
+
+Outline star(Spot centre, int tips, double outer, double inner, double turn)
+{
+    std::vector<Spot> spots;
+    spots.reserve(static_cast<std::size_t>(2 * tips));
+    for (int i = 0; i < 2 * tips; ++i)
+        spots.push_back(centre + (i % 2 == 0 ? outer : inner) *
+                                     on_unit_circle(twelve_o_clock + turn + 180.0 * i / tips));
+    return polyline(spots, true);
+}
+
+Outline regular_polygon(Spot centre, int corners, double radius, double turn)
+{
+    std::vector<Spot> spots;
+    spots.reserve(static_cast<std::size_t>(corners));
+    for (int i = 0; i < corners; ++i)
+        spots.push_back(centre + radius * on_unit_circle(twelve_o_clock + turn + 360.0 * i / corners));
+    return polyline(spots, true);
+}
+
+}

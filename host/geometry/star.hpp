@@ -1,0 +1,14 @@
+#pragma once
+
+#include "host/geometry/outline.hpp"
+
+namespace kfast::scene {
+
+/// A star with `tips` on a circle of radius `outer` and as many dents on one of radius `inner`. From the
+/// first tip, at twelve o'clock when `turn` (degrees, clockwise) is 0; clockwise, closed.
+Outline star(Spot centre, int tips, double outer, double inner, double turn);
+
+/// A polygon with equal sides and angles, its corners on a circle. It begins and runs like a star.
+Outline regular_polygon(Spot centre, int corners, double radius, double turn);
+
+}

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/scene/kfb_limits.hpp"
+#include "core/time/time.hpp"
+#include "host/geometry/drawing.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace kfast::scene {
+
+/// In all drawings, keys counted as well.
+inline constexpr std::size_t most_points_of_scene = std::size_t{1} << 22;
+inline constexpr std::size_t most_keys = 65'535;                          ///< of an item
+inline constexpr std::size_t most_ordered_items = kfb::max_ordered_items; ///< beside each other
+inline constexpr std::size_t most_symbols = kfb::max_symbols;             ///< of items, in use
+inline constexpr std::size_t most_clips = kfb::max_clips;
+inline constexpr std::size_t most_inputs = kfb::max_inputs;
+inline constexpr int most_live_points = kfb::max_live_points; ///< of a drawing from outside
+inline constexpr std::size_t most_backbones = kfb::max_backbones;
+inline constexpr std::size_t most_backbone_segments = kfb::max_backbone_segments; ///< of a skeleton
+inline constexpr std::size_t longest_name = kfb::max_name_bytes;
+inline constexpr std::size_t most_skeletons = kfb::max_bones;
+inline constexpr std::size_t most_bones = kfb::max_bones;                   ///< of a skeleton
+inline constexpr std::size_t most_bones_together = kfb::max_bones_together; ///< of all skeletons
+/// By all poses of a scene, a pose counted wherever its name stands: copies would soon be more than any
+/// memory holds.
+inline constexpr std::size_t most_posed_bones = std::size_t{1} << 19;
+inline constexpr std::size_t most_bones_at_point = kfb::max_bones_at_point;
+inline constexpr int deepest_item = kfb::max_depth; ///< groups and uses around it
+inline constexpr std::size_t most_colours = 255;    ///< in use, and names in the palette
+inline constexpr int most_frames = kfb::max_time / Time::ticks_per_frame;
+
+inline constexpr int widest_canvas = kfb::max_canvas;      ///< pixels, in each direction
+inline constexpr int fastest = kfb::max_frame_rate / 1000; ///< frames per second
+inline constexpr int widest_stroke = kfb::max_width / 16;  ///< pixels
+
+inline constexpr std::int32_t longest_bone = 65'535; ///< 1/16 px
+
+/// Whether the format holds it, in 1/16 px.
+constexpr bool is_bone_origin(std::int32_t coordinate)
+{
+    return coordinate >= -32'768 && coordinate <= 32'767;
+}
+
+inline std::string too_far_from_parent()
+{
+    return "this bone begins more than 2047 px from its parent's origin";
+}
+
+inline std::string too_deep()
+{
+    return "groups and uses lie at most " + std::to_string(deepest_item) + " deep in each other";
+}
+
+}

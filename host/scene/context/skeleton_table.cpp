@@ -1,0 +1,53 @@
+#include "host/scene/context/skeleton_table.hpp"
+
+#include <algorithm>
+
+namespace kfast::scene {
+namespace {
+
+std::string_view name_of(const Skeleton& skeleton) { return skeleton.bones.name; }
+
+template <class Things, class NameOf>
+std::optional<std::size_t> index_of(const Things& things, std::string_view name, NameOf name_of)
+{
+    const auto found = std::ranges::find(things, name, name_of);
+    if (found == things.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - things.begin());
+}
+
+}
+
+std::optional<std::size_t> find_bone(const std::vector<Bone>& bones, std::string_view name)
+{
+    return index_of(bones, name, &Bone::name);
+}
+
+std::vector<std::string_view> names_of(const std::vector<Bone>& bones)
+{
+    std::vector<std::string_view> names(bones.size());
+    std::ranges::transform(bones, names.begin(), &Bone::name);
+    return names;
+}
+
+std::optional<std::size_t> SkeletonTable::find(std::string_view name) const
+{
+    return index_of(entries, name, name_of);
+}
+
+std::vector<std::string_view> SkeletonTable::names() const
+{
+    std::vector<std::string_view> names(entries.size());
+    std::ranges::transform(entries, names.begin(), name_of);
+    return names;
+}
+
+std::size_t SkeletonTable::bone_count() const
+{
+    std::size_t count = 0;
+    for (const Skeleton& skeleton : entries)
+        count += skeleton.bones.bones.size();
+    return count;
+}
+
+}

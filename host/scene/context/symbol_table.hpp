@@ -1,0 +1,62 @@
+#pragma once
+
+#include "host/geometry/outline.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/model.hpp"
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace kfast::scene {
+
+/// What a symbol holds, and how far reading it has come.
+struct SymbolEntry {
+    enum class Kind : std::uint8_t { items, drawing };
+    enum class State : std::uint8_t { unread, in_progress, good, bad };
+
+    const kdl::Node* node = nullptr;
+    std::string name;
+    Place place; ///< of the name
+    State state = State::unread;
+    bool is_used = false;
+    std::optional<Kind> kind;
+    int depth = 0; ///< how deep groups and uses in it lie in each other
+
+    std::vector<Item> items; ///< a Use in it has the number of the entry
+    std::vector<Key> keys;   ///< of a drawing: at least one
+    /// Of a drawing without keys: what its only key has, before rounding.
+    std::optional<std::vector<Outline>> still;
+    std::string line_font; ///< that of a text in the drawing whose letters are lines; empty: there is none
+
+    std::optional<std::size_t> scene_index; ///< in Scene::symbols
+};
+
+/// The symbols of a scene. All are added before any is looked for.
+class SymbolTable {
+public:
+    /// The place of an earlier symbol of that name, if there is one; then nothing is changed.
+    std::optional<Place> add(const SymbolEntry& entry);
+    /// Null when there is no such symbol.
+    SymbolEntry* find(std::string_view name);
+    /// Of an entry of this table.
+    std::size_t number(const SymbolEntry& entry) const
+    {
+        return static_cast<std::size_t>(&entry - entries.data());
+    }
+    std::vector<std::string_view> names() const;
+
+    std::vector<SymbolEntry> entries;
+    std::vector<const SymbolEntry*> in_progress; ///< each uses the next
+    bool has_long_chain = false;                 ///< of symbols; has been reported
+
+private:
+    std::unordered_map<std::string, std::size_t> numbers_;
+};
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "host/geometry/outline.hpp"
+#include "host/scene/font/font.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace kfast::scene {
+
+/// How a text is set. All lengths in pixels.
+struct TextStyle {
+    Font* font = nullptr;
+    Spot at;         ///< on the baseline of the first line, where `align` says
+    double size = 0; ///< of the em
+    Align align = Align::left;
+    double spacing = 0; ///< added between letters
+    double leading = 0; ///< from one baseline to the next
+};
+
+/// The strokes of `text`, letter by letter, line by line; lines end with LF. The font must have all of its
+/// characters. Nothing when there are more than `most_points` points.
+std::optional<std::vector<Outline>> set_text(std::string_view text, const TextStyle& style,
+                                             std::size_t most_points);
+
+}

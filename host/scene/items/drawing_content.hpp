@@ -1,0 +1,28 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/items/key_reader.hpp"
+#include "host/scene/values/timed_quantity.hpp"
+
+#include <vector>
+
+namespace kfast::scene {
+
+/// What stands inside an object, or inside a symbol that is a drawing. The drawings are either in keys or
+/// directly inside.
+struct DrawingContent {
+    std::vector<ItemKey> keys;
+    std::vector<TimedQuantity> timed;    ///< of objects
+    std::vector<const kdl::Node*> drawn; ///< directly inside: for these is_drawn() holds
+    const kdl::Node* weights = nullptr;  ///< only of an object
+    bool is_good = true;                 ///< all nodes were known, all keys have their time
+};
+
+/// The nodes that such a thing may hold. `holder` is not KeyHolder::group, here and below.
+std::vector<std::string_view> names_in_drawing(KeyHolder holder);
+
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+                                    SceneContext& context);
+
+}

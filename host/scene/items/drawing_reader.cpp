@@ -1,0 +1,190 @@
+#include "host/scene/items/drawing_reader.hpp"
+
+#include "host/scene/context/limits.hpp"
+#include "host/scene/items/symbol_use.hpp"
+#include "host/scene/items/wire_rules.hpp"
+#include "host/scene/shapes/shape_reader.hpp"
+#include "host/scene/shapes/wire_reader.hpp"
+#include "host/scene/values/placement.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/text/glyph.hpp"
+#include "host/words/property_name.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm empty_form{"empty", "key TIME { empty }"};
+
+/// Whether a copy of a symbol stays in the plane of its drawing, as it must; reports it if not.
+bool lies_flat(const kdl::Node& use, const ItemValues& values, SceneContext& context)
+{
+    for (const Property property : {Property::z, Property::rotation_x, Property::rotation_y})
+        if (values.get(property))
+            return context.report.error(
+                property_place(use, property_name(property)),
+                "among shapes a use is a copy, which lies in the plane of its drawing",
+                "let the use be all that an object draws, or turn the object");
+    return true;
+}
+
+bool report_reach(const kdl::Node& node, SceneContext& context)
+{
+    return context.report.error(node.name_place,
+                                "this " + node.name + " reaches more than 2047 px from the origin");
+}
+
+}
+
+std::vector<std::string_view> drawn_names()
+{
+    std::vector<std::string_view> names{shape_names().begin(), shape_names().end()};
+    names.insert(names.end(), wire_names().begin(), wire_names().end());
+    names.push_back(use_name);
+    names.push_back(empty_form.name);
+    return names;
+}
+
+bool is_drawn(std::string_view name)
+{
+    return is_shape(name) || is_wire(name) || name == use_name || name == empty_form.name;
+}
+
+void DrawingReader::read(const kdl::Node& node)
+{
+    const bool is_empty = node.name == empty_form.name;
+    if (is_empty ? has_strokes_ : is_empty_)
+        context_.report.error(node.name_place, "\"empty\" stands alone", "remove it, or the shapes");
+    if (is_empty)
+        read_empty(node);
+    else
+        read_strokes(node);
+}
+
+void DrawingReader::read_empty(const kdl::Node& node)
+{
+    is_empty_ = true;
+    if (fits(node, empty_form, context_.report))
+        refuse_properties(node, context_.report);
+}
+
+void DrawingReader::read(std::span<const kdl::Node* const> nodes)
+{
+    for (const kdl::Node* node : nodes)
+        if (!context_.report.full())
+            read(*node);
+}
+
+void DrawingReader::read_strokes(const kdl::Node& node)
+{
+    has_strokes_ = true;
+    if (!goes_with_others(node))
+        return;
+    if (node.name == use_name)
+        return copy(node);
+    if (is_wire(node.name)) {
+        for (const Wire& wire : read_wires(node, context_))
+            if (!add(wire, node))
+                return;
+        return;
+    }
+    for (Outline& outline : read_shape(node, most_points - points_, context_))
+        if (!add(std::move(outline), node))
+            return;
+}
+
+/// Whether `node` has a depth as the nodes before it have, or none as they; reports the first that differs.
+bool DrawingReader::goes_with_others(const kdl::Node& node)
+{
+    const bool has_depth = is_wire(node.name);
+    if (has_depths_.value_or(has_depth) != has_depth && !std::exchange(is_mixed_, true))
+        context_.report.error(node.name_place,
+                              "flat shapes and such with depth do not go together in one drawing",
+                              "put them into an object each, and a group around both");
+    has_depths_ = has_depths_.value_or(has_depth);
+    return !is_mixed_;
+}
+
+void DrawingReader::copy(const kdl::Node& node)
+{
+    const auto use = read_drawing_use(node, context_);
+    if (!use)
+        return;
+    const SymbolEntry& symbol = *use->symbol;
+    const Place name = node.arguments.front().place;
+    if (!symbol.still) {
+        context_.report.error(
+            name, "the symbol " + in_quotes(symbol.name) + " has keys, which do not fit here",
+            "let its use be all that an object without skin draws, or use one without keys");
+        return;
+    }
+    if (is_wire_frame(symbol.keys)) {
+        context_.report.error(name,
+                              "the symbol " + in_quotes(symbol.name) + " has depth, and does not fit here",
+                              "let its use be all that an object draws");
+        return;
+    }
+    depth_ = std::max(depth_, symbol.depth + 1);
+    if (depth_ > deepest_item) {
+        context_.report.error(name, too_deep());
+        return;
+    }
+    if (!lies_flat(node, use->values, context_))
+        return;
+    ItemValues values = use->values;
+    mirror(use->mirror, values, {}, {});
+    const Placement placement{values};
+    for (const Outline& outline : *symbol.still)
+        if (!add(placement.of(outline), node))
+            return;
+}
+
+bool DrawingReader::add(Outline outline, const kdl::Node& node)
+{
+    if (!in_range(outline))
+        return report_reach(node, context_);
+    if (!take_points(outline.curves.size() + 1, node.name_place, context_))
+        return false;
+    Stroke stroke = quantized(outline);
+    if (!has_room(stroke.segments.size() + 1, node))
+        return false;
+    if (outline.sector)
+        sectors_.push_back({drawing_.strokes.size(), *outline.sector});
+    drawing_.strokes.push_back(std::move(stroke));
+    outlines_.push_back(std::move(outline));
+    return true;
+}
+
+bool DrawingReader::add(const Wire& wire, const kdl::Node& node)
+{
+    if (!in_range(wire))
+        return report_reach(node, context_);
+    if (!take_points(2 * wire.size(), node.name_place, context_) || !has_room(wire.size(), node))
+        return false;
+    WireStroke stroke = quantized(wire);
+    drawing_.strokes.push_back(std::move(stroke.flat));
+    depths_.strokes.push_back(std::move(stroke.depths));
+    return true;
+}
+
+bool DrawingReader::has_room(std::size_t points, const kdl::Node& node)
+{
+    if (points > most_points - points_)
+        return context_.report.error(node.name_place, too_many_points());
+    points_ += points;
+    return true;
+}
+
+std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names)
+{
+    std::ranges::replace(names, use_name, drawing_use_id);
+    return names;
+}
+
+NodeWords empty_words() { return {empty_form.name, empty_form}; }
+
+}

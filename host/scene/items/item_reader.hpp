@@ -1,0 +1,24 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/model.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace kfast::scene {
+
+/// The nodes that are items: object, group and use.
+std::span<const std::string_view> item_names();
+bool is_item(std::string_view name);
+
+/// Adds what `node`, for which is_item() holds, is; reports what is wrong. `depth` groups and uses lie around
+/// it, those around a use of its symbol apart.
+void read_item(const kdl::Node& node, int depth, std::vector<Item>& items, SceneContext& context);
+
+/// `items` are all that lie beside each other.
+void refuse_crowded_order(std::span<const Item> items, SceneContext& context);
+
+}

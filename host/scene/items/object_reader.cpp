@@ -1,0 +1,327 @@
+#include "host/scene/items/object_reader.hpp"
+
+#include "host/scene/context/limits.hpp"
+#include "host/scene/items/double_quantity.hpp"
+#include "host/scene/items/drawing_content.hpp"
+#include "host/scene/items/drawing_reader.hpp"
+#include "host/scene/items/mirror.hpp"
+#include "host/scene/items/object_properties.hpp"
+#include "host/scene/items/skeleton_reader.hpp"
+#include "host/scene/items/symbol_use.hpp"
+#include "host/scene/items/track_builder.hpp"
+#include "host/scene/items/wire_rules.hpp"
+#include "host/scene/shapes/label_reader.hpp"
+#include "host/scene/skeleton/skin_reader.hpp"
+#include "host/scene/values/default_pivot.hpp"
+#include "host/scene/values/input_user.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/words/property_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm object_form{object_name, "object NAME fill=COLOUR { shapes or keys }", 1, 1, true};
+
+/// What keys and tracks may change only where the object has it.
+struct Painted {
+    Property property;
+    std::string_view needs;
+};
+
+constexpr std::array painted{
+    Painted{Property::fill, "fill"},
+    Painted{Property::stroke, "stroke"},
+    Painted{Property::width, "stroke"},
+};
+
+void report_paint_of_nothing(std::string_view needs, Place place, SceneContext& context)
+{
+    const std::string name{needs};
+    context.report.error(place, "this object has no " + name + " to change",
+                         "add " + name + "=COLOUR to the object");
+}
+
+void refuse_paint_of_nothing(const kdl::Node& object, const DrawingContent& content, SceneContext& context)
+{
+    for (const Painted& paint : painted) {
+        if (has_property(object, paint.needs))
+            continue;
+        for (const ItemKey& key : content.keys)
+            if (key.values.get(paint.property))
+                report_paint_of_nothing(paint.needs, property_place(*key.node, property_name(paint.property)),
+                                        context);
+        for (const TimedQuantity& quantity : content.timed)
+            if (gives(quantity, paint.property))
+                report_paint_of_nothing(paint.needs, quantity.place, context);
+    }
+}
+
+/// What a use may say in place of its object.
+constexpr std::array placed{Property::x,          Property::y,        Property::z,       Property::rotation_x,
+                            Property::rotation_y, Property::rotation, Property::scale_x, Property::scale_y};
+
+bool has_skeleton(const ItemKey& key) { return key.skeleton != nullptr; }
+
+class ObjectReader {
+public:
+    ObjectReader(const kdl::Node& node, SceneContext& context)
+        : node_{node}, place_{span(node.name_place, node.arguments.front().place)}, context_{context},
+          properties_{read_object_properties(node, place_, context)}
+    {
+    }
+
+    Item read(std::string_view name)
+    {
+        context_.line_letters.reset();
+        DrawingContent content = read_drawing_content(node_, KeyHolder::object, properties_.clock, context_);
+        warn_of_idle_input(node_, !content.keys.empty(), context_);
+        refuse_paint_of_nothing(node_, content, context_);
+        Object object{.fill = properties_.fill_colour(),
+                      .fill_rule = properties_.fill_rule,
+                      .stroke = properties_.stroke_style(),
+                      .keys = {},
+                      .beam = properties_.beam};
+        if (is_placed_label(content))
+            set_label(content, object);
+        else
+            draw(content, object);
+        if (!object.stroke)
+            warn_of_filled_lines();
+        auto tracks = build_tracks(node_, properties_.values,
+                                   {content.keys, properties_.clock.clock(), object.has_depths},
+                                   content.timed, context_);
+        return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
+    }
+
+private:
+    bool is_placed_label(const DrawingContent& content) const
+    {
+        return properties_.live == nullptr && content.drawn.size() == 1 && is_label(*content.drawn.front());
+    }
+
+    void warn_of_filled_lines()
+    {
+        if (const auto& letters = context_.line_letters)
+            context_.report.warning(letters->place,
+                                    "the letters of " + letters->font +
+                                        " are lines, which a fill does not show, and there is no stroke",
+                                    "give the object a stroke=COLOUR, or the text font=" +
+                                        std::string{FontShelf::bundled_names().front()});
+    }
+
+    void draw(DrawingContent& content, Object& object)
+    {
+        object.keys = read_drawings(content);
+        if (is_wire_frame(object.keys))
+            return set_wires(content, object);
+        object.skin = read_skin(
+            {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
+            object.keys, context_);
+        object.backbone_keys = read_skeletons(content.keys, context_);
+        object.clock = properties_.clock.clock();
+        object.live = live_;
+        refuse_two_carriers(content.keys);
+    }
+
+    void set_wires(const DrawingContent& content, Object& object)
+    {
+        object.has_depths = true;
+        object.clock = properties_.clock.clock();
+        refuse_mixed_depths(object.keys, context_);
+        refuse_beside_wires(node_, content, object.keys, context_);
+    }
+
+    void set_label(const DrawingContent& content, Object& object)
+    {
+        refuse_carriers_of_label(content);
+        refuse_doubles(content);
+        object.label = read_label(*content.drawn.front(), context_);
+        if (object.label)
+            set_default_pivot(object.label->at, properties_.values);
+    }
+
+    void refuse_carriers_of_label(const DrawingContent& content)
+    {
+        constexpr auto remedy = "remove this, or write the words themselves";
+        const auto refuse = [this](Place place, std::string_view carrier) {
+            context_.report.error(place, "the text of an input has no " + std::string{carrier}, remedy);
+        };
+        for (const std::string_view property : {"skin", "bone"})
+            if (has_property(node_, property))
+                refuse(property_place(node_, property), property);
+        if (content.weights != nullptr)
+            refuse(content.weights->name_place, "weights");
+        const auto key = std::ranges::find_if(content.keys, has_skeleton);
+        if (key != content.keys.end())
+            refuse(key->skeleton->name_place, "skeleton");
+    }
+
+    std::vector<Key> read_drawings(DrawingContent& content)
+    {
+        if (properties_.live != nullptr)
+            return read_live(*properties_.live, content);
+        if (is_placed_symbol(content))
+            return take_symbol(*content.drawn.front(), content);
+        refuse_doubles(content);
+        std::vector<Key> keys =
+            content.drawn.empty() ? take_drawings(content.keys) : read_still(content.drawn);
+        if (keys.empty() && content.is_good)
+            report_no_drawing();
+        set_default_pivot(keys, properties_.values);
+        return keys;
+    }
+
+    /// The drawing is that of the input, and there are no keys of it.
+    std::vector<Key> read_live(const kdl::Value& name, DrawingContent& content)
+    {
+        refuse_doubles(content);
+        refuse_own_drawings(content);
+        live_ = use_input(name, InputType::drawing, context_);
+        if (live_)
+            set_default_pivot({{.time = {},
+                                .laws = {},
+                                .drawing = context_.inputs.entries[*live_].input.drawing.usual,
+                                .place = {}}},
+                              properties_.values);
+        return {};
+    }
+
+    void refuse_own_drawings(DrawingContent& content)
+    {
+        for (const kdl::Node* drawn : content.drawn)
+            report_own_drawing(drawn->name_place);
+        for (const Key& key : take_drawings(content.keys))
+            report_own_drawing(key.place);
+        for (ItemKey& key : content.keys)
+            if (const kdl::Node* const skeleton = std::exchange(key.skeleton, nullptr))
+                report_own_drawing(skeleton->name_place);
+        if (properties_.skin != nullptr)
+            report_own_drawing(property_place(node_, "skin"));
+        if (content.weights != nullptr && properties_.skin == nullptr)
+            report_own_drawing(content.weights->name_place);
+        properties_.skin = nullptr;
+        content.weights = nullptr;
+    }
+
+    void report_own_drawing(Place place)
+    {
+        context_.report.error(place, "this object shows an input, and has no drawing or skeleton of its own",
+                              "put shapes into the input, or remove live=…");
+    }
+
+    /// A skin needs the drawing itself to stand where the use says.
+    bool is_placed_symbol(const DrawingContent& content) const
+    {
+        return content.drawn.size() == 1 && content.drawn.front()->name == use_name &&
+               properties_.skin == nullptr;
+    }
+
+    std::vector<Key> read_still(const std::vector<const kdl::Node*>& nodes)
+    {
+        DrawingReader drawing{context_};
+        drawing.read(nodes);
+        return {Key{.time = {},
+                    .laws = {},
+                    .match = Match::count,
+                    .drawing = drawing.take(),
+                    .depths = drawing.take_depths(),
+                    .place = place_}};
+    }
+
+    /// The object stands where its use says, so that the drawings stay those of the symbol.
+    std::vector<Key> take_symbol(const kdl::Node& node, DrawingContent& content)
+    {
+        const auto use = read_drawing_use(node, context_);
+        if (!use)
+            return {};
+        for (const Property property : placed)
+            take_place(node, *use, property);
+        refuse_doubles(content);
+        mirror(use->mirror, properties_.values, content.keys, content.timed);
+        if (use->symbol->keys.size() > 1 && !properties_.clock.is_time())
+            context_.report.error(node.name_place,
+                                  "this object goes by an input, but the drawings of its symbol by the time",
+                                  "leave out input=, or draw the keys in the object");
+        for (const Key& key : use->symbol->keys)
+            if (!take_points(point_count(key.drawing) + point_count(key.depths) + 1, node.name_place,
+                             context_))
+                return {};
+        return use->symbol->keys;
+    }
+
+    void take_place(const kdl::Node& node, const SymbolUse& use, Property property)
+    {
+        const auto value = use.values.get(property);
+        if (!value)
+            return;
+        if (properties_.values.get(property))
+            context_.report.error(node.name_place,
+                                  "both the object and its use give " + std::string{property_name(property)},
+                                  "leave it to one of them");
+        properties_.values[property] = value;
+    }
+
+    /// Before anything is in the values of the object that neither it nor its use says.
+    void refuse_doubles(const DrawingContent& content)
+    {
+        refuse_double_quantities(content.timed, properties_.values, content.keys, context_);
+    }
+
+    void refuse_two_carriers(const std::vector<ItemKey>& keys)
+    {
+        const auto key = std::ranges::find_if(keys, has_skeleton);
+        if (key != keys.end() && has_property(node_, "skin"))
+            context_.report.error(key->skeleton->name_place,
+                                  "this object has a skin; bones or backbones carry an object, not both",
+                                  "remove the skin, or the skeletons from the keys");
+    }
+
+    void report_no_drawing()
+    {
+        if (node_.children.empty())
+            context_.report.error(place_, "this object has no shapes and no keys",
+                                  "add { circle 10 10 r=5 } or { key 0 { … } }");
+        else
+            context_.report.error(place_, "this object has no drawing",
+                                  "add shapes to the object or to its keys");
+    }
+
+    const kdl::Node& node_;
+    Place place_;
+    SceneContext& context_;
+    ObjectProperties properties_;
+    std::optional<std::size_t> live_ = {}; ///< the input that is shown
+};
+
+}
+
+std::optional<Item> read_object(const kdl::Node& node, SceneContext& context)
+{
+    if (!fits(node, object_form, context.report))
+        return std::nullopt;
+    ObjectReader object{node, context};
+    const auto name = read_name(node.arguments.front(), context.report);
+    Item item = object.read(name.value_or(""));
+    if (!name || !add_name(context.object_names, "an object", *name, item.place, context.report))
+        return std::nullopt;
+    return item;
+}
+
+NodeWords object_words()
+{
+    return {object_name,
+            object_form,
+            {any_name},
+            object_property_words(),
+            drawn_ids(names_in_drawing(KeyHolder::object))};
+}
+
+}

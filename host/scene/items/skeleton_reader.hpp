@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/items/key_reader.hpp"
+#include "host/scene/model.hpp"
+#include "host/schema/node_words.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kfast::scene {
+
+/// The skeletons of `keys`, which are those of one object, with the laws of their ways; none is there where
+/// keys have none. What is wrong is reported, and then left out.
+std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, SceneContext& context);
+
+NodeWords skeleton_words();
+
+}

@@ -1,0 +1,216 @@
+#include "host/scene/items/symbol_reader.hpp"
+
+#include "host/scene/context/limits.hpp"
+#include "host/scene/items/drawing_content.hpp"
+#include "host/scene/items/drawing_reader.hpp"
+#include "host/scene/items/item_depth.hpp"
+#include "host/scene/items/item_reader.hpp"
+#include "host/scene/items/symbol_kind.hpp"
+#include "host/scene/items/track_builder.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+#include "host/words/synonyms.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm symbol_form{symbol_name, "symbol NAME { items, shapes or keys }", 1, 1, true};
+
+void report_no_item(const kdl::Node& node, SceneContext& context)
+{
+    if (node.name == key_name || is_drawn(node.name))
+        report_mixed_kinds(node, context);
+    else
+        context.report.error(node.name_place, "a symbol has no node " + in_quotes(node.name),
+                             word_remedy(node.name, item_names()));
+}
+
+void read_items(SymbolEntry& symbol, SceneContext& context)
+{
+    for (const kdl::Node& node : symbol.node->children) {
+        if (context.report.full())
+            break;
+        if (is_item(node.name))
+            read_item(node, 0, symbol.items, context);
+        else
+            report_no_item(node, context);
+    }
+    refuse_crowded_order(symbol.items, context);
+    symbol.depth = depth_of(symbol.items, context.symbols);
+}
+
+void read_still(const std::vector<const kdl::Node*>& nodes, SymbolEntry& symbol, SceneContext& context)
+{
+    DrawingReader drawing{context};
+    drawing.read(nodes);
+    symbol.depth = drawing.depth();
+    symbol.still = drawing.take_outlines();
+    symbol.keys = {Key{.time = {},
+                       .laws = {},
+                       .match = Match::count,
+                       .drawing = drawing.take(),
+                       .depths = drawing.take_depths(),
+                       .place = symbol.place}};
+}
+
+void read_drawing(SymbolEntry& symbol, SceneContext& context)
+{
+    const auto outer_letters = std::exchange(context.line_letters, std::nullopt); // of what uses it first
+    DrawingContent content = read_drawing_content(*symbol.node, KeyHolder::symbol, {}, context);
+    if (content.drawn.empty())
+        symbol.keys = take_drawings(content.keys);
+    else
+        read_still(content.drawn, symbol, context);
+    if (const auto letters = std::exchange(context.line_letters, outer_letters))
+        symbol.line_font = letters->font;
+}
+
+void read_symbol(SymbolEntry& symbol, SceneContext& context)
+{
+    symbol.state = SymbolEntry::State::in_progress;
+    context.symbols.in_progress.push_back(&symbol);
+    symbol.kind = symbol_kind(symbol, context.symbols);
+    if (symbol.kind == SymbolEntry::Kind::items)
+        read_items(symbol, context);
+    else
+        read_drawing(symbol, context);
+    context.symbols.in_progress.pop_back();
+    symbol.state = SymbolEntry::State::good;
+    if (!symbol.node->children.empty())
+        return;
+    symbol.state = SymbolEntry::State::bad;
+    context.report.error(symbol.place, "this symbol holds nothing", "add objects, or shapes");
+}
+
+/// "a → b → a"
+std::string chain(const SymbolEntry& symbol, const SymbolTable& symbols)
+{
+    const auto begin = std::ranges::find(symbols.in_progress, &symbol);
+    std::string names;
+    for (auto user = begin; user != symbols.in_progress.end(); ++user)
+        names += visible((*user)->name) + " → ";
+    return names + visible(symbol.name);
+}
+
+/// Once: the rest of a long chain will be read from somewhere else, and be too long as well.
+bool report_chain(Place use, SceneContext& context)
+{
+    if (!std::exchange(context.symbols.has_long_chain, true))
+        context.report.error(use, too_deep());
+    return false;
+}
+
+/// Whether it may be used, as far as can be said without a look at its kind.
+bool make_ready(SymbolEntry& symbol, Place use, SceneContext& context)
+{
+    if (symbol.state == SymbolEntry::State::in_progress)
+        return context.report.error(use, "the symbol " + in_quotes(symbol.name) + " uses itself",
+                                    chain(symbol, context.symbols));
+    if (symbol.state == SymbolEntry::State::unread) {
+        if (context.symbols.in_progress.size() > std::size_t{deepest_item})
+            return report_chain(use, context);
+        read_symbol(symbol, context);
+    }
+    return symbol.state == SymbolEntry::State::good;
+}
+
+/// Depth first, so that each symbol comes behind those that it uses.
+class SymbolMover {
+public:
+    SymbolMover(Scene& scene, SceneContext& context) : scene_{scene}, context_{context} {}
+
+    void move_used_by(std::vector<Item>& items)
+    {
+        for (Item& item : items)
+            if (Group* const group = std::get_if<Group>(&item.content))
+                move_used_by(group->items);
+            else if (Use* const use = std::get_if<Use>(&item.content))
+                use->symbol = index_of(context_.symbols.entries[use->symbol]);
+    }
+
+private:
+    std::size_t index_of(SymbolEntry& symbol)
+    {
+        if (symbol.scene_index)
+            return *symbol.scene_index;
+        move_used_by(symbol.items);
+        if (scene_.symbols.size() == most_symbols)
+            context_.report.error(symbol.place, "a scene uses at most " + std::to_string(most_symbols) +
+                                                    " symbols that hold items");
+        symbol.scene_index = scene_.symbols.size();
+        scene_.symbols.push_back({symbol.name, std::move(symbol.items)});
+        return *symbol.scene_index;
+    }
+
+    Scene& scene_;
+    SceneContext& context_;
+};
+
+}
+
+void add_symbol(const kdl::Node& node, SceneContext& context)
+{
+    if (!fits(node, symbol_form, context.report) || !refuse_properties(node, context.report))
+        return;
+    const kdl::Value& value = node.arguments.front();
+    const auto name = read_name(value, context.report);
+    if (!name)
+        return;
+    SymbolEntry entry;
+    entry.node = &node;
+    entry.name = *name;
+    entry.place = span(node.name_place, value.place);
+    if (const auto earlier = context.symbols.add(entry))
+        report_double("a symbol", *name, entry.place, *earlier, context.report);
+}
+
+const SymbolEntry* find_symbol(const kdl::Value& name, SceneContext& context)
+{
+    const auto text = read_name(name, context.report);
+    if (!text)
+        return nullptr;
+    SymbolEntry* const symbol = context.symbols.find(*text);
+    if (symbol == nullptr) {
+        const auto known = context.symbols.names();
+        context.report.error(name.place, "unknown symbol " + in_quotes(*text),
+                             known.empty() ? "write it on the outermost level: symbol NAME { … }"
+                                           : suggestion(*text, known));
+        return nullptr;
+    }
+    symbol->is_used = true;
+    return make_ready(*symbol, name.place, context) ? symbol : nullptr;
+}
+
+void check_unused_symbols(SceneContext& context)
+{
+    for (SymbolEntry& symbol : context.symbols.entries)
+        if (symbol.state == SymbolEntry::State::unread && !context.report.full())
+            read_symbol(symbol, context);
+    for (const SymbolEntry& symbol : context.symbols.entries)
+        if (!symbol.is_used && !context.report.full())
+            context.report.warning(symbol.place, "the symbol " + in_quotes(symbol.name) + " is not used",
+                                   "use it, or remove it");
+}
+
+void move_symbols(Scene& scene, SceneContext& context)
+{
+    SymbolMover{scene, context}.move_used_by(scene.items);
+}
+
+std::vector<NodeWords> symbol_words()
+{
+    std::vector<std::string_view> drawn{symbol_key_id};
+    std::ranges::copy(drawn_ids(drawn_names()), std::back_inserter(drawn));
+    return {{symbol_name, symbol_form, {any_name}, {}, {item_names().begin(), item_names().end()}},
+            {symbol_name, symbol_form, {any_name}, {}, drawn}};
+}
+
+}

@@ -1,0 +1,105 @@
+#include "host/scene/items/symbol_use.hpp"
+
+#include "host/scene/items/symbol_reader.hpp"
+#include "host/scene/items/track_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/text/glyph.hpp"
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm items_form{use_name, "use SYMBOL X Y", 1, 3, true};
+constexpr NodeForm drawing_form{use_name, "use SYMBOL X Y", 1, 3};
+
+constexpr std::array mirrors{Word<Mirror>{"x", {true, false}}, Word<Mirror>{"y", {false, true}},
+                             Word<Mirror>{"both", {true, true}}};
+
+bool read_mirror(const kdl::Value& value, SymbolUse& use, SceneContext& context)
+{
+    return assign(read_word(value, mirrors, context.report), use.mirror);
+}
+
+constexpr std::array mirror_rules{
+    PropertyRule<SymbolUse>{"mirror", read_mirror, ValueKind::one_of<mirrors>()}};
+constexpr auto drawing_rules = joined(place_rules<SymbolUse>, mirror_rules);
+constexpr auto items_rules =
+    joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
+           std::array{PropertyRule<SymbolUse>{"input", read_own_clock<SymbolUse>, any_name}});
+
+/// The place may stand behind the name of the symbol instead of in properties.
+void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_view name,
+                     std::optional<std::int32_t>& target, SceneContext& context)
+{
+    if (has_property(node, name))
+        context.report.error(property_place(node, name), std::string{name} + " is given twice",
+                             "leave out " + std::string{name} + "=… or the numbers behind the symbol");
+    else
+        assign(read_item_value(Property::x, node.arguments[argument], context), target);
+}
+
+void read_place(const kdl::Node& node, ItemValues& values, SceneContext& context)
+{
+    if (node.arguments.size() == 2)
+        context.report.error(node.arguments.back().place, "this x has no y", "write use SYMBOL X Y");
+    if (node.arguments.size() != 3)
+        return;
+    read_coordinate(node, 1, "x", values[Property::x], context);
+    read_coordinate(node, 2, "y", values[Property::y], context);
+}
+
+bool is_of_kind(SymbolEntry::Kind kind, const SymbolUse& use, const kdl::Value& name, SceneContext& context)
+{
+    const SymbolEntry& symbol = *use.symbol;
+    if (symbol.kind == kind)
+        return true;
+    if (kind == SymbolEntry::Kind::items)
+        return context.report.error(name.place, "the symbol " + in_quotes(symbol.name) + " is a drawing",
+                                    "put its use into an object, which gives it a colour");
+    return context.report.error(name.place,
+                                "the symbol " + in_quotes(symbol.name) + " holds items, no drawing",
+                                "use it beside objects, not inside one");
+}
+
+template <std::size_t count>
+std::optional<SymbolUse> read_use(const kdl::Node& node, SymbolEntry::Kind kind, const NodeForm& form,
+                                  const std::array<PropertyRule<SymbolUse>, count>& rules,
+                                  SceneContext& context)
+{
+    if (!fits(node, form, context.report))
+        return std::nullopt;
+    SymbolUse use;
+    read_properties(node, rules, use, context);
+    read_place(node, use.values, context);
+    const kdl::Value& name = node.arguments.front();
+    use.symbol = find_symbol(name, context);
+    if (use.symbol == nullptr || !is_of_kind(kind, use, name, context))
+        return std::nullopt;
+    return use;
+}
+
+}
+
+std::optional<SymbolUse> read_items_use(const kdl::Node& node, SceneContext& context)
+{
+    return read_use(node, SymbolEntry::Kind::items, items_form, items_rules, context);
+}
+
+std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, SceneContext& context)
+{
+    auto use = read_use(node, SymbolEntry::Kind::drawing, drawing_form, drawing_rules, context);
+    if (use && !use->symbol->line_font.empty() && !context.line_letters)
+        context.line_letters = LineLetters{use->symbol->line_font, node.arguments.front().place};
+    return use;
+}
+
+std::vector<NodeWords> use_words()
+{
+    const ValueKind coordinate = kind_of(Property::x);
+    return {{use_name, items_form, {any_name, coordinate}, words_of(items_rules), {group_key_id, track_name}},
+            {drawing_use_id, drawing_form, {any_name, coordinate}, words_of(drawing_rules)}};
+}
+
+}

@@ -1,0 +1,119 @@
+#include "host/scene/items/track_builder.hpp"
+
+#include "host/scene/items/pivot.hpp"
+#include "host/schema/property_rule.hpp"
+#include "host/words/property_name.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+/// Objects with a fill or a stroke say their colours themselves.
+std::int32_t ordinary_value(Property property)
+{
+    return property == Property::width ? StrokeStyle{}.width : value_without_track(property);
+}
+
+LawPair laws_for(Property property, const KeyLaws& laws)
+{
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::scale_x:
+    case Property::scale_y:
+        return laws.of_axes();
+    case Property::order:
+    case Property::visible:
+        return {};
+    default:
+        return laws.of_rest();
+    }
+}
+
+bool is_painted(Property property) { return property >= Property::fill; }
+
+void warn_of_idle_pivot(std::string_view name, Place place, SceneContext& context)
+{
+    context.report.warning(place, std::string{name} + " does nothing where nothing turns or grows",
+                           "add rotate=… or scale=…, or remove " + std::string{name});
+}
+
+void warn_of_idle_pivots(const kdl::Node& node, std::span<const TimedQuantity> timed, SceneContext& context)
+{
+    for (const Property pivot : {Property::pivot_x, Property::pivot_y}) {
+        const std::string_view name = property_name(pivot);
+        if (has_property(node, name))
+            warn_of_idle_pivot(name, property_place(node, name), context);
+        for (const TimedQuantity& quantity : timed)
+            if (gives(quantity, pivot))
+                warn_of_idle_pivot(name, quantity.place, context);
+    }
+}
+
+/// The first key has a value of everything that any key sets. No way leads from the last one.
+std::vector<TrackKey> keys_of(Property property, std::int32_t first, std::span<const ItemKey> keys)
+{
+    std::vector<TrackKey> track;
+    for (const ItemKey& key : keys) {
+        const auto own = key.values.get(property);
+        if (!own && &key != keys.data())
+            continue;
+        track.push_back({key.time, laws_for(property, key.laws), own.value_or(first), key.place});
+    }
+    track.back().laws = {};
+    return track;
+}
+
+Track build_track(Property property, std::optional<std::int32_t> own, const KeysOfItem& item)
+{
+    const auto sets_it = [&](const ItemKey& key) { return key.values.get(property).has_value(); };
+    const std::int32_t ordinary = ordinary_value(property);
+    const std::int32_t first = own.value_or(ordinary);
+    if (std::ranges::any_of(item.keys, sets_it))
+        return {property, keys_of(property, first, item.keys), false, item.clock};
+    if (is_painted(property) || first == ordinary)
+        return {property, {}};
+    return {property, {TrackKey{.time = {}, .laws = {}, .value = first}}};
+}
+
+}
+
+std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values, const KeysOfItem& keys,
+                                std::span<TimedQuantity> timed, SceneContext& context)
+{
+    std::vector<Track> tracks;
+    for (std::size_t i = 0; i < property_count; ++i) {
+        const auto property = static_cast<Property>(i);
+        Track* const by_times = find_track(timed, property);
+        Track track = by_times != nullptr ? *by_times : build_track(property, values.get(property), keys);
+        if (!track.keys.empty())
+            tracks.push_back(std::move(track));
+    }
+    if (!keys.has_depths && std::ranges::none_of(tracks, needs_pivot)) {
+        std::erase_if(tracks, is_pivot);
+        warn_of_idle_pivots(node, timed, context);
+    }
+    return tracks;
+}
+
+std::vector<Key> take_drawings(std::span<ItemKey> keys)
+{
+    std::vector<Key> drawings;
+    for (ItemKey& key : keys)
+        if (key.drawing)
+            drawings.push_back({.time = key.time,
+                                .laws = key.laws.of_axes(),
+                                .match = key.match.value_or(Match::count),
+                                .drawing = std::move(*key.drawing),
+                                .depths = std::move(key.depths),
+                                .place = key.place,
+                                .sectors = std::move(key.sectors)});
+    if (!drawings.empty())
+        drawings.back().laws = {};
+    return drawings;
+}
+
+}

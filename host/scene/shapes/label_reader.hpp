@@ -1,0 +1,23 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/model.hpp"
+#include "host/schema/node_words.hpp"
+
+#include <optional>
+
+namespace kfast::scene {
+
+/// Whether `node` is a text whose words are those of an input.
+bool is_label(const kdl::Node& node);
+
+/// Of a label that stands where only shapes may.
+void report_label_among_shapes(const kdl::Node& node, SceneContext& context);
+
+/// Of `node`, which is a label. Reports what is wrong and then returns nothing.
+std::optional<Label> read_label(const kdl::Node& node, SceneContext& context);
+
+NodeWords label_words();
+
+}

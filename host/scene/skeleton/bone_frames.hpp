@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/scene/bone_view.hpp"
+#include "core/time/time.hpp"
+#include "host/geometry/outline.hpp"
+#include "host/scene/model.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+/// Where bones lie on the canvas, in double precision: for what is worked out before a scene is stored.
+namespace kfast::scene {
+
+struct BoneFrame {
+    Spot origin = {};
+    double angle = 0; ///< clockwise, in 1/65536 turn
+    double length = 0;
+
+    /// From the frame, x along the bone, to the canvas.
+    Spot outside(Spot spot) const;
+    Spot inside(Spot spot) const;
+    Spot tip() const { return outside({length, 0}); }
+};
+
+/// The direction of an angle in 1/65536 turn.
+Spot direction_of(double angle);
+
+/// By BoneQuantity, in its units, but not rounded.
+using BoneValues = std::array<double, bone_quantity_count>;
+
+BoneValues values_as_set_up(const Bone& bone);
+BoneValues values_at(const Bone& bone, Time time);
+
+/// By how many pixels `bone`, which lies in `frame`, is longer than as set up.
+double stretch_of(const Bone& bone, const BoneFrame& frame);
+
+/// The frame of a bone with `values` in that of its parent, which is stretched by so many pixels. That of a
+/// root's parent is the canvas: a frame at 0.
+BoneFrame frame_in(const BoneFrame& parent, const Bone& bone, const BoneValues& values, double stretch);
+
+/// Of all bones, in their order.
+std::vector<BoneFrame> frames_as_set_up(const std::vector<Bone>& bones);
+std::vector<BoneFrame> frames_at(const std::vector<Bone>& bones, Time time);
+/// Of one bone; looks only at it and those above it.
+BoneFrame frame_at(const std::vector<Bone>& bones, std::size_t bone, Time time);
+
+/// What a bone makes of what it carries on its way from `set_up` to `posed`.
+class BoneMotion {
+public:
+    BoneMotion(const BoneFrame& set_up, const BoneFrame& posed);
+
+    Spot operator()(Spot spot) const;
+
+private:
+    Spot origin_;
+    Spot along_; ///< as set up, of length 1
+    Spot posed_origin_;
+    Spot posed_along_; ///< where along_ goes
+    Spot posed_across_;
+};
+
+/// Whether values of the quantity count modulo one turn.
+constexpr bool goes_the_shortest_way(const Bone& bone, BoneQuantity quantity)
+{
+    return quantity == BoneQuantity::angle && !bone.turns_as_written;
+}
+
+}

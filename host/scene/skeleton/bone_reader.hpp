@@ -1,0 +1,58 @@
+#pragma once
+
+#include "host/geometry/outline.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/schema/node_words.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view bone_name = "bone";
+
+/// A bone as it is written: on the canvas.
+struct WrittenBone {
+    const kdl::Node* node = nullptr;
+    std::string name;
+    Place place; ///< of "bone" and the name
+    Spot from;
+    Spot to;
+    std::optional<double> region;
+    std::optional<bool> tip;
+    const kdl::Value* parent_name = nullptr;
+    std::optional<std::size_t> parent; ///< index among those that were read
+    bool is_good = true;               ///< nothing of it was wrong but for its parent's name
+};
+
+/// Reads the bones of one skeleton.
+class BoneReader {
+public:
+    explicit BoneReader(SceneContext& context) : context_{context} {}
+
+    /// Adds `node`, a bone, and all inside of it; reports what is wrong.
+    void read(const kdl::Node& node) { read(node, std::nullopt); }
+    /// Finds the parents that are told by name. Reports those that are not there.
+    std::vector<WrittenBone> take();
+    /// Nothing was wrong with those that were read, nor with their parents.
+    bool is_good() const { return is_good_; }
+
+private:
+    void read(const kdl::Node& node, std::optional<std::size_t> parent);
+    WrittenBone read_bone(const kdl::Node& node, std::optional<std::size_t> parent);
+    bool has_room(const WrittenBone& bone);
+    void find_parent(WrittenBone& bone);
+
+    SceneContext& context_;
+    std::vector<WrittenBone> bones_;
+    NameTable names_;
+    bool is_good_ = true;
+    bool is_full_ = false; ///< has been reported
+};
+
+NodeWords bone_words();
+
+}

@@ -1,0 +1,181 @@
+#include "host/scene/skeleton/reach_reader.hpp"
+
+#include "core/time/key_interval.hpp"
+#include "host/scene/context/limits.hpp"
+#include "host/scene/skeleton/bone_frames.hpp"
+#include "host/scene/skeleton/bone_name_reader.hpp"
+#include "host/scene/values/key_laws.hpp"
+#include "host/scene/values/key_order.hpp"
+#include "host/scene/values/timed_value.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/text/glyph.hpp"
+#include "host/words/synonyms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm reach_form{reach_name, "reach BONE { at TIME X Y }", 1, 1, true};
+constexpr NodeForm at_form{at_name, "at TIME X Y law=LAW", 3, 3};
+
+constexpr std::array bends{Word<Bend>{"left", Bend::left}, Word<Bend>{"right", Bend::right}};
+
+/// A joint that is nearer to the line than this does not say to which side it bends.
+constexpr double straight = 1.0 / 16;
+
+struct ReachProperties {
+    std::optional<Bend> bend;
+};
+
+bool read_bend(const kdl::Value& value, ReachProperties& reach, SceneContext& context)
+{
+    return assign(read_word(value, bends, context.report), reach.bend);
+}
+
+constexpr std::array reach_rules{
+    PropertyRule<ReachProperties>{"bend", read_bend, ValueKind::one_of<bends>()}};
+
+struct AtProperties {
+    KeyLaws laws;
+};
+
+constexpr std::array at_rules{PropertyRule<AtProperties>{"law", read_key_law<&KeyLaws::both>, any_law}};
+
+struct WrittenTarget {
+    const kdl::Node* node;
+    ReachTarget target;
+};
+
+std::optional<std::size_t> read_bone(const kdl::Value& value, const std::vector<Bone>& bones,
+                                     SceneContext& context)
+{
+    const auto name = read_name(value, context.report);
+    if (!name)
+        return std::nullopt;
+    return read_bone_name(*name, value.place, bones, context);
+}
+
+bool check_chain(const Bone& bone, const std::vector<Bone>& bones, Place place, SceneContext& context)
+{
+    if (!bone.parent)
+        return context.report.error(
+            place, "to reach takes two bones, and " + in_quotes(bone.name) + " has no parent",
+            "name the last bone of an arm or a leg");
+    const std::string parent = in_quotes(bones[*bone.parent].name);
+    return bone.is_at_tip ||
+           context.report.error(place, in_quotes(bone.name) + " does not begin at the tip of " + parent,
+                                "let it begin exactly where " + parent + " ends");
+}
+
+/// As set up.
+std::optional<Bend> bend_of(const std::vector<Bone>& bones, std::size_t bone)
+{
+    const std::vector<BoneFrame> frames = frames_as_set_up(bones);
+    const Spot origin = frames[*bones[bone].parent].origin;
+    const Spot tip = frames[bone].tip();
+    const double side = cross(tip - origin, frames[bone].origin - origin);
+    if (std::abs(side) <= straight * distance(origin, tip))
+        return std::nullopt;
+    return side > 0 ? Bend::right : Bend::left;
+}
+
+std::optional<WrittenTarget> read_target(const kdl::Node& node, SceneContext& context)
+{
+    if (node.name != at_form.name) {
+        context.report.error(node.name_place, "a reach has no node " + in_quotes(node.name),
+                             word_remedy(node.name, std::array{at_form.name}));
+        return std::nullopt;
+    }
+    if (!fits(node, at_form, context.report))
+        return std::nullopt;
+    AtProperties properties;
+    const bool good = read_properties(node, at_rules, properties, context);
+    const auto time = read_time(node.arguments.front(), context);
+    const std::span<const kdl::Value> values{node.arguments};
+    const auto spot = read_numbers(values.subspan(1), std::array{coordinates}, context.report);
+    if (!good || !time || !spot)
+        return std::nullopt;
+    return WrittenTarget{&node,
+                         {.time = *time,
+                          .spot = {(*spot)[0], (*spot)[1]},
+                          .law = properties.laws.of_rest().x,
+                          .place = span(node.name_place, node.arguments.front().place)}};
+}
+
+PlacedMoment moment_of(const WrittenTarget& at) { return {at.target.time, at.target.place}; }
+
+/// In any order, as those of tracks.
+std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, SceneContext& context)
+{
+    std::vector<WrittenTarget> written;
+    bool good = true;
+    for (const kdl::Node& child : node.children) {
+        const auto target = context.report.full() ? std::nullopt : read_target(child, context);
+        good = target && good;
+        if (target)
+            written.push_back(*target);
+    }
+    std::ranges::stable_sort(written, {}, [](const WrittenTarget& at) { return at.target.time; });
+    for (std::size_t i = 1; i < written.size(); ++i)
+        good = comes_later("target", moment_of(written[i - 1]), moment_of(written[i]), {}, context) && good;
+    if (node.children.empty())
+        good = context.report.error(node.name_place, "this reach has no target", "add { at TIME X Y }");
+    if (!good)
+        return std::nullopt;
+    if (has_property(*written.back().node, "law"))
+        context.report.warning(property_place(*written.back().node, "law"), "this law governs nothing",
+                               "remove it, or add a later target");
+    std::vector<ReachTarget> targets;
+    targets.reserve(written.size());
+    for (const WrittenTarget& at : written)
+        targets.push_back(at.target);
+    return targets;
+}
+
+}
+
+Spot target_at(const Reach& reach, Time time)
+{
+    const auto to = std::ranges::upper_bound(reach.targets, time, {}, &ReachTarget::time);
+    const ReachTarget& from = *(to - 1);
+    if (to == reach.targets.end())
+        return from.spot;
+    const Way way = progress_between(from.time, to->time, time, {from.law, from.law}).x;
+    return from.spot + static_cast<double>(way.raw) / Way::one * (to->spot - from.spot);
+}
+
+std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, SceneContext& context)
+{
+    if (!fits(node, reach_form, context.report))
+        return std::nullopt;
+    const kdl::Value& name = node.arguments.front();
+    ReachProperties properties;
+    const bool good = read_properties(node, reach_rules, properties, context);
+    auto targets = read_targets(node, context);
+    const auto bone = read_bone(name, bones, context);
+    if (!bone || !check_chain(bones[*bone], bones, name.place, context) || !targets || !good)
+        return std::nullopt;
+    const auto bend = properties.bend ? properties.bend : bend_of(bones, *bone);
+    const Place place = span(node.name_place, name.place);
+    if (!bend) {
+        context.report.error(place, "the bones are set up in a straight line, which tells no side to bend to",
+                             "add bend=left or bend=right");
+        return std::nullopt;
+    }
+    context.last_key = std::max(context.last_key, targets->back().time);
+    return Reach{*bone, *bend, std::move(*targets), place};
+}
+
+std::vector<NodeWords> reach_words()
+{
+    constexpr std::string_view target = "at of reach";
+    return {{reach_name, reach_form, {any_name}, words_of(reach_rules), {target}},
+            {target, at_form, {any_time, ValueKind::pixels(coordinates)}, words_of(at_rules)}};
+}
+
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
+#include "host/geometry/outline.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/model.hpp"
+#include "host/schema/node_words.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace kfast::scene {
+
+inline constexpr std::string_view reach_name = "reach";
+
+/// On which side the joint lies of the line from the chain's origin to the target, as seen along it.
+enum class Bend : std::uint8_t { left, right };
+
+/// Where the tip is to be; the law governs the way to the next target, which is straight.
+struct ReachTarget {
+    Time time;
+    Spot spot;
+    VelocityLaw law;
+    Place place;
+};
+
+/// A bone and its parent turn so that the tip of the bone follows a target.
+struct Reach {
+    std::size_t bone = 0; ///< has a parent, and begins at its tip
+    Bend bend = Bend::left;
+    std::vector<ReachTarget> targets; ///< at least one; their times rise
+    Place place;
+
+    Time begin() const { return targets.front().time; }
+    Time end() const { return targets.back().time; }
+};
+
+/// Where the target is at a time between begin() and end().
+Spot target_at(const Reach& reach, Time time);
+
+/// Nothing when the node gives no usable reach; what is wrong is reported.
+std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, SceneContext& context);
+
+/// Of a reach, and of its targets.
+std::vector<NodeWords> reach_words();
+
+}

@@ -1,0 +1,104 @@
+#include "host/scene/skeleton/skin_reader.hpp"
+
+#include "host/scene/skeleton/bone_name_reader.hpp"
+#include "host/scene/skeleton/skin_points.hpp"
+#include "host/scene/skeleton/weights_reader.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+void refuse_without_skin(const WrittenSkin& written, SceneContext& context)
+{
+    constexpr auto remedy = "add skin=NAME to the object, with the name of a skeleton";
+    if (written.bone != nullptr)
+        context.report.error(written.bone->place, "a bone carries only an object that has a skin", remedy);
+    if (written.weights != nullptr)
+        context.report.error(written.weights->name_place, "weights need a skin", remedy);
+}
+
+std::optional<std::size_t> find_skeleton(const kdl::Value& value, SceneContext& context)
+{
+    const auto name = read_name(value, context.report);
+    if (!name)
+        return std::nullopt;
+    const auto skeleton = context.skeletons.find(*name);
+    const auto known = context.skeletons.names();
+    if (!skeleton)
+        context.report.error(value.place, "unknown skeleton " + in_quotes(*name),
+                             known.empty() ? "write it on the outermost level: bones NAME { … }"
+                                           : suggestion(*name, known));
+    else
+        context.skeletons.entries[*skeleton].is_used = true;
+    return skeleton;
+}
+
+/// Only whole strokes have points at rest on the first drawing.
+bool check_keys(const std::vector<Key>& keys, const Drawing& first, SceneContext& context)
+{
+    bool good = true;
+    for (const Key& key : keys) {
+        const std::size_t strokes = key.drawing.strokes.size();
+        if (key.match == Match::length)
+            good =
+                context.report.error(key.place, "match=length does not work with a skin", "use match=count");
+        if (strokes != 0 && strokes != first.strokes.size())
+            good = context.report.error(key.place,
+                                        "with a skin, all drawings have as many strokes as the first: " +
+                                            std::to_string(first.strokes.size()) + ", not " +
+                                            std::to_string(strokes),
+                                        "draw it with as many, or put some strokes into another object");
+    }
+    return good;
+}
+
+const Drawing& first_seen(const std::vector<Key>& keys)
+{
+    const auto is_seen = [](const Key& key) { return !key.drawing.strokes.empty(); };
+    const auto first = std::ranges::find_if(keys, is_seen);
+    return first == keys.end() ? keys.front().drawing : first->drawing;
+}
+
+std::optional<std::vector<Binding>> read_bindings(const WrittenSkin& written, const Skeleton& skeleton,
+                                                  const std::vector<Spot>& spots, SceneContext& context)
+{
+    if (written.bone == nullptr)
+        return read_weights(written.weights, skeleton, spots, written.place, context);
+    if (written.weights != nullptr)
+        context.report.error(written.weights->name_place,
+                             "both bone= and weights say what carries the object", "leave it to one of them");
+    const auto name = read_name(*written.bone, context.report);
+    const auto bone =
+        name ? read_bone_name(*name, written.bone->place, skeleton.bones.bones, context) : std::nullopt;
+    if (!bone)
+        return std::nullopt;
+    return std::vector<Binding>(spots.size(), bound({{*bone, 1}}));
+}
+
+}
+
+std::optional<Skin> read_skin(const WrittenSkin& written, const std::vector<Key>& keys, SceneContext& context)
+{
+    if (written.skeleton == nullptr) {
+        refuse_without_skin(written, context);
+        return std::nullopt;
+    }
+    const auto index = find_skeleton(*written.skeleton, context);
+    if (!index || !context.skeletons.entries[*index].is_good || keys.empty())
+        return std::nullopt;
+    const Drawing& first = first_seen(keys);
+    const SkinPoints points{first};
+    const bool good = check_keys(keys, first, context);
+    const auto bindings = read_bindings(written, context.skeletons.entries[*index], points.spots(), context);
+    if (!good || !bindings)
+        return std::nullopt;
+    return Skin{*index, points.bindings_of_all(*bindings), written.place, written.turns_changes};
+}
+
+}

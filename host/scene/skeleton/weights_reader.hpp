@@ -1,0 +1,30 @@
+#pragma once
+
+#include "host/geometry/outline.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/context/skeleton_table.hpp"
+#include "host/scene/skeleton/binding.hpp"
+#include "host/schema/node_words.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace kfast::scene {
+
+/// The node of weights for some points; no bone has this name.
+inline constexpr std::string_view points_name = "points";
+
+inline constexpr std::string_view weights_name = "weights";
+
+/// What bones the points at `spots` follow, by the node `weights`; automatically if it is null. `place` is
+/// that of the object. Nothing if that cannot be said; what is wrong is reported.
+std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const Skeleton& skeleton,
+                                                 const std::vector<Spot>& spots, Place place,
+                                                 SceneContext& context);
+
+/// Of weights, of those of single points, and of the bones in both.
+std::vector<NodeWords> weights_words();
+
+}

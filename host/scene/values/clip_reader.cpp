@@ -1,0 +1,71 @@
+#include "host/scene/values/clip_reader.hpp"
+
+#include "host/scene/context/limits.hpp"
+#include "host/scene/values/scene_end.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/node_words.hpp"
+#include "host/schema/property_rule.hpp"
+
+#include <string>
+
+namespace kfast::scene {
+namespace {
+
+constexpr NodeForm clip_form{"clip", "clip NAME from=TIME to=TIME", 1, 1};
+
+bool read_begin(const kdl::Value& value, Clip& clip, SceneContext& context)
+{
+    return assign(read_time(value, context), clip.begin);
+}
+
+bool read_end(const kdl::Value& value, Clip& clip, SceneContext& context)
+{
+    return assign(read_time(value, context), clip.end);
+}
+
+bool read_clip_loop(const kdl::Value& value, Clip& clip, SceneContext& context)
+{
+    return assign(read_loop(value, context), clip.loop);
+}
+
+constexpr std::array clip_rules{
+    PropertyRule<Clip>{"from", read_begin, any_time, true},
+    PropertyRule<Clip>{"to", read_end, any_time, true},
+    PropertyRule<Clip>{"loop", read_clip_loop, ValueKind::one_of<loops>()},
+};
+
+bool lies_in_scene(const Clip& clip, const kdl::Node& node, Time length, SceneContext& context)
+{
+    const Place end = property_place(node, "to");
+    if (clip.end <= clip.begin)
+        return context.report.error(end, "this clip ends before anything of it is shown",
+                                    "let to= be later than from=");
+    return clip.end <= length || report_beyond_end("this clip ends", end, length, context);
+}
+
+}
+
+std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& names, SceneContext& context)
+{
+    if (!fits(node, clip_form, context.report))
+        return std::nullopt;
+    Clip clip;
+    const bool good =
+        read_properties(node, clip_rules, clip, context) && lies_in_scene(clip, node, length, context);
+    const kdl::Value& value = node.arguments.front();
+    const auto name = read_name(value, context.report);
+    const Place place = span(node.name_place, value.place);
+    if (!name || !add_name(names, "a clip", *name, place, context.report) || !good)
+        return std::nullopt;
+    if (names.size() > most_clips) {
+        context.report.error(place, "a scene has at most " + std::to_string(most_clips) + " clips");
+        return std::nullopt;
+    }
+    clip.name = *name;
+    return clip;
+}
+
+NodeWords clip_words() { return {clip_form.name, clip_form, {any_name}, words_of(clip_rules)}; }
+
+}

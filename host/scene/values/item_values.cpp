@@ -1,0 +1,83 @@
+#include "host/scene/values/item_values.hpp"
+
+#include "core/math/angle.hpp"
+#include "core/scene/kfb_limits.hpp"
+
+#include <cmath>
+
+namespace kfast::scene {
+namespace {
+
+/// How much `units` of what is written are stored as.
+struct NumberForm {
+    double stored;
+    double units;
+};
+
+constexpr NumberForm pixels{16, 1};
+constexpr NumberForm degrees{BinaryAngle::turn, 360};
+constexpr NumberForm scales{kfb::max_scale, 64};
+constexpr NumberForm shares{path_whole, 1};
+constexpr NumberForm opacities{255, 1};
+
+std::optional<std::int32_t> read_form(const NumberForm& form, Range range, const kdl::Value& value,
+                                      SceneContext& context)
+{
+    const auto number = read_number(value, range, context.report);
+    if (!number)
+        return std::nullopt;
+    return static_cast<std::int32_t>(std::lround(*number * form.stored / form.units));
+}
+
+}
+
+std::optional<std::int32_t> ItemValues::get(Property property) const
+{
+    const auto& value = own[static_cast<std::size_t>(property)];
+    const bool is_scale = property == Property::scale_x || property == Property::scale_y;
+    return is_scale && !value ? scale : value;
+}
+
+std::optional<std::int32_t> read_item_value(Property property, const kdl::Value& value, SceneContext& context)
+{
+    const Range range = kind_of(property).range;
+    switch (property) {
+    case Property::x:
+    case Property::y:
+    case Property::z:
+    case Property::pivot_x:
+    case Property::pivot_y:
+        return read_form(pixels, range, value, context);
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+        return read_form(degrees, range, value, context);
+    case Property::scale_x:
+    case Property::scale_y:
+        return read_form(scales, range, value, context);
+    case Property::along:
+        return read_form(shares, range, value, context);
+    case Property::opacity:
+        return read_form(opacities, range, value, context);
+    case Property::order:
+        return read_whole_number(value, range, context.report);
+    case Property::visible:
+        return read_flag(value, context.report);
+    case Property::fill:
+    case Property::stroke:
+        return read_colour(value, context);
+    case Property::width:
+        return read_form(pixels, range, value, context);
+    }
+    return std::nullopt;
+}
+
+bool read_rotation(const kdl::Value& value, std::optional<std::int32_t>& rotation, SceneContext& context)
+{
+    if (rotation)
+        return context.report.error(value.place, "rotate and rotate-z are the same and both given",
+                                    "leave out one of them");
+    return assign(read_item_value(Property::rotation, value, context), rotation);
+}
+
+}

@@ -1,0 +1,231 @@
+#include "host/scene/values/law_reader.hpp"
+
+#include "host/geometry/path_scanner.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/text/glyph.hpp"
+#include "host/words/synonyms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kfast::scene {
+namespace {
+
+/// Of a number of bezier(), in Q13, rounded to nearest.
+constexpr std::int16_t control(double number)
+{
+    return static_cast<std::int16_t>(number * VelocityLaw::control_one + (number < 0 ? -0.5 : 0.5));
+}
+
+constexpr VelocityLaw bezier(double x1, double y1, double x2, double y2)
+{
+    return VelocityLaw::bezier(control(x1), control(y1), control(x2), control(y2));
+}
+
+/// The names that begin with ease have the curves that they have in CSS.
+constexpr std::array plain_laws{
+    Word<VelocityLaw>{"constant", VelocityLaw::constant},
+    Word<VelocityLaw>{"accelerate", VelocityLaw::accelerate},
+    Word<VelocityLaw>{"decelerate", VelocityLaw::decelerate},
+    Word<VelocityLaw>{"accelerate-decelerate", VelocityLaw::accelerate_decelerate},
+    Word<VelocityLaw>{"hold", VelocityLaw::hold},
+    Word<VelocityLaw>{"ease", bezier(0.25, 0.1, 0.25, 1)},
+    Word<VelocityLaw>{"ease-in", bezier(0.42, 0, 1, 1)},
+    Word<VelocityLaw>{"ease-out", bezier(0, 0, 0.58, 1)},
+    Word<VelocityLaw>{"ease-in-out", bezier(0.42, 0, 0.58, 1)},
+};
+
+struct Parameter {
+    std::string_view name;
+    Range range;
+};
+
+constexpr Range control_x{0, 1};
+constexpr Range control_y{double{VelocityLaw::lowest_y} / VelocityLaw::control_one,
+                          double{VelocityLaw::highest_y} / VelocityLaw::control_one};
+constexpr std::array step_parameters{Parameter{"n", {1, std::numeric_limits<std::uint16_t>::max()}}};
+constexpr std::array bezier_parameters{Parameter{"x1", control_x}, Parameter{"y1", control_y},
+                                       Parameter{"x2", control_x}, Parameter{"y2", control_y}};
+
+/// A law with numbers in parentheses.
+struct CallForm {
+    std::string_view name;
+    std::string_view form;
+    std::span<const Parameter> parameters;
+    bool whole_numbers;
+    VelocityLaw (*make)(std::span<const double> numbers);
+};
+
+constexpr std::array calls{
+    CallForm{
+        "steps", "steps(n)", step_parameters, true,
+        [](std::span<const double> n) { return VelocityLaw::in_steps(static_cast<std::uint16_t>(n[0])); }},
+    CallForm{"bezier", "bezier(x1,y1,x2,y2)", bezier_parameters, false,
+             [](std::span<const double> n) { return bezier(n[0], n[1], n[2], n[3]); }},
+};
+
+constexpr auto law_names = [] {
+    std::array<std::string_view, plain_laws.size() + calls.size()> names;
+    const auto rest = std::ranges::transform(plain_laws, names.begin(), &Word<VelocityLaw>::name).out;
+    std::ranges::transform(calls, rest, &CallForm::name);
+    return names;
+}();
+
+std::string remedy_for(std::string_view form) { return "write \"" + std::string{form} + "\""; }
+
+std::string count_of_numbers(const CallForm& call)
+{
+    const std::size_t count = call.parameters.size();
+    return std::string{call.name} + " takes " +
+           (count == 1 ? "one number" : std::to_string(count) + " numbers");
+}
+
+class LawReader {
+public:
+    LawReader(const kdl::Value& value, std::string_view text, Report& report)
+        : scanner_{text}, text_{text}, value_{value}, report_{report}
+    {
+    }
+
+    std::optional<VelocityLaw> read();
+
+private:
+    std::optional<VelocityLaw> read_call(const CallForm& call);
+    std::optional<double> read_number(const CallForm& call, const Parameter& parameter);
+    bool expect(char mark, const CallForm& call);
+    bool expect_end(std::string_view form);
+
+    std::string_view take_name();
+    /// The byte behind white space, 0 at the end.
+    char next();
+
+    /// From `begin` to where the scanner stands, or the byte there. Always false.
+    bool fail(std::size_t begin, std::string message, std::string remedy);
+
+    PathScanner scanner_; ///< numbers are written as in paths
+    std::string_view text_;
+    const kdl::Value& value_;
+    Report& report_;
+};
+
+std::optional<VelocityLaw> LawReader::read()
+{
+    scanner_.skip_space();
+    const std::size_t begin = scanner_.offset();
+    const std::string_view name = take_name();
+    const auto call = std::ranges::find(calls, name, &CallForm::name);
+    if (call != calls.end())
+        return read_call(*call);
+    const auto law = std::ranges::find(plain_laws, name, &Word<VelocityLaw>::name);
+    if (law == plain_laws.end())
+        fail(begin, "unknown law " + in_quotes(name), word_remedy(name, law_names));
+    else if (expect_end(name))
+        return law->meaning;
+    return std::nullopt;
+}
+
+std::optional<VelocityLaw> LawReader::read_call(const CallForm& call)
+{
+    std::vector<double> numbers;
+    for (const Parameter& parameter : call.parameters) {
+        if (!expect(numbers.empty() ? '(' : ',', call))
+            return std::nullopt;
+        const auto number = read_number(call, parameter);
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+    }
+    if (!expect(')', call) || !expect_end(call.form))
+        return std::nullopt;
+    return call.make(numbers);
+}
+
+std::optional<double> LawReader::read_number(const CallForm& call, const Parameter& parameter)
+{
+    const bool is_missing = next() == ')';
+    const bool is_number = scanner_.at_number();
+    const std::size_t begin = scanner_.offset();
+    const auto number = scanner_.number();
+    const std::string name{parameter.name};
+    if (is_missing)
+        fail(begin, count_of_numbers(call), remedy_for(call.form));
+    else if (!is_number)
+        fail(begin, "a number is expected here", remedy_for(call.form));
+    else if (!number || *number < parameter.range.low || *number > parameter.range.high)
+        fail(begin, name + " is out of range", allowed(parameter.range));
+    else if (call.whole_numbers && std::trunc(*number) != *number)
+        fail(begin, name + " must be a whole number", allowed(parameter.range));
+    else
+        return number;
+    return std::nullopt;
+}
+
+/// What stands in the place of `mark` tells which mistake it is.
+bool LawReader::expect(char mark, const CallForm& call)
+{
+    const char found = next();
+    if (found == mark) {
+        scanner_.take();
+        return true;
+    }
+    if (mark == '(' || found == ')' || found == ',')
+        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), remedy_for(call.form));
+    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", remedy_for(call.form));
+}
+
+bool LawReader::expect_end(std::string_view form)
+{
+    if (next() == '\0' && scanner_.at_end())
+        return true;
+    const std::size_t begin = scanner_.offset();
+    while (!scanner_.at_end())
+        scanner_.take();
+    return fail(begin, "this is too much for a law", remedy_for(form));
+}
+
+std::string_view LawReader::take_name()
+{
+    const std::size_t begin = scanner_.offset();
+    const std::size_t end = std::min(text_.find_first_of("( \t\r\n\f", begin), text_.size());
+    while (scanner_.offset() < end)
+        scanner_.take();
+    return text_.substr(begin, end - begin);
+}
+
+char LawReader::next()
+{
+    scanner_.skip_space();
+    return scanner_.at_end() ? '\0' : text_[scanner_.offset()];
+}
+
+bool LawReader::fail(std::size_t begin, std::string message, std::string remedy)
+{
+    const std::size_t least = begin < text_.size() ? 1 : 0;
+    const Place place{begin, std::max(scanner_.offset() - begin, least)};
+    pass_on({Severity::error, place, std::move(message), std::move(remedy)}, value_, "law", report_);
+    return false;
+}
+
+}
+
+std::optional<VelocityLaw> read_law(const kdl::Value& value, Report& report)
+{
+    const auto text = read_text(value, report);
+    return text ? LawReader{value, *text, report}.read() : std::nullopt;
+}
+
+std::vector<std::string_view> law_forms()
+{
+    std::vector<std::string_view> forms;
+    std::ranges::transform(plain_laws, std::back_inserter(forms), &Word<VelocityLaw>::name);
+    std::ranges::transform(calls, std::back_inserter(forms), &CallForm::form);
+    return forms;
+}
+
+}

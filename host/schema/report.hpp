@@ -1,0 +1,69 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/schema/name_table.hpp"
+#include "host/text/diagnostic.hpp"
+#include "host/text/source.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// What nodes and their values look like, whatever they mean: rules that readers of scenes, settings, boards
+/// and beams are tables of.
+namespace kfast::schema {
+
+/// What helps where a node has no such property as `property`; `known` are those that it has.
+using PropertyHint = std::string (*)(const kdl::Node& node, const kdl::Property& property,
+                                     std::span<const std::string_view> known);
+
+/// Passes on what is wrong with a text, until it is so much that more helps nobody.
+class Report {
+public:
+    /// `hint` is asked first for what helps where a property is not known; it may return an empty text.
+    Report(const SourceText& source, Diagnostics& diagnostics, PropertyHint hint = nullptr)
+        : source_{source}, diagnostics_{diagnostics}, property_hint_{hint}
+    {
+    }
+
+    /// Always false, so that a reader can return it.
+    bool error(Place place, std::string message, std::string remedy = {});
+    void warning(Place place, std::string message, std::string remedy = {});
+
+    /// Errors are no longer passed on; report may stop.
+    bool full() const { return errors_ > most_errors; }
+    std::string property_hint(const kdl::Node& node, const kdl::Property& property,
+                              std::span<const std::string_view> known) const
+    {
+        return property_hint_ == nullptr ? std::string{} : property_hint_(node, property, known);
+    }
+    /// "line 12". Looks through the text: only for messages.
+    std::string line(Place place) const;
+
+private:
+    static constexpr std::size_t most_errors = 100;
+    static constexpr std::size_t most_warnings = 100;
+
+    const SourceText& source_;
+    Diagnostics& diagnostics_;
+    PropertyHint property_hint_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
+};
+
+/// The report of whatever the rules of a table are read with; other readers have their own.
+inline Report& report_of(Report& report) { return report; }
+
+/// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is what to mark.
+bool add_name(NameTable& names, std::string_view noun, std::string_view name, Place place, Report& report);
+/// Always false.
+bool report_double(std::string_view noun, std::string_view name, Place place, Place earlier, Report& report);
+
+/// From the start of `first` to the end of `last`.
+constexpr Place span(Place first, Place last)
+{
+    return {first.offset, last.offset + last.length - first.offset};
+}
+
+}

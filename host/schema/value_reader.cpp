@@ -1,0 +1,162 @@
+#include "host/schema/value_reader.hpp"
+
+#include "host/kdl/identifier.hpp"
+#include "host/kdl/number.hpp"
+#include "host/text/glyph.hpp"
+#include "host/words/synonyms.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace kfast::schema {
+namespace {
+
+/// If a number is meant by what is a text; empty: it is none.
+std::string remedy_of_text(const std::string& text)
+{
+    constexpr std::string_view minus = "\u2212";
+    const bool is_typographic = text.starts_with(minus);
+    const std::string plain = is_typographic ? '-' + text.substr(minus.size()) : text;
+    if (!kdl::begins_like_number(plain) || !std::holds_alternative<kdl::Number>(kdl::number_from(plain)))
+        return {};
+    return "write " + plain + (is_typographic ? ", with the minus of the keyboard" : " without quotes");
+}
+
+/// A type annotation means something on times only.
+bool without_type(const kdl::Value& value, Report& report)
+{
+    return !value.type || report.error(value.place, "this value takes no type or unit",
+                                       "leave out (" + visible(*value.type) + ")");
+}
+
+bool is_control(char letter)
+{
+    const auto code = static_cast<unsigned char>(letter);
+    return code < 0x20 || code == 0x7F;
+}
+
+}
+
+std::string text_of(double number)
+{
+    std::array<char, 32> digits;
+    return {
+        digits.data(),
+        std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed).ptr};
+}
+
+std::string allowed(Range range) { return "allowed: " + text_of(range.low) + " to " + text_of(range.high); }
+
+const kdl::Number* number_of(const kdl::Value& value, Report& report)
+{
+    const kdl::Number* const number = value.number();
+    const std::string* const text = value.string();
+    if (number == nullptr)
+        report.error(value.place, "a number is expected here",
+                     text == nullptr ? std::string{} : remedy_of_text(*text));
+    return number;
+}
+
+std::optional<double> read_number(const kdl::Value& value, Range range, Report& report)
+{
+    const kdl::Number* const number = number_of(value, report);
+    if (number == nullptr || !without_type(value, report))
+        return std::nullopt;
+    if (number->value >= range.low && number->value <= range.high)
+        return number->value;
+    report_out_of_range(value, range, report);
+    return std::nullopt;
+}
+
+void report_out_of_range(const kdl::Value& value, Range range, Report& report)
+{
+    report.error(value.place, "this number is out of range", allowed(range));
+}
+
+std::optional<std::vector<double>> read_numbers(std::span<const kdl::Value> values,
+                                                std::span<const Range> ranges, Report& report)
+{
+    std::vector<double> numbers;
+    for (const kdl::Value& value : values) {
+        const std::size_t place = std::min(numbers.size(), ranges.size() - 1);
+        const auto number = read_number(value, ranges[place], report);
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::optional<int> read_whole_number(const kdl::Value& value, Range range, Report& report)
+{
+    const auto number = read_number(value, range, report);
+    if (!number)
+        return std::nullopt;
+    if (std::trunc(*number) == *number)
+        return static_cast<int>(*number);
+    report.error(value.place, "a whole number is expected here");
+    return std::nullopt;
+}
+
+std::optional<bool> read_flag(const kdl::Value& value, Report& report)
+{
+    const bool* const flag = std::get_if<bool>(&value.data);
+    if (flag == nullptr)
+        report.error(value.place, "#true or #false is expected here");
+    if (flag == nullptr || !without_type(value, report))
+        return std::nullopt;
+    return *flag;
+}
+
+std::optional<std::string_view> read_text(const kdl::Value& value, Report& report)
+{
+    const std::string* const text = value.string();
+    if (text == nullptr)
+        report.error(value.place, "a word or a text in quotes is expected here");
+    if (text == nullptr || !without_type(value, report))
+        return std::nullopt;
+    return *text;
+}
+
+std::optional<std::string_view> read_name(const kdl::Value& value, Report& report)
+{
+    const auto name = read_text(value, report);
+    if (!name)
+        return std::nullopt;
+    if (name->empty())
+        report.error(value.place, "a name cannot be empty");
+    else if (name->size() > max_name_bytes)
+        report.error(value.place, "this name is too long",
+                     "a name has at most " + std::to_string(max_name_bytes) + " bytes");
+    else if (std::ranges::any_of(*name, is_control)) // boards write names into lines of text
+        report.error(value.place, "a name has no line ends or other control characters");
+    else
+        return name;
+    return std::nullopt;
+}
+
+void report_unknown_word(const kdl::Value& value, std::string_view name,
+                         std::span<const std::string_view> known, Report& report)
+{
+    report.error(value.place, "unknown value " + in_quotes(name), word_remedy(name, known));
+}
+
+void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Report& report)
+{
+    Place place = value.place;
+    std::string message = finding.message;
+    if (value.text_offset) {
+        place = {*value.text_offset + finding.place.offset, finding.place.length};
+    } else {
+        const LineColumn at = line_column(*value.string(), finding.place.offset);
+        message += " (line " + std::to_string(at.line) + ", column " + std::to_string(at.column) +
+                   " of the " + std::string{what} + ")";
+    }
+    if (finding.severity == Severity::error)
+        report.error(place, message, finding.remedy);
+    else
+        report.warning(place, message, finding.remedy);
+}
+
+}

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "host/kdl/document.hpp"
+#include "host/schema/range.hpp"
+#include "host/schema/report.hpp"
+#include "host/schema/value_kind.hpp"
+#include "host/text/suggestion.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Values of nodes and properties as what the language takes them for. Each function reports what is wrong
+/// and then returns nothing.
+namespace kfast::schema {
+
+/// As few digits as tell the number: "0.0625"
+std::string text_of(double number);
+
+/// Only as many decimals as it takes: `is_same` tells whether a rounded number still stands for `number`,
+/// which it must at some point.
+template <class IsSame>
+std::string shortest_text(double number, IsSame is_same)
+{
+    for (double parts = 1;; parts *= 10) {
+        const double rounded = std::round(number * parts) / parts;
+        if (is_same(rounded))
+            return text_of(rounded);
+    }
+}
+
+/// The remedy for a number that is not inside: "allowed: 0 to 1".
+std::string allowed(Range range);
+
+/// A number with a unit or without one; reports if it is none, and then returns null.
+const kdl::Number* number_of(const kdl::Value& value, Report& report);
+std::optional<double> read_number(const kdl::Value& value, Range range, Report& report);
+void report_out_of_range(const kdl::Value& value, Range range, Report& report);
+/// The last of `ranges`, of which there is at least one, holds for all that follow.
+std::optional<std::vector<double>> read_numbers(std::span<const kdl::Value> values,
+                                                std::span<const Range> ranges, Report& report);
+std::optional<int> read_whole_number(const kdl::Value& value, Range range, Report& report);
+/// #true or #false.
+std::optional<bool> read_flag(const kdl::Value& value, Report& report);
+/// Points into `value`.
+std::optional<std::string_view> read_text(const kdl::Value& value, Report& report);
+inline constexpr std::size_t max_name_bytes = 255;
+/// What something is called: 1 to max_name_bytes bytes.
+std::optional<std::string_view> read_name(const kdl::Value& value, Report& report);
+
+void report_unknown_word(const kdl::Value& value, std::string_view name,
+                         std::span<const std::string_view> known, Report& report);
+
+template <class Meaning, std::size_t count>
+std::optional<Meaning> read_word(const kdl::Value& value, const std::array<Word<Meaning>, count>& words,
+                                 Report& report)
+{
+    const auto name = read_text(value, report);
+    if (!name)
+        return std::nullopt;
+    std::array<std::string_view, count> known;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (words[i].name == *name)
+            return words[i].meaning;
+        known[i] = words[i].name;
+    }
+    report_unknown_word(value, *name, known, report);
+    return std::nullopt;
+}
+
+/// Where a part of the text of `value` stands in the source; where that is not known, the whole value.
+inline Place place_in_text(const kdl::Value& value, Place part)
+{
+    return value.text_offset ? Place{*value.text_offset + part.offset, part.length} : value.place;
+}
+
+/// Passes on a finding inside the text of `value` at its place in the source; where that is not known (the
+/// text has escapes or several lines), at the whole value with the place in words, in the text that `what`
+/// names.
+void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Report& report);
+
+/// Whether there was a value; then `target`, whose type holds it, has it.
+template <class T, class U>
+bool assign(const std::optional<T>& value, U& target)
+{
+    if (value)
+        target = static_cast<U>(*value);
+    return value.has_value();
+}
+
+}
