@@ -1,6 +1,6 @@
 #include "core/feature_code.hpp"
 
-#include "core/bytes/plain_function.hpp"
+#include "core/bytes/function_ref.hpp"
 #include "core/math/space.hpp"
 #include "core/math/turning.hpp"
 #include "core/pose/live_bones.hpp"
@@ -8,7 +8,6 @@
 #include "core/pose/object_strokes.hpp"
 #include "core/prepared/preparer.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
-#include "core/scene/check/bone_check.hpp"
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/path_view.hpp"
 #include "core/tracer.hpp"

@@ -4,7 +4,6 @@
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/scene/time_code.hpp"
-#include "core/scene/usual_camera.hpp"
 
 #include <algorithm>
 #include <array>

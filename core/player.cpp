@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "core/math/quotient.hpp"
+#include "core/math/fixed.hpp"
 #include "core/tracer.hpp"
 
 #include <algorithm>

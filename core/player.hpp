@@ -2,7 +2,7 @@
 
 #include "core/bytes/result.hpp"
 #include "core/math/canvas_map.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "core/pose/live_scene.hpp"
 #include "core/raster/change.hpp"

@@ -1,6 +1,6 @@
 #include "core/playhead.hpp"
 
-#include "core/math/quotient.hpp"
+#include "core/math/fixed.hpp"
 
 namespace kfast {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/mark_view.hpp"
-#include "core/scene/stretch.hpp"
+#include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 
 #include <algorithm>

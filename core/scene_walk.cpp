@@ -1,8 +1,8 @@
 #include "core/scene_walk.hpp"
 
 #include "core/bytes/work.hpp"
-#include "core/pixel/opacity.hpp"
-#include "core/scene/item_path.hpp"
+#include "core/pixel/colour.hpp"
+#include "core/scene/item_view.hpp"
 
 #include <algorithm>
 #include <utility>

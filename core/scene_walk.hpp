@@ -5,8 +5,7 @@
 #include "core/pose/scene_on_panel.hpp"
 #include "core/prepared/node.hpp"
 #include "core/prepared/prepared_scene.hpp"
-#include "core/prepared/walk_level.hpp"
-#include "core/time/dependence.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +36,7 @@ public:
 
     const Node& node() const { return node_of(*current_); }
     ItemState state() const { return {on_panel_.scene, on_panel_.prepared, node()}; }
-    /// Tells it apart (core/scene/item_path.hpp).
+    /// Tells it apart (core/scene/item_view.hpp).
     std::uint32_t path() const { return current_->path; }
     /// What applies to the colours of a leaf.
     std::uint32_t leaf_opacity() const { return inner_opacity(*current_); }

@@ -2,9 +2,9 @@
 
 #include "core/bytes/work.hpp"
 #include "core/feature_code.hpp"
-#include "core/pixel/opacity.hpp"
+#include "core/pixel/colour.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing_trace.hpp"
+#include "core/pose/live_drawing.hpp"
 
 namespace kfast {
 namespace {

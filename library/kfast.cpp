@@ -1,6 +1,6 @@
 #include "library/kfast.h"
 
-#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 #include "library/kfast.hpp"
 #include "library/playback.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "core/scene/stretch.hpp"
+#include "core/scene/scene_view.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "core/beam/beam_gait.hpp"
 
-#include "core/pixel/channel.hpp"
+#include "core/pixel/colour.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,6 @@
 #include "core/beam/beam_point.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
-#include "core/beam/standing_light.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "core/beam/beam_route.hpp"
 
-#include "core/beam/field_point.hpp"
+#include "core/beam/beam_point.hpp"
 #include "core/beam/nearest_leg.hpp"
 #include "core/beam/strip_order.hpp"
 #include "core/beam/tour.hpp"

@@ -3,10 +3,9 @@
 #include "core/beam/beam_pen.hpp"
 #include "core/beam/hatching.hpp"
 #include "core/math/projection.hpp"
-#include "core/pixel/channel.hpp"
-#include "core/pixel/opacity.hpp"
+#include "core/pixel/colour.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing_trace.hpp"
+#include "core/pose/live_drawing.hpp"
 
 namespace kfast {
 namespace {

@@ -5,8 +5,7 @@
 #include "core/math/point_map.hpp"
 #include "core/math/segment.hpp"
 #include "core/math/sight.hpp"
-#include "core/pixel/beam_style.hpp"
-#include "core/pixel/fill_rule.hpp"
+#include "core/pixel/paint_style.hpp"
 
 #include <cstddef>
 #include <cstdint>

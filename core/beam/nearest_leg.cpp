@@ -1,6 +1,6 @@
 #include "core/beam/nearest_leg.hpp"
 
-#include "core/beam/field_point.hpp"
+#include "core/beam/beam_point.hpp"
 
 #include <algorithm>
 #include <limits>

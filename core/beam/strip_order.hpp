@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/beam/beam_leg.hpp"
 #include "core/beam/beam_lines.hpp"
 
 #include <span>

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/beam/beam_leg.hpp"
 #include "core/beam/beam_lines.hpp"
-#include "core/beam/field_point.hpp"
+#include "core/beam/beam_point.hpp"
 
 #include <algorithm>
 #include <cstddef>

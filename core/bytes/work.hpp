@@ -89,7 +89,7 @@ inline void did(Work work, std::uint32_t times = 1)
         work_tally->counts[static_cast<std::uint8_t>(work)] += times;
 }
 
-/// What follows is done for the item of this path (core/scene/item_path.hpp); 0: for none of them.
+/// What follows is done for the item of this path (core/scene/item_view.hpp); 0: for none of them.
 inline void work_for(std::uint32_t path)
 {
     if (work_tally != nullptr)

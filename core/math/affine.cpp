@@ -1,8 +1,7 @@
 #include "core/math/affine.hpp"
 
-#include "core/math/held_point.hpp"
-#include "core/math/square_root.hpp"
-#include "core/math/sum_of_products.hpp"
+#include "core/math/fixed.hpp"
+#include "core/math/point.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/math/affine.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 
 #include <cstdint>
 

@@ -1,11 +1,68 @@
 #pragma once
 
-#include "core/math/quotient.hpp"
-
+#include <bit>
 #include <compare>
+#include <concepts>
 #include <cstdint>
+#include <limits>
 
 namespace kfast {
+
+/// (high * 2^32 + low) / divisor, rounded down, for high < divisor: then it has 32 bits.
+///
+/// By two digits of 16 bits, each guessed from the highest 16 bits of the divisor and at most two too large
+/// (Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D). What compilers call for 64-bit
+/// divisions takes ten times the code on processors of 32 bits.
+constexpr std::uint32_t long_quotient(std::uint32_t high, std::uint32_t low, std::uint32_t divisor)
+{
+    const int shift = std::countl_zero(divisor);
+    const std::uint32_t whole = divisor << shift;
+    const std::uint32_t upper = whole >> 16;
+    const std::uint32_t lower = whole & 0xFFFF;
+    const std::uint64_t dividend = (std::uint64_t{high} << 32 | low) << shift;
+    auto rest = static_cast<std::uint32_t>(dividend >> 32);
+    low = static_cast<std::uint32_t>(dividend);
+    std::uint32_t quotient = 0;
+    for (int digits = 0; digits < 2; ++digits) {
+        std::uint32_t digit = rest / upper;
+        std::uint32_t left = rest - digit * upper;
+        while (digit > 0xFFFF || digit * lower > (left << 16 | low >> 16)) {
+            --digit;
+            left += upper;
+            if (left > 0xFFFF)
+                break;
+        }
+        rest = (rest << 16 | low >> 16) - digit * whole;
+        quotient = quotient << 16 | digit;
+        low <<= 16;
+    }
+    return quotient;
+}
+
+/// Rounded down; `divisor` is at least 1.
+[[gnu::noinline]] constexpr std::uint64_t quotient(std::uint64_t dividend, std::uint32_t divisor)
+{
+    const auto high = static_cast<std::uint32_t>(dividend >> 32);
+    const auto low = static_cast<std::uint32_t>(dividend);
+    const std::uint32_t above = high == 0 ? 0 : high / divisor;
+    const std::uint32_t rest = high - above * divisor;
+    return std::uint64_t{above} << 32 | long_quotient(rest, low, divisor);
+}
+
+/// Rounded towards 0.
+constexpr std::int64_t quotient(std::int64_t dividend, std::uint32_t divisor)
+{
+    const bool is_negative = dividend < 0;
+    const auto size = static_cast<std::uint64_t>(dividend);
+    const auto whole = static_cast<std::int64_t>(quotient(is_negative ? 0 - size : size, divisor));
+    return is_negative ? -whole : whole;
+}
+
+/// dividend - divisor * quotient(dividend, divisor)
+constexpr std::uint32_t remainder(std::uint64_t dividend, std::uint32_t divisor)
+{
+    return static_cast<std::uint32_t>(dividend - quotient(dividend, divisor) * divisor);
+}
 
 /// A share of a whole, 0 … 1, in Q16: 65536 is the whole.
 struct Share {
@@ -93,5 +150,92 @@ constexpr Fixed lerp(Fixed a, Fixed b, Way way)
 {
     return a + Fixed::from_raw(multiply_q16((b - a).raw(), way.raw));
 }
+
+/// p a + q b in Q16, rounded to nearest, halves up. A factor 0 saves its product.
+constexpr std::int64_t sum_of_products(std::int32_t p, std::int64_t a, std::int32_t q, std::int64_t b)
+{
+    std::int64_t sum = Fixed::one / 2;
+    if (p != 0)
+        sum += p * a;
+    if (q != 0)
+        sum += q * b;
+    return sum >> 16;
+}
+
+/// Whether |value| is at most 1 << bits.
+constexpr bool fits_in(std::int32_t value, int bits)
+{
+    return static_cast<std::uint32_t>(value) + (1U << bits) <= 2U << bits;
+}
+
+/// Of factors in Q16, at most 8, and of ways, at most 1024 px: sums of two products are within ±16384 px.
+constexpr bool is_modest_factor(std::int32_t factor) { return fits_in(factor, 19); }
+constexpr bool is_modest_way(std::int32_t raw) { return fits_in(raw, 26); }
+
+/// a b / 2^30, rounded down; both are within ±2^30.
+constexpr std::int32_t product_q30_down(std::int32_t a, std::int32_t b)
+{
+    constexpr std::int32_t low_half = 0xFFFF;
+    const std::int32_t a_high = a >> 16;
+    const std::int32_t b_high = b >> 16;
+    const auto low =
+        (static_cast<std::uint32_t>(a & low_half) * static_cast<std::uint32_t>(b & low_half)) >> 16;
+    const std::int32_t middle =
+        a_high * (b & low_half) + (a & low_half) * b_high + static_cast<std::int32_t>(low);
+    return a_high * b_high * 4 + (middle >> 14);
+}
+
+/// As sum_of_products() where that fits in 32 bits.
+constexpr std::int32_t short_sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q, std::int32_t b)
+{
+    constexpr std::uint32_t low_half = 0xFFFF;
+    const auto low = [](std::int32_t value) { return static_cast<std::uint32_t>(value) & low_half; };
+    const auto high = [](std::int32_t value) { return static_cast<std::uint32_t>(value >> 16); };
+    const std::uint64_t rest = std::uint64_t{low(p) * low(a)} + low(q) * low(b) + Fixed::one / 2;
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(p) * high(a) + high(p) * low(a) +
+                                     static_cast<std::uint32_t>(q) * high(b) + high(q) * low(b) +
+                                     static_cast<std::uint32_t>(rest >> 16));
+}
+
+/// p a + q b in Q16, likewise, mostly in 32 bits.
+[[gnu::noinline]] constexpr std::int64_t sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q,
+                                                         std::int32_t b)
+{
+    if (is_modest_factor(p) && is_modest_factor(q) && is_modest_way(a) && is_modest_way(b))
+        return short_sum_of_products(p, a, q, b);
+    return sum_of_products(p, std::int64_t{a}, q, std::int64_t{b});
+}
+
+/// The largest integer whose square is not larger than `value`.
+template <std::unsigned_integral T>
+constexpr std::uint32_t square_root(T value)
+{
+    T root = 0;
+    for (T bit = T{1} << (std::numeric_limits<T>::digits / 2 - 1); bit != 0; bit >>= 1) {
+        const T candidate = root | bit;
+        if (candidate * candidate <= value)
+            root = candidate;
+    }
+    return static_cast<std::uint32_t>(root);
+}
+
+/// `total` things handed out to `count` receivers as evenly as the original KFAST did it: everybody gets
+/// total div count, and the first total mod count of them one more. `count` is at least 1.
+struct Distribution {
+    std::uint32_t each = 0;
+    std::uint32_t extra = 0;
+
+    constexpr Distribution() = default;
+    constexpr Distribution(std::uint32_t total, std::uint32_t count) : each{1}
+    {
+        if (total == count) // most are, and small processors divide by a function
+            return;
+        each = total / count;
+        extra = total % count;
+    }
+
+    /// What receiver `index` (from 0) gets.
+    constexpr std::uint32_t at(std::uint32_t index) const { return each + (index < extra ? 1 : 0); }
+};
 
 }

@@ -1,8 +1,8 @@
 #include "core/math/point_map.hpp"
 
 #include "core/bytes/work.hpp"
-#include "core/math/held_point.hpp"
-#include "core/math/sum_of_products.hpp"
+#include "core/math/fixed.hpp"
+#include "core/math/point.hpp"
 
 #include <algorithm>
 

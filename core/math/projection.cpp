@@ -1,11 +1,9 @@
 #include "core/math/projection.hpp"
 
-#include "core/bytes/plain_function.hpp"
+#include "core/bytes/function_ref.hpp"
 #include "core/bytes/work.hpp"
-#include "core/math/held_point.hpp"
-#include "core/math/quotient.hpp"
-#include "core/math/square_root.hpp"
-#include "core/math/sum_of_products.hpp"
+#include "core/math/fixed.hpp"
+#include "core/math/point.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/math/point.hpp"
-#include "core/math/size.hpp"
 #include "core/math/space.hpp"
 
 #include <cstdint>

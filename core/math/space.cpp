@@ -1,7 +1,7 @@
 #include "core/math/space.hpp"
 
 #include "core/feature_code.hpp"
-#include "core/math/sum_of_products.hpp"
+#include "core/math/fixed.hpp"
 
 namespace kfast {
 namespace {

@@ -1,7 +1,7 @@
 #include "core/pose/carried_drawing.hpp"
 
-#include "core/bytes/plain_function.hpp"
-#include "core/math/held_point.hpp"
+#include "core/bytes/function_ref.hpp"
+#include "core/math/point.hpp"
 
 namespace kfast {
 namespace {

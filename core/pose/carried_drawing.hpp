@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/live_bones.hpp"
-#include "core/scene/drawing_reader.hpp"
+#include "core/scene/drawing_view.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/skin_reader.hpp"
 

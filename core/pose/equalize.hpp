@@ -2,8 +2,8 @@
 
 #include "core/bytes/function_ref.hpp"
 #include "core/bytes/work.hpp"
-#include "core/math/distribution.hpp"
-#include "core/scene/drawing_reader.hpp"
+#include "core/math/fixed.hpp"
+#include "core/scene/drawing_view.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,6 @@
 #include "core/math/turning.hpp"
 #include "core/scene/path_view.hpp"
 #include "core/time/hermite.hpp"
-#include "core/time/passage.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "core/pose/live_backbones.hpp"
 
-#include "core/bytes/plain_function.hpp"
+#include "core/bytes/function_ref.hpp"
 #include "core/bytes/work.hpp"
-#include "core/math/held_point.hpp"
+#include "core/math/point.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,10 +1,9 @@
 #include "core/pose/live_bones.hpp"
 
 #include "core/bytes/work.hpp"
-#include "core/math/held_point.hpp"
-#include "core/math/quotient.hpp"
-#include "core/math/sum_of_products.hpp"
-#include "core/time/passage.hpp"
+#include "core/math/fixed.hpp"
+#include "core/math/point.hpp"
+#include "core/time/hermite.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/math/canvas_map.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pose/live_drawing.hpp"
 #include "core/pose/scene_on_panel.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/time/moment.hpp"
 #include "core/time/time.hpp"
 
 #include <cstddef>

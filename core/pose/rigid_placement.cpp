@@ -1,6 +1,6 @@
 #include "core/pose/rigid_placement.hpp"
 
-#include "core/math/quotient.hpp"
+#include "core/math/fixed.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/math/affine.hpp"
-#include "core/raster/outline/corner_map.hpp"
+#include "core/raster/outline/contour_cache.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/math/canvas_map.hpp"
+#include "core/math/point.hpp"
 #include "core/math/projection.hpp"
-#include "core/math/size.hpp"
 #include "core/math/space.hpp"
 #include "core/pose/live_backbones.hpp"
 #include "core/pose/live_bones.hpp"

@@ -2,8 +2,8 @@
 
 #include "core/scene/beat_cursor.hpp"
 #include "core/scene/scene_view.hpp"
+#include "core/time/hermite.hpp"
 #include "core/time/key_interval.hpp"
-#include "core/time/passage.hpp"
 #include "core/time/time.hpp"
 
 #include <cstdint>

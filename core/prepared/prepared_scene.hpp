@@ -2,10 +2,8 @@
 
 #include "core/prepared/key_timeline.hpp"
 #include "core/prepared/node.hpp"
-#include "core/prepared/walk_level.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/time/dependence.hpp"
-#include "core/time/moment.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,11 +2,11 @@
 
 #include "core/bytes/work.hpp"
 #include "core/raster/band.hpp"
+#include "core/raster/cells.hpp"
 #include "core/raster/dirty.hpp"
 #include "core/raster/layer_row.hpp"
 #include "core/raster/outline/paint_step.hpp"
 #include "core/raster/slots.hpp"
-#include "core/raster/tile.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "core/raster/coverage.hpp"
 
 #include "core/bytes/work.hpp"
-#include "core/raster/outline/reciprocal.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
 #include <cstdlib>

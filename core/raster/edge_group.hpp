@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/fill_rule.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/raster/coverage.hpp"
 #include "core/raster/row_chain.hpp"
 #include "core/raster/sample_line.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/pixel/dither.hpp"
 #include "core/pixel/pixel_format.hpp"
+#include "core/pixel/pixel_row.hpp"
 #include "core/raster/cells.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "core/raster/record.hpp"
 
 #include "core/bytes/work.hpp"
-#include "core/pixel/wide_fill.hpp"
+#include "core/pixel/pixel_coding.hpp"
 
 #include <algorithm>
 

@@ -1,17 +1,16 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/colour.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "core/raster/band.hpp"
-#include "core/raster/band_set.hpp"
+#include "core/raster/cells.hpp"
 #include "core/raster/change.hpp"
 #include "core/raster/dirty.hpp"
 #include "core/raster/layer_row.hpp"
 #include "core/raster/outline/picture.hpp"
 #include "core/raster/record.hpp"
 #include "core/raster/slots.hpp"
-#include "core/raster/tile.hpp"
 
 #include <array>
 #include <cstddef>

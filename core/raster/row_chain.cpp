@@ -1,6 +1,6 @@
 #include "core/raster/row_chain.hpp"
 
-#include "core/raster/outline/reciprocal.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,6 @@
 
 #include "core/bytes/bit_reader.hpp"
 #include "core/bytes/byte_reader.hpp"
-#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "core/scene/input_view.hpp"
 
-#include "core/bytes/name_reader.hpp"
-#include "core/math/quotient.hpp"
+#include "core/bytes/byte_reader.hpp"
+#include "core/math/fixed.hpp"
 
 #include <algorithm>
 

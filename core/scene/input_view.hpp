@@ -2,7 +2,7 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/scene/glyph_set.hpp"
-#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/pixel/beam_style.hpp"
-#include "core/pixel/fill_rule.hpp"
-#include "core/pixel/stroke_style.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/scene/backbone_view.hpp"
 #include "core/scene/beat_cursor.hpp"
 #include "core/scene/packed_values.hpp"
@@ -15,6 +13,14 @@
 #include <cstdint>
 
 namespace kfast {
+
+/// Tells an item, which is stored at `place` (SceneView::place_of), apart wherever symbols are used; `outer`
+/// is the path of the group or use that it lies in, 0 of the outermost ones. Items that lie beside each other
+/// begin at different bytes, and a path leads through eight of them at most.
+constexpr std::uint32_t path_to(std::uint32_t place, std::uint32_t outer)
+{
+    return (outer ^ place) * 0x9E37'79B1U + (outer >> 15);
+}
 
 /// How an object is painted: filled, stroked or both, the stroke over the fill.
 struct ObjectStyle {

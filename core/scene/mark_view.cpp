@@ -1,6 +1,6 @@
 #include "core/scene/mark_view.hpp"
 
-#include "core/bytes/name_reader.hpp"
+#include "core/bytes/byte_reader.hpp"
 #include "core/scene/time_code.hpp"
 
 namespace kfast {

@@ -3,17 +3,19 @@
 #include "core/bytes/byte_reader.hpp"
 #include "core/bytes/result.hpp"
 #include "core/features.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/colour.hpp"
 #include "core/scene/bone_view.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/item_view.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "core/scene/mark_view.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/skin_reader.hpp"
 #include "core/time/law_pair.hpp"
 #include "core/time/time.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +23,13 @@
 #include <string_view>
 
 namespace kfast {
+
+/// The distance of the viewer where a scene names none, in pixels: twice the longer side. From there the
+/// canvas is seen within 28 degrees.
+constexpr std::int32_t usual_camera(Size canvas)
+{
+    return std::max<std::int32_t>(kfb::min_camera, 2 * std::max(canvas.width, canvas.height));
+}
 
 struct ItemTotals;
 
@@ -52,7 +61,7 @@ public:
     /// bad_scene, too_slow, or with the first feature that the scene needs and the program has not. Behind
     /// too_slow `item`, if there is one, is the number of the item that takes most, a use with all that is
     /// inside, in the order in which they are stored; behind bad_scene, where the scene has more keys and
-    /// points than are read (core/scene/check/read_allowance.hpp), that of the item at which it was too much;
+    /// points than are read (core/scene/check/scene_check.hpp), that of the item at which it was too much;
     /// 0xFFFFFFFF where it is none.
     static Result<SceneView> parse(std::span<const std::byte> bytes, const Features& features = every_feature,
                                    std::uint32_t* item = nullptr);
@@ -190,5 +199,19 @@ private:
     ByteReader items_;
     std::span<const std::byte> drawings_;
 };
+
+/// A part of a scene's timeline that is played, and what happens at its ends.
+struct Stretch {
+    Time begin;
+    Time end; ///< later than `begin`; both are within 0 … kfb::max_time
+    Loop loop = Loop::repeat;
+
+    constexpr Time length() const { return end - begin; }
+};
+
+/// The whole scene.
+inline Stretch stretch_of(const SceneView& scene) { return {Time{0}, scene.length(), scene.loop()}; }
+
+constexpr Stretch stretch_of(const ClipView& clip) { return {clip.begin, clip.end, clip.loop}; }
 
 }

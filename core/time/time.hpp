@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
+#include <span>
 
 namespace kfast {
 
@@ -37,5 +38,59 @@ constexpr Time wrap(Time time, Time length, Loop loop)
     const std::int32_t within = rest < 0 ? rest + period : rest;
     return {within > length.ticks ? period - within : within};
 }
+
+/// What the moments of keys count: the time of the scene, or where one of its inputs stands.
+struct Clock {
+    std::uint8_t input = 0; ///< 0: the time; else the number of the input, counted from 1
+
+    constexpr bool is_time() const { return input == 0; }
+    friend constexpr bool operator==(Clock, Clock) = default;
+    friend constexpr auto operator<=>(Clock, Clock) = default;
+};
+
+/// Of the input `number`, where each has one, the first the lowest.
+constexpr std::uint32_t bit_of_input(std::uint32_t number) { return std::uint32_t{1} << number; }
+
+/// Where an input stands at its greatest value; at its least it stands at 0.
+inline constexpr Time whole_input{65536};
+
+/// Where all clocks of a scene stand at once.
+class Moment {
+public:
+    /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not told stands at 0.
+    constexpr Moment(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
+
+    constexpr Time time() const { return time_; }
+    constexpr Time at(Clock clock) const
+    {
+        if (clock.is_time())
+            return time_;
+        return clock.input <= inputs_.size() ? inputs_[clock.input - 1U] : Time{};
+    }
+
+private:
+    Time time_;
+    std::span<const Time> inputs_;
+};
+
+/// On which timelines and inputs something depends at a moment: a bit for each. There are as many as there
+/// are, so that several may share a bit: then more is taken to move than does.
+struct Dependence {
+    std::uint32_t keys = 0; ///< all of them
+    std::uint32_t ways = 0; ///< those between two keys that differ: it moves as these go on
+
+    static constexpr std::uint32_t bit(std::uint32_t number) { return std::uint32_t{1} << (number % 32); }
+
+    /// `moved` has what came to other keys, or was told something new, and what went on between its keys.
+    constexpr bool is_touched_by(const Dependence& moved) const
+    {
+        return ((keys & moved.keys) | (ways & moved.ways)) != 0;
+    }
+    friend constexpr Dependence operator|(const Dependence& a, const Dependence& b)
+    {
+        return {a.keys | b.keys, a.ways | b.ways};
+    }
+    friend constexpr bool operator==(const Dependence&, const Dependence&) = default;
+};
 
 }

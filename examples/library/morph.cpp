@@ -1,8 +1,8 @@
 // Turns one drawing into another, both in plain arrays, and writes a strip of the in-betweens: morph
 // >morph.svg
 #include "core/math/flatten.hpp"
-#include "core/pose/drawing_view.hpp"
 #include "core/pose/equalize.hpp"
+#include "core/scene/drawing_view.hpp"
 #include "core/time/velocity_law.hpp"
 
 #include <array>

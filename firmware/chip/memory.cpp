@@ -3,7 +3,7 @@
 // writes words at multiples of four alone. Of device images only, compiled with
 // -fno-tree-loop-distribute-patterns, or these loops would become calls to themselves.
 
-#include "core/pixel/wide_fill.hpp"
+#include "core/pixel/pixel_coding.hpp"
 
 #include <cstddef>
 #include <cstdint>

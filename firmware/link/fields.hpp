@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pose/live_drawing.hpp"
 #include "core/time/time.hpp"
 #include "firmware/chip/span_writer.hpp"

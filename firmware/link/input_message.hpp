@@ -3,7 +3,6 @@
 #include "core/pose/live_drawing.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 #include "firmware/link/message_kind.hpp"
 #include "firmware/link/report.hpp"
@@ -60,7 +59,7 @@ struct InputState {
 
 struct InputPlace {
     std::uint8_t input = 0; ///< its number in the scene
-    Time place{};           ///< 0 … whole_input (core/time/clock.hpp)
+    Time place{};           ///< 0 … whole_input (core/time/time.hpp)
 
     static constexpr void fields(auto&& io, auto& it) { io(it.input, it.place); }
     friend constexpr bool operator==(const InputPlace&, const InputPlace&) = default;

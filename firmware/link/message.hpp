@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/time/time.hpp"
 #include "firmware/chip/stored_text.hpp"
 #include "firmware/link/message_kind.hpp"

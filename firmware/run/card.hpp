@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/pixel_row.hpp"
 #include "firmware/run/sending.hpp"
 #include "firmware/run/small_font.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_point.hpp"
 #include "core/beam/beam_profile.hpp"
-#include "core/pixel/channel.hpp"
+#include "core/pixel/colour.hpp"
 
 #include <cstdint>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/bytes/error_text.hpp"
 #include "core/bytes/result.hpp"
 #include "firmware/run/card.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "firmware/panel/panel.hpp"
 #include "firmware/run/board.hpp"

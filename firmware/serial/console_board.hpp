@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 #include "firmware/run/board.hpp"
 #include "firmware/run/panel_mirror.hpp"
 #include "firmware/serial/console.hpp"

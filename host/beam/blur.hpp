@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 
 #include <span>
 #include <vector>

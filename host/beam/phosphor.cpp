@@ -1,6 +1,6 @@
 #include "host/beam/phosphor.hpp"
 
-#include "core/pixel/channel.hpp"
+#include "core/pixel/colour.hpp"
 
 #include <algorithm>
 #include <array>

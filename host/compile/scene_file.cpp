@@ -1,6 +1,6 @@
 #include "host/compile/scene_file.hpp"
 
-#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 #include "host/compile/reported_compile.hpp"
 #include "host/file/input_file.hpp"
 #include "host/import/content_kind.hpp"

@@ -1,7 +1,7 @@
 #include "host/compiler/stroke_order.hpp"
 
+#include "core/beam/beam_point.hpp"
 #include "core/beam/beam_route.hpp"
-#include "core/beam/field_point.hpp"
 #include "host/compiler/carry/carrier.hpp"
 
 #include <algorithm>

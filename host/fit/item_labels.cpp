@@ -1,6 +1,6 @@
 #include "host/fit/item_labels.hpp"
 
-#include "core/scene/item_path.hpp"
+#include "core/scene/item_view.hpp"
 
 namespace kfast::fit {
 

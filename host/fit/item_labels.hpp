@@ -10,7 +10,7 @@
 
 namespace kfast::fit {
 
-/// What the objects of a scene are called, by their paths (core/scene/item_path.hpp).
+/// What the objects of a scene are called, by their paths (core/scene/item_view.hpp).
 class ItemLabels {
 public:
     /// `names` are those of the items in the order in which the scene stores them, or none.

@@ -12,7 +12,7 @@ namespace kfast::fit {
 struct LargestOutlines {
     Time moment;
     std::size_t bytes = 0;
-    std::uint32_t path = 0;     ///< of the object (core/scene/item_path.hpp)
+    std::uint32_t path = 0;     ///< of the object (core/scene/item_view.hpp)
     std::size_t item_bytes = 0; ///< of that object
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "core/scene/stretch.hpp"
+#include "core/scene/scene_view.hpp"
 #include "host/fit/busy_inputs.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"

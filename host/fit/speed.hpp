@@ -16,7 +16,7 @@
 
 namespace kfast::fit {
 
-/// The object that costs most in a picture, by its path (core/scene/item_path.hpp); and its part of the work.
+/// The object that costs most in a picture, by its path (core/scene/item_view.hpp); and its part of the work.
 struct HeaviestItem {
     std::uint32_t path = 0;
     double share = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
 #include "host/scene_text/values/reach.hpp"

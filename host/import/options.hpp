@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/colour.hpp"
 #include "host/art/prepare/tolerance.hpp"
 #include "host/program/tell_work.hpp"

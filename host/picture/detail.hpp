@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/raster/outline/picture.hpp"
 #include "core/scene/scene_view.hpp"
 

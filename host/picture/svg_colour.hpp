@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/pixel/colour.hpp"
-#include "core/pixel/opacity.hpp"
 #include "host/picture/svg_number.hpp"
 
 #include <cstdio>

@@ -2,7 +2,7 @@
 
 #include "core/math/projection.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing_trace.hpp"
+#include "core/pose/live_drawing.hpp"
 #include "host/picture/svg_colour.hpp"
 #include "host/picture/svg_number.hpp"
 #include "host/picture/svg_path.hpp"

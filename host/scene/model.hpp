@@ -1,15 +1,12 @@
 #pragma once
 
-#include "core/math/size.hpp"
-#include "core/pixel/beam_style.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/colour.hpp"
-#include "core/pixel/fill_rule.hpp"
-#include "core/pixel/stroke_style.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/scene/bone_view.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/label_view.hpp"
 #include "core/scene/property.hpp"
-#include "core/time/clock.hpp"
 #include "core/time/law_pair.hpp"
 #include "core/time/time.hpp"
 #include "host/geometry/drawing.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 #include "firmware/link/conversation.hpp"
 #include "firmware/link/stage.hpp"
 #include "firmware/panel/panel_choice.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/beam/beam_point.hpp"
-#include "core/beam/field_point.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// The bytes that the outlines of each item take, by their paths (core/scene/item_path.hpp).
+/// The bytes that the outlines of each item take, by their paths (core/scene/item_view.hpp).
 inline std::map<std::uint32_t, std::size_t> outline_bytes_by_item(const raster::Picture& picture)
 {
     std::map<std::uint32_t, std::size_t> bytes;

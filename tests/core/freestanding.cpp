@@ -1,7 +1,7 @@
 #include "core/math/flatten.hpp"
 #include "core/player.hpp"
-#include "core/pose/drawing_view.hpp"
 #include "core/pose/equalize.hpp"
+#include "core/scene/drawing_view.hpp"
 #include "core/time/track.hpp"
 #include "core/time/velocity_law.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
 #include "firmware/link/input_message.hpp"
 #include "host/commands/live/live_line.hpp"
 #include "host/player/drawing_text.hpp"

@@ -1,7 +1,7 @@
 #include "boards/pico/stage/report.hpp"
 
 #include "boards/pico/stage/log.hpp"
-#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 #include "firmware/version.hpp"
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/raster/outline/grid.hpp"
-#include "core/raster/outline/reciprocal.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "core/raster/outline/chain_builder.hpp"
 
-#include "core/raster/outline/reciprocal.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/picture_cache.hpp"
-#include "core/raster/outline/corner_map.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -9,6 +9,80 @@
 #include <span>
 
 namespace kfast::raster {
+
+/// A corner near the origin, in half the room.
+struct ShortCorner {
+    std::int16_t x = 0;
+    std::int16_t y = 0;
+};
+
+constexpr bool is_short(Corner corner)
+{
+    constexpr std::uint32_t half = 1U << 15;
+    return ((static_cast<std::uint32_t>(corner.x) + half) | (static_cast<std::uint32_t>(corner.y) + half)) <
+           2 * half;
+}
+
+/// A turn, maybe in a mirror, a growth by at most 17/16, and a shift. Corners are rounded to nearest, halves
+/// to the right and down.
+class CornerMap {
+public:
+    static constexpr int fraction_bits = 14;
+    /// Of a shift, in the grid: with it, what is in reach of Corner stays so.
+    static constexpr std::int32_t max_shift = 1 << 19;
+
+    CornerMap() = default;
+    /// Factors in Q14; shifts in 1/65536 px, at most max_shift.
+    CornerMap(std::int32_t xx, std::int32_t xy, std::int32_t yx, std::int32_t yy, std::int32_t x0,
+              std::int32_t y0)
+        : xx_{xx}, xy_{xy}, yx_{yx}, yy_{yy}, x_rest_{rest_of(x0)}, y_rest_{rest_of(y0)}, x_{x0 >> unit_bits},
+          y_{y0 >> unit_bits}
+    {
+    }
+
+    [[gnu::always_inline]] Corner operator()(const ShortCorner& corner) const
+    {
+        return {((xx_ * corner.x + xy_ * corner.y + x_rest_) >> fraction_bits) + x_,
+                ((yx_ * corner.x + yy_ * corner.y + y_rest_) >> fraction_bits) + y_};
+    }
+    Corner operator()(Corner corner) const
+    {
+        if (is_short(corner))
+            return (*this)(
+                ShortCorner{static_cast<std::int16_t>(corner.x), static_cast<std::int16_t>(corner.y)});
+        const auto placed = [corner](std::int32_t p, std::int32_t q, std::int32_t rest) {
+            const std::int64_t sum = std::int64_t{p} * corner.x + std::int64_t{q} * corner.y + rest;
+            return static_cast<std::int32_t>(sum >> fraction_bits);
+        };
+        return {placed(xx_, xy_, x_rest_) + x_, placed(yx_, yy_, y_rest_) + y_};
+    }
+
+    void add_to(Fingerprint& fingerprint) const
+    {
+        fingerprint.add(xx_, xy_);
+        fingerprint.add(yx_, yy_);
+        fingerprint.add(x_, x_rest_);
+        fingerprint.add(y_, y_rest_);
+    }
+
+private:
+    static constexpr int unit_bits = 16 - grid_bits;
+
+    /// Of a shift in the grid: what is left of a unit, in Q14, and half a one.
+    static constexpr std::int32_t rest_of(std::int32_t shift)
+    {
+        return ((shift & ((1 << unit_bits) - 1)) << (fraction_bits - unit_bits)) + (1 << (fraction_bits - 1));
+    }
+
+    std::int32_t xx_ = 1 << fraction_bits;
+    std::int32_t xy_ = 0;
+    std::int32_t yx_ = 0;
+    std::int32_t yy_ = 1 << fraction_bits;
+    std::int32_t x_rest_ = rest_of(0);
+    std::int32_t y_rest_ = rest_of(0);
+    std::int32_t x_ = 0;
+    std::int32_t y_ = 0;
+};
 
 /// What contours are made of: two that are equal have the same ones.
 struct ContourName {

@@ -3,7 +3,7 @@
 #include "core/bytes/work.hpp"
 #include "core/raster/outline/chain_builder.hpp"
 #include "core/raster/outline/far_contour.hpp"
-#include "core/raster/outline/reciprocal.hpp"
+#include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
 #include <cstdlib>

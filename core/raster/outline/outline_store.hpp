@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/bytes/work.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/raster/outline/chain.hpp"
 #include "core/raster/outline/contour_cache.hpp"
-#include "core/raster/outline/corner_map.hpp"
 #include "core/raster/outline/grid.hpp"
-#include "core/raster/outline/layer_outlines.hpp"
+#include "core/raster/outline/paint_step.hpp"
 
 #include <cstddef>
 #include <cstdint>

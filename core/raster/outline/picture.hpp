@@ -3,7 +3,7 @@
 #include "core/bytes/picture_cache.hpp"
 #include "core/raster/outline/outline_store.hpp"
 #include "core/raster/outline/paint_step.hpp"
-#include "core/time/dependence.hpp"
+#include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>

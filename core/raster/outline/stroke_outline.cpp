@@ -1,10 +1,10 @@
 #include "core/raster/outline/stroke_outline.hpp"
 
-#include "core/bytes/plain_function.hpp"
+#include "core/bytes/function_ref.hpp"
 #include "core/bytes/work.hpp"
 #include "core/math/angle.hpp"
 #include "core/math/flatten.hpp"
-#include "core/math/held_point.hpp"
+#include "core/math/point.hpp"
 #include "core/raster/outline/grid.hpp"
 
 #include <algorithm>

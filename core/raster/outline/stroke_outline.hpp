@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/math/heading.hpp"
-#include "core/pixel/stroke_style.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/raster/outline/outline_store.hpp"
 
 #include <cstdint>

@@ -1,6 +1,5 @@
-#include "core/scene/check/bone_check.hpp"
+#include "core/scene/check/scene_check.hpp"
 
-#include "core/scene/check/key_moment.hpp"
 #include "core/scene/kfb_limits.hpp"
 
 namespace kfast {

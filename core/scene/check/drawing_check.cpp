@@ -1,4 +1,4 @@
-#include "core/scene/check/drawing_check.hpp"
+#include "core/scene/check/scene_check.hpp"
 
 #include "core/scene/packed_drawing.hpp"
 

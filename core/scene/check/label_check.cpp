@@ -1,4 +1,4 @@
-#include "core/scene/check/label_check.hpp"
+#include "core/scene/check/scene_check.hpp"
 
 #include "core/scene/kfb_limits.hpp"
 

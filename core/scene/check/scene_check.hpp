@@ -3,16 +3,53 @@
 #include "core/bytes/result.hpp"
 #include "core/features.hpp"
 #include "core/scene/check/picture_cost.hpp"
-#include "core/scene/check/read_allowance.hpp"
+#include "core/scene/input_view.hpp"
+#include "core/scene/kfb_limits.hpp"
 #include "core/scene/label_view.hpp"
 #include "core/scene/scene_view.hpp"
+#include "core/time/time.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 namespace kfast {
+
+/// How much more SceneView::parse() reads: keys and points of drawings. A scene says in few bytes that many
+/// keys have the same drawing, or that many tracks have the same key times, and whoever parses it reads them
+/// for each; so a bound on the bytes alone would be none on the time.
+class ReadAllowance {
+public:
+    explicit constexpr ReadAllowance(std::size_t scene_bytes)
+        : left_{for_any_scene + per_byte * static_cast<std::uint32_t>(scene_bytes)}
+    {
+    }
+
+    /// Whether so much may be read; then it counts as read.
+    constexpr bool take(std::uint32_t keys_or_points)
+    {
+        if (keys_or_points > left_)
+            return false;
+        left_ -= keys_or_points;
+        return true;
+    }
+
+private:
+    static constexpr std::uint32_t for_any_scene = 1U << 18;
+    static constexpr std::uint32_t per_byte = 2; ///< drawings and keys as the compiler writes them take less
+
+    std::uint32_t left_;
+};
+
+/// Whether a scene may have a key there, the inputs of which are numbers where `numbers` has their bit.
+constexpr bool is_key_moment(Clock clock, Time time, std::uint32_t numbers)
+{
+    if (clock.is_time())
+        return time.ticks <= kfb::max_time;
+    return clock.input <= kfb::max_inputs && (numbers >> (clock.input - 1U) & 1U) != 0 && time <= whole_input;
+}
 
 /// Looks for everything that can be wrong within the sections of a scene, and counts what it needs.
 class SceneCheck {
@@ -124,5 +161,25 @@ private:
     std::uint32_t most_ = 0;
     std::uint32_t item_ = 0xFFFF'FFFF;
 };
+
+/// Whether nothing is wrong with the scene's skeletons of bones; `laws` pairs of laws are stored.
+bool bones_are_sound(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance);
+
+/// Whether the inputs of the scene, which has its sections, are what the format allows, but for the drawings
+/// that they refer to.
+bool inputs_are_sound(const SceneView& scene);
+
+/// Whether a label of this input is what the format allows, but for the drawings that it refers to.
+bool label_is_sound(const LabelView& label, const TextInput& text);
+
+// Of drawings that have been checked, at offsets in a scene's section of drawings:
+
+/// As many strokes, with the same segments of the same kinds.
+bool is_built_alike(std::span<const std::byte> drawings, std::uint32_t one, std::uint32_t other);
+
+bool has_only_lines(std::span<const std::byte> drawings, std::uint32_t offset);
+
+/// Three strokes of lines for each backbone, with as many points, at least two.
+bool are_backbones(std::span<const std::byte> drawings, std::uint32_t offset);
 
 }

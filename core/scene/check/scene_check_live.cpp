@@ -1,6 +1,4 @@
 #include "core/feature_code.hpp"
-#include "core/scene/check/input_check.hpp"
-#include "core/scene/check/label_check.hpp"
 #include "core/scene/check/scene_check.hpp"
 
 /// What of a scene comes from outside.

@@ -1,6 +1,4 @@
 #include "core/feature_code.hpp"
-#include "core/scene/check/backbone_check.hpp"
-#include "core/scene/check/drawing_check.hpp"
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/kfb_limits.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/pixel/fill_rule.hpp"
-#include "core/pixel/stroke_style.hpp"
-#include "core/time/clock.hpp"
+#include "core/pixel/paint_style.hpp"
+#include "core/time/time.hpp"
 #include "host/art/animation/animated.hpp"
 #include "host/art/geometry/drawing.hpp"
 

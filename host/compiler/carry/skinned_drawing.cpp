@@ -1,6 +1,6 @@
 #include "host/compiler/carry/skinned_drawing.hpp"
 
-#include "core/math/distribution.hpp"
+#include "core/math/fixed.hpp"
 #include "core/pose/equalize.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/match/model_reader.hpp"

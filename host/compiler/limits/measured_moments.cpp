@@ -1,6 +1,6 @@
 #include "host/compiler/limits/measured_moments.hpp"
 
-#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
 #include "host/walk/every_item.hpp"
 
 #include <algorithm>

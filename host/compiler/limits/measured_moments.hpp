@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/scene/scene_view.hpp"
-#include "core/time/moment.hpp"
 #include "core/time/time.hpp"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "host/compiler/limits/outline_excess.hpp"
 
-#include "core/scene/item_path.hpp"
+#include "core/scene/item_view.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/limits/outline_meter.hpp"
 #include "host/scene/values/value_reader.hpp"
@@ -52,7 +52,7 @@ private:
     std::size_t points_ = 0;
 };
 
-/// Finds an object of a scene by its path (core/scene/item_path.hpp).
+/// Finds an object of a scene by its path (core/scene/item_view.hpp).
 class ObjectSearch {
 public:
     ObjectSearch(const scene::Scene& scene, const SceneView& view, std::uint32_t path)

@@ -4,7 +4,7 @@
 #include "core/pose/live_bones.hpp"
 #include "core/raster/outline/picture.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/time/moment.hpp"
+#include "core/time/time.hpp"
 #include "core/tracer.hpp"
 #include "host/compiler/limits/live_outlines.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/compiler/match/match_by_count.hpp"
 
-#include "core/math/distribution.hpp"
+#include "core/math/fixed.hpp"
 #include "host/compiler/match/model_reader.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "host/compiler/match/match_by_length.hpp"
 
-#include "core/math/distribution.hpp"
+#include "core/math/fixed.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/match/broken_stroke.hpp"
 #include "host/compiler/match/corresponding_places.hpp"

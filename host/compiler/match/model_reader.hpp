@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/drawing_reader.hpp"
+#include "core/scene/drawing_view.hpp"
 #include "host/scene/model.hpp"
 
 namespace kfast {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 #include "host/compiler/pack/byte_writer.hpp"
 

@@ -3,7 +3,7 @@
 #include "core/bytes/byte_reader.hpp"
 #include "core/bytes/crc32.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "core/scene/usual_camera.hpp"
+#include "core/scene/scene_view.hpp"
 #include "host/compiler/write/time_code.hpp"
 
 #include <algorithm>

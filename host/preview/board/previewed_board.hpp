@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "host/fit/target.hpp"
 

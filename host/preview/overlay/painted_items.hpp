@@ -14,7 +14,7 @@ public:
     /// `scene`'s bytes must outlive it.
     PaintedItems(const SceneView& scene, Size panel, Fit fit);
 
-    /// The path (core/scene/item_path.hpp) of the topmost item that covers at least half of a pixel at a
+    /// The path (core/scene/item_view.hpp) of the topmost item that covers at least half of a pixel at a
     /// moment; if there is none, of the topmost that touches it.
     std::optional<std::uint32_t> path_at(Time moment, int x, int y);
 

@@ -22,7 +22,7 @@ struct SeenLeaf {
     const Node& node;   ///< the same
     const Space& space; ///< from its own coordinates to the panel
     const Moment& moment;
-    std::uint32_t path; ///< core/scene/item_path.hpp
+    std::uint32_t path; ///< core/scene/item_view.hpp
     /// Its place in SceneFile::item_names, the last one, after those of the groups and uses around it.
     std::span<const std::size_t> numbers;
 

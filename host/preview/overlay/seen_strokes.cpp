@@ -3,7 +3,7 @@
 #include "core/math/flatten.hpp"
 #include "core/math/sight.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing_trace.hpp"
+#include "core/pose/live_drawing.hpp"
 #include "core/pose/live_strokes.hpp"
 #include "core/pose/live_wires.hpp"
 #include "core/pose/object_strokes.hpp"

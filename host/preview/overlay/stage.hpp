@@ -2,7 +2,6 @@
 
 #include "core/math/canvas_map.hpp"
 #include "core/math/point.hpp"
-#include "core/math/size.hpp"
 #include "core/scene/scene_view.hpp"
 #include "host/fit/target.hpp"
 #include "host/preview/overlay/overlay.hpp"

@@ -1,6 +1,6 @@
 #include "host/preview/overlay/unseen_objects.hpp"
 
-#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/board/told_player.hpp"
 #include "host/preview/overlay/layer_probe.hpp"

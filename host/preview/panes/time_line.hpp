@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/time/time.hpp"
 #include "host/preview/playback/time_table.hpp"
 

@@ -3,7 +3,7 @@
 #include "core/pose/scene_on_panel.hpp"
 #include "core/scene/item_view.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/time/moment.hpp"
+#include "core/time/time.hpp"
 
 #include <string>
 #include <vector>

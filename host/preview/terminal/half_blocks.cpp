@@ -1,6 +1,6 @@
 #include "host/preview/terminal/half_blocks.hpp"
 
-#include "core/pixel/channel.hpp"
+#include "core/pixel/colour.hpp"
 #include "host/preview/painter/placement.hpp"
 #include "host/preview/painter/scaled_picture.hpp"
 

@@ -1,7 +1,7 @@
 #include "host/scene/values/canvas_reader.hpp"
 
 #include "core/scene/kfb_limits.hpp"
-#include "core/scene/usual_camera.hpp"
+#include "core/scene/scene_view.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time/clock.hpp"
+#include "core/time/time.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/input_table.hpp"
 #include "host/scene/context/scene_context.hpp"

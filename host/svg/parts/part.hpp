@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/pixel/fill_rule.hpp"
-#include "core/pixel/stroke_style.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/art/geometry/affine.hpp"
 #include "host/art/geometry/drawing.hpp"
 #include "host/svg/style/colour.hpp"

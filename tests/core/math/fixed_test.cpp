@@ -1,8 +1,5 @@
 #include "core/math/fixed.hpp"
 
-#include "core/math/distribution.hpp"
-#include "core/math/square_root.hpp"
-
 #include <cmath>
 #include <doctest/doctest.h>
 #include <limits>

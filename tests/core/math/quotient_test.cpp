@@ -1,4 +1,4 @@
-#include "core/math/quotient.hpp"
+#include "core/math/fixed.hpp"
 
 #include <doctest/doctest.h>
 

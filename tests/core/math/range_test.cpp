@@ -1,5 +1,5 @@
-#include "core/pose/drawing_view.hpp"
 #include "core/pose/equalize.hpp"
+#include "core/scene/drawing_view.hpp"
 #include "core/time/velocity_law.hpp"
 #include "tests/core/array_drawing.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/pixel/channel.hpp"
+#include "core/pixel/colour.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/pixel/dither.hpp"
+#include "core/pixel/pixel_row.hpp"
 
 #include <doctest/doctest.h>
 

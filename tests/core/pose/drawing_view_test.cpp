@@ -1,4 +1,4 @@
-#include "core/pose/drawing_view.hpp"
+#include "core/scene/drawing_view.hpp"
 
 #include "core/math/flatten.hpp"
 #include "core/pose/equalize.hpp"

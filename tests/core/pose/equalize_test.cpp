@@ -1,6 +1,6 @@
 #include "core/pose/equalize.hpp"
 
-#include "core/raster/outline/fill_outline.hpp"
+#include "core/raster/outline/object_outline.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raster/coverage_picture.hpp"

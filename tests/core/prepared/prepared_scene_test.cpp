@@ -1,6 +1,6 @@
 #include "core/prepared/prepared_scene.hpp"
 
-#include "core/time/passage.hpp"
+#include "core/time/hermite.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_bones.hpp"
 #include "tests/core/stage.hpp"

@@ -1,4 +1,4 @@
-#include "core/raster/outline/fill_outline.hpp"
+#include "core/raster/outline/object_outline.hpp"
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raster/polygons.hpp"
 #include "tests/core/raster/true_area.hpp"

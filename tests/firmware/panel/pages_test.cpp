@@ -1,6 +1,6 @@
 #include "firmware/panel/pages.hpp"
 
-#include "core/math/size.hpp"
+#include "core/math/point.hpp"
 #include "core/pixel/pixel_format.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "core/math/distribution.hpp"
+#include "core/math/fixed.hpp"
 #include "core/pose/equalize.hpp"
 #include "host/compiler/match/model_reader.hpp"
 #include "tests/host/compiler/matched_drawings.hpp"

@@ -1,6 +1,6 @@
 #include "core/features.hpp"
 
-#include "core/bytes/error_text.hpp"
+#include "core/bytes/result.hpp"
 #include "core/player.hpp"
 #include "tests/compiled.hpp"
 

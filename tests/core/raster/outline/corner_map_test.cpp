@@ -1,4 +1,4 @@
-#include "core/raster/outline/corner_map.hpp"
+#include "core/raster/outline/contour_cache.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "core/scene/check/picture_cost.hpp"
 
-#include "core/scene/check/read_allowance.hpp"
+#include "core/scene/check/scene_check.hpp"
 #include "tests/core/raw_scene.hpp"
 
 #include <doctest/doctest.h>
